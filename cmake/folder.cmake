@@ -1,0 +1,32 @@
+# What every target of this project is compiled with, and how a folder of src/ becomes a library.
+
+add_library(matrigrate_options INTERFACE)
+target_compile_options(
+  matrigrate_options
+  INTERFACE -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+            -ffp-contract=off # the same bits wherever the same additions are made
+            -fno-math-errno)
+if(MATRIGRATE_SANITIZE)
+  target_compile_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE} -fno-omit-frame-pointer
+                                                      -fno-sanitize-recover=all)
+  target_link_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE})
+endif()
+
+# matrigrate_folder(NAME DEPENDS target...) makes the library matrigrate_NAME of all sources in the current folder.
+# The folders named in DEPENDS are the only ones whose headers it may include (tests/structure checks it).
+function(matrigrate_folder name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS *.hpp)
+  set(target matrigrate_${name})
+  set(scope PUBLIC)
+  if(sources)
+    add_library(${target} STATIC ${sources})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} ${scope} matrigrate_options ${arg_DEPENDS})
+endfunction()

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+/// Loops that give the same bits for any number of threads: a loop body writes only to its own index, and a sum is taken
+/// over blocks whose bounds do not depend on the threads, then over the blocks in order.
+/// Test: tests/unit/base/parallel_test.cpp
+namespace matrigrate {
+
+inline constexpr std::size_t parallel_block = 512;
+
+/// Calls body(i) for every i in [0, n), in any order.
+template <class Body>
+void parallel_for(std::size_t n, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, parallel_block), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
+
+/// Sum of term(i) over i in [0, n), to the same bits for any number of threads.
+/// @param zero  the empty sum; also fixes the type of the result
+template <class T, class Term>
+T ordered_sum(std::size_t n, const T& zero, const Term& term) {
+  const std::size_t blocks = (n + parallel_block - 1) / parallel_block;
+  std::vector<T> partial(blocks, zero);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    T sum = zero;
+    const std::size_t end = std::min(n, (b + 1) * parallel_block);
+    for (std::size_t i = b * parallel_block; i < end; ++i) sum += term(i);
+    partial[b] = sum;
+  });
+  T sum = zero;
+  for (const T& s : partial) sum += s;
+  return sum;
+}
+
+} // namespace matrigrate

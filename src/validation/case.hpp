@@ -1,0 +1,44 @@
+#pragma once
+
+#include "io/plot.hpp"
+#include "io/table.hpp"
+#include "parameters/parameters.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace matrigrate::validation {
+
+/// One number of a case against what it should be.
+struct Check {
+  std::string quantity; ///< what was measured, with its unit: "Young's modulus [Pa]"
+  double measured = 0.0;
+  double expected = 0.0;
+  double tolerance = 0.0; ///< largest |measured - expected| that holds, in the unit of the quantity
+  std::string reason;     ///< where the tolerance comes from
+
+  bool holds() const;
+};
+
+/// Everything that a case found; nothing of it is written yet.
+struct Result {
+  std::vector<Check> checks;
+  std::vector<std::string> remarks; ///< what is off, and why
+  io::Table table;                  ///< the measured curves, written as NAME.csv
+  std::vector<io::Figure> figures;  ///< the first one is the case's plot, written as NAME.svg
+
+  bool holds() const; ///< all checks hold, and there is at least one
+};
+
+/// A verification of the matrix on its own.
+struct Case {
+  std::string name;    ///< as typed after `validate`
+  std::string summary; ///< one sentence
+  std::function<Result(const Parameters&)> run;
+};
+
+/// All cases, in the order of the documentation.
+const std::vector<Case>& cases();
+
+} // namespace matrigrate::validation
