@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace matrigrate::io {
+namespace matrigrate {
 
 /// Writes the file whole or not at all: temporary file beside it, flushed to disk, renamed. Each step is checked.
 /// @throws InputOutputError naming the path and the reason
@@ -19,4 +19,4 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 /// @throws InputOutputError naming the path and the reason
 void make_output_folder(const std::filesystem::path& path, bool force);
 
-} // namespace matrigrate::io
+} // namespace matrigrate
