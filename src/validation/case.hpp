@@ -10,6 +10,8 @@
 
 namespace matrigrate::validation {
 
+enum class Sense { near, at_least };
+
 /// One number of a case against what it should be.
 struct Check {
   std::string quantity; ///< what was measured, with its unit: "Young's modulus [Pa]"
@@ -17,6 +19,7 @@ struct Check {
   double expected = 0.0;
   double tolerance = 0.0; ///< largest |measured - expected| that holds, in the unit of the quantity
   std::string reason;     ///< where the tolerance comes from
+  Sense sense = Sense::near; ///< at_least: holds from expected - tolerance upwards
 
   bool holds() const;
 };

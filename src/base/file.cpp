@@ -1,0 +1,132 @@
+#include "base/file.hpp"
+
+#include "base/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+namespace matrigrate {
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view reason) {
+  throw InputOutputError(fmt::format("{}: {}", path.string(), reason));
+}
+
+[[noreturn]] void fail_with(const std::filesystem::path& path, std::string_view what, int error) {
+  fail(path, fmt::format("{}: {}", what, std::generic_category().message(error)));
+}
+
+/// An open file descriptor, closed at the end of its scope.
+class Descriptor {
+public:
+  explicit Descriptor(int number) : m_number(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (m_number >= 0) ::close(m_number);
+  }
+  int number() const { return m_number; }
+  /// Closes now, so that an error on closing can be reported. @return 0, or the error
+  int close() {
+    const int status = ::close(m_number);
+    m_number = -1;
+    return status == 0 ? 0 : errno;
+  }
+
+private:
+  int m_number;
+};
+
+/// @return 0, or the error
+int write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+/// Removes the temporary file unless it was renamed to its final name.
+struct Temporary {
+  std::string path;
+  bool kept = false;
+  ~Temporary() {
+    if (!kept) ::unlink(path.c_str());
+  }
+};
+
+} // namespace
+
+void write_file(const std::filesystem::path& path, std::string_view content) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) fail(path, "is a folder, not a file");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) fail(path, "is not a regular file");
+  Temporary temporary{path.string() + ".XXXXXX"};
+  Descriptor file(::mkstemp(temporary.path.data()));
+  if (file.number() < 0) {
+    temporary.kept = true; // nothing was made
+    fail_with(path, "cannot be written", errno);
+  }
+  if (const int error = write_all(file.number(), content)) fail_with(path, "cannot be written", error);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (::fchmod(file.number(), 0666 & ~mask) != 0) fail_with(path, "cannot be written", errno);
+  if (::fsync(file.number()) != 0) fail_with(path, "cannot be flushed to disk", errno);
+  if (const int error = file.close()) fail_with(path, "cannot be closed", error);
+  if (::rename(temporary.path.c_str(), path.c_str()) != 0) fail_with(path, "cannot be written", errno);
+  temporary.kept = true;
+}
+
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  // Without O_NONBLOCK, opening a named pipe would wait for its writer.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.number() < 0) fail_with(path, "cannot be read", errno);
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) fail_with(path, "cannot be read", errno);
+  if (S_ISDIR(status.st_mode)) fail(path, "is a folder, not a file");
+  if (!S_ISREG(status.st_mode)) fail(path, "is not a regular file");
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > max_bytes) fail(path, fmt::format("has {} bytes, more than the {} allowed", size, max_bytes));
+
+  std::string content;
+  std::size_t filled = 0;
+  do {
+    content.resize(std::max(filled + 4096, size + 1)); // room to see that nothing follows, also if the file grows
+    const ssize_t got = ::read(file.number(), content.data() + filled, content.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_with(path, "cannot be read", errno);
+    if (got == 0) break;
+    filled += static_cast<std::size_t>(got);
+  } while (filled <= max_bytes);
+  if (filled > max_bytes) fail(path, fmt::format("has more than the {} bytes allowed", max_bytes));
+  content.resize(filled);
+  return content;
+}
+
+void make_output_folder(const std::filesystem::path& path, bool force) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status)) {
+    if (!std::filesystem::is_directory(status)) fail(path, "exists and is not a folder");
+    const bool empty = std::filesystem::is_empty(path, error);
+    if (error) fail(path, "cannot be read: " + error.message());
+    if (!empty && !force)
+      fail(path, "exists and is not empty; choose another folder, or pass --force to write into it");
+    return;
+  }
+  std::filesystem::create_directories(path, error);
+  if (error) fail(path, "cannot be made: " + error.message());
+}
+
+} // namespace matrigrate

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/adjacency.hpp"
+#include "parameters/parameters.hpp"
+#include "sph/kernel.hpp"
+#include "state/ecm.hpp"
+
+#include <span>
+#include <vector>
+
+/// Pressure of degraded matrix (MODEL.md, D6). Test: tests/unit/ecm/fluid_test.cpp
+namespace matrigrate {
+
+/// Sum of V_0 W over an intact lattice, the particle itself included [-].
+double lattice_density(const EcmParameters& p);
+
+/// Pressure that particle i adds as fluid, (1 - f_i) K max(0, rho_sum / rho_lattice - 1), with rho_sum the summed density
+/// V_0 sum_j W_ij of all particles, itself included, at current positions [kPa].
+double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, const Kernel& kernel,
+                      double rho_lattice, std::size_t i);
+
+/// Adds -t_z V_0^2 sum_j (p_i + p_j) grad_i W_ij to the forces [nN].
+/// @param pressure  workspace: fluid pressures [kPa], computed here
+void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
+                      std::vector<double>& pressure, std::span<Vec2> force);
+
+} // namespace matrigrate

@@ -1,0 +1,84 @@
+#include "ecm/reference.hpp"
+
+#include "base/parallel.hpp"
+#include "sph/kernel.hpp"
+#include "sph/neighbours.hpp"
+#include "state/initial.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace matrigrate {
+
+namespace {
+
+using Eigen2 = Eigen::SelfAdjointEigenSolver<Mat2>;
+
+/// A of a particle inside an intact lattice; a multiple of the identity on both lattices.
+Mat2 lattice_support(const EcmParameters& p) {
+  const Kernel kernel(p.smoothing_length);
+  Mat2 A = Mat2::Zero();
+  for (const Vec2& X : lattice_patch(p, kernel.support()))
+    A -= particle_area(p) * kernel.W_slope(X.norm()) * X * X.transpose();
+  return A;
+}
+
+} // namespace
+
+Reference::Reference(const EcmState& ecm, const EcmParameters& p)
+    : m_support_floor(p.support_floor), m_pairs(neighbours_within(ecm.X, 2.0 * p.smoothing_length, ecm.period_x)) {
+  const Kernel kernel(p.smoothing_length);
+  m_X_ij.resize(m_pairs.pairs());
+  m_grad_W.resize(m_pairs.pairs());
+  m_W_over_r2.resize(m_pairs.pairs());
+  m_B.resize(ecm.size());
+  m_support.resize(ecm.size());
+  m_intact.resize(ecm.size());
+  m_B_lattice = lattice_support(p).inverse();
+  const std::vector<double> intact(ecm.size(), 1.0);
+  parallel_for(ecm.size(), [&](std::size_t i) {
+    for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k) {
+      m_X_ij[k] = nearest_image(ecm.X[i] - ecm.X[m_pairs.index[k]], ecm.period_x);
+      const double r = m_X_ij[k].norm();
+      m_grad_W[k] = kernel.W_slope(r) * m_X_ij[k];
+      m_W_over_r2[k] = kernel.W(r) / (r * r);
+    }
+    const Mat2 A = support_tensor(i, intact, ecm.V0);
+    m_intact[i] = std::clamp(Eigen2(A, Eigen::EigenvaluesOnly).eigenvalues()(0), 1e-6, 1.0);
+  });
+  parallel_for(ecm.size(), [&](std::size_t i) { correct(i, ecm); });
+  m_f_seen = ecm.f;
+}
+
+Mat2 Reference::support_tensor(std::size_t i, std::span<const double> f, double V0) const {
+  Mat2 A = Mat2::Zero();
+  for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k)
+    A -= V0 * f[m_pairs.index[k]] * m_X_ij[k] * m_grad_W[k].transpose();
+  return A;
+}
+
+void Reference::correct(std::size_t i, const EcmState& ecm) {
+  const Eigen2 eigen(support_tensor(i, ecm.f, ecm.V0));
+  m_support[i] = eigen.eigenvalues()(0);
+  if (ecm.clamped[i]) {
+    m_B[i] = m_B_lattice;
+    return;
+  }
+  const Vec2 bounded = eigen.eigenvalues().cwiseMax(m_support_floor * m_intact[i]);
+  m_B[i] = eigen.eigenvectors() * bounded.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+void Reference::update(const EcmState& ecm) {
+  std::vector<std::uint32_t> touched;
+  for (std::size_t j = 0; j < ecm.size(); ++j) {
+    if (ecm.f[j] == m_f_seen[j]) continue;
+    touched.insert(touched.end(), m_pairs.of(j).begin(), m_pairs.of(j).end());
+    m_f_seen[j] = ecm.f[j];
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  parallel_for(touched.size(), [&](std::size_t k) { correct(touched[k], ecm); });
+}
+
+} // namespace matrigrate

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "base/adjacency.hpp"
+#include "base/vector.hpp"
+#include "parameters/parameters.hpp"
+#include "state/ecm.hpp"
+
+#include <span>
+#include <vector>
+
+namespace matrigrate {
+
+/// The reference configuration of the solid: who neighbours whom for ever, kernel values there, and the gradient correction
+/// (MODEL.md, D4). Derived from X and f_degr alone. Test: tests/unit/ecm/reference_test.cpp
+///
+/// Support tensor     A_i = sum_j V_0 f_j (X_j - X_i) (x) grad_0 W_ij      (about the identity in intact matrix)
+/// Correction         B_i = A_i^-1, eigenvalues of A_i below support_floor raised to it
+/// Clamped particles  B_i of a full lattice: the clamp goes on beyond the last row as a rigid, intact body.
+/// A body's own edge is no damage: both thresholds are taken relative to the smallest eigenvalue of the intact A_i, where
+/// that is below 1.
+class Reference {
+public:
+  Reference(const EcmState& ecm, const EcmParameters& p);
+
+  /// Brings A and B up to date with f_degr; only neighbours of particles whose f changed are touched.
+  void update(const EcmState& ecm);
+
+  const Adjacency& pairs() const { return m_pairs; }
+  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }       ///< X_i - X_j of entry k of pairs() [um]
+  const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; }   ///< grad_0 W_ij of entry k [1/um^3]
+  double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; }  ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
+  const Mat2& B(std::size_t i) const { return m_B[i]; }               ///< gradient correction [-]
+
+  /// Smallest eigenvalue of A_i, over that of the intact particle where it is below 1 [-].
+  double relative_support(std::size_t i) const { return m_support[i] / m_intact[i]; }
+
+private:
+  Mat2 support_tensor(std::size_t i, std::span<const double> f, double V0) const;
+  void correct(std::size_t i, const EcmState& ecm);
+
+  double m_support_floor;
+  Adjacency m_pairs;
+  std::vector<Vec2> m_X_ij;
+  std::vector<Vec2> m_grad_W;
+  std::vector<double> m_W_over_r2;
+  Mat2 m_B_lattice;
+  std::vector<Mat2> m_B;
+  std::vector<double> m_intact;  // min(1, smallest eigenvalue of A_i with all f = 1)
+  std::vector<double> m_support; // smallest eigenvalue of A_i
+  std::vector<double> m_f_seen;  // the f for which m_B holds
+};
+
+} // namespace matrigrate

@@ -1,0 +1,105 @@
+#include "ecm/stress.hpp"
+
+#include "base/parallel.hpp"
+#include "ecm/deformation.hpp"
+#include "ecm/material.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace matrigrate {
+
+namespace {
+
+/// c_ij without f_i and t_z [nN/um^2].
+double hourglass_stiffness(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::uint32_t k) {
+  const double f_j = ecm.f[ref.pairs().index[k]];
+  return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0 * f_j * ref.W_over_r2(k);
+}
+
+/// Stress conjugate to the pair errors through F_i: 1/V_0 sum_j 1/2 c_ij e_ij (x) X_ij, per unit f_i [kPa].
+Mat2 hourglass_stress(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F,
+                      std::size_t i) {
+  Mat2 sum = Mat2::Zero();
+  for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k)
+    sum += 0.5 * hourglass_stiffness(ecm, p, ref, k) * hourglass_error(ecm, ref, F, i, k) * ref.X_ij(k).transpose();
+  return sum / ecm.V0;
+}
+
+} // namespace
+
+Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F) {
+  Mat2 cofactor; // J F^-T
+  cofactor << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
+  return sigma * cofactor;
+}
+
+Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
+                     std::uint32_t k) {
+  const std::uint32_t j = ref.pairs().index[k];
+  const Vec2 u_ij = ecm.displacement(i) - ecm.displacement(j);
+  return (0.5 * (F[i] + F[j]) - Mat2::Identity()) * ref.X_ij(k) - u_ij;
+}
+
+double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F) {
+  return ordered_sum(ecm.size(), 0.0, [&](std::size_t i) {
+    double sum = 0.0;
+    for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k)
+      sum += 0.25 * ecm.f[i] * hourglass_stiffness(ecm, p, ref, k) * hourglass_error(ecm, ref, F, i, k).squaredNorm();
+    return sum;
+  });
+}
+
+void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,
+                        std::vector<Mat2>& PB, std::span<Vec2> force) {
+  const std::size_t n = ecm.size();
+  const double K = moduli(p).K;
+  F.resize(n);
+  PB.resize(n);
+  parallel_for(n, [&](std::size_t i) {
+    F[i] = ecm.f[i] > 0.0 ? deformation_gradient(ecm, ref, i) : Mat2::Identity();
+  });
+  parallel_for(n, [&](std::size_t i) {
+    if (ecm.f[i] <= 0.0) return;
+    const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
+    PB[i] = (P + hourglass_stress(ecm, p, ref, F, i)) * ref.B(i);
+  });
+  parallel_for(n, [&](std::size_t i) {
+    if (ecm.f[i] <= 0.0) return;
+    Vec2 sum = Vec2::Zero();
+    for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k) {
+      const std::uint32_t j = ref.pairs().index[k];
+      if (ecm.f[j] <= 0.0) continue;
+      sum += ecm.V0 * ecm.V0 * ecm.f[j] * ((PB[i] + PB[j]) * ref.grad_W(k))
+             + hourglass_stiffness(ecm, p, ref, k) * hourglass_error(ecm, ref, F, i, k);
+    }
+    force[i] += p.thickness * ecm.f[i] * sum;
+  });
+}
+
+void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt) {
+  const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
+  ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
+  ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, moduli(p).G);
+}
+
+DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F,
+                             double dt) {
+  parallel_for(ecm.size(), [&](std::size_t i) {
+    if (ecm.f[i] <= 0.0) return;
+    advance_stress_of(ecm, i, deformation_rate(ecm, ref, i) * F[i].inverse(), p, dt);
+  });
+  return count_density_bounds(ecm, p);
+}
+
+DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p) {
+  DensityBounds bounds;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.rho[i] <= p.density_min) ++bounds.below;
+    if (ecm.rho[i] >= p.density_max) ++bounds.above;
+  }
+  return bounds;
+}
+
+} // namespace matrigrate

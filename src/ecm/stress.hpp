@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ecm/reference.hpp"
+#include "parameters/parameters.hpp"
+#include "state/ecm.hpp"
+
+#include <span>
+#include <vector>
+
+/// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2), stress
+/// term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test: tests/unit/ecm/stress_test.cpp
+namespace matrigrate {
+
+/// First Piola-Kirchhoff stress P = J sigma F^-T [kPa].
+Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F);
+
+/// Deviation of a pair from the deformation around it, e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every linear field.
+Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
+                     std::uint32_t k);
+
+/// Penalty energy of hourglass modes over t_z [nN]: sum over pairs of 1/2 c_ij |e_ij|^2 with
+/// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2. The forces below contain exactly its negative gradient.
+double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F);
+
+/// Adds the elastic forces to `force` [nN]. On particle i
+///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
+/// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are antisymmetric
+/// (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
+/// @param F   workspace: deformation gradients, computed here
+/// @param PB  workspace: P_i B_i
+void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,
+                        std::vector<Mat2>& PB, std::span<Vec2> force);
+
+/// Limits that were enforced in an update; both should stay 0 in a healthy run.
+struct DensityBounds {
+  std::size_t below = 0; ///< particles held at density_min
+  std::size_t above = 0; ///< particles held at density_max
+};
+
+/// Advances density and deviatoric stress of the solid by dt with the velocities of `ecm` (explicit Euler), using
+/// L = dF/dt F^-1 over reference neighbours.
+/// @param F  deformation gradients at the start of the step
+DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F,
+                             double dt);
+
+/// Advances density and deviatoric stress of one particle by dt under the velocity gradient L [1/s], explicit Euler.
+void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt);
+
+/// Counts the particles whose density stands at a bound.
+DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p);
+
+} // namespace matrigrate

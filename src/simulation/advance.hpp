@@ -1,0 +1,20 @@
+#pragma once
+
+#include "simulation/equations.hpp"
+
+/// One step in time. Test: tests/physics
+namespace matrigrate {
+
+/// Advances the state by run.time_step. The order of its lines is a modelling decision: MODEL.md, "Order of a step".
+/// @param loads  forces from outside the model; none by default
+/// @throws NumericalFailure if the drag system cannot be solved, or a particle would move further than half a spacing in the
+///         step; the state is then still that before the step
+void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {});
+
+/// Advances until s.t has reached t_end [s] (to within half a step), after a check of the step against step_limits().
+/// @param each_step  called after every step; returning false ends the march
+/// @throws NumericalFailure, also if run.time_step is beyond a limit
+void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads = {},
+           const std::function<bool(const State&)>& each_step = {});
+
+} // namespace matrigrate

@@ -1,0 +1,94 @@
+#include "simulation/step_limits.hpp"
+
+#include "base/vector.hpp"
+#include "ecm/material.hpp"
+#include "ecm/viscosity.hpp"
+#include "state/initial.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace matrigrate {
+
+namespace {
+
+/// Symbols of the discrete operators for one wave vector, a particle.
+struct Symbols {
+  Vec2 gradient = Vec2::Zero(); // g, corrected; the gradient of exp(i k.X) is i g [1/um]
+  Vec2 raw_gradient = Vec2::Zero();
+  double drag = 0.0;      // d [nN s/um]
+  double hourglass = 0.0; // c [nN/um]
+};
+
+Symbols symbols(const Vec2& k, const EcmParameters& p, const std::vector<Vec2>& patch) {
+  const Kernel kernel(p.smoothing_length);
+  const double V0 = particle_area(p);
+  Symbols s;
+  double support = 0.0; // A = support I
+  for (const Vec2& X : patch) {
+    const double slope = kernel.W_slope(X.norm());
+    support -= 0.5 * V0 * slope * X.squaredNorm();
+    s.raw_gradient -= V0 * slope * std::sin(k.dot(X)) * X;
+    s.drag += pair_drag(X.squaredNorm(), slope, V0, p.viscosity, p.thickness, p.smoothing_length)
+              * (1.0 - std::cos(k.dot(X)));
+  }
+  s.gradient = s.raw_gradient / support;
+  for (const Vec2& X : patch) {
+    if (X.squaredNorm() == 0.0) continue;
+    const double c = p.hourglass_weight * p.youngs_modulus * p.thickness * V0 * V0 * kernel.W(X.norm()) / X.squaredNorm();
+    const double half_phase = 0.5 * k.dot(X);
+    const double error = s.gradient.dot(X) * std::cos(half_phase) - 2.0 * std::sin(half_phase);
+    s.hourglass += 0.5 * c * error * error;
+  }
+  return s;
+}
+
+double elastic_rate(const Symbols& s, const EcmParameters& p, const Moduli& m) {
+  const Mat2 stiffness = p.thickness * particle_area(p)
+                             * ((m.K + m.G / 3.0) * s.gradient * s.gradient.transpose()
+                                + m.G * s.gradient.squaredNorm() * Mat2::Identity())
+                         + s.hourglass * Mat2::Identity();
+  return Eigen::SelfAdjointEigenSolver<Mat2>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()(1) / s.drag;
+}
+
+double fluid_rate(const Symbols& s, const EcmParameters& p, const Moduli& m) {
+  return p.thickness * particle_area(p) * m.K * s.raw_gradient.squaredNorm() / s.drag;
+}
+
+} // namespace
+
+std::string StepLimits::binding() const {
+  return elastic_s <= fluid_s ? "elasticity of the intact matrix (K, G against mu)"
+                              : "pressure of the degraded matrix (K against mu)";
+}
+
+StepLimits step_limits(const Parameters& p) {
+  const std::vector<Vec2> patch = lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length);
+  const Moduli m = moduli(p.ecm);
+  double elastic = 0.0;
+  double fluid = 0.0;
+  constexpr int samples = 64; // over half the zone, which is symmetric to its centre; covers both lattices' zones
+  const double k_max = std::numbers::pi / p.ecm.particle_spacing * 2.0 / std::numbers::sqrt3;
+  for (int a = -samples; a <= samples; ++a)
+    for (int b = 0; b <= samples; ++b) {
+      if (b == 0 && a == 0) continue;
+      const Symbols s = symbols(Vec2(a, b) * (k_max / samples), p.ecm, patch);
+      if (s.drag <= 0.0) continue;
+      elastic = std::max(elastic, elastic_rate(s, p.ecm, m));
+      fluid = std::max(fluid, fluid_rate(s, p.ecm, m));
+    }
+  return {.elastic_s = 2.0 / elastic, .fluid_s = 2.0 / fluid};
+}
+
+std::string describe(const StepLimits& limits) {
+  return fmt::format("steps are stable up to {:.3g} s for the elasticity of the intact matrix (K, G against mu) and up to "
+                     "{:.3g} s for the pressure of the degraded matrix (K against mu); the smaller one is set by the {}",
+                     limits.elastic_s, limits.fluid_s, limits.binding());
+}
+
+} // namespace matrigrate

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ecm/reference.hpp"
+#include "parameters/parameters.hpp"
+#include "solve/drag_system.hpp"
+#include "sph/neighbours.hpp"
+#include "state/state.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace matrigrate {
+
+/// What went on in the last step, and counts since the start. Never read by the physics.
+struct StepHealth {
+  SolveReport solve;
+  std::size_t density_bounds = 0; ///< particles at a density bound after the last step
+  std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
+  std::size_t list_builds = 0;    ///< neighbour lists built since the start
+};
+
+/// Everything that can be thrown away: derived from State and Parameters, rebuilt at will.
+struct Workspace {
+  Workspace(const State& s, const Parameters& p);
+
+  Reference reference;
+  VerletList neighbours;
+  DragSystem drag;
+  std::vector<Vec2> force;           ///< all but drag, on all particles, clamped ones included [nN]
+  std::unique_ptr<DragSolver> solver;
+  std::vector<Mat2> F;               ///< deformation gradients [-]
+  std::vector<Mat2> PB;              ///< corrected first Piola-Kirchhoff stress [kPa]
+  std::vector<double> fluid_pressure; ///< [kPa]
+  StepHealth health;
+};
+
+} // namespace matrigrate

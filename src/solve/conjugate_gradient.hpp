@@ -1,0 +1,26 @@
+#pragma once
+
+#include "solve/drag_system.hpp"
+
+#include <vector>
+
+namespace matrigrate {
+
+/// Conjugate gradients with the diagonal as preconditioner (Hestenes and Stiefel 1952), both components at once, each with
+/// its own coefficients. Simple on purpose: the oracle that every faster solver is held against.
+/// Test: tests/unit/solve/conjugate_gradient_test.cpp
+class ConjugateGradient final : public DragSolver {
+public:
+  /// @param tolerance       relative residual at which to stop [-], > 0
+  /// @param max_iterations  after which to give up
+  ConjugateGradient(double tolerance, int max_iterations) : m_tolerance(tolerance), m_max_iterations(max_iterations) {}
+
+  SolveReport solve(const DragSystem& A, std::span<Vec2> v) override;
+
+private:
+  double m_tolerance;
+  int m_max_iterations;
+  std::vector<Vec2> m_r, m_p, m_q; // residual, direction, A direction
+};
+
+} // namespace matrigrate

@@ -1,0 +1,33 @@
+#include "sph/interpolate.hpp"
+
+namespace matrigrate {
+
+PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point) {
+  PointWeights w;
+  const double support = kernel.support();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] <= 0.0) continue;
+    const Vec2 d = nearest_image(ecm.x[i] - point, ecm.period_x);
+    if (d.squaredNorm() >= support * support) continue;
+    w.index.push_back(static_cast<std::uint32_t>(i));
+    w.weight.push_back(ecm.f[i] * kernel.W(d.norm()));
+    sum += w.weight.back();
+  }
+  w.support = ecm.V0 * sum;
+  if (sum > 0.0)
+    for (double& a : w.weight) a /= sum;
+  return w;
+}
+
+void spread(const PointWeights& w, const Vec2& force, std::span<Vec2> F) {
+  for (std::size_t k = 0; k < w.index.size(); ++k) F[w.index[k]] += w.weight[k] * force;
+}
+
+Vec2 interpolate(const PointWeights& w, std::span<const Vec2> field) {
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t k = 0; k < w.index.size(); ++k) sum += w.weight[k] * field[w.index[k]];
+  return sum;
+}
+
+} // namespace matrigrate

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "base/vector.hpp"
+#include "sph/kernel.hpp"
+#include "state/ecm.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace matrigrate {
+
+/// How a point of the solid continuum is shared among particles: by the kernel, times f_degr, normalised to sum 1.
+/// A force at the point is spread with these weights, and the point moves with the weighted mean velocity.
+/// Test: tests/unit/sph/interpolate_test.cpp
+struct PointWeights {
+  std::vector<std::uint32_t> index;
+  std::vector<double> weight;
+  double support = 0.0; ///< sum of V_0 f W before normalising: about 1 in intact matrix, 0 where there is no solid [-]
+};
+
+/// @param point  [um]
+PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point);
+
+/// Adds `force` [nN] at the point to the forces of the particles that carry it.
+void spread(const PointWeights& w, const Vec2& force, std::span<Vec2> F);
+
+/// Weighted mean of a field of the particles: velocity or displacement of the point.
+Vec2 interpolate(const PointWeights& w, std::span<const Vec2> field);
+
+} // namespace matrigrate

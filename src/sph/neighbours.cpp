@@ -1,0 +1,121 @@
+#include "sph/neighbours.hpp"
+
+#include "base/parallel.hpp"
+#include "state/ecm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace matrigrate {
+
+namespace {
+
+/// Cells of at least `reach`, so that all partners of a particle lie in its own cell and the eight around it.
+struct Grid {
+  Vec2 origin = Vec2::Zero();
+  Vec2 cell = Vec2::Ones();
+  int columns = 1;
+  int rows = 1;
+  bool periodic = false;
+  std::vector<std::uint32_t> first;    // particles of cell c: sorted[first[c]] .. sorted[first[c + 1] - 1]
+  std::vector<std::uint32_t> sorted;
+
+  int column_of(const Vec2& x) const {
+    const int c = static_cast<int>(std::floor((x.x() - origin.x()) / cell.x()));
+    return periodic ? ((c % columns) + columns) % columns : std::clamp(c, 0, columns - 1);
+  }
+  int row_of(const Vec2& x) const {
+    return std::clamp(static_cast<int>(std::floor((x.y() - origin.y()) / cell.y())), 0, rows - 1);
+  }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+};
+
+/// Cells along an extent: as many as fit, but no more than a few a particle however far one has strayed.
+int cells_along(double extent, double reach, std::size_t n) {
+  const double most = 4.0 * std::sqrt(static_cast<double>(n)) + 8.0;
+  return static_cast<int>(std::max(1.0, std::min(std::floor(extent / reach), most)));
+}
+
+Grid make_grid(std::span<const Vec2> x, double reach, double period_x) {
+  Grid g;
+  Vec2 low = x.front();
+  Vec2 high = x.front();
+  for (const Vec2& a : x) {
+    low = low.cwiseMin(a);
+    high = high.cwiseMax(a);
+    if (!a.allFinite()) throw std::invalid_argument("neighbours_within: a position is not finite");
+  }
+  g.periodic = period_x > 0.0;
+  g.origin = low;
+  const Vec2 extent(g.periodic ? period_x : std::max(high.x() - low.x(), reach), std::max(high.y() - low.y(), reach));
+  g.columns = cells_along(extent.x(), reach, x.size());
+  g.rows = cells_along(extent.y(), reach, x.size());
+  if (g.periodic && g.columns < 3) throw std::invalid_argument("neighbours_within: the period is too short");
+  g.cell = Vec2(extent.x() / g.columns, extent.y() / g.rows);
+
+  std::vector<std::uint32_t> cell_of(x.size());
+  g.first.assign(g.index(0, g.rows) + 1, 0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    cell_of[i] = static_cast<std::uint32_t>(g.index(g.column_of(x[i]), g.row_of(x[i])));
+    ++g.first[cell_of[i] + 1];
+  }
+  for (std::size_t c = 1; c < g.first.size(); ++c) g.first[c] += g.first[c - 1];
+  g.sorted.resize(x.size());
+  std::vector<std::uint32_t> next(g.first.begin(), g.first.end() - 1);
+  for (std::size_t i = 0; i < x.size(); ++i) g.sorted[next[cell_of[i]]++] = static_cast<std::uint32_t>(i);
+  return g;
+}
+
+/// Calls found(j) for each j != i within reach of i; three neighbouring cells of a row lie side by side in `sorted`.
+template <class Found>
+void each_partner(const Grid& g, std::span<const Vec2> x, std::size_t i, double reach, double period_x,
+                  const Found& found) {
+  const int column = g.column_of(x[i]);
+  const int row = g.row_of(x[i]);
+  for (int r = std::max(0, row - 1); r <= std::min(g.rows - 1, row + 1); ++r)
+    for (int c = column - 1; c <= column + 1; ++c) {
+      if (!g.periodic && (c < 0 || c >= g.columns)) continue;
+      const std::size_t cell = g.index((c + g.columns) % g.columns, r);
+      for (std::uint32_t k = g.first[cell]; k < g.first[cell + 1]; ++k) {
+        const std::uint32_t j = g.sorted[k];
+        if (j != i && nearest_image(x[i] - x[j], period_x).squaredNorm() <= reach * reach) found(j);
+      }
+    }
+}
+
+} // namespace
+
+Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period_x) {
+  Adjacency list;
+  list.first.assign(x.size() + 1, 0);
+  if (x.empty()) return list;
+  const Grid g = make_grid(x, reach, period_x);
+  parallel_for(x.size(), [&](std::size_t i) {
+    std::uint32_t count = 0;
+    each_partner(g, x, i, reach, period_x, [&](std::uint32_t) { ++count; });
+    list.first[i + 1] = count;
+  });
+  for (std::size_t i = 0; i < x.size(); ++i) list.first[i + 1] += list.first[i];
+  list.index.resize(list.first.back());
+  parallel_for(x.size(), [&](std::size_t i) {
+    std::uint32_t* next = list.index.data() + list.first[i];
+    each_partner(g, x, i, reach, period_x, [&](std::uint32_t j) { *next++ = j; });
+    std::sort(list.index.data() + list.first[i], next);
+  });
+  return list;
+}
+
+bool VerletList::update(std::span<const Vec2> x, double period_x) {
+  bool valid = m_x_built.size() == x.size();
+  const double safe = 0.5 * m_skin;
+  for (std::size_t i = 0; valid && i < x.size(); ++i) valid = (x[i] - m_x_built[i]).squaredNorm() <= safe * safe;
+  if (valid) return false;
+  m_pairs = neighbours_within(x, m_reach + m_skin, period_x);
+  m_x_built.assign(x.begin(), x.end());
+  return true;
+}
+
+} // namespace matrigrate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace matrigrate {
+
+/// The matrix at one time: all that is needed to go on. One entry a particle; the order never changes.
+struct EcmState {
+  double V0 = 0.0;       ///< area of a particle in the reference configuration [um^2]
+  double period_x = 0.0; ///< the matrix repeats with this period along x [um]; 0: it does not
+
+  std::vector<Vec2> X;      ///< reference positions [um]
+  std::vector<Vec2> x;      ///< positions [um]; never wrapped where the matrix is periodic
+  std::vector<Vec2> v;      ///< velocities of the last step [um/s]; of clamped particles: as prescribed
+  std::vector<double> rho;  ///< density over rho_0 [-]
+  std::vector<Mat2> S;      ///< deviatoric Cauchy stress, in-plane part [kPa]; S_zz = -(S_xx + S_yy)
+  std::vector<double> f;    ///< f_degr: 1 intact solid, 0 fluid [-]
+  std::vector<std::uint8_t> clamped; ///< 1: moves as prescribed (rim, grips, walls)
+
+  std::size_t size() const { return X.size(); }
+  Vec2 displacement(std::size_t i) const { return x[i] - X[i]; } ///< u [um]
+
+  /// x_i - x_j, to the nearest image of j where the matrix is periodic [um].
+  Vec2 separation(std::size_t i, std::size_t j) const;
+};
+
+/// a - b along the nearest image of a lattice that repeats along x with `period` (0: does not) [um].
+inline Vec2 nearest_image(Vec2 a_minus_b, double period) {
+  if (period > 0.0) a_minus_b.x() -= period * std::nearbyint(a_minus_b.x() / period);
+  return a_minus_b;
+}
+
+inline Vec2 EcmState::separation(std::size_t i, std::size_t j) const { return nearest_image(x[i] - x[j], period_x); }
+
+} // namespace matrigrate

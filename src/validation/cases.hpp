@@ -1,0 +1,20 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "validation/case.hpp"
+
+/// The cases themselves, a file each. Geometry and loads are a case's own; material and numerics come from the parameters.
+namespace matrigrate::validation {
+
+Result patch(const Parameters& p);
+Result rigid(const Parameters& p);
+Result stretch(const Parameters& p);
+Result creep(const Parameters& p);
+Result relaxation(const Parameters& p);
+Result point_force(const Parameters& p);
+Result poiseuille(const Parameters& p);
+Result tearing(const Parameters& p);
+Result convergence(const Parameters& p);
+Result step_limit(const Parameters& p);
+
+} // namespace matrigrate::validation

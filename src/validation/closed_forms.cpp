@@ -1,0 +1,63 @@
+#include "validation/closed_forms.hpp"
+
+#include "ecm/viscosity.hpp"
+#include "state/initial.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace matrigrate::validation {
+
+Vec2 clamped_disc_displacement(const Vec2& force, const Vec2& x, double a, double G, double nu) {
+  const double kappa = 3.0 - 4.0 * nu;
+  const double r = x.norm();
+  const Vec2 e_r = x / r;
+  const double C = 1.0 / (8.0 * std::numbers::pi * G * (1.0 - nu)); // a unit force
+  const double d = -C / (2.0 * kappa * a * a);
+  const double c = C * kappa * std::log(a) + d * (kappa + 2.0) * a * a;
+  // components of the force along and across e_r take the places of cos(theta) and -sin(theta)
+  const double radial = C * (1.0 - kappa * std::log(r)) + c + d * (kappa - 2.0) * r * r;
+  const double across = -C * kappa * std::log(r) + c - d * (kappa + 2.0) * r * r;
+  const double along_force = force.dot(e_r);
+  return radial * along_force * e_r + across * (force - along_force * e_r);
+}
+
+double lattice_viscosity(const EcmParameters& p) {
+  const Kernel kernel(p.smoothing_length);
+  const double V0 = particle_area(p);
+  double sum = 0.0;
+  for (const Vec2& X : lattice_patch(p, kernel.support()))
+    sum += 0.5 * X.x() * X.x()
+           * pair_drag(X.squaredNorm(), kernel.W_slope(X.norm()), V0, p.viscosity, p.thickness, kernel.h());
+  return sum / (p.thickness * V0);
+}
+
+Line fit_line(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size() || x.size() < 2) throw std::invalid_argument("fit_line: needs two points or more");
+  const double n = static_cast<double>(x.size());
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    sx += x[k];
+    sy += y[k];
+    sxx += x[k] * x[k];
+    sxy += x[k] * y[k];
+  }
+  const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  return {.slope = slope, .intercept = (sy - slope * sx) / n};
+}
+
+double fit_time_constant(std::span<const double> t, std::span<const double> y, double y_end) {
+  std::vector<double> times, logs;
+  const double whole = y_end - y.front();
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const double left = (y_end - y[k]) / whole;
+    if (left < 0.05 || left > 0.95) continue;
+    times.push_back(t[k]);
+    logs.push_back(std::log(left));
+  }
+  return -1.0 / fit_line(times, logs).slope;
+}
+
+} // namespace matrigrate::validation

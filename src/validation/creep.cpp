@@ -1,0 +1,107 @@
+#include "ecm/material.hpp"
+#include "state/initial.hpp"
+#include "validation/cases.hpp"
+#include "validation/closed_forms.hpp"
+#include "validation/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace matrigrate::validation {
+
+namespace {
+
+/// Displacement of the middle of a layer under a uniform body force, from rest.
+struct Creep {
+  std::vector<double> t, u; // [s], [um]
+  double walls;             // distance of the walls [um]
+};
+
+Creep creep_of(const Parameters& p, int rows, const Vec2& b, double dt, double seconds) {
+  Parameters q = p;
+  q.run.time_step = dt;
+  const double dp = p.ecm.particle_spacing;
+  Specimen a(strip(p.ecm, 12 * dp, rows * dp), q);
+  Creep c{.t = {0.0}, .u = {0.0}, .walls = wall_distance(a.s.ecm)};
+  const Vec2 direction = b.normalized();
+  a.march_for(seconds, body_force(q, b), [&](const State& s) {
+    c.t.push_back(s.t);
+    c.u.push_back(direction.dot(mid_displacement(s.ecm, q.ecm)));
+    return true;
+  });
+  return c;
+}
+
+/// What a layer of some height shows, over the closed form with walls at their innermost rows.
+struct Reading {
+  double tau; // [-]
+  double u;   // final displacement [-]
+};
+
+/// Value for an infinitely high layer: the walls' place is known to about a spacing, an error of first order in dp/H.
+double extrapolated(double low, double high) { return 2.0 * high - low; }
+
+/// One direction of load: checks the time constant and the final displacement, and adds its curves.
+void examine(const Parameters& p, const std::string& name, const Vec2& direction, double modulus, Result& result,
+             io::Plot& plot) {
+  const double tau = lattice_viscosity(p.ecm) / modulus;
+  const double dt = std::min(p.run.time_step, tau / 40.0);
+  const double strain = 1e-3;
+  std::vector<Reading> readings;
+  for (const int rows : {24, 49}) { // wall distances of 25 and 50 spacings
+    const double b = 8.0 * modulus * strain / (rows * p.ecm.particle_spacing);
+    const Creep c = creep_of(p, rows, b * direction, dt, 9.0 * tau);
+    const double u_end = b * c.walls * c.walls / (8.0 * modulus);
+    readings.push_back({fit_time_constant(c.t, c.u, c.u.back()) / tau, c.u.back() / u_end});
+    io::Series measured{.label = fmt::format("{}, {:.0f} um high", name, c.walls), .mark = io::Mark::points};
+    for (std::size_t k = 0; k < c.t.size(); ++k) {
+      const double ideal = 1.0 - std::exp(-c.t[k] / tau);
+      result.table.add({direction.x() != 0.0 ? 0.0 : 1.0, c.walls, c.t[k], c.u[k], u_end * ideal});
+      if (k % (c.t.size() / 24) != 0) continue;
+      measured.x.push_back(c.t[k] / tau);
+      measured.y.push_back(c.u[k] / u_end);
+    }
+    plot.series.push_back(std::move(measured));
+  }
+  const double off = readings[0].tau - readings[1].tau; // half of the first-order error of the lower layer
+  const double second = 4.0 * off * off + std::pow(2.0 / 25.0, 2);
+  result.checks.push_back({fmt::format("retardation time over mu/modulus, {} [-]", name),
+                           extrapolated(readings[0].tau, readings[1].tau), 1.0, second + 0.5 * dt / tau + std::exp(-9.0) / 0.05,
+                           "from two heights to an infinite one: second order in dp/H is left; half a step of explicit Euler"});
+  result.checks.push_back({fmt::format("final displacement over the closed form, {} [-]", name),
+                           extrapolated(readings[0].u, readings[1].u), 1.0, second + std::exp(-9.0),
+                           "from two heights to an infinite one: second order in dp/H is left"});
+  result.remarks.push_back(fmt::format("{}: in a layer of 25 spacings the time constant is {:+.1f} % and the displacement {:+.1f} % off; in one "
+                                       "of 50, {:+.1f} % and {:+.1f} %. A rigid wall acts about half a spacing behind its first row.",
+                                       name, 100 * (readings[0].tau - 1), 100 * (readings[0].u - 1), 100 * (readings[1].tau - 1),
+                                       100 * (readings[1].u - 1)));
+}
+
+} // namespace
+
+Result creep(const Parameters& p) {
+  Result result;
+  const Moduli m = moduli(p.ecm);
+  result.table.columns = {"confined_compression", "wall_distance_um", "time_s", "displacement_um", "closed_form_um"};
+  io::Plot plot{.title = "Creep of a layer under a constant body force", .x_label = "time / (mu / modulus)",
+                .y_label = "displacement / closed form at rest"};
+  examine(p, "shear", Vec2(1.0, 0.0), m.G, result, plot);
+  examine(p, "confined compression", Vec2(0.0, 1.0), m.longitudinal(), result, plot);
+  io::Series closed{.label = "1 - exp(-t/tau)"};
+  for (int k = 0; k <= 90; ++k) {
+    closed.x.push_back(0.1 * k);
+    closed.y.push_back(1.0 - std::exp(-0.1 * k));
+  }
+  plot.series.push_back(std::move(closed));
+  result.remarks.push_back(fmt::format(
+      "The closed form uses the viscosity of the pair drag on the ideal lattice, {:.4f} of the nominal mu, because Eq. (2) adds 0.01 "
+      "h^2 to |x_ij|^2. The drag is mu times the Laplacian of v, so confined compression retards with mu/(K + 4G/3), not with "
+      "(4/3 mu)/(K + 4G/3) as in a Newtonian fluid.",
+      lattice_viscosity(p.ecm) / p.ecm.viscosity));
+  result.figures.push_back({"creep", "Displacement of the middle of a layer between rigid walls.", io::to_svg(plot)});
+  return result;
+}
+
+} // namespace matrigrate::validation

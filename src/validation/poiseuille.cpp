@@ -1,0 +1,83 @@
+#include "state/initial.hpp"
+#include "validation/cases.hpp"
+#include "validation/closed_forms.hpp"
+#include "validation/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace matrigrate::validation {
+
+namespace {
+
+/// Viscosity from the curvature of the velocity profile, v = v_0 - b/(2 mu) y^2, which does not depend on the walls' place.
+double profile_viscosity(const EcmState& ecm, double b, double half_width) {
+  std::vector<double> y2, v;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.clamped[i] || std::abs(ecm.x[i].y()) > half_width) continue;
+    y2.push_back(ecm.x[i].y() * ecm.x[i].y());
+    v.push_back(ecm.v[i].x());
+  }
+  return -b / (2.0 * fit_line(y2, v).slope);
+}
+
+} // namespace
+
+Result poiseuille(const Parameters& p) {
+  Result result;
+  const double dp = p.ecm.particle_spacing;
+  const double mu = lattice_viscosity(p.ecm);
+  Specimen a(strip(p.ecm, 16 * dp, 24 * dp), p);
+  std::fill(a.s.ecm.f.begin(), a.s.ecm.f.end(), 0.0);
+  const double H = wall_distance(a.s.ecm);
+  const double wall_rate = 0.02; // shear rate at the wall [1/s]
+  const double b = 2.0 * p.ecm.viscosity * wall_rate / H;
+  const double inner = 0.5 * H - 2.0 * p.ecm.smoothing_length; // where no kernel reaches a wall
+
+  result.table.columns = {"wall_shear_strain", "viscosity_Pa_s"};
+  io::Series profile{.label = "first step", .mark = io::Mark::points};
+  a.march_for(150.0, body_force(p, Vec2(b, 0.0)), [&](const State& s) {
+    if (s.step == 1)
+      for (std::size_t i = 0; i < s.ecm.size(); ++i) {
+        profile.x.push_back(s.ecm.X[i].y());
+        profile.y.push_back(s.ecm.v[i].x());
+      }
+    result.table.add({wall_rate * s.t, 1e3 * profile_viscosity(s.ecm, b, inner)});
+    return true;
+  });
+  const double fresh = result.table.rows.front()[1];
+  std::vector<double> late;
+  for (const auto& row : result.table.rows)
+    if (row[0] > 2.0) late.push_back(row[1]);
+  std::nth_element(late.begin(), late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2), late.end());
+  const double sheared = late[late.size() / 2];
+
+  result.checks.push_back({"viscosity of fresh fluid against the lattice sum [Pa s]", fresh, 1e3 * mu, 1e3 * mu * dp * dp / (inner * inner),
+                           "second order in the spacing over the half-width that is read"});
+  result.checks.push_back({"viscosity of fresh fluid against mu [Pa s]", fresh, 1e3 * p.ecm.viscosity, 0.05e3 * p.ecm.viscosity,
+                           "0.01 h^2 in the denominator takes up to 0.01 (h/dp)^2 = 2 % off, sampling of the kernel some more"});
+  result.checks.push_back({"median viscosity at wall strains 2 to 3 [Pa s]", sheared, 1e3 * mu, 0.1e3 * mu,
+                           "disordered particles: error of an uncorrected kernel sum, of order (dp/h)^4 times the disorder; 10 %"});
+  io::Series exact{.label = "parabola", .mark = io::Mark::line};
+  for (int k = 0; k <= 60; ++k) {
+    const double y = H * (k / 60.0 - 0.5);
+    exact.x.push_back(y);
+    exact.y.push_back(b / (2.0 * mu) * (0.25 * H * H - y * y));
+  }
+  io::Plot plot{.title = "Poiseuille: fluidized matrix between walls", .x_label = "y [um]", .y_label = "velocity [um/s]",
+                .series = {exact, profile}};
+  result.figures.push_back({"poiseuille", "Velocity over the channel; the wall rows stand still.", io::to_svg(plot)});
+  io::Series over_strain{.label = "from the curvature of the profile"};
+  for (const auto& row : result.table.rows) {
+    over_strain.x.push_back(row[0]);
+    over_strain.y.push_back(row[1]);
+  }
+  io::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared", .x_label = "shear strain at the wall",
+                 .y_label = "viscosity [Pa s]", .series = {over_strain}};
+  result.figures.push_back({"poiseuille-strain", "The lattice is gone after a shear strain of about one.", io::to_svg(drift)});
+  return result;
+}
+
+} // namespace matrigrate::validation

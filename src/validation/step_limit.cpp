@@ -1,0 +1,79 @@
+#include "base/failure.hpp"
+#include "ecm/stress.hpp"
+#include "simulation/step_limits.hpp"
+#include "state/initial.hpp"
+#include "validation/cases.hpp"
+#include "validation/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace matrigrate::validation {
+
+namespace {
+
+/// Whether a slightly disturbed layer comes back to rest with this step.
+bool stable(const Parameters& p, double dt) {
+  Parameters q = p;
+  q.run.time_step = dt;
+  const double dp = p.ecm.particle_spacing;
+  Specimen a(strip(q.ecm, 20 * dp, 20 * dp), q);
+  const double size = 1e-6 * dp;
+  for (std::size_t i = 0; i < a.s.ecm.size(); ++i) { // all wave lengths at once
+    const double s = static_cast<double>(i);
+    if (!a.s.ecm.clamped[i]) a.s.ecm.x[i] += size * Vec2(std::sin(12.9898 * s), std::sin(78.233 * s));
+  }
+  // displaced particles must carry the stress of their displacement, or there is nothing to return to
+  std::vector<Mat2> at_rest(a.s.ecm.size(), Mat2::Identity());
+  for (std::size_t i = 0; i < a.s.ecm.size(); ++i) a.s.ecm.v[i] = a.s.ecm.displacement(i);
+  advance_stress(a.s.ecm, q.ecm, a.w.reference, at_rest, 1.0);
+  for (Vec2& v : a.s.ecm.v) v.setZero();
+  try {
+    for (int step = 0; step < 400; ++step) advance(a.s, q, a.w);
+  } catch (const NumericalFailure&) {
+    return false;
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.s.ecm.size(); ++i) largest = std::max(largest, a.s.ecm.displacement(i).norm());
+  return largest < 2.0 * size;
+}
+
+double measured_limit(const Parameters& p, double guess) {
+  double low = 0.7 * guess, high = 1.4 * guess;
+  if (!stable(p, low)) return low;
+  while (high - low > 0.005 * guess) {
+    const double middle = 0.5 * (low + high);
+    (stable(p, middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+} // namespace
+
+Result step_limit(const Parameters& p) {
+  Result result;
+  result.table.columns = {"youngs_modulus_Pa", "measured_limit_s", "analysis_s"};
+  io::Series measured{.label = "measured", .mark = io::Mark::points}, analysis{.label = "analysis of the operators"};
+  for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
+    Parameters q = p;
+    q.ecm.youngs_modulus = scale * p.ecm.youngs_modulus;
+    const double expected = step_limits(q).elastic_s;
+    const double limit = measured_limit(q, expected);
+    result.table.add({1e3 * q.ecm.youngs_modulus, limit, expected});
+    result.checks.push_back({fmt::format("largest stable step at {:.0f} Pa [s]", 1e3 * q.ecm.youngs_modulus), limit, expected, 0.05 * expected,
+                             "a layer of 20 rows holds waves 5 % apart in wave number; 400 steps show growth above 0.2 % a step"});
+    measured.x.push_back(1e3 * q.ecm.youngs_modulus);
+    measured.y.push_back(limit);
+    analysis.x.push_back(measured.x.back());
+    analysis.y.push_back(expected);
+  }
+  result.remarks.push_back(describe(step_limits(p)) + ".");
+  io::Plot plot{.title = "Largest stable explicit step", .x_label = "Young's modulus [Pa]", .y_label = "time step [s]",
+                .log_x = true, .log_y = true, .series = {analysis, measured}};
+  result.figures.push_back({"step-limit", "Steps above the line blow up.", io::to_svg(plot)});
+  return result;
+}
+
+} // namespace matrigrate::validation

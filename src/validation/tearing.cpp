@@ -1,0 +1,113 @@
+#include "base/failure.hpp"
+#include "ecm/material.hpp"
+#include "sph/interpolate.hpp"
+#include "state/initial.hpp"
+#include "validation/cases.hpp"
+#include "validation/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace matrigrate::validation {
+
+namespace {
+
+constexpr double pull = 0.4;      // a strong adhesion [nN]
+constexpr double ahead = 7.0;     // of the anchor beyond the hole's edge [um]
+constexpr double seconds = 400.0; // for which it is held
+
+/// How far the anchored point of the gel has been dragged, over time.
+struct Pulled {
+  std::vector<double> t, travel; // [s], [um]
+  std::string failure;           // why it ended early, if it did
+  EcmState ecm;
+
+  /// Travel in the last fifth of the time that was reached [um].
+  double late_travel() const { return travel.back() - travel[travel.size() * 4 / 5]; }
+};
+
+Pulled pull_at_anchor(const Parameters& p, Formulation formulation) {
+  Parameters q = p;
+  q.ecm.radius = 60.0;
+  q.ecm.cell_hole = true;
+  q.ecm.formulation = formulation;
+  Specimen a(disc(q), q);
+  const Kernel kernel(q.ecm.smoothing_length);
+  Vec2 anchor(q.cell.radius + q.degradation.body_distance + ahead, 0.0);
+  const double start = anchor.x();
+  Pulled r{.t = {0.0}, .travel = {0.0}, .failure = {}, .ecm = {}};
+  PointWeights carriers;
+  const Loads load = [&](const State& s, std::span<Vec2> force) {
+    carriers = solid_weights(s.ecm, kernel, anchor);
+    spread(carriers, Vec2(-pull, 0.0), force);
+  };
+  try {
+    a.march_for(seconds, load, [&](const State& s) {
+      anchor += q.run.time_step * interpolate(carriers, s.ecm.v);
+      r.t.push_back(s.t);
+      r.travel.push_back(start - anchor.x());
+      return anchor.x() > 0.0; // dragged into the middle of the hole: torn out
+    });
+  } catch (const NumericalFailure& failure) {
+    r.failure = failure.what();
+  }
+  r.ecm = a.s.ecm;
+  return r;
+}
+
+/// Longest distance between two solid particles that follow each other along the line of the pull [um].
+double largest_gap(const EcmState& ecm) {
+  double largest = 0.0;
+  double last = -1.0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) { // rows are stored from left to right
+    if (ecm.X[i].y() != 0.0 || ecm.X[i].x() < 0.0 || ecm.f[i] <= 0.0) continue;
+    if (last >= 0.0) largest = std::max(largest, ecm.x[i].x() - last);
+    last = ecm.x[i].x();
+  }
+  return largest;
+}
+
+io::Figure picture(const Pulled& r, const std::string& name, const std::string& title) {
+  io::ParticlePicture map{.title = title, .value_label = "displacement [um]", .value_min = 0.0, .value_max = 5.0};
+  for (std::size_t i = 0; i < r.ecm.size(); ++i) {
+    if (r.ecm.f[i] <= 0.0 || r.ecm.X[i].norm() > 45.0) continue;
+    map.position.push_back(r.ecm.x[i]);
+    map.value.push_back(r.ecm.displacement(i).norm());
+  }
+  return {name, title + ": solid particles around the hole.", io::to_svg(map)};
+}
+
+io::Series curve(const Pulled& r, const std::string& label) { return {.label = label, .x = r.t, .y = r.travel}; }
+
+} // namespace
+
+Result tearing(const Parameters& p) {
+  Result result;
+  const Pulled reference = pull_at_anchor(p, Formulation::total_lagrangian);
+  const Pulled current = pull_at_anchor(p, Formulation::updated_lagrangian);
+  const double dp = p.ecm.particle_spacing;
+
+  result.table.columns = {"updated_lagrangian", "time_s", "travel_um"};
+  for (std::size_t k = 0; k < reference.t.size(); ++k) result.table.add({0.0, reference.t[k], reference.travel[k]});
+  for (std::size_t k = 0; k < current.t.size(); ++k) result.table.add({1.0, current.t[k], current.travel[k]});
+
+  const double tau = p.ecm.viscosity / moduli(p.ecm).G;
+  const double left = reference.travel.back() * std::exp(-0.8 * seconds / (2.0 * tau));
+  result.checks.push_back({"reference neighbours: travel in the last 80 s [um]", reference.late_travel(), 0.0, left + 0.01 * dp,
+                           "an elastic gel comes to rest: what two relaxation times mu/G leave at 320 s, and a hundredth of a spacing"});
+  result.checks.push_back({"current neighbours: gap torn open behind the anchor, over that of reference neighbours [-]",
+                           largest_gap(current.ecm) / largest_gap(reference.ecm), 2.0, 0.0,
+                           "a gap that opens to twice the width of the stretched gel is a fracture", Sense::at_least});
+  result.remarks.push_back(fmt::format("A pull of {} nN held for {:.0f} s: {:.2f} um over reference neighbours, {:.2f} um over current ones{}.", pull,
+                                       seconds, reference.travel.back(), current.travel.back(),
+                                       current.failure.empty() ? "" : " (" + current.failure + ")"));
+  io::Plot plot{.title = "Tearing: travel of an adhesion-like load", .x_label = "time [s]", .y_label = "travel of the anchor [um]",
+                .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
+  result.figures.push_back({"tearing", "The anchored point of the gel under a held pull towards the hole.", io::to_svg(plot)});
+  result.figures.push_back(picture(reference, "tearing-reference", "Reference neighbours"));
+  result.figures.push_back(picture(current, "tearing-current", "Current neighbours"));
+  return result;
+}
+
+} // namespace matrigrate::validation
