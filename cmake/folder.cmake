@@ -5,7 +5,8 @@ target_compile_options(
   matrigrate_options
   INTERFACE -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
             -ffp-contract=off # the same bits wherever the same additions are made
-            -fno-math-errno)
+            -fno-math-errno
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 warns falsely on std::string (GCC bug 105651)
 if(MATRIGRATE_SANITIZE)
   target_compile_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE} -fno-omit-frame-pointer
                                                       -fno-sanitize-recover=all)

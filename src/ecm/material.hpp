@@ -25,8 +25,8 @@ inline double pressure(double rho, double K) { return K * (rho - 1.0); }
 /// @param L  velocity gradient [1/s]
 inline double density_rate(double rho, const Mat2& L) { return -rho * L.trace(); }
 
-/// Rate of the deviatoric stress, Jaumann rate of Hooke's law: 2 G (D - tr D/3 I) + W S - S W, with D and W the symmetric
-/// and skew parts of L. A rotation turns the stress and makes none.
+/// Rate of the deviatoric stress, Jaumann rate of Hooke's law: 2 G (D - tr D/3 I) + W S - S W, with D and W the
+/// symmetric and skew parts of L. A rotation turns the stress and makes none.
 /// @param S  deviatoric stress, in-plane part [kPa]   @param L  velocity gradient [1/s]   @return [kPa/s]
 Mat2 jaumann_rate(const Mat2& S, const Mat2& L, double G);
 

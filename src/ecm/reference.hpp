@@ -10,14 +10,14 @@
 
 namespace matrigrate {
 
-/// The reference configuration of the solid: who neighbours whom for ever, kernel values there, and the gradient correction
-/// (MODEL.md, D4). Derived from X and f_degr alone. Test: tests/unit/ecm/reference_test.cpp
+/// The reference configuration of the solid: who neighbours whom for ever, kernel values there, and the gradient
+/// correction (MODEL.md, D4). Derived from X and f_degr alone. Test: tests/unit/ecm/reference_test.cpp
 ///
 /// Support tensor     A_i = sum_j V_0 f_j (X_j - X_i) (x) grad_0 W_ij      (about the identity in intact matrix)
 /// Correction         B_i = A_i^-1, eigenvalues of A_i below support_floor raised to it
 /// Clamped particles  B_i of a full lattice: the clamp goes on beyond the last row as a rigid, intact body.
-/// A body's own edge is no damage: both thresholds are taken relative to the smallest eigenvalue of the intact A_i, where
-/// that is below 1.
+/// A body's own edge is no damage: both thresholds are taken relative to the smallest eigenvalue of the intact A_i,
+/// where that is below 1.
 class Reference {
 public:
   Reference(const EcmState& ecm, const EcmParameters& p);
@@ -26,10 +26,10 @@ public:
   void update(const EcmState& ecm);
 
   const Adjacency& pairs() const { return m_pairs; }
-  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }       ///< X_i - X_j of entry k of pairs() [um]
-  const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; }   ///< grad_0 W_ij of entry k [1/um^3]
-  double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; }  ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
-  const Mat2& B(std::size_t i) const { return m_B[i]; }               ///< gradient correction [-]
+  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }      ///< X_i - X_j of entry k of pairs() [um]
+  const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; }  ///< grad_0 W_ij of entry k [1/um^3]
+  double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; } ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
+  const Mat2& B(std::size_t i) const { return m_B[i]; }              ///< gradient correction [-]
 
   /// Smallest eigenvalue of A_i, over that of the intact particle where it is below 1 [-].
   double relative_support(std::size_t i) const { return m_support[i] / m_intact[i]; }

@@ -57,9 +57,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
   const double K = moduli(p).K;
   F.resize(n);
   PB.resize(n);
-  parallel_for(n, [&](std::size_t i) {
-    F[i] = ecm.f[i] > 0.0 ? deformation_gradient(ecm, ref, i) : Mat2::Identity();
-  });
+  parallel_for(n, [&](std::size_t i) { F[i] = ecm.f[i] > 0.0 ? deformation_gradient(ecm, ref, i) : Mat2::Identity(); });
   parallel_for(n, [&](std::size_t i) {
     if (ecm.f[i] <= 0.0) return;
     const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-/// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2), stress
-/// term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test: tests/unit/ecm/stress_test.cpp
+/// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2),
+/// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test: tests/unit/ecm/stress_test.cpp
 namespace matrigrate {
 
 /// First Piola-Kirchhoff stress P = J sigma F^-T [kPa].
@@ -24,8 +24,8 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 
 /// Adds the elastic forces to `force` [nN]. On particle i
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
-/// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are antisymmetric
-/// (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
+/// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are
+/// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
 /// @param F   workspace: deformation gradients, computed here
 /// @param PB  workspace: P_i B_i
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,

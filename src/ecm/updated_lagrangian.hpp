@@ -7,8 +7,9 @@
 
 #include <span>
 
-/// The solid's stress over current neighbours, as in most of the SPH literature (Gray et al. 2001). Kept for comparison: under
-/// a pulling load it tears the gel apart numerically (`validate tearing`). Test: tests/unit/ecm/updated_lagrangian_test.cpp
+/// The solid's stress over current neighbours, as in most of the SPH literature (Gray et al. 2001). Kept for
+/// comparison: under a pulling load it tears the gel apart numerically (`validate tearing`). Test:
+/// tests/unit/ecm/updated_lagrangian_test.cpp
 namespace matrigrate {
 
 /// Adds t_z sum_j V_i V_j (f_i sigma_i + f_j sigma_j) grad_i W_ij, V = V_0/rho, to the forces [nN].

@@ -12,15 +12,16 @@ namespace matrigrate {
 /// The force on i is -G_ij (v_i - v_j): the weakly Laplacian form mu lap(v) of Morris et al. 1997. It acts along the
 /// velocity difference, so it conserves linear momentum exactly and resists a rotation of a finite body.
 /// @param r2       |x_ij|^2 [um^2]   @param W_slope  kernel.W_slope(|x_ij|) [1/um^4], <= 0
-/// @param V        volume of either particle per depth [um^2]   @param mu  viscosity [nN s/um^2]   @param t_z  depth [um]
+/// @param V        volume of either particle per depth [um^2]   @param mu  viscosity [nN s/um^2]   @param t_z  depth
+/// [um]
 /// @return         [nN s/um]
 /// Test: tests/unit/ecm/viscosity_test.cpp
 inline double pair_drag(double r2, double W_slope, double V, double mu, double t_z, double h) {
   return t_z * V * V * 2.0 * mu * (-W_slope) * r2 / (r2 + 0.01 * h * h);
 }
 
-/// Fills A with the drag of all pairs at the current positions, and A.F with the drag of the clamped particles on the free
-/// ones; forces are added to A.F afterwards. Rows of clamped particles ask for their given velocity.
+/// Fills A with the drag of all pairs at the current positions, and A.F with the drag of the clamped particles on the
+/// free ones; forces are added to A.F afterwards. Rows of clamped particles ask for their given velocity.
 /// @param pairs  valid for the positions of `ecm`; must outlive A
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, DragSystem& A);
 

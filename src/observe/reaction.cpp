@@ -17,7 +17,8 @@ Vec2 clamp_force(const State& s, const Parameters& p, const Workspace& w,
     for (const std::uint32_t j : w.neighbours.pairs().of(i)) {
       if (ecm.clamped[j]) continue; // drag inside a clamp is internal to it
       const double r2 = ecm.separation(i, j).squaredNorm();
-      const double G_ij = pair_drag(r2, kernel.W_slope(std::sqrt(r2)), ecm.V0, p.ecm.viscosity, p.ecm.thickness, kernel.h());
+      const double G_ij =
+          pair_drag(r2, kernel.W_slope(std::sqrt(r2)), ecm.V0, p.ecm.viscosity, p.ecm.thickness, kernel.h());
       sum -= G_ij * (ecm.v[i] - ecm.v[j]);
     }
   }

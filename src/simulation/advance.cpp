@@ -20,17 +20,18 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w) {
   std::vector<Vec2> v = s.ecm.v;
   w.health.solve = w.solver->solve(w.drag, v);
   if (!w.health.solve.converged)
-    throw NumericalFailure(fmt::format(
-        "step {} (t = {:.6g} s): the drag system was not solved: relative residual {:.3g} after {} iterations, wanted {:.3g}",
-        s.step + 1, s.t, w.health.solve.residual, w.health.solve.iterations, p.solver.tolerance));
+    throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the drag system was not solved: relative residual "
+                                       "{:.3g} after {} iterations, wanted {:.3g}",
+                                       s.step + 1, s.t, w.health.solve.residual, w.health.solve.iterations,
+                                       p.solver.tolerance));
   const double furthest = 0.5 * p.ecm.particle_spacing / p.run.time_step;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].allFinite() && v[i].norm() <= furthest) continue;
-    throw NumericalFailure(fmt::format(
-        "step {} (t = {:.6g} s): the particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, more than "
-        "half a particle spacing; {}",
-        s.step + 1, s.t, s.ecm.x[i].x(), s.ecm.x[i].y(), v[i].norm() * p.run.time_step, p.run.time_step,
-        describe(step_limits(p))));
+    throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the particle at ({:.4g}, {:.4g}) um would move {:.3g} "
+                                       "um in one step of {:.4g} s, more than "
+                                       "half a particle spacing; {}",
+                                       s.step + 1, s.t, s.ecm.x[i].x(), s.ecm.x[i].y(), v[i].norm() * p.run.time_step,
+                                       p.run.time_step, describe(step_limits(p))));
   }
   s.ecm.v = std::move(v);
 }

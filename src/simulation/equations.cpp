@@ -15,8 +15,12 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
   const Adjacency& pairs = w.neighbours.pairs();
   w.force.assign(s.ecm.size(), Vec2::Zero());
   switch (p.ecm.formulation) {
-  case Formulation::total_lagrangian: add_elastic_forces(s.ecm, p.ecm, w.reference, w.F, w.PB, w.force); break;
-  case Formulation::updated_lagrangian: add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force); break;
+  case Formulation::total_lagrangian:
+    add_elastic_forces(s.ecm, p.ecm, w.reference, w.F, w.PB, w.force);
+    break;
+  case Formulation::updated_lagrangian:
+    add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
+    break;
   }
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   if (loads) loads(s, w.force);

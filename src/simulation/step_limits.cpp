@@ -40,7 +40,8 @@ Symbols symbols(const Vec2& k, const EcmParameters& p, const std::vector<Vec2>& 
   s.gradient = s.raw_gradient / support;
   for (const Vec2& X : patch) {
     if (X.squaredNorm() == 0.0) continue;
-    const double c = p.hourglass_weight * p.youngs_modulus * p.thickness * V0 * V0 * kernel.W(X.norm()) / X.squaredNorm();
+    const double c =
+        p.hourglass_weight * p.youngs_modulus * p.thickness * V0 * V0 * kernel.W(X.norm()) / X.squaredNorm();
     const double half_phase = 0.5 * k.dot(X);
     const double error = s.gradient.dot(X) * std::cos(half_phase) - 2.0 * std::sin(half_phase);
     s.hourglass += 0.5 * c * error * error;
@@ -86,9 +87,10 @@ StepLimits step_limits(const Parameters& p) {
 }
 
 std::string describe(const StepLimits& limits) {
-  return fmt::format("steps are stable up to {:.3g} s for the elasticity of the intact matrix (K, G against mu) and up to "
-                     "{:.3g} s for the pressure of the degraded matrix (K against mu); the smaller one is set by the {}",
-                     limits.elastic_s, limits.fluid_s, limits.binding());
+  return fmt::format(
+      "steps are stable up to {:.3g} s for the elasticity of the intact matrix (K, G against mu) and up to "
+      "{:.3g} s for the pressure of the degraded matrix (K against mu); the smaller one is set by the {}",
+      limits.elastic_s, limits.fluid_s, limits.binding());
 }
 
 } // namespace matrigrate

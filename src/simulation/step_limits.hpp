@@ -16,11 +16,13 @@ struct StepLimits {
   std::string binding() const; ///< which one is the smallest, in words
 };
 
-/// Von Neumann analysis of the discrete operators on an intact lattice. A plane wave of wave vector k decays at the rates
+/// Von Neumann analysis of the discrete operators on an intact lattice. A plane wave of wave vector k decays at the
+/// rates
 ///   eig[ t_z V_0 ((K + G/3) g g^T + G |g|^2 I) + c(k) I ] / d(k),
-/// with g(k) the symbol of the corrected gradient, c(k) that of the hourglass penalty and d(k) that of the pair drag; the
-/// limit is 2 over the largest rate over the Brillouin zone (for long waves about 2 mu/(K + 4G/3)). Depends on K, G, mu,
-/// h/dp, the lattice and the penalty, not on dp itself. For the compressed fluid: rate t_z V_0 K |g_raw|^2 / d(k).
+/// with g(k) the symbol of the corrected gradient, c(k) that of the hourglass penalty and d(k) that of the pair drag;
+/// the limit is 2 over the largest rate over the Brillouin zone (for long waves about 2 mu/(K + 4G/3)). Depends on K,
+/// G, mu, h/dp, the lattice and the penalty, not on dp itself. For the compressed fluid: rate t_z V_0 K |g_raw|^2 /
+/// d(k).
 StepLimits step_limits(const Parameters& p);
 
 /// The limits in one sentence.

@@ -27,10 +27,10 @@ struct Workspace {
   Reference reference;
   VerletList neighbours;
   DragSystem drag;
-  std::vector<Vec2> force;           ///< all but drag, on all particles, clamped ones included [nN]
+  std::vector<Vec2> force; ///< all but drag, on all particles, clamped ones included [nN]
   std::unique_ptr<DragSolver> solver;
-  std::vector<Mat2> F;               ///< deformation gradients [-]
-  std::vector<Mat2> PB;              ///< corrected first Piola-Kirchhoff stress [kPa]
+  std::vector<Mat2> F;                ///< deformation gradients [-]
+  std::vector<Mat2> PB;               ///< corrected first Piola-Kirchhoff stress [kPa]
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;
 };

@@ -6,9 +6,9 @@
 
 namespace matrigrate {
 
-/// Conjugate gradients with the diagonal as preconditioner (Hestenes and Stiefel 1952), both components at once, each with
-/// its own coefficients. Simple on purpose: the oracle that every faster solver is held against.
-/// Test: tests/unit/solve/conjugate_gradient_test.cpp
+/// Conjugate gradients with the diagonal as preconditioner (Hestenes and Stiefel 1952), both components at once, each
+/// with its own coefficients. Simple on purpose: the oracle that every faster solver is held against. Test:
+/// tests/unit/solve/conjugate_gradient_test.cpp
 class ConjugateGradient final : public DragSolver {
 public:
   /// @param tolerance       relative residual at which to stop [-], > 0

@@ -11,9 +11,10 @@ namespace matrigrate {
 
 /// The equation solved in every step (Heck et al. 2020, Eqs. 1-2, without inertia):
 ///   A v = F,   A_ii = sum_j G_ij (+ own drag),  A_ij = -G_ij,
-/// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um]. A is scalar: both velocity components share it. A node whose
-/// velocity is given has the row A_ii = 1, no coupling, and its velocity as F; its drag on others stands in their F and A_ii.
-/// A is symmetric, and positive definite as soon as each group of coupled nodes has a given velocity or own drag.
+/// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um]. A is scalar: both velocity components share it. A node
+/// whose velocity is given has the row A_ii = 1, no coupling, and its velocity as F; its drag on others stands in their
+/// F and A_ii. A is symmetric, and positive definite as soon as each group of coupled nodes has a given velocity or own
+/// drag.
 struct DragSystem {
   const Adjacency* pairs = nullptr; ///< the pattern; owned elsewhere
   std::vector<double> coupling;     ///< G_ij >= 0 beside pairs->index; 0 where either node is given [nN s/um]

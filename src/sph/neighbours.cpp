@@ -18,7 +18,7 @@ struct Grid {
   int columns = 1;
   int rows = 1;
   bool periodic = false;
-  std::vector<std::uint32_t> first;    // particles of cell c: sorted[first[c]] .. sorted[first[c + 1] - 1]
+  std::vector<std::uint32_t> first; // particles of cell c: sorted[first[c]] .. sorted[first[c + 1] - 1]
   std::vector<std::uint32_t> sorted;
 
   int column_of(const Vec2& x) const {

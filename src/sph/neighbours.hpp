@@ -18,8 +18,8 @@ namespace matrigrate {
 Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period_x);
 
 /// A list that stays valid while particles move: it reaches `skin` further than asked for and is built again once two
-/// particles could have come closer than that unseen (Verlet 1967). Pairs in the skin carry zero kernel weights, and rows
-/// are sorted, so sums over the list have the same bits whenever it was last built.
+/// particles could have come closer than that unseen (Verlet 1967). Pairs in the skin carry zero kernel weights, and
+/// rows are sorted, so sums over the list have the same bits whenever it was last built.
 class VerletList {
 public:
   /// @param reach  pairs up to this distance are always listed [um]

@@ -14,12 +14,12 @@ struct EcmState {
   double V0 = 0.0;       ///< area of a particle in the reference configuration [um^2]
   double period_x = 0.0; ///< the matrix repeats with this period along x [um]; 0: it does not
 
-  std::vector<Vec2> X;      ///< reference positions [um]
-  std::vector<Vec2> x;      ///< positions [um]; never wrapped where the matrix is periodic
-  std::vector<Vec2> v;      ///< velocities of the last step [um/s]; of clamped particles: as prescribed
-  std::vector<double> rho;  ///< density over rho_0 [-]
-  std::vector<Mat2> S;      ///< deviatoric Cauchy stress, in-plane part [kPa]; S_zz = -(S_xx + S_yy)
-  std::vector<double> f;    ///< f_degr: 1 intact solid, 0 fluid [-]
+  std::vector<Vec2> X;               ///< reference positions [um]
+  std::vector<Vec2> x;               ///< positions [um]; never wrapped where the matrix is periodic
+  std::vector<Vec2> v;               ///< velocities of the last step [um/s]; of clamped particles: as prescribed
+  std::vector<double> rho;           ///< density over rho_0 [-]
+  std::vector<Mat2> S;               ///< deviatoric Cauchy stress, in-plane part [kPa]; S_zz = -(S_xx + S_yy)
+  std::vector<double> f;             ///< f_degr: 1 intact solid, 0 fluid [-]
   std::vector<std::uint8_t> clamped; ///< 1: moves as prescribed (rim, grips, walls)
 
   std::size_t size() const { return X.size(); }

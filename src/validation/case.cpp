@@ -21,12 +21,15 @@ const std::vector<Case>& cases() {
       {"rigid", "Rigid translation and rotation make no stress and no force; a stress present turns along.", rigid},
       {"stretch", "Young's modulus and Poisson's ratio from a uniaxial test of a free specimen.", stretch},
       {"creep", "Kelvin-Voigt retardation times of a layer under shear and under confined compression.", creep},
-      {"relaxation", "Ramp and hold, then release: viscous and elastic share of the stress, recovery time.", relaxation},
+      {"relaxation", "Ramp and hold, then release: viscous and elastic share of the stress, recovery time.",
+       relaxation},
       {"point-force", "Displacement field of a kernel-distributed force in a clamped disc, as E varies.", point_force},
-      {"poiseuille", "Viscosity of the fluidized matrix from plane channel flow, fresh and after shearing.", poiseuille},
+      {"poiseuille", "Viscosity of the fluidized matrix from plane channel flow, fresh and after shearing.",
+       poiseuille},
       {"tearing", "A held adhesion-like load: the solid over reference and over current neighbours.", tearing},
       {"convergence", "Orders of convergence in particle spacing and in time step.", convergence},
-      {"step-limit", "The largest stable explicit step, measured, against the analysis of the discrete operators.", step_limit},
+      {"step-limit", "The largest stable explicit step, measured, against the analysis of the discrete operators.",
+       step_limit},
   };
   return all;
 }

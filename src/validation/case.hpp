@@ -17,8 +17,8 @@ struct Check {
   std::string quantity; ///< what was measured, with its unit: "Young's modulus [Pa]"
   double measured = 0.0;
   double expected = 0.0;
-  double tolerance = 0.0; ///< largest |measured - expected| that holds, in the unit of the quantity
-  std::string reason;     ///< where the tolerance comes from
+  double tolerance = 0.0;    ///< largest |measured - expected| that holds, in the unit of the quantity
+  std::string reason;        ///< where the tolerance comes from
   Sense sense = Sense::near; ///< at_least: holds from expected - tolerance upwards
 
   bool holds() const;

@@ -3,7 +3,8 @@
 #include "parameters/parameters.hpp"
 #include "validation/case.hpp"
 
-/// The cases themselves, a file each. Geometry and loads are a case's own; material and numerics come from the parameters.
+/// The cases themselves, a file each. Geometry and loads are a case's own; material and numerics come from the
+/// parameters.
 namespace matrigrate::validation {
 
 Result patch(const Parameters& p);

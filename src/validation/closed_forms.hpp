@@ -9,13 +9,14 @@
 /// What the matrix should do, on paper. Test: tests/unit/validation/closed_forms_test.cpp
 namespace matrigrate::validation {
 
-/// Displacement at `x` by a force at the centre of a disc clamped at radius a, plane strain [um]. Kelvin's solution plus the
-/// regular Michell terms r^0 and r^3 cos(theta) that cancel it on the rim (Barber, Elasticity, tables 8.1 and 9.1).
+/// Displacement at `x` by a force at the centre of a disc clamped at radius a, plane strain [um]. Kelvin's solution
+/// plus the regular Michell terms r^0 and r^3 cos(theta) that cancel it on the rim (Barber, Elasticity, tables 8.1
+/// and 9.1).
 /// @param force  per depth [nN/um]   @param x  [um], not 0   @param a  [um]
 Vec2 clamped_disc_displacement(const Vec2& force, const Vec2& x, double a, double G, double nu);
 
-/// Viscosity that the pair drag of Eq. (2) has for long waves on the ideal lattice: mu times a lattice sum that is slightly
-/// below 1, since eta = 0.01 h^2 is added to |x_ij|^2 and the kernel is sampled at few points [nN s/um^2].
+/// Viscosity that the pair drag of Eq. (2) has for long waves on the ideal lattice: mu times a lattice sum that is
+/// slightly below 1, since eta = 0.01 h^2 is added to |x_ij|^2 and the kernel is sampled at few points [nN s/um^2].
 double lattice_viscosity(const EcmParameters& p);
 
 /// A straight line y = intercept + slope x through points by least squares.

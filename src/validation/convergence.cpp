@@ -50,7 +50,9 @@ double static_error(const Parameters& p, double dp, bool exact_walls) {
     for (std::size_t i = 0; i < s.ecm.size(); ++i) force[i] += s.ecm.V0 * q.ecm.thickness * field.b(s.ecm.X[i]);
   };
   const double tau = q.ecm.viscosity / field.m.G;
-  if (exact_walls) drive_clamped(a, [&](const Vec2& X) { return field.u(X); }, tau, load);
+  if (exact_walls)
+    drive_clamped(
+        a, [&](const Vec2& X) { return field.u(X); }, tau, load);
   a.march_for(14.0 * tau, load);
   double difference = 0.0, norm = 0.0;
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i) {
@@ -106,14 +108,25 @@ Result convergence(const Parameters& p) {
     steps.y.push_back(std::abs(creep_displacement(p, n) / limit - 1.0));
     result.table.add({2.0, steps.x.back(), steps.y.back()});
   }
-  result.checks.push_back({"order in dp, walls that follow the field [-]", order_of(inside), 2.0, 0.3,
-                           "linear fields are exact and the lattice is symmetric: second order; halvings from 2 um on show it to 0.3"});
-  result.checks.push_back({"order in dp, walls at rest [-]", order_of(clamped), 1.5, 0.75,
-                           "a rigid wall is placed to within a spacing: first order at the wall, second inside; between the two"});
-  result.checks.push_back({"order in dt [-]", order_of(steps), 1.0, 0.05, "explicit Euler; second-order terms of a 1/320 step"});
-  io::Plot space{.title = "Convergence in particle spacing", .x_label = "dp [um]", .y_label = "relative error", .log_x = true, .log_y = true};
+  result.checks.push_back(
+      {"order in dp, walls that follow the field [-]", order_of(inside), 2.0, 0.3,
+       "linear fields are exact and the lattice is symmetric: second order; halvings from 2 um on show it to 0.3"});
+  result.checks.push_back(
+      {"order in dp, walls at rest [-]", order_of(clamped), 1.5, 0.75,
+       "a rigid wall is placed to within a spacing: first order at the wall, second inside; between the two"});
+  result.checks.push_back(
+      {"order in dt [-]", order_of(steps), 1.0, 0.05, "explicit Euler; second-order terms of a 1/320 step"});
+  io::Plot space{.title = "Convergence in particle spacing",
+                 .x_label = "dp [um]",
+                 .y_label = "relative error",
+                 .log_x = true,
+                 .log_y = true};
   space.series = {inside, clamped, ideal(inside, 2.0, "second order"), ideal(clamped, 1.0, "first order")};
-  io::Plot time{.title = "Convergence in time step", .x_label = "dt [s]", .y_label = "relative error", .log_x = true, .log_y = true};
+  io::Plot time{.title = "Convergence in time step",
+                .x_label = "dt [s]",
+                .y_label = "relative error",
+                .log_x = true,
+                .log_y = true};
   time.series = {steps, ideal(steps, 1.0, "first order")};
   result.figures.push_back({"convergence", "Static error of a manufactured field, h/dp kept.", io::to_svg(space)});
   result.figures.push_back({"convergence-step", "Error of a creep test after one relaxation time.", io::to_svg(time)});

@@ -67,16 +67,18 @@ void examine(const Parameters& p, const std::string& name, const Vec2& direction
   }
   const double off = readings[0].tau - readings[1].tau; // half of the first-order error of the lower layer
   const double second = 4.0 * off * off + std::pow(2.0 / 25.0, 2);
-  result.checks.push_back({fmt::format("retardation time over mu/modulus, {} [-]", name),
-                           extrapolated(readings[0].tau, readings[1].tau), 1.0, second + 0.5 * dt / tau + std::exp(-9.0) / 0.05,
-                           "from two heights to an infinite one: second order in dp/H is left; half a step of explicit Euler"});
+  result.checks.push_back(
+      {fmt::format("retardation time over mu/modulus, {} [-]", name), extrapolated(readings[0].tau, readings[1].tau),
+       1.0, second + 0.5 * dt / tau + std::exp(-9.0) / 0.05,
+       "from two heights to an infinite one: second order in dp/H is left; half a step of explicit Euler"});
   result.checks.push_back({fmt::format("final displacement over the closed form, {} [-]", name),
                            extrapolated(readings[0].u, readings[1].u), 1.0, second + std::exp(-9.0),
                            "from two heights to an infinite one: second order in dp/H is left"});
-  result.remarks.push_back(fmt::format("{}: in a layer of 25 spacings the time constant is {:+.1f} % and the displacement {:+.1f} % off; in one "
-                                       "of 50, {:+.1f} % and {:+.1f} %. A rigid wall acts about half a spacing behind its first row.",
-                                       name, 100 * (readings[0].tau - 1), 100 * (readings[0].u - 1), 100 * (readings[1].tau - 1),
-                                       100 * (readings[1].u - 1)));
+  result.remarks.push_back(fmt::format(
+      "{}: in a layer of 25 spacings the time constant is {:+.1f} % and the displacement {:+.1f} % off; in one "
+      "of 50, {:+.1f} % and {:+.1f} %. A rigid wall acts about half a spacing behind its first row.",
+      name, 100 * (readings[0].tau - 1), 100 * (readings[0].u - 1), 100 * (readings[1].tau - 1),
+      100 * (readings[1].u - 1)));
 }
 
 } // namespace
@@ -85,7 +87,8 @@ Result creep(const Parameters& p) {
   Result result;
   const Moduli m = moduli(p.ecm);
   result.table.columns = {"confined_compression", "wall_distance_um", "time_s", "displacement_um", "closed_form_um"};
-  io::Plot plot{.title = "Creep of a layer under a constant body force", .x_label = "time / (mu / modulus)",
+  io::Plot plot{.title = "Creep of a layer under a constant body force",
+                .x_label = "time / (mu / modulus)",
                 .y_label = "displacement / closed form at rest"};
   examine(p, "shear", Vec2(1.0, 0.0), m.G, result, plot);
   examine(p, "confined compression", Vec2(0.0, 1.0), m.longitudinal(), result, plot);
@@ -95,11 +98,12 @@ Result creep(const Parameters& p) {
     closed.y.push_back(1.0 - std::exp(-0.1 * k));
   }
   plot.series.push_back(std::move(closed));
-  result.remarks.push_back(fmt::format(
-      "The closed form uses the viscosity of the pair drag on the ideal lattice, {:.4f} of the nominal mu, because Eq. (2) adds 0.01 "
-      "h^2 to |x_ij|^2. The drag is mu times the Laplacian of v, so confined compression retards with mu/(K + 4G/3), not with "
-      "(4/3 mu)/(K + 4G/3) as in a Newtonian fluid.",
-      lattice_viscosity(p.ecm) / p.ecm.viscosity));
+  result.remarks.push_back(fmt::format("The closed form uses the viscosity of the pair drag on the ideal lattice, "
+                                       "{:.4f} of the nominal mu, because Eq. (2) adds 0.01 "
+                                       "h^2 to |x_ij|^2. The drag is mu times the Laplacian of v, so confined "
+                                       "compression retards with mu/(K + 4G/3), not with "
+                                       "(4/3 mu)/(K + 4G/3) as in a Newtonian fluid.",
+                                       lattice_viscosity(p.ecm) / p.ecm.viscosity));
   result.figures.push_back({"creep", "Displacement of the middle of a layer between rigid walls.", io::to_svg(plot)});
   return result;
 }

@@ -49,7 +49,8 @@ double displacement_error(const EcmState& ecm, const Mat2& H) {
   return worst / largest;
 }
 
-/// Largest elastic force on a particle of a uniformly stressed rectangle, over sigma dp t_z; away from the edges, and overall.
+/// Largest elastic force on a particle of a uniformly stressed rectangle, over sigma dp t_z; away from the edges, and
+/// overall.
 std::pair<double, double> spurious_force(const Parameters& p) {
   const double dp = p.ecm.particle_spacing;
   EcmState ecm = rectangle(p.ecm, 30 * dp, 30 * dp, 0.0);
@@ -74,33 +75,36 @@ std::pair<double, double> spurious_force(const Parameters& p) {
 
 Result patch(const Parameters& p) {
   Result result;
-  result.checks.push_back({"error of F over |H|, free rectangle, every particle [-]", gradient_error(p, 0.1 * shape), 0.0,
-                           1e-12, "exact by construction of the gradient correction: round-off alone"});
+  result.checks.push_back({"error of F over |H|, free rectangle, every particle [-]", gradient_error(p, 0.1 * shape),
+                           0.0, 1e-12, "exact by construction of the gradient correction: round-off alone"});
 
   const double size = 1e-5;
   Specimen a = deep_rimmed_disc(p);
   result.table.columns = {"time_s", "relative_error"};
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
-  drive_clamped(a, [&](const Vec2& X) -> Vec2 { return size * shape * X; }, 10.0 * p.run.time_step);
+  drive_clamped(
+      a, [&](const Vec2& X) -> Vec2 { return size * shape * X; }, 10.0 * p.run.time_step);
   a.march_for(16.0 * tau, {}, [&](const State& s) {
     result.table.add({s.t, displacement_error(s.ecm, size * shape)});
     return true;
   });
-  result.checks.push_back({"displacement error of a driven disc at rest, over the largest displacement [-]",
-                           displacement_error(a.s.ecm, size * shape), 0.0,
-                           std::exp(-16.0) * 10.0 + 10.0 * size + 10.0 * p.solver.tolerance,
-                           "16 relaxation times, path dependence of the rate law (|H|), solver tolerance; tenfold each"});
+  result.checks.push_back(
+      {"displacement error of a driven disc at rest, over the largest displacement [-]",
+       displacement_error(a.s.ecm, size * shape), 0.0, std::exp(-16.0) * 10.0 + 10.0 * size + 10.0 * p.solver.tolerance,
+       "16 relaxation times, path dependence of the rate law (|H|), solver tolerance; tenfold each"});
 
   const auto [inside, anywhere] = spurious_force(p);
   result.checks.push_back({"force under uniform stress, two supports from an edge, over sigma dp t_z [-]", inside, 0.0,
                            1e-12, "the sums cancel on a lattice: round-off alone"});
-  result.remarks.push_back(fmt::format(
-      "At a free edge the same force reaches {:.2f} sigma dp t_z: there it is the traction that the edge lacks, spread over "
-      "the kernel's support.",
-      anywhere));
+  result.remarks.push_back(fmt::format("At a free edge the same force reaches {:.2f} sigma dp t_z: there it is the "
+                                       "traction that the edge lacks, spread over "
+                                       "the kernel's support.",
+                                       anywhere));
 
-  io::Plot plot{.title = "Patch: a driven disc approaches the linear field", .x_label = "time [s]",
-                .y_label = "largest error / largest displacement", .log_y = true};
+  io::Plot plot{.title = "Patch: a driven disc approaches the linear field",
+                .x_label = "time [s]",
+                .y_label = "largest error / largest displacement",
+                .log_y = true};
   io::Series curve{.label = "measured"};
   for (const auto& row : result.table.rows) {
     curve.x.push_back(row[0]);

@@ -28,16 +28,19 @@ Specimen pulled_disc(const Parameters& p, double E) {
   return a;
 }
 
-double clamp_radius(const Parameters& p) { return p.ecm.radius - 2.0 * p.ecm.smoothing_length + 0.5 * p.ecm.particle_spacing; }
+double clamp_radius(const Parameters& p) {
+  return p.ecm.radius - 2.0 * p.ecm.smoothing_length + 0.5 * p.ecm.particle_spacing;
+}
 
-/// Root-mean-square difference of the field from the closed form with clamp radius a, over the field, from four smoothing
-/// lengths off the load to half the radius.
+/// Root-mean-square difference of the field from the closed form with clamp radius a, over the field, from four
+/// smoothing lengths off the load to half the radius.
 double field_error(const Specimen& s, double a) {
   double difference = 0.0, field = 0.0;
   for (std::size_t i = 0; i < s.s.ecm.size(); ++i) {
     const Vec2& X = s.s.ecm.X[i];
     if (X.norm() < 4.0 * s.p.ecm.smoothing_length || X.norm() > 0.5 * a) continue;
-    const Vec2 exact = clamped_disc_displacement(Vec2(pull / s.p.ecm.thickness, 0.0), X, a, moduli(s.p.ecm).G, s.p.ecm.poissons_ratio);
+    const Vec2 exact =
+        clamped_disc_displacement(Vec2(pull / s.p.ecm.thickness, 0.0), X, a, moduli(s.p.ecm).G, s.p.ecm.poissons_ratio);
     difference += (s.s.ecm.displacement(i) - exact).squaredNorm();
     field += exact.squaredNorm();
   }
@@ -68,11 +71,14 @@ double point_displacement(const Specimen& s) {
 }
 
 io::Figure picture(const Specimen& s) {
-  io::ParticlePicture map{.title = "Point force: displacement at 200 Pa", .value_label = "displacement [um]",
-                          .position = s.s.ecm.x, .particle_size = s.p.ecm.particle_spacing};
+  io::ParticlePicture map{.title = "Point force: displacement at 200 Pa",
+                          .value_label = "displacement [um]",
+                          .position = s.s.ecm.x,
+                          .particle_size = s.p.ecm.particle_spacing};
   map.title = fmt::format("Point force of {} pN: displacement at {:.0f} Pa", 1e3 * pull, 1e3 * s.p.ecm.youngs_modulus);
   for (std::size_t i = 0; i < s.s.ecm.size(); ++i) map.value.push_back(s.s.ecm.displacement(i).norm());
-  return {"point-force-map", "The gel under a kernel-distributed force to the right; the rim is clamped.", io::to_svg(map)};
+  return {"point-force-map", "The gel under a kernel-distributed force to the right; the rim is clamped.",
+          io::to_svg(map)};
 }
 
 } // namespace
@@ -80,8 +86,10 @@ io::Figure picture(const Specimen& s) {
 Result point_force(const Parameters& p) {
   Result result;
   result.table.columns = {"youngs_modulus_Pa", "distance_um", "displacement_um", "closed_form_um"};
-  io::Plot plot{.title = "Point force in a clamped disc", .x_label = "distance along the force [um]",
-                .y_label = "displacement along the force [um]", .log_y = true};
+  io::Plot plot{.title = "Point force in a clamped disc",
+                .x_label = "distance along the force [um]",
+                .y_label = "displacement along the force [um]",
+                .log_y = true};
   std::vector<double> compliance;
   for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
     const double E = scale * p.ecm.youngs_modulus;
@@ -90,16 +98,21 @@ Result point_force(const Parameters& p) {
     const std::string label = fmt::format("{:.0f} Pa", 1e3 * E);
     const double clamp = clamp_uncertainty(s);
     const double kernel = std::pow(s.p.ecm.smoothing_length / (4.0 * s.p.ecm.smoothing_length), 2);
-    result.checks.push_back({"field error at " + label + " [-]", field_error(s, a), 0.0, clamp + kernel,
-                             fmt::format("clamp known to a spacing: {:.3f}; load spread over h, read from 4h on: (1/4)^2", clamp)});
+    result.checks.push_back(
+        {"field error at " + label + " [-]", field_error(s, a), 0.0, clamp + kernel,
+         fmt::format("clamp known to a spacing: {:.3f}; load spread over h, read from 4h on: (1/4)^2", clamp)});
     compliance.push_back(point_displacement(s) * E);
-    io::Series measured{.label = label + ", measured", .mark = io::Mark::points, .colour = static_cast<int>(compliance.size()) - 1};
-    io::Series exact{.label = label + ", closed form", .mark = io::Mark::line, .colour = static_cast<int>(compliance.size()) - 1};
+    io::Series measured{
+        .label = label + ", measured", .mark = io::Mark::points, .colour = static_cast<int>(compliance.size()) - 1};
+    io::Series exact{
+        .label = label + ", closed form", .mark = io::Mark::line, .colour = static_cast<int>(compliance.size()) - 1};
     for (std::size_t i = 0; i < s.s.ecm.size(); ++i) {
       const Vec2& X = s.s.ecm.X[i];
       if (std::abs(X.y()) > 1e-9 || X.x() <= 0.0 || s.s.ecm.clamped[i]) continue;
       const double u = s.s.ecm.displacement(i).x();
-      const double ideal = clamped_disc_displacement(Vec2(pull / p.ecm.thickness, 0.0), X, a, moduli(s.p.ecm).G, p.ecm.poissons_ratio).x();
+      const double ideal =
+          clamped_disc_displacement(Vec2(pull / p.ecm.thickness, 0.0), X, a, moduli(s.p.ecm).G, p.ecm.poissons_ratio)
+              .x();
       result.table.add({1e3 * E, X.x(), u, ideal});
       measured.x.push_back(X.x());
       measured.y.push_back(u);
@@ -112,12 +125,15 @@ Result point_force(const Parameters& p) {
   }
   const double u_max = compliance.front() / (0.25 * p.ecm.youngs_modulus);
   const double strain = u_max / (2.0 * p.ecm.smoothing_length);
-  result.checks.push_back({"displacement of the loaded point times E, softest over stiffest gel [-]", compliance.front() / compliance.back(), 1.0,
-                           strain, "linear elasticity gives 1; the softest gel is strained by about u/2h at the load"});
-  result.remarks.push_back(fmt::format("The loaded point itself moves {:.3f} um at {:.0f} Pa; within the load's kernel the field is set by the "
-                                       "resolution, not by the closed form, which is singular there.",
-                                       compliance[2] / p.ecm.youngs_modulus, 1e3 * p.ecm.youngs_modulus));
-  result.figures.insert(result.figures.begin(), {"point-force", "Displacement along the line of the force.", io::to_svg(plot)});
+  result.checks.push_back({"displacement of the loaded point times E, softest over stiffest gel [-]",
+                           compliance.front() / compliance.back(), 1.0, strain,
+                           "linear elasticity gives 1; the softest gel is strained by about u/2h at the load"});
+  result.remarks.push_back(fmt::format(
+      "The loaded point itself moves {:.3f} um at {:.0f} Pa; within the load's kernel the field is set by the "
+      "resolution, not by the closed form, which is singular there.",
+      compliance[2] / p.ecm.youngs_modulus, 1e3 * p.ecm.youngs_modulus));
+  result.figures.insert(result.figures.begin(),
+                        {"point-force", "Displacement along the line of the force.", io::to_svg(plot)});
   return result;
 }
 

@@ -12,7 +12,8 @@ namespace matrigrate::validation {
 
 namespace {
 
-/// Viscosity from the curvature of the velocity profile, v = v_0 - b/(2 mu) y^2, which does not depend on the walls' place.
+/// Viscosity from the curvature of the velocity profile, v = v_0 - b/(2 mu) y^2, which does not depend on the walls'
+/// place.
 double profile_viscosity(const EcmState& ecm, double b, double half_width) {
   std::vector<double> y2, v;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
@@ -54,19 +55,24 @@ Result poiseuille(const Parameters& p) {
   std::nth_element(late.begin(), late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2), late.end());
   const double sheared = late[late.size() / 2];
 
-  result.checks.push_back({"viscosity of fresh fluid against the lattice sum [Pa s]", fresh, 1e3 * mu, 1e3 * mu * dp * dp / (inner * inner),
+  result.checks.push_back({"viscosity of fresh fluid against the lattice sum [Pa s]", fresh, 1e3 * mu,
+                           1e3 * mu * dp * dp / (inner * inner),
                            "second order in the spacing over the half-width that is read"});
-  result.checks.push_back({"viscosity of fresh fluid against mu [Pa s]", fresh, 1e3 * p.ecm.viscosity, 0.05e3 * p.ecm.viscosity,
-                           "0.01 h^2 in the denominator takes up to 0.01 (h/dp)^2 = 2 % off, sampling of the kernel some more"});
-  result.checks.push_back({"median viscosity at wall strains 2 to 3 [Pa s]", sheared, 1e3 * mu, 0.1e3 * mu,
-                           "disordered particles: error of an uncorrected kernel sum, of order (dp/h)^4 times the disorder; 10 %"});
+  result.checks.push_back(
+      {"viscosity of fresh fluid against mu [Pa s]", fresh, 1e3 * p.ecm.viscosity, 0.05e3 * p.ecm.viscosity,
+       "0.01 h^2 in the denominator takes up to 0.01 (h/dp)^2 = 2 % off, sampling of the kernel some more"});
+  result.checks.push_back(
+      {"median viscosity at wall strains 2 to 3 [Pa s]", sheared, 1e3 * mu, 0.1e3 * mu,
+       "disordered particles: error of an uncorrected kernel sum, of order (dp/h)^4 times the disorder; 10 %"});
   io::Series exact{.label = "parabola", .mark = io::Mark::line};
   for (int k = 0; k <= 60; ++k) {
     const double y = H * (k / 60.0 - 0.5);
     exact.x.push_back(y);
     exact.y.push_back(b / (2.0 * mu) * (0.25 * H * H - y * y));
   }
-  io::Plot plot{.title = "Poiseuille: fluidized matrix between walls", .x_label = "y [um]", .y_label = "velocity [um/s]",
+  io::Plot plot{.title = "Poiseuille: fluidized matrix between walls",
+                .x_label = "y [um]",
+                .y_label = "velocity [um/s]",
                 .series = {exact, profile}};
   result.figures.push_back({"poiseuille", "Velocity over the channel; the wall rows stand still.", io::to_svg(plot)});
   io::Series over_strain{.label = "from the curvature of the profile"};
@@ -74,9 +80,12 @@ Result poiseuille(const Parameters& p) {
     over_strain.x.push_back(row[0]);
     over_strain.y.push_back(row[1]);
   }
-  io::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared", .x_label = "shear strain at the wall",
-                 .y_label = "viscosity [Pa s]", .series = {over_strain}};
-  result.figures.push_back({"poiseuille-strain", "The lattice is gone after a shear strain of about one.", io::to_svg(drift)});
+  io::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared",
+                 .x_label = "shear strain at the wall",
+                 .y_label = "viscosity [Pa s]",
+                 .series = {over_strain}};
+  result.figures.push_back(
+      {"poiseuille-strain", "The lattice is gone after a shear strain of about one.", io::to_svg(drift)});
   return result;
 }
 

@@ -80,7 +80,8 @@ double turned_stress_error(const Parameters& p, int n) {
   return worst;
 }
 
-/// Net force and torque of the internal forces of a wildly deformed and stressed body, over the sums of their magnitudes.
+/// Net force and torque of the internal forces of a wildly deformed and stressed body, over the sums of their
+/// magnitudes.
 struct Balance {
   double elastic_force, elastic_torque, drag_force, drag_torque;
 };
@@ -127,14 +128,16 @@ Result rigid(const Parameters& p) {
   result.checks.push_back({"stress made by rigid motion, over 2G [-]", stress, 0.0, 1e-12, round_off});
   result.checks.push_back({"force on a turned and shifted body, over E dp t_z [-]", force, 0.0, 1e-12, round_off});
   const Balance b = internal_balance(p);
-  result.checks.push_back({"net elastic force, over the sum of magnitudes [-]", b.elastic_force, 0.0, 1e-13, round_off});
+  result.checks.push_back(
+      {"net elastic force, over the sum of magnitudes [-]", b.elastic_force, 0.0, 1e-13, round_off});
   result.checks.push_back({"net elastic torque, over the sum of moments [-]", b.elastic_torque, 0.0, 1e-12, round_off});
   result.checks.push_back({"net drag force, over the sum of magnitudes [-]", b.drag_force, 0.0, 1e-13, round_off});
-  result.remarks.push_back(fmt::format(
-      "The pair drag of Eq. (2) acts along velocity differences, not along the line between particles: its net torque is {:.2g} "
-      "of the sum of moments here. This is the paper's form (mu times the Laplacian of v), which resists the rotation of a finite "
-      "body; inside a gel that is clamped at its rim it changes nothing.",
-      b.drag_torque));
+  result.remarks.push_back(fmt::format("The pair drag of Eq. (2) acts along velocity differences, not along the line "
+                                       "between particles: its net torque is {:.2g} "
+                                       "of the sum of moments here. This is the paper's form (mu times the Laplacian "
+                                       "of v), which resists the rotation of a finite "
+                                       "body; inside a gel that is clamped at its rim it changes nothing.",
+                                       b.drag_torque));
 
   result.table.columns = {"steps_per_quarter_turn", "relative_error"};
   io::Series curve{.label = "measured", .mark = io::Mark::points};
@@ -146,8 +149,12 @@ Result rigid(const Parameters& p) {
   const double order = std::log2(curve.y[2] / curve.y[3]);
   result.checks.push_back({"order in dt of a stress turned by 90 degrees [-]", order, 1.0, 0.05,
                            "explicit Euler is of first order; 5 % for the terms of second order at 400 steps"});
-  io::Plot plot{.title = "Rigid: a stress turned by 90 degrees", .x_label = "steps", .y_label = "relative error",
-                .log_x = true, .log_y = true, .series = {curve}};
+  io::Plot plot{.title = "Rigid: a stress turned by 90 degrees",
+                .x_label = "steps",
+                .y_label = "relative error",
+                .log_x = true,
+                .log_y = true,
+                .series = {curve}};
   io::Series ideal{.label = "first order", .x = curve.x, .mark = io::Mark::dashed};
   for (const double n : curve.x) ideal.y.push_back(curve.y.back() * curve.x.back() / n);
   plot.series.push_back(ideal);

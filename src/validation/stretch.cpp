@@ -20,10 +20,10 @@ constexpr double gauge = 20.0;   // half-length of the part that is measured, ha
 
 /// What the middle of the specimen shows.
 struct Reading {
-  double strain_x;     // mean du_x/dX
-  double strain_y;     // mean du_y/dY
-  double stress;       // nominal, from the particles of the gauge [kPa]
-  double grip_stress;  // nominal, from the force on the right grip [kPa]
+  double strain_x;    // mean du_x/dX
+  double strain_y;    // mean du_y/dY
+  double stress;      // nominal, from the particles of the gauge [kPa]
+  double grip_stress; // nominal, from the force on the right grip [kPa]
 };
 
 Reading read(const Specimen& a) {
@@ -58,8 +58,10 @@ void pull(Specimen& a, double strain, double seconds, double rest) {
 }
 
 io::Figure picture(const Specimen& a) {
-  io::ParticlePicture shape{.title = "Stretch: the specimen at the last strain", .value_label = "von Mises stress [Pa]",
-                            .position = a.s.ecm.x, .particle_size = a.p.ecm.particle_spacing};
+  io::ParticlePicture shape{.title = "Stretch: the specimen at the last strain",
+                            .value_label = "von Mises stress [Pa]",
+                            .position = a.s.ecm.x,
+                            .particle_size = a.p.ecm.particle_spacing};
   for (const Mat2& S : a.s.ecm.S) shape.value.push_back(1000.0 * von_mises(S));
   return {"stretch-specimen", "The gel between its grips; sides are free.", io::to_svg(shape)};
 }
@@ -73,7 +75,8 @@ Result stretch(const Parameters& p) {
   const double E = p.ecm.youngs_modulus, nu = p.ecm.poissons_ratio;
   const double E_plane = E / (1.0 - nu * nu); // plane strain
 
-  result.table.columns = {"strain", "lateral_strain", "nominal_stress_Pa", "grip_stress_Pa", "linear_elastic_stress_Pa"};
+  result.table.columns = {"strain", "lateral_strain", "nominal_stress_Pa", "grip_stress_Pa",
+                          "linear_elastic_stress_Pa"};
   io::Series measured{.label = "measured in the gauge", .mark = io::Mark::points};
   io::Series grips{.label = "measured at the grip", .mark = io::Mark::points};
   io::Series linear{.label = "linear elastic, plane strain"};
@@ -96,13 +99,17 @@ Result stretch(const Parameters& p) {
   const std::string why = fmt::format("free edges known to half a spacing each: dp/height = {:.3f}, relative", edge);
   result.checks.push_back({"Young's modulus [Pa]", 1e3 * E_measured, 1e3 * E, 1e3 * E * edge, why});
   result.checks.push_back({"Poisson's ratio [-]", nu_measured, nu, nu * edge, why});
-  result.checks.push_back({"stress at the grip over stress in the gauge [-]", first.grip_stress / first.stress, 1.0, edge, why});
+  result.checks.push_back(
+      {"stress at the grip over stress in the gauge [-]", first.grip_stress / first.stress, 1.0, edge, why});
   const auto& last = result.table.rows.back();
-  result.remarks.push_back(fmt::format(
-      "At strain {:.3f} the nominal stress is {:.1f} % off the line of linear elasticity: the specimen has become thinner, and the rate "
-      "form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
-      last[0], 100.0 * (last[2] / last[4] - 1.0)));
-  io::Plot plot{.title = "Stretch: uniaxial test with free sides", .x_label = "strain", .y_label = "nominal stress [Pa]",
+  result.remarks.push_back(
+      fmt::format("At strain {:.3f} the nominal stress is {:.1f} % off the line of linear elasticity: the specimen has "
+                  "become thinner, and the rate "
+                  "form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
+                  last[0], 100.0 * (last[2] / last[4] - 1.0)));
+  io::Plot plot{.title = "Stretch: uniaxial test with free sides",
+                .x_label = "strain",
+                .y_label = "nominal stress [Pa]",
                 .series = {linear, measured, grips}};
   result.figures.push_back({"stretch", "Quasi-static stress against strain.", io::to_svg(plot)});
   result.figures.push_back(picture(a));

@@ -94,17 +94,22 @@ Result tearing(const Parameters& p) {
 
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
   const double left = reference.travel.back() * std::exp(-0.8 * seconds / (2.0 * tau));
-  result.checks.push_back({"reference neighbours: travel in the last 80 s [um]", reference.late_travel(), 0.0, left + 0.01 * dp,
-                           "an elastic gel comes to rest: what two relaxation times mu/G leave at 320 s, and a hundredth of a spacing"});
+  result.checks.push_back(
+      {"reference neighbours: travel in the last 80 s [um]", reference.late_travel(), 0.0, left + 0.01 * dp,
+       "an elastic gel comes to rest: what two relaxation times mu/G leave at 320 s, and a hundredth of a spacing"});
   result.checks.push_back({"current neighbours: gap torn open behind the anchor, over that of reference neighbours [-]",
                            largest_gap(current.ecm) / largest_gap(reference.ecm), 2.0, 0.0,
                            "a gap that opens to twice the width of the stretched gel is a fracture", Sense::at_least});
-  result.remarks.push_back(fmt::format("A pull of {} nN held for {:.0f} s: {:.2f} um over reference neighbours, {:.2f} um over current ones{}.", pull,
-                                       seconds, reference.travel.back(), current.travel.back(),
-                                       current.failure.empty() ? "" : " (" + current.failure + ")"));
-  io::Plot plot{.title = "Tearing: travel of an adhesion-like load", .x_label = "time [s]", .y_label = "travel of the anchor [um]",
+  result.remarks.push_back(fmt::format(
+      "A pull of {} nN held for {:.0f} s: {:.2f} um over reference neighbours, {:.2f} um over current ones{}.", pull,
+      seconds, reference.travel.back(), current.travel.back(),
+      current.failure.empty() ? "" : " (" + current.failure + ")"));
+  io::Plot plot{.title = "Tearing: travel of an adhesion-like load",
+                .x_label = "time [s]",
+                .y_label = "travel of the anchor [um]",
                 .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
-  result.figures.push_back({"tearing", "The anchored point of the gel under a held pull towards the hole.", io::to_svg(plot)});
+  result.figures.push_back(
+      {"tearing", "The anchored point of the gel under a held pull towards the hole.", io::to_svg(plot)});
   result.figures.push_back(picture(reference, "tearing-reference", "Reference neighbours"));
   result.figures.push_back(picture(current, "tearing-current", "Current neighbours"));
   return result;

@@ -1,0 +1,27 @@
+#include "validation/case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace matrigrate;
+using namespace matrigrate::validation;
+
+class Validation : public testing::TestWithParam<Case> {};
+
+TEST_P(Validation, Holds) {
+  const Result result = GetParam().run(Parameters{});
+  EXPECT_FALSE(result.checks.empty());
+  for (const Check& check : result.checks)
+    EXPECT_TRUE(check.holds()) << check.quantity << ": " << check.measured << ", expected " << check.expected << " +- "
+                               << check.tolerance;
+  EXPECT_FALSE(result.table.rows.empty());
+  ASSERT_FALSE(result.figures.empty());
+  EXPECT_EQ(result.figures.front().name, GetParam().name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Validation, testing::ValuesIn(cases()), [](const auto& parameter) {
+  std::string name = parameter.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});

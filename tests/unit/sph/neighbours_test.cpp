@@ -1,0 +1,80 @@
+#include "sph/neighbours.hpp"
+
+#include "state/ecm.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace matrigrate;
+
+namespace {
+
+std::vector<Vec2> scattered(int n, double width, double height) {
+  std::vector<Vec2> x;
+  for (int k = 0; k < n; ++k) {
+    const double a = std::fmod(k * 0.754877666, 1.0), b = std::fmod(k * 0.569840291, 1.0);
+    x.emplace_back(a * width, b * height - 0.5 * height);
+  }
+  return x;
+}
+
+void expect_all_pairs(const std::vector<Vec2>& x, double reach, double period) {
+  const Adjacency list = neighbours_within(x, reach, period);
+  ASSERT_EQ(list.size(), x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::vector<std::uint32_t> expected;
+    for (std::size_t j = 0; j < x.size(); ++j)
+      if (j != i && nearest_image(x[i] - x[j], period).norm() <= reach)
+        expected.push_back(static_cast<std::uint32_t>(j));
+    const std::vector<std::uint32_t> found(list.of(i).begin(), list.of(i).end());
+    EXPECT_EQ(found, expected) << "particle " << i;
+  }
+}
+
+} // namespace
+
+TEST(Neighbours, AreThoseOfADirectSearch) { expect_all_pairs(scattered(400, 50.0, 30.0), 5.2, 0.0); }
+
+TEST(Neighbours, AreThoseOfADirectSearchAcrossAPeriod) {
+  std::vector<Vec2> x = scattered(400, 50.0, 30.0);
+  for (std::size_t i = 0; i < x.size(); i += 7) x[i].x() += 150.0; // images further along count the same
+  expect_all_pairs(x, 5.2, 50.0);
+}
+
+TEST(Neighbours, OfOneParticleAreNone) {
+  EXPECT_EQ(neighbours_within(std::vector<Vec2>{{1.0, 2.0}}, 3.0, 0.0).pairs(), 0U);
+  EXPECT_EQ(neighbours_within(std::vector<Vec2>{}, 3.0, 0.0).size(), 0U);
+}
+
+TEST(Neighbours, SurviveAStrayParticle) {
+  std::vector<Vec2> x = scattered(100, 20.0, 20.0);
+  x.emplace_back(1e9, -1e9);
+  expect_all_pairs(x, 4.0, 0.0);
+}
+
+TEST(Neighbours, RefuseWhatCannotBeListed) {
+  EXPECT_THROW(neighbours_within(scattered(10, 8.0, 8.0), 4.0, 8.0), std::invalid_argument);
+  EXPECT_THROW(neighbours_within(std::vector<Vec2>{{std::numeric_limits<double>::quiet_NaN(), 0.0}}, 1.0, 0.0),
+               std::invalid_argument);
+}
+
+TEST(VerletList, IsBuiltAgainBeforeAPairCanBeMissed) {
+  std::vector<Vec2> x{{0.0, 0.0}, {7.0, 0.0}};
+  VerletList list(5.2, 1.0);
+  EXPECT_TRUE(list.update(x, 0.0));
+  EXPECT_EQ(list.pairs().pairs(), 0U);
+  int builds = 0;
+  for (int step = 0; step < 40; ++step) { // both approach, 0.1 um a step together
+    x[0].x() += 0.05;
+    x[1].x() -= 0.05;
+    if (list.update(x, 0.0)) ++builds;
+    if ((x[1] - x[0]).norm() <= 5.2) {
+      EXPECT_EQ(list.pairs().pairs(), 2U);
+    }
+  }
+  EXPECT_GE(builds, 2);
+  EXPECT_LE(builds, 5);
+}

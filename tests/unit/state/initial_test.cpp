@@ -1,0 +1,66 @@
+#include "state/initial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace matrigrate;
+
+TEST(Disc, HasTheNumberOfParticlesOfThePaper) {
+  Parameters p;
+  p.ecm.cell_hole = false;
+  const EcmState ecm = disc(p);
+  EXPECT_EQ(ecm.size(), 17665U); // lattice points within 75 spacings of the origin
+  EXPECT_EQ(std::count(ecm.clamped.begin(), ecm.clamped.end(), 0), 16461);
+}
+
+TEST(Disc, ClampsTheRimAndFluidizesTheHole) {
+  Parameters p;
+  p.ecm.radius = 60.0;
+  const EcmState ecm = disc(p);
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    EXPECT_EQ(ecm.clamped[i] == 1, ecm.X[i].norm() > 60.0 - 5.2);
+    EXPECT_EQ(ecm.f[i] == 0.0, ecm.X[i].norm() < 15.0 + 1.9);
+  }
+}
+
+TEST(Disc, HexagonalLatticeHasSixNeighboursAtOneSpacing) {
+  EcmParameters ecm;
+  ecm.lattice = Lattice::hexagonal;
+  int at_one_spacing = 0;
+  for (const Vec2& X : lattice_patch(ecm, 1.01 * ecm.particle_spacing))
+    if (X.norm() > 0.0) ++at_one_spacing;
+  EXPECT_EQ(at_one_spacing, 6);
+  EXPECT_DOUBLE_EQ(particle_area(ecm), 4.0 * std::sqrt(3.0) / 2.0);
+}
+
+TEST(Strip, IsSymmetricBetweenWallsAsDeepAsASupport) {
+  for (const Lattice lattice : {Lattice::square, Lattice::hexagonal}) {
+    EcmParameters p;
+    p.lattice = lattice;
+    const EcmState ecm = strip(p, 30.0, 40.0);
+    double low = 0.0, high = 0.0, free_high = 0.0, wall_low = 1e9;
+    for (std::size_t i = 0; i < ecm.size(); ++i) {
+      low = std::min(low, ecm.X[i].y());
+      high = std::max(high, ecm.X[i].y());
+      if (ecm.clamped[i])
+        wall_low = std::min(wall_low, std::abs(ecm.X[i].y()));
+      else
+        free_high = std::max(free_high, std::abs(ecm.X[i].y()));
+    }
+    EXPECT_NEAR(low, -high, 1e-12);
+    EXPECT_LT(free_high, wall_low);
+    EXPECT_GE(high - free_high, 2.0 * p.smoothing_length);
+    EXPECT_DOUBLE_EQ(ecm.period_x, 30.0);
+  }
+}
+
+TEST(Rectangle, IsCentredAndHeldAtBothEnds) {
+  const EcmState ecm = rectangle(EcmParameters{}, 60.0, 20.0, 5.0);
+  EXPECT_EQ(ecm.size(), 300U);
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& X : ecm.X) mean += X / 300.0;
+  EXPECT_NEAR(mean.norm(), 0.0, 1e-12);
+  for (std::size_t i = 0; i < ecm.size(); ++i) EXPECT_EQ(ecm.clamped[i] == 1, std::abs(ecm.X[i].x()) > 25.0);
+}
