@@ -7,8 +7,8 @@
 
 namespace matrigrate {
 
-/// For each particle i the particles j != i that it meets, in ascending order (compressed rows). A list is symmetric: j is
-/// listed by i exactly if i is listed by j. Data of the pair (i, j) is kept in arrays that run beside `index`.
+/// For each particle i the particles j != i that it meets, in ascending order (compressed rows). A list is symmetric: j
+/// is listed by i exactly if i is listed by j. Data of the pair (i, j) is kept in arrays that run beside `index`.
 struct Adjacency {
   std::vector<std::uint32_t> first; ///< row i is index[first[i]] .. index[first[i + 1] - 1]; n + 1 entries
   std::vector<std::uint32_t> index;

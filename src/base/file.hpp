@@ -15,7 +15,8 @@ void write_file(const std::filesystem::path& path, std::string_view content);
 /// @throws InputOutputError if it cannot be read, is no regular file, or is larger than max_bytes
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// Makes a new folder for results. An existing one that is not empty is refused unless `force`; nothing is ever deleted.
+/// Makes a new folder for results. An existing one that is not empty is refused unless `force`; nothing is ever
+/// deleted.
 /// @throws InputOutputError naming the path and the reason
 void make_output_folder(const std::filesystem::path& path, bool force);
 

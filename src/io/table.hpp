@@ -14,7 +14,9 @@ struct Table {
   void add(std::vector<double> row);
 };
 
-/// The table as RFC 4180 text: a header line, numbers in the shortest form that reads back to the same bits, NaN empty.
+/// The table as RFC 4180 text, but with the line ends of Unix: a header line, numbers in the shortest form that reads
+/// back to the same bits, NaN as an empty field, infinities as inf and -inf. The same bytes in every locale.
+/// @throws std::invalid_argument if a row is not as long as columns
 std::string to_csv(const Table& table);
 
 } // namespace matrigrate::io

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// Every parameter of a simulation, in internal units (um, s, nN; hence stress in kPa, viscosity in nN s/um^2 = 1000 Pa s).
+/// Every parameter of a simulation, in internal units: um, s, nN; stress in kPa, viscosity in nN s/um^2 = 1000 Pa s.
 /// Defaults are Table 1 of Heck et al. 2020 and the interpretations of MODEL.md. Names, units, ranges, symbols and
 /// sources stand once, in schema.cpp; nothing else in the program lists the parameters.
 namespace matrigrate {

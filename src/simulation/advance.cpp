@@ -73,10 +73,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
 
 void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads,
            const std::function<bool(const State&)>& each_step) {
-  const StepLimits limits = step_limits(p);
-  if (p.run.time_step > limits.smallest())
-    throw NumericalFailure(fmt::format("run.time_step = {:.4g} s is beyond the limit of the explicit step: {}",
-                                       p.run.time_step, describe(limits)));
+  require_stable_step(p);
   while (s.t < t_end - 0.5 * p.run.time_step) {
     advance(s, p, w, loads);
     if (each_step && !each_step(s)) return;

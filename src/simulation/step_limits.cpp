@@ -1,5 +1,6 @@
 #include "simulation/step_limits.hpp"
 
+#include "base/failure.hpp"
 #include "base/vector.hpp"
 #include "ecm/material.hpp"
 #include "ecm/viscosity.hpp"
@@ -84,6 +85,13 @@ StepLimits step_limits(const Parameters& p) {
       fluid = std::max(fluid, fluid_rate(s, p.ecm, m));
     }
   return {.elastic_s = 2.0 / elastic, .fluid_s = 2.0 / fluid};
+}
+
+void require_stable_step(const Parameters& p) {
+  const StepLimits limits = step_limits(p);
+  if (p.run.time_step > limits.smallest())
+    throw NumericalFailure(fmt::format("run.time_step = {:.4g} s is beyond the limit of the explicit step: {}",
+                                       p.run.time_step, describe(limits)));
 }
 
 std::string describe(const StepLimits& limits) {

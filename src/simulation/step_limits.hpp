@@ -25,6 +25,9 @@ struct StepLimits {
 /// d(k).
 StepLimits step_limits(const Parameters& p);
 
+/// @throws NumericalFailure naming the limit that run.time_step breaks, if it breaks one
+void require_stable_step(const Parameters& p);
+
 /// The limits in one sentence.
 std::string describe(const StepLimits& limits);
 

@@ -1,5 +1,6 @@
 #include "validation/case.hpp"
 
+#include "simulation/step_limits.hpp"
 #include "validation/cases.hpp"
 
 #include <algorithm>
@@ -13,6 +14,11 @@ bool Check::holds() const {
 
 bool Result::holds() const {
   return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.holds(); });
+}
+
+Result run_case(const Case& which, const Parameters& p) {
+  require_stable_step(p);
+  return which.run(p);
 }
 
 const std::vector<Case>& cases() {

@@ -41,6 +41,11 @@ struct Case {
   std::function<Result(const Parameters&)> run;
 };
 
+/// Runs a case, after a check of run.time_step against the limits of the explicit step: some cases refine the step on
+/// their own, none may hide that the one asked for is too large.
+/// @throws NumericalFailure
+Result run_case(const Case& which, const Parameters& p);
+
 /// All cases, in the order of the documentation.
 const std::vector<Case>& cases();
 

@@ -24,13 +24,17 @@ Vec2 clamped_disc_displacement(const Vec2& force, const Vec2& x, double a, doubl
   return radial * along_force * e_r + across * (force - along_force * e_r);
 }
 
-double lattice_viscosity(const EcmParameters& p) {
+double lattice_viscosity(const EcmParameters& p) { return sheared_lattice_viscosity(p, 0.0); }
+
+double sheared_lattice_viscosity(const EcmParameters& p, double shear) {
   const Kernel kernel(p.smoothing_length);
   const double V0 = particle_area(p);
   double sum = 0.0;
-  for (const Vec2& X : lattice_patch(p, kernel.support()))
-    sum += 0.5 * X.x() * X.x()
+  for (Vec2 X : lattice_patch(p, (2.0 + std::abs(shear)) * kernel.support())) {
+    X.x() += shear * X.y();
+    sum += 0.5 * X.y() * X.y()
            * pair_drag(X.squaredNorm(), kernel.W_slope(X.norm()), V0, p.viscosity, p.thickness, kernel.h());
+  }
   return sum / (p.thickness * V0);
 }
 

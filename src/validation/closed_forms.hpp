@@ -19,6 +19,10 @@ Vec2 clamped_disc_displacement(const Vec2& force, const Vec2& x, double a, doubl
 /// slightly below 1, since eta = 0.01 h^2 is added to |x_ij|^2 and the kernel is sampled at few points [nN s/um^2].
 double lattice_viscosity(const EcmParameters& p);
 
+/// The same sum on the lattice after a simple shear along its rows, for a velocity along x that varies with y.
+/// @param shear  dx/dy [-]
+double sheared_lattice_viscosity(const EcmParameters& p, double shear);
+
 /// A straight line y = intercept + slope x through points by least squares.
 struct Line {
   double slope;

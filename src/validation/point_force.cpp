@@ -77,8 +77,7 @@ io::Figure picture(const Specimen& s) {
                           .particle_size = s.p.ecm.particle_spacing};
   map.title = fmt::format("Point force of {} pN: displacement at {:.0f} Pa", 1e3 * pull, 1e3 * s.p.ecm.youngs_modulus);
   for (std::size_t i = 0; i < s.s.ecm.size(); ++i) map.value.push_back(s.s.ecm.displacement(i).norm());
-  return {"point-force-map", "The gel under a kernel-distributed force to the right; the rim is clamped.",
-          io::to_svg(map)};
+  return {"map", "The gel under a kernel-distributed force to the right; the rim is clamped.", io::to_svg(map)};
 }
 
 } // namespace

@@ -63,7 +63,7 @@ io::Figure picture(const Specimen& a) {
                             .position = a.s.ecm.x,
                             .particle_size = a.p.ecm.particle_spacing};
   for (const Mat2& S : a.s.ecm.S) shape.value.push_back(1000.0 * von_mises(S));
-  return {"stretch-specimen", "The gel between its grips; sides are free.", io::to_svg(shape)};
+  return {"specimen", "The gel between its grips; sides are free.", io::to_svg(shape)};
 }
 
 } // namespace

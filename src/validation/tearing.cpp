@@ -110,8 +110,8 @@ Result tearing(const Parameters& p) {
                 .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
   result.figures.push_back(
       {"tearing", "The anchored point of the gel under a held pull towards the hole.", io::to_svg(plot)});
-  result.figures.push_back(picture(reference, "tearing-reference", "Reference neighbours"));
-  result.figures.push_back(picture(current, "tearing-current", "Current neighbours"));
+  result.figures.push_back(picture(reference, "reference", "Reference neighbours"));
+  result.figures.push_back(picture(current, "current", "Current neighbours"));
   return result;
 }
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "io/page.hpp"
+#include "validation/case.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace matrigrate::apps {
+
+/// How a case ended: with a result, or with the reason why there is none.
+struct Outcome {
+  const validation::Case* which = nullptr;
+  std::optional<validation::Result> result;
+  std::string failure;    ///< empty if there is a result
+  double wall_time = 0.0; ///< [s]
+
+  bool holds() const { return result && result->holds(); }
+};
+
+/// Measured beside expected, tolerance and its reason, verdict; for a terminal.
+std::string to_text(const Outcome& outcome);
+
+/// {name, summary, holds, failure, wall_time_s, checks: [{quantity, measured, expected, tolerance, reason, holds}],
+/// remarks}
+nlohmann::ordered_json to_json(const Outcome& outcome);
+
+/// The chapter of the report.
+io::PageSection to_section(const Outcome& outcome);
+
+/// Writes NAME.csv, NAME.svg of the first figure and NAME-<figure>.svg of the others; nothing if there is no result.
+void write_outcome(const Outcome& outcome, const std::filesystem::path& folder);
+
+} // namespace matrigrate::apps

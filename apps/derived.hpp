@@ -1,0 +1,38 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "simulation/step_limits.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace matrigrate::apps {
+
+/// What follows from the parameters before anything is computed.
+struct Derived {
+  double K;                ///< bulk modulus [kPa]
+  double G;                ///< shear modulus [kPa]
+  double shear_time;       ///< mu/G [s]
+  double compression_time; ///< mu/(K + 4G/3) [s]
+  std::size_t free_particles;
+  std::size_t clamped_particles;
+  std::size_t fluid_particles; ///< of the free ones, fluid from the start
+  double neighbours;           ///< within the kernel's support, itself not counted
+  double steps;
+  StepLimits limits;
+  double memory_bytes; ///< estimate
+  double wall_time;    ///< estimate [s]
+
+  std::size_t particles() const { return free_particles + clamped_particles; }
+};
+
+Derived derived(const Parameters& p);
+
+/// What the estimate of the wall time rests on.
+std::string wall_time_basis();
+
+/// What will go wrong or mislead, a sentence or two each.
+std::vector<std::string> warnings(const Parameters& p, const Derived& d);
+
+} // namespace matrigrate::apps

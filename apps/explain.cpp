@@ -1,0 +1,103 @@
+#include "apps/derived.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "parameters/read.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string file;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+std::string duration_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.3g} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.3g} min", seconds / 60.0);
+  return fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+std::string description(const Parameters& p, const Derived& d) {
+  std::string text;
+  text += fmt::format(
+      "A disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio {:.4g}, viscosity {:.4g} Pa s), clamped "
+      "at its rim,\nfollowed for {} in steps of {:.4g} s.\n\n",
+      p.ecm.radius, 1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity,
+      duration_text(p.run.duration), p.run.time_step);
+  const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
+    text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
+  };
+  add("bulk modulus K", fmt::format("{:.4g} Pa", 1e3 * d.K), "E / (3 (1 - 2 nu))");
+  add("shear modulus G", fmt::format("{:.4g} Pa", 1e3 * d.G), "E / (2 (1 + nu))");
+  add("relaxation in shear", duration_text(d.shear_time), "mu / G");
+  add("relaxation, compression", duration_text(d.compression_time), "mu / (K + 4G/3)");
+  add("particles", fmt::format("{}", d.particles()),
+      fmt::format("{} free, {} of them fluid from the start; {} clamped", d.free_particles, d.fluid_particles,
+                  d.clamped_particles));
+  add("neighbours", fmt::format("{:.0f}", d.neighbours), "of a particle, within the kernel's support of 2 h");
+  add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
+  add("largest stable step", fmt::format("{:.3g} s", d.limits.smallest()), "set by the " + d.limits.binding());
+  add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");
+  add("wall time", duration_text(d.wall_time),
+      "of the matrix alone on one thread; see the notes of `matrigrate explain -h`");
+  return text;
+}
+
+Json to_json(const Options& options, const Derived& d, const std::vector<std::string>& found) {
+  return {{"file", options.file},
+          {"bulk_modulus_Pa", 1e3 * d.K},
+          {"shear_modulus_Pa", 1e3 * d.G},
+          {"shear_relaxation_s", d.shear_time},
+          {"compression_relaxation_s", d.compression_time},
+          {"particles", d.particles()},
+          {"free_particles", d.free_particles},
+          {"clamped_particles", d.clamped_particles},
+          {"fluid_particles", d.fluid_particles},
+          {"neighbours", d.neighbours},
+          {"steps", d.steps},
+          {"step_limit_elastic_s", d.limits.elastic_s},
+          {"step_limit_fluid_s", d.limits.fluid_s},
+          {"step_limit_set_by", d.limits.binding()},
+          {"memory_estimate_bytes", d.memory_bytes},
+          {"wall_time_estimate_s", d.wall_time},
+          {"warnings", found}};
+}
+
+int explain(const Options& options) {
+  const Parameters p = read_parameters(options.file, options.overrides);
+  const Derived d = derived(p);
+  const std::vector<std::string> found = warnings(p, d);
+  if (options.json) {
+    print(to_json(options, d, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return done;
+  }
+  print(description(p, d));
+  for (const std::string& warning : found)
+    print(fmt::format("\n{} {}\n", coloured("WARNING:", Colour::warning, Stream::out), warning));
+  return done;
+}
+
+} // namespace
+
+void add_explain(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("explain", "What a scenario means and needs, before anything is computed");
+  verb->footer(wall_time_basis()
+               + "\n--json prints one object whose keys carry their units, with the list `warnings`.");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("FILE", options->file, "A scenario file")->required();
+  verb->add_option("--set", options->overrides, "key=value, over the file; may be repeated")->allow_extra_args(false);
+  verb->add_flag("--json", options->json, "Print the numbers as JSON");
+  verb->callback([options, &chosen] { chosen = [options] { return explain(*options); }; });
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,83 @@
+#include "apps/provenance.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "parameters/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <system_error>
+
+namespace matrigrate::apps {
+
+namespace {
+
+/// CLI11 would call an unknown verb a stray argument; say which one was meant.
+void check_verb(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2) throw UsageError("a verb is required; matrigrate -h tells which there are");
+  if (std::string_view(argv[1]).starts_with('-')) return;
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return;
+  throw UsageError(fmt::format("there is no verb \"{}\"{}\nThe verbs are: {}; matrigrate -h tells what they do",
+                               argv[1], did_you_mean(nearest(argv[1], verbs)), fmt::join(verbs, ", ")));
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("A single cell migrating through a degradable viscoelastic matrix.\n"
+               "Model: Heck et al. 2020, PLoS Comput Biol 16(1): e1007250.");
+  app.name("matrigrate");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_line());
+  app.footer("Exit codes: 0 done; 2 usage; 3 configuration; 4 numerical failure; 5 input or output.");
+  Action chosen;
+  add_new(app, chosen);
+  add_list(app, chosen);
+  add_check(app, chosen);
+  add_explain(app, chosen);
+  add_validate(app, chosen);
+  add_info(app, chosen);
+  check_verb(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error); // help and version are no errors
+    throw UsageError(fmt::format("{}\nmatrigrate VERB -h tells how a verb is used", error.what()));
+  }
+  const int code = chosen();
+  flush();
+  return code;
+}
+
+int complain(std::string_view what, ExitCode code) {
+  print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), what));
+  return code;
+}
+
+} // namespace
+
+} // namespace matrigrate::apps
+
+int main(int argc, char** argv) {
+  using namespace matrigrate;
+  using namespace matrigrate::apps;
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    return complain(error.what(), usage);
+  } catch (const ConfigurationError& error) {
+    print_faults(error.faults());
+    return configuration;
+  } catch (const NumericalFailure& error) {
+    return complain(error.what(), numerical);
+  } catch (const InputOutputError& error) {
+    return complain(error.what(), input_output);
+  } catch (const std::system_error& error) { // of a file system or a thread
+    return complain(error.what(), input_output);
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory; explain tells what a scenario needs", numerical);
+  } catch (const std::exception& error) {
+    return complain(fmt::format("internal error, please report it: {}", error.what()), internal);
+  }
+}

@@ -1,0 +1,51 @@
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/write.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace matrigrate::apps {
+
+namespace {
+
+struct Options {
+  std::string file;
+  std::string preset = "baseline";
+};
+
+const Preset& preset_of(const std::string& name) {
+  if (const Preset* preset = find_preset(name)) return *preset;
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  throw UsageError(fmt::format("there is no preset \"{}\"{}\nThe presets are: {}", name,
+                               did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
+}
+
+int write_scenario(const Options& options) {
+  const Preset& preset = preset_of(options.preset);
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
+    throw InputOutputError(options.file + ": exists, and is not overwritten; choose another name or delete it first");
+  write_file(options.file, new_scenario(preset));
+  print(fmt::format("{}: written from the preset {}; next: matrigrate explain {}\n", options.file, preset.name,
+                    options.file));
+  return done;
+}
+
+} // namespace
+
+void add_new(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("new", "Write a commented scenario file; never overwrites one");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("FILE", options->file, "The file to write, such as scenario.toml")->required();
+  verb->add_option("--preset", options->preset, "What to start from: one of those of `matrigrate list`")
+      ->capture_default_str();
+  verb->callback([options, &chosen] { chosen = [options] { return write_scenario(*options); }; });
+}
+
+} // namespace matrigrate::apps

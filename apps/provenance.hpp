@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/// What this program is made of and what it runs on.
+namespace matrigrate::apps {
+
+/// "matrigrate 0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
+std::string version_line();
+
+/// {version, git_hash, git_dirty, compiler, flags, build_type, sanitizers, libraries: {name: version},
+///  cpu: {model, threads, simd: [names]}}
+nlohmann::ordered_json provenance();
+
+/// The same for people.
+std::string provenance_text();
+
+} // namespace matrigrate::apps

@@ -1,0 +1,64 @@
+#include "apps/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+
+namespace matrigrate::apps {
+
+namespace {
+
+bool shows_colours(Stream stream) {
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  if (no_colour != nullptr && *no_colour != '\0') return false;
+  if (terminal == nullptr || std::string_view(terminal) == "dumb") return false;
+  return ::isatty(stream == Stream::out ? STDOUT_FILENO : STDERR_FILENO) == 1;
+}
+
+[[noreturn]] void fail() {
+  throw InputOutputError(fmt::format("standard output: cannot be written: {}", std::generic_category().message(errno)));
+}
+
+} // namespace
+
+std::string coloured(std::string_view text, Colour colour, Stream stream) {
+  if (!shows_colours(stream)) return std::string(text);
+  const auto code = [&] {
+    switch (colour) {
+    case Colour::bad:
+      return "31";
+    case Colour::good:
+      return "32";
+    case Colour::warning:
+      return "33";
+    default:
+      return "1";
+    }
+  }();
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+}
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
+}
+
+void flush() {
+  if (std::fflush(stdout) != 0) fail();
+}
+
+void print_error(std::string_view text) {
+  std::fflush(stdout);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void print_faults(const std::vector<Fault>& faults) {
+  for (const Fault& fault : faults) print_error(to_string(fault) + "\n");
+}
+
+} // namespace matrigrate::apps

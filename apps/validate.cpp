@@ -1,0 +1,130 @@
+#include "apps/case_output.hpp"
+#include "apps/provenance.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/read.hpp"
+#include "parameters/write.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string name;
+  std::string folder;
+  std::string scenario;
+  std::vector<std::string> overrides;
+  bool force = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+std::vector<const validation::Case*> chosen_cases(const std::string& name) {
+  std::vector<const validation::Case*> chosen;
+  std::vector<std::string> names{"all"};
+  for (const validation::Case& c : validation::cases()) {
+    names.push_back(c.name);
+    if (name == c.name || name == "all") chosen.push_back(&c);
+  }
+  if (chosen.empty())
+    throw UsageError(fmt::format("there is no case \"{}\"{}\nThe cases are: {}", name,
+                                 did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
+  return chosen;
+}
+
+Outcome outcome_of(const validation::Case& c, const Parameters& p) {
+  Outcome outcome;
+  outcome.which = &c;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    outcome.result = validation::run_case(c, p);
+  } catch (const NumericalFailure& failure) {
+    outcome.failure = failure.what();
+  }
+  outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+void write_report(const Options& options, const std::vector<Outcome>& outcomes) {
+  std::vector<io::PageSection> sections;
+  sections.reserve(outcomes.size());
+  for (const Outcome& outcome : outcomes) sections.push_back(to_section(outcome));
+  const std::string title = fmt::format("Validation of the matrix: {}", options.name);
+  write_file(std::filesystem::path(options.folder) / "report.html", io::page(title, sections, provenance_text()));
+}
+
+void print_verdict(const Options& options, const std::vector<Outcome>& outcomes) {
+  const auto holding = std::ranges::count_if(outcomes, &Outcome::holds);
+  if (options.json) {
+    Json cases = Json::array();
+    for (const Outcome& outcome : outcomes) cases.push_back(to_json(outcome));
+    const Json all{{"folder", options.folder},
+                   {"holds", holding == std::ssize(outcomes)},
+                   {"cases", cases},
+                   {"provenance", provenance()}};
+    print(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  } else {
+    print(fmt::format("{} of {} {}; report: {}/report.html\n", holding, outcomes.size(),
+                      outcomes.size() == 1 ? "case holds" : "cases hold", options.folder));
+  }
+}
+
+int validate(Options options) {
+  const auto chosen = chosen_cases(options.name);
+  const Parameters p = options.scenario.empty() ? apply_overrides({}, options.overrides)
+                                                : read_parameters(options.scenario, options.overrides);
+  if (options.folder.empty()) options.folder = "validate-" + options.name;
+  make_output_folder(options.folder, options.force);
+  write_file(std::filesystem::path(options.folder) / "scenario.resolved.toml", to_toml(p));
+  const auto threads = static_cast<std::size_t>(p.run.threads > 0 ? p.run.threads : tbb::info::default_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+
+  std::vector<Outcome> outcomes;
+  for (const validation::Case* c : chosen) {
+    outcomes.push_back(outcome_of(*c, p));
+    write_outcome(outcomes.back(), options.folder);
+    if (options.json || options.quiet) continue;
+    print(to_text(outcomes.back()));
+    flush(); // a case may take minutes
+  }
+  write_report(options, outcomes);
+  print_verdict(options, outcomes);
+  return std::ranges::all_of(outcomes, &Outcome::holds) ? done : numerical;
+}
+
+} // namespace
+
+void add_validate(CLI::App& app, Action& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("validate", "Verify the matrix on its own against closed forms and measured limits");
+  verb->footer(
+      "Writes NAME.csv, NAME.svg, further figures NAME-<figure>.svg, scenario.resolved.toml and report.html.\n"
+      "--json prints {folder, holds, cases: [{name, summary, holds, failure, wall_time_s, checks: [{quantity,\n"
+      "measured, expected, tolerance, reason, holds}], remarks}], provenance}.\n"
+      "Exit code 4 if a case does not hold or stops with a numerical failure.");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("NAME", options->name, "A case of `matrigrate list`, or all")->required();
+  verb->add_option("-o,--output", options->folder, "Folder for the results (default: validate-NAME)");
+  verb->add_option("--scenario", options->scenario, "Take material and numerics from this scenario file");
+  verb->add_option("--set", options->overrides, "key=value, over the scenario; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_flag("--force", options->force, "Write into a folder that is not empty");
+  verb->add_flag("--json", options->json, "Print the results as JSON");
+  verb->add_flag("--quiet", options->quiet, "Print only the verdict");
+  verb->callback([options, &chosen] { chosen = [options] { return validate(*options); }; });
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <stdexcept>
+
+/// The verbs of the program, one file each. A verb adds itself to the command line; when it is given, it sets what is
+/// to be done. Exit codes and exceptions are brought together in main.cpp and nowhere else.
+namespace matrigrate::apps {
+
+enum ExitCode : int { done = 0, internal = 1, usage = 2, configuration = 3, numerical = 4, input_output = 5 };
+
+/// The command line asks for something that there is not. Exit code 2.
+class UsageError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the chosen verb does. @return the exit code
+using Action = std::function<int()>;
+
+void add_new(CLI::App& app, Action& chosen);
+void add_list(CLI::App& app, Action& chosen);
+void add_check(CLI::App& app, Action& chosen);
+void add_explain(CLI::App& app, Action& chosen);
+void add_validate(CLI::App& app, Action& chosen);
+void add_info(CLI::App& app, Action& chosen);
+
+} // namespace matrigrate::apps

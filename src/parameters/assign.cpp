@@ -1,0 +1,150 @@
+#include "parameters/assign.hpp"
+
+#include "parameters/nearest.hpp"
+#include "parameters/scan.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace matrigrate {
+
+namespace {
+
+using Real = double& (*)(Parameters&);
+using Integer = int& (*)(Parameters&);
+using Large = std::uint64_t& (*)(Parameters&);
+using Flag = bool& (*)(Parameters&);
+
+/// The default, as an example of what can be written.
+std::string example(const Row& row) { return value_text(row, Parameters{}); }
+
+std::string quoted(std::string_view text) { return fmt::format("\"{}\"", excerpt(text)); }
+
+std::string wrong_type(const Row& row, const Given& given) {
+  return fmt::format("is {}, but {} is expected, such as {}", given.type,
+                     kind(row) == Kind::quantity ? "a number with its unit" : "a number without quotes", example(row));
+}
+
+std::string out_of_range(const Row& row, std::string_view shown) {
+  return fmt::format("{} is out of range; allowed is {}", shown, allowed_text(row));
+}
+
+bool within(const Range& range, double value, double low, double high) {
+  return (range.low_allowed ? value >= low : value > low) && (range.high_allowed ? value <= high : value < high);
+}
+
+/// A real number and its unit, as typed.
+struct Typed {
+  std::string number;
+  units::Unit unit;
+  std::string shown; ///< for a message
+};
+
+/// @throws std::invalid_argument saying what is wrong with a string
+Typed typed_string(const Row& row, const std::string& text) {
+  if (kind(row) == Kind::ratio)
+    throw std::invalid_argument(
+        fmt::format("is a string; write a bare number without quotes, such as {}", example(row)));
+  const std::string such = fmt::format("write it like {}", example(row));
+  units::Quantity quantity;
+  Typed typed;
+  try {
+    quantity = units::parse_quantity(text);
+    typed = {quantity.number, units::parse_unit(quantity.unit), quoted(text)};
+  } catch (const std::invalid_argument& error) {
+    const std::string_view what = error.what();
+    const bool names_itself = what.starts_with('"') || what.starts_with("the ");
+    throw std::invalid_argument(
+        fmt::format("{}{}{}; {}", quoted(text), names_itself ? ": " : " ", excerpt(what, 120), such));
+  }
+  if (quantity.unit.empty())
+    throw std::invalid_argument(
+        fmt::format("{} has no unit; {}, or as a bare number in {}", quoted(text), such, row.unit));
+  const units::Dimension expected = units::parse_unit(row.unit).dimension;
+  if (typed.unit.dimension != expected)
+    throw std::invalid_argument(fmt::format("{} is {}, but {} is expected; {}", quoted(text),
+                                            to_string(typed.unit.dimension), to_string(expected), such));
+  return typed;
+}
+
+/// @throws std::invalid_argument saying what is wrong
+Typed typed(const Row& row, const Given& given) {
+  const units::Unit unit = units::parse_unit(row.unit);
+  if (const auto* text = std::get_if<std::string>(&given.value)) return typed_string(row, *text);
+  std::string number;
+  if (const auto* whole = std::get_if<std::int64_t>(&given.value))
+    number = fmt::format("{}", *whole);
+  else if (const auto* real = std::get_if<double>(&given.value)) {
+    if (!std::isfinite(*real)) throw std::invalid_argument(fmt::format("{} is not a finite number", *real));
+    number = fmt::format("{}", *real);
+  } else
+    throw std::invalid_argument(wrong_type(row, given));
+  return {number, unit, row.unit == "1" ? number : fmt::format("{} {}", number, row.unit)};
+}
+
+std::string assign_real(const Row& row, const Given& given, double& parameter) {
+  try {
+    const Typed t = typed(row, given);
+    const units::Unit unit = units::parse_unit(row.unit);
+    double value = 0.0;
+    try {
+      value = units::to_internal(t.number, t.unit);
+    } catch (const std::invalid_argument&) {
+      return out_of_range(row, t.shown); // beyond any double
+    }
+    if (!within(row.range, value, units::to_internal(row.range.low, unit), units::to_internal(row.range.high, unit)))
+      return out_of_range(row, t.shown);
+    parameter = value;
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+template <class Whole>
+std::string assign_whole(const Row& row, const Given& given, Whole& parameter) {
+  if (std::holds_alternative<double>(given.value))
+    return fmt::format("has a decimal point or an exponent; write a whole number, such as {}", example(row));
+  if (std::holds_alternative<std::string>(given.value))
+    return fmt::format("is a string; write a whole number without quotes, such as {}", example(row));
+  const auto* value = std::get_if<std::int64_t>(&given.value);
+  if (value == nullptr) return wrong_type(row, given);
+  if (!within(row.range, static_cast<double>(*value), row.range.low, row.range.high))
+    return out_of_range(row, fmt::format("{}", *value));
+  parameter = static_cast<Whole>(*value);
+  return {};
+}
+
+std::string assign_flag(const Row& row, const Given& given, bool& parameter) {
+  const auto* value = std::get_if<bool>(&given.value);
+  if (value == nullptr) return fmt::format("is {}; write {}, without quotes", given.type, allowed_text(row));
+  parameter = *value;
+  return {};
+}
+
+std::string assign_choice(const Row& row, const Given& given, const Choice& choice, Parameters& p) {
+  const auto* name = std::get_if<std::string>(&given.value);
+  if (name == nullptr) return fmt::format("is {}; write {}", given.type, allowed_text(row));
+  for (std::size_t i = 0; i < choice.names.size(); ++i)
+    if (*name == choice.names[i]) {
+      choice.set(p, i);
+      return {};
+    }
+  const std::vector<std::string> names(choice.names.begin(), choice.names.end());
+  return fmt::format("{} is not known; allowed is {}{}", quoted(*name), allowed_text(row),
+                     did_you_mean(nearest(*name, names)));
+}
+
+} // namespace
+
+std::string assign(const Row& row, const Given& given, Parameters& p) {
+  if (const auto* real = std::get_if<Real>(&row.member)) return assign_real(row, given, (*real)(p));
+  if (const auto* integer = std::get_if<Integer>(&row.member)) return assign_whole(row, given, (*integer)(p));
+  if (const auto* large = std::get_if<Large>(&row.member)) return assign_whole(row, given, (*large)(p));
+  if (const auto* flag = std::get_if<Flag>(&row.member)) return assign_flag(row, given, (*flag)(p));
+  return assign_choice(row, given, std::get<Choice>(row.member), p);
+}
+
+} // namespace matrigrate

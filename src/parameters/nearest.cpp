@@ -1,0 +1,81 @@
+#include "parameters/nearest.hpp"
+
+#include "parameters/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr std::size_t longest_name = 80; // longer ones are no slip of the fingers, and would take long
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+/// Slips that are forgiven in a name of this length.
+std::size_t allowance(std::size_t length) { return std::max<std::size_t>(1, length / 3); }
+
+} // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1);
+  std::vector<std::size_t> above(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(above.begin(), above.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool equal = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (equal ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(above);
+    above.swap(row);
+  }
+  return above[b.size()];
+}
+
+std::optional<std::string> nearest(std::string_view typed, const std::vector<std::string>& names) {
+  if (typed.empty() || typed.size() > longest_name) return std::nullopt;
+  std::optional<std::string> best;
+  std::size_t best_distance = allowance(typed.size()) + 1;
+  for (const std::string& name : names) {
+    const std::size_t distance = edit_distance(typed, name);
+    if (distance >= best_distance) continue;
+    best = name;
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::optional<std::string> nearest_parameter(std::string_view path) {
+  if (path.empty() || path.size() > longest_name) return std::nullopt;
+  const std::string_view key = last_part(path);
+  std::optional<std::string> best;
+  std::size_t best_distance = allowance(path.size()) + 1;
+  const auto consider = [&](std::string_view name, std::size_t distance) {
+    if (distance >= best_distance) return;
+    best = std::string(name);
+    best_distance = distance;
+  };
+  for (const Row& row : schema()) {
+    if (!row.symbol.empty() && key == row.symbol) return std::string(row.path);
+    consider(row.path, edit_distance(path, row.path));
+    const std::size_t elsewhere = edit_distance(key, key_of(row));
+    if (elsewhere <= allowance(key.size())) consider(row.path, elsewhere + 1); // the right key in a wrong section
+  }
+  for (const Section& section : sections()) consider(section.name, edit_distance(path, section.name));
+  return best;
+}
+
+std::string did_you_mean(const std::optional<std::string>& name) {
+  return name ? fmt::format("; did you mean {}?", *name) : std::string();
+}
+
+} // namespace matrigrate

@@ -1,0 +1,231 @@
+#include "parameters/read.hpp"
+
+#include "base/file.hpp"
+#include "parameters/assign.hpp"
+#include "parameters/document.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/rules.hpp"
+#include "parameters/scan.hpp"
+#include "parameters/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <map>
+#include <set>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 20;
+constexpr std::size_t longest_override = 4096;
+constexpr std::size_t most_faults = 200;
+const std::string command_line = "--set";
+
+/// Where a value was given.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+Place place_of(const std::string& file, const toml::source_region& source) {
+  return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+}
+
+std::string_view type_of(const toml::node& node) {
+  switch (node.type()) {
+  case toml::node_type::table:
+    return "a table";
+  case toml::node_type::array:
+    return "an array";
+  case toml::node_type::string:
+    return "a string";
+  case toml::node_type::boolean:
+    return "a flag";
+  case toml::node_type::integer:
+  case toml::node_type::floating_point:
+    return "a number";
+  default:
+    return "a date or time";
+  }
+}
+
+Given given_by(const toml::node& node) {
+  Given given{{}, type_of(node)};
+  if (const auto* flag = node.as_boolean())
+    given.value = flag->get();
+  else if (const auto* whole = node.as_integer())
+    given.value = whole->get();
+  else if (const auto* real = node.as_floating_point())
+    given.value = real->get();
+  else if (const auto* text = node.as_string())
+    given.value = text->get();
+  return given;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+bool is_section(std::string_view path) {
+  return std::ranges::any_of(sections(), [&](const Section& s) {
+    return s.name == path || (s.name.starts_with(path) && s.name.substr(path.size()).starts_with('.'));
+  });
+}
+
+/// Gathers values and faults, of files and overrides alike.
+class Reader {
+public:
+  explicit Reader(const Parameters& defaults) : m_parameters(defaults) {}
+
+  void read_text(std::string_view text, const std::string& name) {
+    if (const auto finding = unreadable(text)) {
+      m_faults.push_back({name, finding->line, finding->column, "", finding->message});
+      return;
+    }
+    Document document = parse_document(text, name);
+    for (Fault& fault : document.faults) {
+      m_blamed.insert(fault.key);
+      m_faults.push_back(std::move(fault));
+    }
+    visit(document.table, "", name);
+  }
+
+  void read_file(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    try {
+      read_text(matrigrate::read_file(file, largest_file), name);
+    } catch (const InputOutputError& error) {
+      const std::string_view what = error.what();
+      const bool names_itself = what.starts_with(name + ": ");
+      m_faults.push_back({name, 0, 0, "", std::string(names_itself ? what.substr(name.size() + 2) : what)});
+    }
+  }
+
+  void override_with(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::string key = trimmed(text.substr(0, equals));
+    const auto complain = [&](const std::string& message) {
+      m_faults.push_back({command_line, 0, 0, excerpt(key, 80), message});
+    };
+    if (equals == std::string::npos || key.empty()) return complain("is not of the form key=value");
+    if (text.size() > longest_override) return complain(fmt::format("is longer than {} characters", longest_override));
+    const std::string value = trimmed(text.substr(equals + 1));
+    const std::string toml = "value = " + value;
+    if (unreadable(toml)) return complain("is no text, or nested too deeply");
+    const Place place{command_line};
+    try {
+      const toml::table table = toml::parse(toml);
+      if (table.size() == 1) return take(key, *table.get("value"), place);
+    } catch (const toml::parse_error&) { // not TOML: the bare form
+    }
+    take(key, toml::value<std::string>(value), place);
+  }
+
+  /// @throws ConfigurationError if there was any fault
+  Parameters finish() {
+    check_rules();
+    if (m_faults.empty()) return m_parameters;
+    std::ranges::stable_sort(m_faults, [](const Fault& a, const Fault& b) { return order(a) < order(b); });
+    if (m_faults.size() > most_faults) {
+      const std::size_t more = m_faults.size() - most_faults;
+      m_faults.resize(most_faults);
+      m_faults.push_back({m_faults.front().file, 0, 0, "", fmt::format("has {} more faults", more)});
+    }
+    throw ConfigurationError(std::move(m_faults));
+  }
+
+private:
+  /// The file by line and column, then what has no line, then the command line.
+  static std::tuple<bool, int, int> order(const Fault& fault) {
+    return {fault.file == command_line, fault.line > 0 ? fault.line : INT_MAX, fault.column};
+  }
+
+  void complain(const Place& place, const std::string& key, std::string message) {
+    m_blamed.insert(key);
+    m_faults.push_back({place.file, place.line, place.column, excerpt(key, 80), std::move(message)});
+  }
+
+  void visit(const toml::table& table, const std::string& section, const std::string& file) {
+    for (const auto& [name, node] : table) {
+      const std::string key(name.str());
+      if (section.empty() && key.starts_with(unread_section)) continue;
+      const auto* nested = node.as_table();
+      if (section.empty() && key.starts_with(repeated_section) && nested != nullptr) {
+        visit(*nested, "", file);
+        continue;
+      }
+      const std::string path = section.empty() ? key : fmt::format("{}.{}", section, key);
+      const Place place = place_of(file, name.source());
+      if (find_row(path) != nullptr)
+        take(path, node, place_of(file, node.source()));
+      else if (nested != nullptr && is_section(path))
+        visit(*nested, path, file);
+      else if (is_section(path))
+        complain(place, path, fmt::format("is a section; write [{}] and its keys below, each on a line", path));
+      else
+        unknown(path, nested != nullptr || node.is_array_of_tables(), place);
+    }
+  }
+
+  void unknown(const std::string& path, bool section, const Place& place) {
+    complain(
+        place, path,
+        fmt::format("there is no such {}{}", section ? "section" : "parameter", did_you_mean(nearest_parameter(path))));
+  }
+
+  void take(const std::string& path, const toml::node& node, const Place& place) {
+    const Row* row = find_row(path);
+    if (row == nullptr) return unknown(path, false, place);
+    m_given.emplace(path, place);
+    const std::string fault = assign(*row, given_by(node), m_parameters);
+    if (!fault.empty()) complain(place, path, fault);
+  }
+
+  /// Only where each single value is good: otherwise the rule would judge a default that nobody chose.
+  void check_rules() {
+    for (const Rule& rule : rules()) {
+      const auto blamed = [&](std::string_view key) { return m_blamed.contains(key); };
+      if (std::ranges::any_of(rule.keys, blamed)) continue;
+      const std::string fault = rule.broken(m_parameters);
+      if (fault.empty()) continue;
+      const auto given = std::ranges::find_if(rule.keys, [&](std::string_view key) { return m_given.contains(key); });
+      const std::string key(given == rule.keys.end() ? rule.keys.front() : *given);
+      const Place place = given == rule.keys.end() ? Place{} : m_given.find(key)->second;
+      m_faults.push_back({place.file, place.line, place.column, key, fault});
+    }
+  }
+
+  Parameters m_parameters;
+  std::vector<Fault> m_faults;
+  std::map<std::string, Place, std::less<>> m_given;
+  std::set<std::string, std::less<>> m_blamed; ///< keys with a fault of their own
+};
+
+} // namespace
+
+Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Reader reader{Parameters{}};
+  reader.read_file(file);
+  for (const std::string& text : overrides) reader.override_with(text);
+  return reader.finish();
+}
+
+Parameters parse_parameters(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  Reader reader{Parameters{}};
+  reader.read_text(text, name);
+  for (const std::string& text_of_override : overrides) reader.override_with(text_of_override);
+  return reader.finish();
+}
+
+Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides) {
+  Reader reader{p};
+  for (const std::string& text : overrides) reader.override_with(text);
+  return reader.finish();
+}
+
+} // namespace matrigrate

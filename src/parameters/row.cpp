@@ -1,0 +1,99 @@
+#include "parameters/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace matrigrate {
+
+namespace {
+
+/// Overloaded lambdas, to visit a Member with.
+template <class... Cases>
+struct Match : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Match(Cases...) -> Match<Cases...>;
+
+using Real = double& (*)(Parameters&);
+using Integer = int& (*)(Parameters&);
+using Large = std::uint64_t& (*)(Parameters&);
+using Flag = bool& (*)(Parameters&);
+
+std::string quantity_text(const Row& row, double value) {
+  if (kind(row) == Kind::ratio) return fmt::format("{}", value);
+  const std::string number = units::from_internal(value, units::parse_unit(row.unit));
+  if (!number.empty()) return fmt::format("\"{} {}\"", number, row.unit);
+  // Hours and the like do not hold every double; seconds do.
+  return fmt::format("\"{} s\"", units::from_internal(value, units::parse_unit("s")));
+}
+
+/// 1e7 rather than 10000000 or 1e+07.
+std::string short_number(double value) {
+  std::string text = fmt::format("{:g}", value);
+  if (units::to_internal(text, {}) != value) return fmt::format("{}", value);
+  const std::size_t plus = text.find("e+0");
+  return plus == std::string::npos ? text : text.erase(plus + 1, 2);
+}
+
+} // namespace
+
+const Row* find_row(std::string_view path) {
+  const auto rows = schema();
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.path == path; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+Kind kind(const Row& row) {
+  const Kind real = row.unit == "1" ? Kind::ratio : Kind::quantity;
+  return std::visit(Match{[&](Real) { return real; }, [](Integer) { return Kind::integer; },
+                          [](Large) { return Kind::integer; }, [](Flag) { return Kind::boolean; },
+                          [](const Choice&) { return Kind::choice; }},
+                    row.member);
+}
+
+std::string_view section_of(const Row& row) { return row.path.substr(0, row.path.rfind('.')); }
+
+std::string_view key_of(const Row& row) { return row.path.substr(row.path.rfind('.') + 1); }
+
+std::string value_text(const Row& row, const Parameters& parameters) {
+  Parameters p = parameters; // the table's accessors give access to write
+  return std::visit(Match{[&](Real member) { return quantity_text(row, member(p)); },
+                          [&](Integer member) { return fmt::format("{}", member(p)); },
+                          [&](Large member) { return fmt::format("{}", member(p)); },
+                          [&](Flag member) { return fmt::format("{}", member(p)); },
+                          [&](const Choice& c) { return fmt::format("\"{}\"", c.names[c.index(p)]); }},
+                    row.member);
+}
+
+std::string allowed_text(const Row& row) {
+  if (kind(row) == Kind::boolean) return "true or false";
+  if (kind(row) == Kind::choice) {
+    std::string text;
+    for (const std::string_view name : std::get<Choice>(row.member).names)
+      text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", name);
+    return text;
+  }
+  const Range& range = row.range;
+  const std::string unit = row.unit == "1" ? "" : fmt::format(" {}", row.unit);
+  return fmt::format("{} {} and {} {}{}", range.low_allowed ? ">=" : ">", short_number(range.low),
+                     range.high_allowed ? "<=" : "<", short_number(range.high), unit);
+}
+
+bool same(const Parameters& a, const Parameters& b) {
+  Parameters p = a;
+  Parameters q = b;
+  const auto agrees = [&](const Row& row) {
+    return std::visit(Match{[&](Real member) {
+                              return std::bit_cast<std::uint64_t>(member(p)) == std::bit_cast<std::uint64_t>(member(q));
+                            },
+                            [&](const Choice& c) { return c.index(p) == c.index(q); },
+                            [&](auto member) { return member(p) == member(q); }},
+                      row.member);
+  };
+  return std::ranges::all_of(schema(), agrees);
+}
+
+} // namespace matrigrate

@@ -1,0 +1,80 @@
+#include "parameters/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr double most_particles = 4e6;
+constexpr double most_steps = 1e9;
+
+std::string support(const Parameters& p) {
+  const double ratio = p.ecm.smoothing_length / p.ecm.particle_spacing;
+  const double slack = 1e-9; // 7.8 um over 2.6 um is 3
+  if (ratio >= 1.0 - slack && ratio <= 3.0 + slack) return {};
+  return fmt::format(
+      "smoothing length over particle spacing is {:.3g}; allowed is 1 to 3: with less a particle has too "
+      "few neighbours to carry stress, with more the matrix is smeared out",
+      ratio);
+}
+
+std::string room(const Parameters& p) {
+  const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
+  if (free_radius >= 2.0 * p.ecm.particle_spacing) return {};
+  return fmt::format(
+      "a disc of {:.4g} um is all clamped rim, which is 2 smoothing lengths wide; allowed is >= {:.4g} um",
+      p.ecm.radius, 2.0 * (p.ecm.smoothing_length + p.ecm.particle_spacing));
+}
+
+std::string hole(const Parameters& p) {
+  if (!p.ecm.cell_hole) return {};
+  const double hole_radius = p.cell.radius + p.degradation.body_distance;
+  const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
+  if (hole_radius < free_radius) return {};
+  return fmt::format(
+      "the cell and its margin reach {:.4g} um from the centre, but the matrix is clamped from {:.4g} um on; "
+      "take a smaller cell or a larger disc",
+      hole_radius, free_radius);
+}
+
+std::string supports(const Parameters& p) {
+  if (p.ecm.orphan_support < p.ecm.support_floor) return {};
+  return fmt::format("ecm.orphan_support is {}, but must be below ecm.support_floor, which is {}", p.ecm.orphan_support,
+                     p.ecm.support_floor);
+}
+
+std::string particles(const Parameters& p) {
+  const double dp = p.ecm.particle_spacing;
+  const double area = p.ecm.lattice == Lattice::hexagonal ? dp * dp * std::numbers::sqrt3 / 2.0 : dp * dp;
+  const double count = std::numbers::pi * p.ecm.radius * p.ecm.radius / area;
+  if (count <= most_particles) return {};
+  return fmt::format("a disc of {:.4g} um at a spacing of {:.4g} um has {:.2g} particles; allowed are {:.2g}",
+                     p.ecm.radius, dp, count, most_particles);
+}
+
+std::string steps(const Parameters& p) {
+  const double count = p.run.duration / p.run.time_step;
+  if (count < 1.0 - 1e-9)
+    return fmt::format("a step of {:.4g} s is longer than the run of {:.4g} s", p.run.time_step, p.run.duration);
+  if (count > most_steps) return fmt::format("the run takes {:.2g} steps; allowed are {:.2g}", count, most_steps);
+  return {};
+}
+
+} // namespace
+
+std::span<const Rule> rules() {
+  static const std::vector<Rule> all{
+      {"enough neighbours", {"ecm.smoothing_length", "ecm.particle_spacing"}, support},
+      {"some matrix is free", {"ecm.radius", "ecm.smoothing_length", "ecm.particle_spacing"}, room},
+      {"the cell fits", {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length"}, hole},
+      {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
+      {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
+      {"not too many steps", {"run.time_step", "run.duration"}, steps},
+  };
+  return all;
+}
+
+} // namespace matrigrate

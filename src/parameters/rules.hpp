@@ -1,0 +1,22 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What parameters must fulfil together. Test: tests/unit/parameters/schema_test.cpp, read_test.cpp
+namespace matrigrate {
+
+/// A condition on several parameters.
+struct Rule {
+  std::string_view name;
+  std::vector<std::string_view> keys;       ///< those that it concerns; the first one given in the file is blamed
+  std::string (*broken)(const Parameters&); ///< what is wrong and what is allowed; empty where the rule holds
+};
+
+std::span<const Rule> rules();
+
+} // namespace matrigrate

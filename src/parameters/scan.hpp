@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What has to be known about the bytes of a TOML file before a parser sees them.
+/// Test: tests/unit/parameters/hostile_test.cpp
+namespace matrigrate {
+
+/// A finding in a text.
+struct Finding {
+  int line = 0;   ///< 1-based
+  int column = 0; ///< 1-based, in characters
+  std::string message;
+};
+
+/// The first thing for which a text is no TOML file at all: bytes that are no text (control characters, invalid UTF-8),
+/// or brackets and dotted keys nested so deeply that a recursive parser would run out of stack.
+std::optional<Finding> unreadable(std::string_view text);
+
+/// For each line of the text, the line (both counted from 0) on which the value that it continues was begun: itself,
+/// unless a bracket or a multi-line string is open where it starts.
+std::vector<std::size_t> first_lines(std::string_view text);
+
+/// A piece of a file for a message: control characters replaced, cut to `most` characters.
+std::string excerpt(std::string_view text, std::size_t most = 60);
+
+} // namespace matrigrate

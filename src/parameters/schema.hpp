@@ -1,0 +1,81 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "parameters/units.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// The one table of parameters. Reader, checks, scenario files, documentation and editor schema are made from it; a new
+/// parameter is one member in parameters.hpp and one row in schema.cpp.
+/// Test: tests/unit/parameters/schema_test.cpp
+namespace matrigrate {
+
+/// Allowed values, in the unit of the row.
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+  bool low_allowed = true;
+  bool high_allowed = true;
+};
+
+/// Where a parameter of an enumeration is stored: which of `names` it is.
+struct Choice {
+  std::span<const std::string_view> names; ///< in the order of the enumeration
+  std::size_t (*index)(Parameters&);
+  void (*set)(Parameters&, std::size_t);
+};
+
+/// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, choice.
+using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std::uint64_t& (*)(Parameters&),
+                            bool& (*)(Parameters&), Choice>;
+
+/// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `numerical` ones commented out.
+enum class Audience { usual, numerical };
+
+/// A parameter.
+struct Row {
+  std::string_view path;        ///< "ecm.youngs_modulus"
+  Member member;                ///< its default is that of the struct
+  std::string_view unit;        ///< of a bare number, of `range` and of the documentation; "1" for a ratio
+  Range range;                  ///< of numbers
+  std::string_view symbol;      ///< the paper's letters; empty if it has none
+  std::string_view source;      ///< of the default
+  std::string_view description; ///< one sentence without the full stop
+  Audience audience = Audience::usual;
+};
+
+/// A section of the scenario file.
+struct Section {
+  std::string_view name;
+  std::string_view title;
+};
+
+enum class Kind { quantity, ratio, integer, boolean, choice };
+
+/// All parameters; those of a section stand together, sections in the order of sections().
+std::span<const Row> schema();
+std::span<const Section> sections();
+
+/// @return the row of a dotted path, or null
+const Row* find_row(std::string_view path);
+
+Kind kind(const Row& row);
+std::string_view section_of(const Row& row); ///< "ecm"
+std::string_view key_of(const Row& row);     ///< "youngs_modulus"
+
+/// The value as it stands in a scenario file, to be read back to the same bits: "\"200 Pa\"", "0.45", "true",
+/// "\"square\"".
+std::string value_text(const Row& row, const Parameters& p);
+
+/// The allowed values in words: "> 0 and <= 1000 Pa", "true or false", "\"square\" or \"hexagonal\"".
+std::string allowed_text(const Row& row);
+
+/// Whether two sets of parameters agree in the bits of every row.
+bool same(const Parameters& a, const Parameters& b);
+
+} // namespace matrigrate

@@ -1,0 +1,280 @@
+#include "parameters/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace matrigrate::units {
+
+namespace {
+
+constexpr int one = 1000; // an exponent of 1, in thousandths
+constexpr std::size_t longest_text = 80;
+
+struct Symbol {
+  std::string_view text;
+  Unit unit;
+  bool prefixes = false;
+};
+
+// Exponents of ten follow from um, s, nN: m = 10^6 um, N = 10^9 nN, Pa = N/m^2 = 10^-3 nN/um^2,
+// g = 10^-3 N s^2/m = nN s^2/um.
+constexpr std::array symbols{
+    Symbol{"m", {{one, 0, 0}, 0, 0, 6 * one}, true},
+    Symbol{"s", {{0, one, 0}, 0, 0, 0}, true},
+    Symbol{"N", {{0, 0, one}, 0, 0, 9 * one}, true},
+    Symbol{"Pa", {{-2 * one, 0, one}, 0, 0, -3 * one}, true},
+    Symbol{"g", {{-one, 2 * one, one}, 0, 0, 0}, true},
+    Symbol{"min", {{0, one, 0}, one, one, one}, false},           // 60 = 2 3 10
+    Symbol{"h", {{0, one, 0}, 2 * one, 2 * one, 2 * one}, false}, // 3600 = 2^2 3^2 10^2
+    Symbol{"d", {{0, one, 0}, 5 * one, 3 * one, 2 * one}, false}, // 86400 = 2^5 3^3 10^2
+    Symbol{"1", {}, false},
+};
+
+struct Prefix {
+  std::string_view text;
+  int ten;
+};
+
+constexpr std::array prefixes{Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"µ", -6}, Prefix{"μ", -6},
+                              Prefix{"m", -3},  Prefix{"c", -2}, Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9}};
+
+std::optional<Unit> find_symbol(std::string_view text) {
+  for (const Symbol& symbol : symbols) // whole symbols first: "min" is a minute, no milli-inch
+    if (text == symbol.text) return symbol.unit;
+  for (const Prefix& prefix : prefixes) {
+    if (!text.starts_with(prefix.text)) continue;
+    for (const Symbol& symbol : symbols)
+      if (symbol.prefixes && text.substr(prefix.text.size()) == symbol.text) {
+        Unit unit = symbol.unit;
+        unit.ten += prefix.ten * one;
+        return unit;
+      }
+  }
+  return std::nullopt;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_space(char c) { return c == ' ' || c == '\t'; }
+
+/// Reads a unit from left to right.
+class Scanner {
+public:
+  explicit Scanner(std::string_view text) : m_text(text) {}
+
+  bool at_end() {
+    while (!m_text.empty() && is_space(m_text.front())) m_text.remove_prefix(1);
+    return m_text.empty();
+  }
+
+  bool take(std::string_view token) {
+    if (at_end() || !m_text.starts_with(token)) return false;
+    m_text.remove_prefix(token.size());
+    return true;
+  }
+
+  /// The letters of a symbol, or the digit 1.
+  std::string_view symbol() {
+    at_end();
+    std::size_t length = 0;
+    if (m_text.starts_with('1'))
+      length = 1;
+    else
+      while (length < m_text.size() && is_letter(length)) ++length;
+    const std::string_view found = m_text.substr(0, length);
+    m_text.remove_prefix(length);
+    return found;
+  }
+
+  /// A signed decimal with at most three decimals, in thousandths.
+  std::optional<int> exponent() {
+    const bool negative = take("-");
+    if (!negative) take("+");
+    std::size_t length = 0;
+    while (length < m_text.size() && (is_digit(m_text[length]) || m_text[length] == '.')) ++length;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(m_text.data(), m_text.data() + length, value);
+    const double thousandths = value * one;
+    if (error != std::errc{} || end != m_text.data() + length || value > 9.0 || thousandths != std::round(thousandths))
+      return std::nullopt;
+    m_text.remove_prefix(length);
+    return static_cast<int>(negative ? -thousandths : thousandths);
+  }
+
+private:
+  bool is_letter(std::size_t i) const {
+    const char c = m_text[i];
+    if (m_text.substr(i).starts_with("·") || (i > 0 && m_text.substr(i - 1).starts_with("·"))) return false;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; // micro sign
+  }
+
+  std::string_view m_text;
+};
+
+void multiply(Unit& product, const Unit& factor, int power) {
+  const auto add = [power](int& sum, int exponent) { sum += exponent * power / one; };
+  add(product.dimension.length, factor.dimension.length);
+  add(product.dimension.time, factor.dimension.time);
+  add(product.dimension.force, factor.dimension.force);
+  add(product.two, factor.two);
+  add(product.three, factor.three);
+  add(product.ten, factor.ten);
+}
+
+/// text with its decimal exponent raised by `shift`.
+std::string shifted(std::string_view number, long shift) {
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  constexpr long most = 99999; // beyond any double either way
+  if (e < number.size())
+    shift += std::clamp(std::strtol(std::string(number.substr(e + 1)).c_str(), nullptr, 10), -most, most);
+  return fmt::format("{}e{}", number.substr(0, e), shift);
+}
+
+template <class T>
+T value_of(const std::string& number) {
+  T value{};
+  const char* first = number.data() + (number.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(first, number.data() + number.size(), value);
+  if (error == std::errc::result_out_of_range) throw std::invalid_argument("is too large or too small a number");
+  if (error != std::errc{} || end != number.data() + number.size()) throw std::invalid_argument("is not a number");
+  return value;
+}
+
+long double power(int base, int thousandths) {
+  if (thousandths % one != 0)
+    return std::pow(static_cast<long double>(base), static_cast<long double>(thousandths) / one);
+  long double result = 1.0L; // exact as long as it fits the mantissa: 86400^3 does
+  for (int i = 0; i < std::abs(thousandths) / one; ++i) result *= base;
+  return result;
+}
+
+/// number x unit where more than the decimal point moves: one multiplication and one division in extended precision.
+double scaled(const std::string& number, const Unit& unit) {
+  long double value = value_of<long double>(number);
+  long double divisor = 1.0L;
+  const auto apply = [&](int base, int exponent) { (exponent >= 0 ? value : divisor) *= power(base, exponent); };
+  apply(2, unit.two);
+  apply(3, unit.three);
+  apply(10, unit.ten % one); // whole powers of ten are in the number already
+  return static_cast<double>(value / divisor);
+}
+
+/// The same number as people write it: 0.2e3 -> 200.
+std::string plain(const std::string& number) { return fmt::format("{}", value_of<double>(number)); }
+
+} // namespace
+
+Unit parse_unit(std::string_view text) {
+  if (text.size() > longest_text) throw std::invalid_argument("is too long for a unit");
+  Scanner scan(text);
+  Unit unit;
+  bool divide = scan.take("/");
+  bool first = !divide;
+  while (!first || !scan.at_end()) {
+    const std::string_view symbol = scan.symbol();
+    if (symbol.empty()) throw std::invalid_argument(fmt::format("\"{}\" is not a unit", text));
+    const auto factor = find_symbol(symbol);
+    if (!factor) throw std::invalid_argument(fmt::format("\"{}\" is not a unit", symbol));
+    int exponent = one;
+    if (scan.take("^")) {
+      const auto given = scan.exponent();
+      if (!given) throw std::invalid_argument(fmt::format("the exponent of {} in \"{}\" cannot be read", symbol, text));
+      exponent = *given;
+    }
+    multiply(unit, *factor, divide ? -exponent : exponent);
+    if (scan.at_end()) break;
+    divide = scan.take("/");
+    if (!divide && !scan.take("*")) scan.take("·");
+    first = false;
+  }
+  return unit;
+}
+
+Quantity parse_quantity(std::string_view text) {
+  if (text.size() > longest_text) throw std::invalid_argument("is too long for a number with a unit");
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  std::size_t end = 0;
+  const auto digits = [&] {
+    const std::size_t start = end;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    return end - start;
+  };
+  if (text.starts_with('-') || text.starts_with('+')) ++end;
+  std::size_t count = digits();
+  if (end < text.size() && text[end] == '.') {
+    ++end;
+    count += digits();
+  }
+  if (count == 0) throw std::invalid_argument("is not a number with a unit");
+  const std::size_t mantissa = end;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    ++end;
+    if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
+    if (digits() == 0) end = mantissa; // no exponent, but a unit that starts with e
+  }
+  std::string_view unit = text.substr(end);
+  while (!unit.empty() && is_space(unit.front())) unit.remove_prefix(1);
+  return {std::string(text.substr(0, end)), std::string(unit)};
+}
+
+double to_internal(std::string_view number, const Unit& unit) {
+  const std::string moved = shifted(number, unit.ten / one);
+  const double value = unit.decimal() ? value_of<double>(moved) : scaled(moved, unit);
+  if (!std::isfinite(value)) throw std::invalid_argument("is too large a number");
+  return value;
+}
+
+double to_internal(double number, const Unit& unit) { return to_internal(fmt::format("{}", number), unit); }
+
+std::string from_internal(double value, const Unit& unit) {
+  if (unit.decimal()) {
+    const std::string text = shifted(fmt::format("{}", value), -(unit.ten / one));
+    const std::string readable = plain(text);
+    return to_internal(readable, unit) == value ? readable : text;
+  }
+  const double guess = value / to_internal(1.0, unit);
+  const std::string text = plain(fmt::format("{:.9g}", guess));
+  return to_internal(text, unit) == value ? text : std::string();
+}
+
+std::string to_string(const Dimension& d) {
+  struct Word {
+    Dimension dimension;
+    std::string_view text;
+  };
+  static constexpr std::array words{Word{{0, 0, 0}, "a bare number"},
+                                    Word{{one, 0, 0}, "a length"},
+                                    Word{{2 * one, 0, 0}, "an area"},
+                                    Word{{0, one, 0}, "a time"},
+                                    Word{{0, -one, 0}, "a rate"},
+                                    Word{{one, -one, 0}, "a speed"},
+                                    Word{{0, 0, one}, "a force"},
+                                    Word{{0, 0, -one}, "an inverse force"},
+                                    Word{{-2 * one, 0, one}, "a stress"},
+                                    Word{{-2 * one, one, one}, "a viscosity"},
+                                    Word{{-one, 0, one}, "a stiffness"},
+                                    Word{{-one, one, one}, "a drag coefficient"},
+                                    Word{{one, 0, one}, "a bending stiffness"},
+                                    Word{{-one, 0, 0}, "a curvature"}};
+  const auto word = std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.dimension == d; });
+  if (word != words.end()) return std::string(word->text);
+  std::string text;
+  const auto append = [&text](std::string_view symbol, int exponent) {
+    if (exponent == 0) return;
+    text += text.empty() ? "" : " ";
+    text += exponent == one ? std::string(symbol) : fmt::format("{}^{}", symbol, static_cast<double>(exponent) / one);
+  };
+  append("um", d.length);
+  append("s", d.time);
+  append("nN", d.force);
+  return "a quantity in " + text;
+}
+
+} // namespace matrigrate::units

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+/// Quantities with their units, and the internal coherent set um, s, nN (stress kPa, viscosity nN s/um^2 = 1000 Pa s).
+/// A number is converted as decimal text wherever its unit is a power of ten away from the internal one: the exponent
+/// is shifted and the digits are read once, so that "200 Pa" has the bits of 0.2 and "0.7 Pa" those of 0.0007.
+/// Test: tests/unit/parameters/units_test.cpp
+namespace matrigrate::units {
+
+/// Exponents of length, time and force, in thousandths: a stress is {-2000, 0, 1000}.
+struct Dimension {
+  int length = 0;
+  int time = 0;
+  int force = 0;
+
+  bool operator==(const Dimension&) const = default;
+};
+
+/// "a stress", "a length"..., or "um^0.5 s" where there is no word for it.
+std::string to_string(const Dimension& dimension);
+
+/// A unit is 2^a 3^b 10^c of the internal unit of its dimension, with exponents in thousandths (um^0.5 is rational in
+/// them, and so is an hour: 2^2 3^2 10^2 s).
+struct Unit {
+  Dimension dimension;
+  int two = 0;
+  int three = 0;
+  int ten = 0;
+
+  /// Whether a conversion from it only shifts the decimal point.
+  bool decimal() const { return two == 0 && three == 0 && ten % 1000 == 0; }
+};
+
+/// Reads a product of powers, left to right: "Pa", "nN s/um^2", "N/m^1.5", "1/s", "kg/m^3"; "1" or nothing is a ratio.
+/// Symbols: m, g, s, N, Pa with the SI prefixes p n u (or µ) m k M G, cm, min, h, d.
+/// @throws std::invalid_argument saying what cannot be read
+Unit parse_unit(std::string_view text);
+
+/// A decimal number as typed, and what follows it.
+struct Quantity {
+  std::string number; ///< text of a finite decimal: "-1.5e-3"
+  std::string unit;   ///< may be empty
+};
+
+/// Splits "1e-3 N/m" into its number and its unit.
+/// @throws std::invalid_argument if it does not start with a number
+Quantity parse_quantity(std::string_view text);
+
+/// @param number  text of a decimal, as in Quantity
+/// @return its value in internal units; correctly rounded if unit.decimal()
+/// @throws std::invalid_argument if no double can hold it
+double to_internal(std::string_view number, const Unit& unit);
+double to_internal(double number, const Unit& unit);
+
+/// @param value  in internal units, finite
+/// @return the shortest decimal that to_internal reads back, in this unit, to the same bits; empty if there is none of
+///         reasonable length (never if unit.decimal())
+std::string from_internal(double value, const Unit& unit);
+
+} // namespace matrigrate::units

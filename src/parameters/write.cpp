@@ -1,0 +1,163 @@
+#include "parameters/write.hpp"
+
+#include "parameters/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace matrigrate {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Calls with_section(section) before, and with_row(row) for, the rows of each section.
+template <class WithSection, class WithRow>
+void for_each_section(const WithSection& with_section, const WithRow& with_row) {
+  for (const Section& section : sections()) {
+    with_section(section);
+    for (const Row& row : schema())
+      if (section_of(row) == section.name) with_row(row);
+  }
+}
+
+/// What stands above a parameter: "# Young's modulus of the intact matrix (E); > 0 and <= 1e7 Pa".
+std::string comment(const Row& row) {
+  const std::string symbol = row.symbol.empty() ? "" : fmt::format(" ({})", row.symbol);
+  return fmt::format("# {}{}; {}\n", row.description, symbol, allowed_text(row));
+}
+
+std::string assignment(const Row& row, const Parameters& p) {
+  return fmt::format("{} = {}\n", key_of(row), value_text(row, p));
+}
+
+/// A string of a number and a unit; which unit, the program checks.
+constexpr std::string_view quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^0-9\s].*$)";
+
+Json number_schema(const Row& row) {
+  const bool whole = kind(row) == Kind::integer;
+  Json number{{"type", whole ? "integer" : "number"}};
+  const auto bound = [&](std::string_view key, double value) {
+    if (whole)
+      number[std::string(key)] = static_cast<std::int64_t>(value);
+    else
+      number[std::string(key)] = value;
+  };
+  bound(row.range.low_allowed ? "minimum" : "exclusiveMinimum", row.range.low);
+  bound(row.range.high_allowed ? "maximum" : "exclusiveMaximum", row.range.high);
+  return number;
+}
+
+Json row_schema(const Row& row) {
+  const std::string symbol = row.symbol.empty() ? "" : fmt::format(" ({})", row.symbol);
+  const std::string bare = kind(row) == Kind::quantity ? fmt::format(" A bare number is in {}.", row.unit) : "";
+  const Json description =
+      fmt::format("{}{}; {}. Default: {}.{}", row.description, symbol, allowed_text(row), row.source, bare);
+  Json schema;
+  switch (kind(row)) {
+  case Kind::quantity:
+    schema["anyOf"] = {Json{{"type", "string"}, {"pattern", quantity_pattern}}, number_schema(row)};
+    break;
+  case Kind::ratio:
+  case Kind::integer:
+    schema = number_schema(row);
+    break;
+  case Kind::boolean:
+    schema["type"] = "boolean";
+    break;
+  case Kind::choice:
+    for (const std::string_view name : std::get<Choice>(row.member).names) schema["enum"].push_back(name);
+    break;
+  }
+  schema["description"] = description;
+  schema["default"] = Json::parse(value_text(row, {})); // all forms of value_text are JSON as well
+  return schema;
+}
+
+/// The object of a section inside the schema of the file: "ecm.fibres" is a property of "ecm".
+Json& section_schema(Json& file, std::string_view name) {
+  Json* object = &file;
+  while (!name.empty()) {
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    Json& property = (*object)["properties"][std::string(name.substr(0, dot))];
+    property["type"] = "object";
+    property["additionalProperties"] = false;
+    object = &property;
+    name.remove_prefix(std::min(dot + 1, name.size()));
+  }
+  return *object;
+}
+
+/// Text of a cell of a table in Markdown.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+} // namespace
+
+std::string to_toml(const Parameters& p) {
+  std::string text = "# Every parameter of a simulation. Running this file again gives the same bits.\n";
+  for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
+                   [&](const Row& row) { text += comment(row) + assignment(row, p); });
+  return text;
+}
+
+std::string new_scenario(const Preset& preset) {
+  const Parameters p = parameters_of(preset);
+  std::string text =
+      fmt::format("# {}.\n#\n"
+                  "# A value has its unit (\"200 Pa\", \"0.2 kPa\", \"6 h\"); a bare number is in the unit of the "
+                  "comment above it.\n# What is left out, or commented out, has its default. Check the file "
+                  "with: matrigrate check FILE\n",
+                  preset.description);
+  Audience audience{};
+  for_each_section(
+      [&](const Section& s) {
+        text += fmt::format("\n# ---- {} ----\n[{}]\n", s.title, s.name);
+        audience = Audience::usual;
+      },
+      [&](const Row& row) {
+        const bool open = row.audience == Audience::usual || value_text(row, p) != value_text(row, {});
+        if (audience == Audience::usual && row.audience == Audience::numerical)
+          text += "\n# Numerics; rarely changed.\n";
+        audience = row.audience;
+        text += comment(row) + (open ? "" : "# ") + assignment(row, p);
+      });
+  return text;
+}
+
+std::string json_schema() {
+  Json file{{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", "Matrigrate scenario"},
+            {"type", "object"},
+            {"additionalProperties", false}};
+  for_each_section([&](const Section& s) { section_schema(file, s.name)["description"] = s.title; },
+                   [&](const Row& row) {
+                     section_schema(file, section_of(row))["properties"][std::string(key_of(row))] = row_schema(row);
+                   });
+  return file.dump(2) + "\n";
+}
+
+std::string parameters_markdown() {
+  std::string text =
+      "# Parameters\n\n"
+      "Made from the table in `src/parameters/schema.cpp` by `matrigrate list --parameters`; do not edit.\n\n"
+      "A quantity is a string with its unit: `youngs_modulus = \"200 Pa\"`. A bare number is in the unit of the "
+      "column *allowed*.\n";
+  for_each_section(
+      [&](const Section& s) {
+        text += fmt::format("\n## [{}] {}\n\n| key | default | allowed | symbol | meaning | source of the default |\n"
+                            "|---|---|---|---|---|---|\n",
+                            s.name, s.title);
+      },
+      [&](const Row& row) {
+        text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} |\n", key_of(row), value_text(row, {}),
+                            cell(allowed_text(row)), cell(row.symbol), cell(row.description), cell(row.source));
+      });
+  return text;
+}
+
+} // namespace matrigrate

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "parameters/presets.hpp"
+
+#include <string>
+
+/// What is written from the table of parameters. Test: tests/unit/parameters/write_test.cpp
+namespace matrigrate {
+
+/// The resolved scenario: every parameter with its value and unit; parse_parameters gives the same bits back.
+std::string to_toml(const Parameters& p);
+
+/// The scenario that `new` writes: the usual parameters to be edited, the numerical ones commented out at their
+/// defaults.
+std::string new_scenario(const Preset& preset);
+
+/// JSON schema (draft 7) of a scenario file, for editors that complete and check TOML.
+std::string json_schema();
+
+/// docs/parameters.md: a table for each section.
+std::string parameters_markdown();
+
+} // namespace matrigrate

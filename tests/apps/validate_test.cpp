@@ -1,0 +1,73 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace matrigrate {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(Program, ValidateWritesCurvesFigureAndReport) {
+  const Ended ended = run("validate patch");
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_TRUE(contains(ended.out, "measured")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "1 of 1 case holds; report: validate-patch/report.html")) << ended.out;
+  for (const char* file : {"patch.csv", "patch.svg", "report.html", "scenario.resolved.toml"})
+    EXPECT_TRUE(exists(std::string("validate-patch/") + file)) << file;
+  EXPECT_EQ(run("check validate-patch/scenario.resolved.toml").code, 0);
+}
+
+TEST_F(Program, ValidateSpeaksJson) {
+  const Ended ended = run("validate patch --json -o here --set ecm.youngs_modulus=400");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found.at("folder"), "here");
+  EXPECT_TRUE(found.at("holds").get<bool>());
+  EXPECT_FALSE(found.at("cases").at(0).at("checks").empty());
+  EXPECT_TRUE(contains(text_of(folder / "here/scenario.resolved.toml"), "youngs_modulus = \"400 Pa\""));
+}
+
+TEST_F(Program, ValidateTakesAScenario) {
+  write("s.toml", "[ecm]\nyoungs_modulus = \"50 Pa\"\n");
+  ASSERT_EQ(run("validate patch --quiet --scenario s.toml").code, 0);
+  EXPECT_TRUE(contains(text_of(folder / "validate-patch/scenario.resolved.toml"), "youngs_modulus = \"50 Pa\""));
+}
+
+TEST_F(Program, ValidateRefusesAFolderThatIsNotEmpty) {
+  std::filesystem::create_directory(folder / "validate-patch");
+  write("validate-patch/mine", "mine");
+  const Ended ended = run("validate patch");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "--force")) << ended.err;
+  EXPECT_FALSE(exists("validate-patch/report.html"));
+  EXPECT_EQ(run("validate patch --force --quiet").code, 0);
+  EXPECT_TRUE(exists("validate-patch/report.html"));
+  EXPECT_EQ(text_of(folder / "validate-patch/mine"), "mine");
+}
+
+TEST_F(Program, ValidateWritesNothingOnABadConfiguration) {
+  EXPECT_EQ(run("validate patch --set ecm.radius=1").code, 3);
+  EXPECT_EQ(run("validate patch --scenario none.toml").code, 3);
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Program, ACaseThatDoesNotHoldIsWrittenAndIsAFailure) {
+  // Solved to 10 % only, the layer cannot creep to within 1 % of the closed form.
+  const Ended ended = run("validate creep --set solver.tolerance=0.1");
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_TRUE(contains(ended.out, "does not hold")) << ended.out;
+  for (const char* file : {"creep.csv", "creep.svg", "report.html"})
+    EXPECT_TRUE(exists(std::string("validate-creep/") + file)) << file;
+}
+
+TEST_F(Program, ANumericalFailureEndsItsCaseOnly) {
+  // A solver that may not iterate cannot balance a load, whatever the case.
+  const Ended ended = run("validate point-force --set solver.max_iterations=1");
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_TRUE(contains(ended.out, "stopped:")) << ended.out;
+  EXPECT_FALSE(exists("validate-point-force/point-force.csv")) << "nothing half-written";
+  EXPECT_TRUE(contains(text_of(folder / "validate-point-force/report.html"), "Stopped: "));
+}
+
+} // namespace
+} // namespace matrigrate

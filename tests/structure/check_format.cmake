@@ -1,0 +1,22 @@
+# Checks that every source is formatted as .clang-format says: cmake -DSOURCE_DIR=... -P check_format.cmake
+# Releases of clang-format differ in details, so only the one that the sources are formatted with can judge.
+set(wanted 14)
+find_program(formatter NAMES clang-format-${wanted} clang-format)
+if(NOT formatter)
+  message("skipped: clang-format is not installed")
+  return()
+endif()
+execute_process(COMMAND ${formatter} --version OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
+if(NOT version MATCHES "version ${wanted}\\.")
+  message("skipped: the sources are formatted with clang-format ${wanted}, this is ${version}")
+  return()
+endif()
+file(GLOB_RECURSE sources ${SOURCE_DIR}/src/*.?pp ${SOURCE_DIR}/apps/*.?pp ${SOURCE_DIR}/tests/*.?pp
+     ${SOURCE_DIR}/benchmarks/*.?pp)
+if(NOT sources)
+  message(FATAL_ERROR "no sources below ${SOURCE_DIR}")
+endif()
+execute_process(COMMAND ${formatter} --dry-run -Werror ${sources} RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "format them with: ${formatter} -i FILE...")
+endif()

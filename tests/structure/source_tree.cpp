@@ -1,0 +1,172 @@
+#include "source_tree.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace matrigrate::structure {
+
+namespace {
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Calls visit(line number, line) for each line.
+template <class Visit>
+void each_line(const std::string& text, const Visit& visit) {
+  std::istringstream in(text);
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) visit(number, line);
+}
+
+std::string at(const Source& source, int line, const std::string& message) {
+  return source.path + ':' + std::to_string(line) + ": " + message;
+}
+
+/// Length of the comment or literal at the start of `text`, 0 if there is none there.
+std::size_t skipped_length(std::string_view text) {
+  const auto until = [&](std::string_view end, std::size_t from) {
+    const std::size_t found = text.find(end, from);
+    return found == std::string_view::npos ? text.size() : found + end.size();
+  };
+  if (text.starts_with("//")) return std::min(text.find('\n'), text.size());
+  if (text.starts_with("/*")) return until("*/", 2);
+  if (text.starts_with("R\"")) {
+    const std::size_t open = std::min(text.find('(', 2), text.size());
+    return until(')' + std::string(text.substr(2, open - 2)) + '"', open);
+  }
+  if (!text.starts_with('"') && !text.starts_with('\'')) return 0;
+  std::size_t end = 1;
+  while (end < text.size() && text[end] != text[0] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
+  return std::min(end + 1, text.size());
+}
+
+} // namespace
+
+std::vector<Source> sources(const std::filesystem::path& src) {
+  std::vector<Source> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(src))
+    if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
+      found.push_back({std::filesystem::relative(entry.path(), src).generic_string(), read(entry.path())});
+  std::sort(found.begin(), found.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
+  return found;
+}
+
+std::pair<std::string, std::set<std::string>> declared_folder(std::string_view cmake) {
+  const std::string text = std::regex_replace(std::string(cmake), std::regex("#[^\n]*"), "");
+  std::smatch call;
+  if (!std::regex_search(text, call, std::regex(R"(matrigrate_folder\s*\(\s*(\w+)([^)]*)\))"))) return {};
+  std::set<std::string> named;
+  const std::string depends = call[2];
+  const std::regex target(R"(\bmatrigrate_(\w+))");
+  for (auto i = std::sregex_iterator(depends.begin(), depends.end(), target); i != std::sregex_iterator(); ++i)
+    named.insert((*i)[1]);
+  return {call[1], named};
+}
+
+Graph declared_edges(const std::filesystem::path& src) {
+  Graph edges;
+  for (const auto& entry : std::filesystem::directory_iterator(src)) {
+    if (!entry.is_directory()) continue;
+    auto [name, named] = declared_folder(read(entry.path() / "CMakeLists.txt"));
+    if (name != entry.path().filename())
+      throw std::runtime_error(entry.path().string() + "/CMakeLists.txt declares the folder '" + name + "'");
+    edges.emplace(std::move(name), std::move(named));
+  }
+  return edges;
+}
+
+Graph closure(const Graph& edges) {
+  Graph reach = edges;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (auto& [folder, reached] : reach)
+      for (const std::string& next : std::set<std::string>(reached))
+        if (const auto further = reach.find(next); further != reach.end())
+          for (const std::string& last : std::set<std::string>(further->second))
+            grown = reached.insert(last).second || grown;
+  }
+  return reach;
+}
+
+std::string code_only(std::string_view text, bool keep_strings) {
+  std::string code(text);
+  for (std::size_t i = 0; i < text.size();) {
+    // The quotation mark in 10'000 separates digits.
+    const bool separator = text[i] == '\'' && i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0;
+    const std::size_t length = separator ? 0 : skipped_length(text.substr(i));
+    const bool comment = text[i] == '/';
+    if (length > 0 && (comment || !keep_strings))
+      for (std::size_t k = i; k < i + length; ++k)
+        if (code[k] != '\n' && (comment || (k > i && k + 1 < i + length))) code[k] = ' ';
+    i += std::max<std::size_t>(length, 1);
+  }
+  return code;
+}
+
+Findings forbidden_includes(const Source& source, const Graph& allowed) {
+  static const std::regex include(R"rx(^\s*#\s*include\s*"(?:([\w]+)/)?([^"]*)")rx");
+  Findings findings;
+  each_line(code_only(source.text, true), [&](int number, const std::string& line) {
+    std::smatch match;
+    if (!std::regex_search(line, match, include)) return;
+    const std::string folder = match[1];
+    if (!match[1].matched) {
+      // build_info.hpp is written by the build.
+      if (match[2] != "build_info.hpp")
+        findings.push_back(at(source, number, "name the header by its path from src/: " + line));
+      return;
+    }
+    const auto own = allowed.find(source.folder());
+    if (folder != source.folder() && (own == allowed.end() || !own->second.contains(folder)))
+      findings.push_back(at(source, number, source.folder() + " may not include " + folder));
+  });
+  return findings;
+}
+
+Findings process_exits(const Source& source) {
+  static const std::regex call(R"((?:^|[^\w.>])(exit|_exit|_Exit|abort|quick_exit|terminate)\s*\()");
+  Findings findings;
+  each_line(code_only(source.text), [&](int number, const std::string& line) {
+    std::smatch match;
+    if (std::regex_search(line, match, call)) findings.push_back(at(source, number, match[1].str() + " in a library"));
+  });
+  return findings;
+}
+
+Findings preprocessor_use(const Source& source) {
+  static const std::regex directive(R"(^\s*#\s*(?!include\b|pragma\s+once\b)(\w+))");
+  Findings findings;
+  each_line(code_only(source.text), [&](int number, const std::string& line) {
+    std::smatch match;
+    if (std::regex_search(line, match, directive)) findings.push_back(at(source, number, '#' + match[1].str()));
+  });
+  return findings;
+}
+
+Findings mutable_globals(const Source& source) {
+  // The formatter does not indent namespaces: what starts in the first column and reads `type name =`, `{`, `[` or `;`
+  // is a variable of a namespace; after `static` or `thread_local` it is one of any scope.
+  static const std::regex scope(
+      R"(^[A-Za-z_:][\w:<>,*& ]*[\w>*&]\s+[*&]*(?!operator\b)[A-Za-z_][\w:]*\s*(?:=|\{|\[|;))");
+  static const std::regex fixed(
+      R"(^\s*(?:static\s+|inline\s+|thread_local\s+)*(?:using|namespace|typedef|template|struct|class|enum|union|concept|friend|return|export)\b)");
+  static const std::regex local(R"(^\s+(?:inline\s+)?(?:static|thread_local)\s[^(]*?[A-Za-z_]\w*\s*(?:=|\{|\[|;))");
+  static const std::regex constant(R"(\bconstexpr\b|\bconst\b[^=({;*]*?[\w>]+\s*(?:=|\{|\[|;))");
+  Findings findings;
+  each_line(code_only(source.text), [&](int number, const std::string& line) {
+    if (std::regex_search(line, fixed)) return;
+    if (!std::regex_search(line, scope) && !std::regex_search(line, local)) return;
+    if (!std::regex_search(line, constant)) findings.push_back(at(source, number, "mutable global: " + line));
+  });
+  return findings;
+}
+
+} // namespace matrigrate::structure

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the tests of the structure know about C++ and CMake text: just enough, line by line.
+namespace matrigrate::structure {
+
+/// A file of src/.
+struct Source {
+  std::string path; ///< relative to src/: "io/plot.hpp"
+  std::string text;
+  std::string folder() const { return path.substr(0, path.find('/')); }
+};
+
+/// For each folder the folders that it names, or that it may include.
+using Graph = std::map<std::string, std::set<std::string>>;
+
+/// All .hpp and .cpp files below `src`, in alphabetical order. @throws std::runtime_error if one cannot be read
+std::vector<Source> sources(const std::filesystem::path& src);
+
+/// The edges declared by matrigrate_folder(NAME DEPENDS matrigrate_OTHER ...) in src/*/CMakeLists.txt.
+/// @throws std::runtime_error if a folder has no such line or names itself otherwise
+Graph declared_edges(const std::filesystem::path& src);
+
+/// The folder of a CMakeLists.txt and those that it names; an empty name if it declares none.
+std::pair<std::string, std::set<std::string>> declared_folder(std::string_view cmake);
+
+/// Each folder with all that it reaches; a folder on a cycle reaches itself.
+Graph closure(const Graph& edges);
+
+/// The text with comments blanked out and, unless `keep_strings`, the inside of string and character literals too; line
+/// numbers stay.
+std::string code_only(std::string_view text, bool keep_strings = false);
+
+/// A place that breaks a rule: "io/plot.cpp:12: what is wrong".
+using Findings = std::vector<std::string>;
+
+/// Includes of headers in folders that are not allowed, or not named by their path from src/.
+Findings forbidden_includes(const Source& source, const Graph& allowed);
+
+/// Calls that end the program: only apps/ may.
+Findings process_exits(const Source& source);
+
+/// Preprocessor lines other than #include and #pragma once.
+Findings preprocessor_use(const Source& source);
+
+/// Variables that outlive a call and can be changed.
+Findings mutable_globals(const Source& source);
+
+} // namespace matrigrate::structure

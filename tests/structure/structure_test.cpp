@@ -1,0 +1,121 @@
+#include "source_tree.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matrigrate::structure {
+namespace {
+
+const std::filesystem::path src = std::filesystem::path(MATRIGRATE_SOURCE_DIR) / "src";
+
+/// Runs a rule on every file of src/ and lists all that break it.
+template <class Rule>
+void expect_none(const Rule& rule) {
+  const auto files = sources(src);
+  ASSERT_GT(files.size(), 10U) << "no sources below " << src;
+  for (const Source& file : files)
+    for (const std::string& finding : rule(file)) ADD_FAILURE() << "src/" << finding;
+}
+
+TEST(Structure, FoldersFormNoCycle) {
+  for (const auto& [folder, reached] : closure(declared_edges(src)))
+    EXPECT_FALSE(reached.contains(folder)) << folder << " depends on itself";
+}
+
+TEST(Structure, FoldersNameOnlyFoldersThatExist) {
+  const Graph edges = declared_edges(src);
+  for (const auto& [folder, named] : edges)
+    for (const std::string& other : named)
+      if (other != "options" && other != "build_info") {
+        EXPECT_TRUE(edges.contains(other)) << folder << " names " << other;
+      }
+}
+
+TEST(Structure, IncludesFollowTheDeclaredEdges) {
+  const Graph allowed = closure(declared_edges(src));
+  expect_none([&](const Source& file) { return forbidden_includes(file, allowed); });
+}
+
+TEST(Structure, NoLibraryEndsTheProgram) { expect_none(process_exits); }
+
+TEST(Structure, ThePreprocessorOnlyIncludes) { expect_none(preprocessor_use); }
+
+TEST(Structure, NothingGlobalCanChange) { expect_none(mutable_globals); }
+
+TEST(Structure, HeadersAreGuarded) {
+  expect_none([](const Source& file) {
+    const bool header = file.path.ends_with(".hpp");
+    return header && !file.text.starts_with("#pragma once\n") ? Findings{file.path + ":1: starts without #pragma once"}
+                                                              : Findings{};
+  });
+}
+
+// The rules themselves, on text that breaks them and text that does not.
+
+TEST(StructureRules, CodeOnlyBlanksCommentsAndLiterals) {
+  EXPECT_EQ(code_only("a // b\nc"), "a     \nc");
+  EXPECT_EQ(code_only("a /* b\n */ c"), "a     \n    c");
+  EXPECT_EQ(code_only(R"(f("x \" // y") + 'z')"), R"(f("         ") + ' ')");
+  EXPECT_EQ(code_only("n = 10'000; // x"), "n = 10'000;     ");
+  EXPECT_EQ(code_only("R\"a(int x;\n)\" )a\" y"), "R         \n     \" y");
+  EXPECT_EQ(code_only("\"a//b\" // c", true), "\"a//b\"     ");
+}
+
+TEST(StructureRules, DeclaredFolderReadsTheNamedFolders) {
+  const auto [name, named] =
+      declared_folder("# matrigrate_folder(no)\nmatrigrate_folder(io DEPENDS matrigrate_observe\n"
+                      "  fmt::fmt matrigrate_state)");
+  EXPECT_EQ(name, "io");
+  EXPECT_EQ(named, (std::set<std::string>{"observe", "state"}));
+  EXPECT_EQ(declared_folder("add_library(x)").first, "");
+}
+
+TEST(StructureRules, ClosureFollowsEdgesAndShowsCycles) {
+  const Graph reach = closure({{"a", {"b"}}, {"b", {"c"}}, {"c", {}}, {"d", {"e"}}, {"e", {"d"}}});
+  EXPECT_EQ(reach.at("a"), (std::set<std::string>{"b", "c"}));
+  EXPECT_FALSE(reach.at("a").contains("a"));
+  EXPECT_TRUE(reach.at("d").contains("d"));
+}
+
+TEST(StructureRules, FindsForbiddenIncludes) {
+  const Graph allowed{{"sph", {"base"}}};
+  const Source file{"sph/kernel.cpp",
+                    "#include \"sph/kernel.hpp\"\n#include \"base/vector.hpp\"\n#include <cmath>\n"
+                    "#include \"io/plot.hpp\"\n// #include \"io/table.hpp\"\n#include \"kernel.hpp\"\n"};
+  const Findings findings = forbidden_includes(file, allowed);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0], "sph/kernel.cpp:4: sph may not include io");
+  EXPECT_EQ(findings[1].find("sph/kernel.cpp:6: "), 0U);
+}
+
+TEST(StructureRules, FindsExits) {
+  for (const char* bad : {"  std::exit(1);", "abort();", "  ::_exit (2);", "if (x) std::terminate();"})
+    EXPECT_EQ(process_exits({"a/b.cpp", bad}).size(), 1U) << bad;
+  for (const char* good : {"// exit(1)", "on_exit(f);", "timer.abort();", "\"exit(1)\"", "int exit_code(int);"})
+    EXPECT_TRUE(process_exits({"a/b.cpp", good}).empty()) << good;
+}
+
+TEST(StructureRules, FindsThePreprocessor) {
+  for (const char* bad : {"#ifdef X", "# if 1", "#define A 1", "#ifndef A_HPP", "#else"})
+    EXPECT_EQ(preprocessor_use({"a/b.hpp", bad}).size(), 1U) << bad;
+  for (const char* good : {"#pragma once", "#include <x>", "// #ifdef", "int x; // #if"})
+    EXPECT_TRUE(preprocessor_use({"a/b.hpp", good}).empty()) << good;
+}
+
+TEST(StructureRules, FindsMutableGlobals) {
+  for (const char* bad : {"int counter = 0;", "std::vector<int> cache;", "static double last{0.0};",
+                          "inline std::atomic<int> n{0};", "thread_local Workspace w;", "  static int calls = 0;",
+                          "extern int verbosity;", "std::map<int, double> table = {", "const char* name = \"x\";",
+                          "int Counter::calls = 0;", "double buffer[10];", "constinit int x = 1;"})
+    EXPECT_EQ(mutable_globals({"a/b.cpp", bad}).size(), 1U) << bad;
+  for (const char* good :
+       {"constexpr int n = 3;", "const std::string name = \"x\";", "inline constexpr double pi = 3.0;",
+        "namespace io {", "struct Table {", "using Graph = std::map<int, int>;", "enum class Mark { a, b };",
+        "int f(int a = 0) {", "  int local = 0;", "static const std::regex r(\"=\");", "  static const int n = 2;",
+        "  static Table empty();", "double cross(const Vec2& a);", "} // namespace", "class Failure : public Error {",
+        "template <class T>", "const char* const name = \"x\";", "bool operator==(const A&) const = default;",
+        "constexpr std::array<int, 2> a{1, 2};"})
+    EXPECT_TRUE(mutable_globals({"a/b.cpp", good}).empty()) << good;
+}
+
+} // namespace
+} // namespace matrigrate::structure

@@ -1,0 +1,105 @@
+#include "base/failure.hpp"
+#include "base/file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <string>
+
+namespace matrigrate {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A new folder for each test.
+class File : public testing::Test {
+protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "matrigrate-file-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
+
+  fs::path folder;
+};
+
+/// The reason with which a call fails.
+template <class Call>
+std::string reason(const Call& call) {
+  try {
+    call();
+  } catch (const InputOutputError& error) {
+    return error.what();
+  }
+  return "no failure";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(File, WhatIsWrittenIsReadBack) {
+  const std::string content("a\0b\r\n\xff", 6);
+  write_file(folder / "f", content);
+  EXPECT_EQ(read_file(folder / "f", 6), content);
+  write_file(folder / "f", "");
+  EXPECT_EQ(read_file(folder / "f", 0), "");
+  EXPECT_EQ(entries(), 1u) << "a temporary file is left";
+}
+
+TEST_F(File, ManyBytesAreReadBack) {
+  std::string content(1 << 20, 'x');
+  content.back() = 'y';
+  write_file(folder / "f", content);
+  EXPECT_EQ(read_file(folder / "f", 1 << 20), content);
+}
+
+TEST_F(File, AFailedWriteLeavesTheOldFile) {
+  const std::string in_nowhere = reason([&] { write_file(folder / "nowhere" / "f", "x"); });
+  EXPECT_TRUE(contains(in_nowhere, "nowhere/f: cannot be written: No such file or directory")) << in_nowhere;
+  fs::create_directory(folder / "d");
+  EXPECT_TRUE(contains(reason([&] { write_file(folder / "d", "x"); }), "is a folder"));
+  EXPECT_TRUE(contains(reason([] { write_file("/dev/null", "x"); }), "not a regular file"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(File, WrittenFilesHaveTheUsualPermissions) {
+  write_file(folder / "f", "x");
+  std::ofstream(folder / "g") << "x";
+  EXPECT_EQ(fs::status(folder / "f").permissions(), fs::status(folder / "g").permissions());
+}
+
+TEST_F(File, RefusesToReadWhatIsNoFile) {
+  EXPECT_TRUE(contains(reason([&] { read_file(folder, 10); }), "is a folder"));
+  EXPECT_TRUE(contains(reason([&] { read_file(folder / "none", 10); }), "No such file"));
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(contains(reason([&] { read_file(folder / "pipe", 10); }), "not a regular file")) << "and does not wait";
+}
+
+TEST_F(File, RefusesToReadWhatIsTooLarge) {
+  std::ofstream(folder / "f") << "12345";
+  EXPECT_EQ(read_file(folder / "f", 5), "12345");
+  const std::string message = reason([&] { read_file(folder / "f", 4); });
+  EXPECT_TRUE(contains(message, "has 5 bytes, more than the 4 allowed")) << message;
+}
+
+TEST_F(File, MakesOutputFolders) {
+  make_output_folder(folder / "a" / "b", false);
+  EXPECT_TRUE(fs::is_directory(folder / "a" / "b"));
+  make_output_folder(folder / "a" / "b", false); // empty: nothing is lost
+  write_file(folder / "a" / "b" / "f", "x");
+  EXPECT_TRUE(contains(reason([&] { make_output_folder(folder / "a" / "b", false); }), "not empty"));
+  make_output_folder(folder / "a" / "b", true);
+  EXPECT_EQ(read_file(folder / "a" / "b" / "f", 1), "x") << "force deletes nothing";
+  EXPECT_TRUE(contains(reason([&] { make_output_folder(folder / "a" / "b" / "f", true); }), "not a folder"));
+}
+
+} // namespace
+} // namespace matrigrate

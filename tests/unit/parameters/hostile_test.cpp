@@ -1,0 +1,167 @@
+#include "base/file.hpp"
+#include "faults.hpp"
+#include "parameters/scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+namespace matrigrate {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string repeated(std::string_view text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+bool printable(const std::string& text) {
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return false;
+  return true;
+}
+
+TEST(Hostile, BytesThatAreNoTextAreOneClearFault) {
+  const std::string nul("[ecm]\nra\0dius = 1\n[emc]\n", 23);
+  EXPECT_EQ(fault_of(nul), "f.toml:2:3: is not a text file: byte 0x00 is no character of UTF-8 text");
+  EXPECT_EQ(fault_of("a = \"\x07\""), "f.toml:1:6: is not a text file: byte 0x07 is no character of UTF-8 text");
+  EXPECT_EQ(fault_of("# \xff"), "f.toml:1:3: is not a text file: byte 0xff is no character of UTF-8 text");
+  EXPECT_EQ(fault_of("# µ\xc0\xaf"), "f.toml:1:4: is not a text file: byte 0xc0 is no character of UTF-8 text");
+  EXPECT_EQ(fault_of("# \xed\xa0\x80"), "f.toml:1:3: is not a text file: byte 0xed is no character of UTF-8 text");
+  EXPECT_EQ(fault_of("# \xe2\x82"), "f.toml:1:3: is not a text file: byte 0xe2 is no character of UTF-8 text");
+  EXPECT_TRUE(faults_of("# \xf0\x9f\xa7\xac \xe2\x82\xac µ\n").empty()) << "real text";
+}
+
+TEST(Hostile, RandomBytesNeverPass) {
+  std::mt19937 random(7);
+  for (int file = 0; file < 300; ++file) {
+    std::string bytes(1 + random() % 2000, '\0');
+    for (char& c : bytes) c = static_cast<char>(random());
+    for (const std::string& fault : faults_of(bytes)) EXPECT_TRUE(printable(fault)) << fault;
+  }
+}
+
+TEST(Hostile, RandomTextOfTomlSignsIsSurvived) {
+  const std::string signs = "[]{}=.,\"'#\n\n\t abez019-+_\\\r";
+  std::mt19937 random(11);
+  for (int file = 0; file < 1500; ++file) {
+    std::string text(random() % 300, ' ');
+    for (char& c : text) c = signs[random() % signs.size()];
+    for (const std::string& fault : faults_of(text)) EXPECT_TRUE(printable(fault)) << fault;
+  }
+}
+
+class Nested : public testing::TestWithParam<std::string> {};
+
+TEST_P(Nested, DoesNotExhaustTheStack) {
+  const std::string fault = fault_of(GetParam());
+  EXPECT_NE(fault.find("is nested deeper than 32 levels"), std::string::npos) << fault.substr(0, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Nested,
+                         testing::Values("x = " + repeated("[", 200000), "x = " + repeated("{a = ", 100000),
+                                         repeated("a.", 300000) + "a = 1", "[" + repeated("a.", 300000) + "a]",
+                                         repeated("\"a,\".", 100000) + "a = 1", "x = " + repeated("[{a.a.a = ", 50000),
+                                         "x = '''\n\"''' \n" + repeated("b.", 100000) + "b = 1",
+                                         "x = [\n" + repeated("[\n", 100000)));
+
+TEST(Hostile, DotsAndBracketsInTextAreNoNesting) {
+  EXPECT_TRUE(faults_of("# " + repeated("a.", 500) + "\n# " + repeated("[", 500) + "\n").empty());
+  EXPECT_TRUE(faults_of(repeated("[ecm]\n", 1) + repeated("# [x]\n", 200)).empty());
+}
+
+TEST(Hostile, LongLinesAndKeysAreCutInMessages) {
+  for (const std::string& text :
+       {std::string(200000, 'k') + " = 1", "ecm.lattice = \"" + std::string(200000, 'v') + "\"",
+        "ecm.radius = \"" + std::string(200000, '9') + " um\"", "ecm.radius = " + std::string(200000, '9'),
+        "[" + std::string(200000, 's') + "]", "[ecm]\nradius = 1 " + std::string(200000, 'x')}) {
+    const std::string fault = fault_of(text);
+    EXPECT_LT(fault.size(), 500u) << fault.substr(0, 600);
+    EXPECT_NE(fault.find("f.toml:"), std::string::npos) << fault.substr(0, 600);
+  }
+}
+
+TEST(Hostile, ManyFaultsAreCut) {
+  std::string text = "[ecm]\n";
+  for (int i = 0; i < 5000; ++i) text += fmt::format("key_{} = 1\n", i);
+  const auto faults = faults_of(text);
+  ASSERT_EQ(faults.size(), 201u);
+  EXPECT_EQ(faults.front().substr(0, 23), "f.toml:2:1: ecm.key_0: ");
+  EXPECT_EQ(faults.back(), "f.toml: has 4800 more faults");
+}
+
+TEST(Hostile, ManySyntaxErrorsEnd) {
+  const auto faults = faults_of(repeated("= 1\n", 5000));
+  ASSERT_EQ(faults.size(), 51u);
+  EXPECT_EQ(faults.back(), "f.toml: has more errors; correct these first");
+}
+
+/// A new folder for each test.
+class HostileFile : public testing::Test {
+protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "matrigrate-hostile-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string fault_of_file(const fs::path& path) const {
+    try {
+      read_parameters(path);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+    return "good";
+  }
+
+  fs::path folder;
+};
+
+TEST_F(HostileFile, MissingFileAndFolder) {
+  EXPECT_EQ(fault_of_file(folder / "none.toml"),
+            (folder / "none.toml").string() + ": cannot be read: No such file or directory");
+  EXPECT_EQ(fault_of_file(folder), folder.string() + ": is a folder, not a file");
+}
+
+TEST_F(HostileFile, AHundredMegabytesAreRefusedBySize) {
+  const fs::path path = folder / "large.toml";
+  std::ofstream(path) << "[ecm]\n";
+  fs::resize_file(path, 100 << 20); // sparse: takes no room on disk
+  EXPECT_EQ(fault_of_file(path), path.string() + ": has 104857600 bytes, more than the 1048576 allowed");
+}
+
+TEST_F(HostileFile, OverridesAreJudgedAlsoWhereTheFileIsMissing) {
+  try {
+    read_parameters(folder / "none.toml", {"ecm.radius=1 Pa"});
+    FAIL() << "no fault";
+  } catch (const ConfigurationError& error) {
+    ASSERT_EQ(error.faults().size(), 2u);
+    EXPECT_EQ(error.faults()[1].file, "--set");
+  }
+}
+
+TEST_F(HostileFile, AGoodFileIsRead) {
+  write_file(folder / "f.toml", "ecm.youngs_modulus = \"50 Pa\"\n");
+  EXPECT_EQ(read_parameters(folder / "f.toml", {"run.seed=3"}).ecm.youngs_modulus, 0.05);
+}
+
+TEST(Scan, KnowsWhereAValueWasBegun) {
+  const std::vector<std::size_t> expected{0, 1, 1, 1, 4, 5, 6, 6, 8};
+  EXPECT_EQ(first_lines("a = 1 # [\nb = [1,\n 2\n]\nc = \"[\"\n[x\nd = '''\n]'''\ne = 1"), expected);
+}
+
+TEST(Scan, ExcerptsAreShortAndPrintable) {
+  EXPECT_EQ(excerpt("abc"), "abc");
+  EXPECT_EQ(excerpt("a\nb\x01\xff"), "a?b??");
+  EXPECT_EQ(excerpt("µµµµ", 2), "µµ...");
+}
+
+} // namespace
+} // namespace matrigrate

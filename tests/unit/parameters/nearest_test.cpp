@@ -1,0 +1,40 @@
+#include "parameters/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matrigrate {
+namespace {
+
+TEST(Nearest, EditDistanceCountsSlips) {
+  EXPECT_EQ(edit_distance("", ""), 0u);
+  EXPECT_EQ(edit_distance("abc", ""), 3u);
+  EXPECT_EQ(edit_distance("", "abc"), 3u);
+  EXPECT_EQ(edit_distance("abc", "abc"), 0u);
+  EXPECT_EQ(edit_distance("ABC", "abc"), 0u);
+  EXPECT_EQ(edit_distance("abc", "abd"), 1u);
+  EXPECT_EQ(edit_distance("abc", "acb"), 1u) << "two swapped letters are one slip";
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
+}
+
+TEST(Nearest, OnlyNearNamesAreOffered) {
+  const std::vector<std::string> names{"check", "explain", "new"};
+  EXPECT_EQ(nearest("chek", names), "check");
+  EXPECT_EQ(nearest("exlpain", names), "explain");
+  EXPECT_EQ(nearest("simulate", names), std::nullopt);
+  EXPECT_EQ(nearest("", names), std::nullopt);
+  EXPECT_EQ(nearest(std::string(100000, 'x'), names), std::nullopt);
+}
+
+TEST(Nearest, ParametersAreFoundByMoreThanSpelling) {
+  EXPECT_EQ(nearest_parameter("ecm.youngs_modulu"), "ecm.youngs_modulus");
+  EXPECT_EQ(nearest_parameter("ecm.Youngs_Modulus"), "ecm.youngs_modulus");
+  EXPECT_EQ(nearest_parameter("youngs_modulus"), "ecm.youngs_modulus") << "without its section";
+  EXPECT_EQ(nearest_parameter("cell.youngs_modulus"), "ecm.youngs_modulus") << "in a wrong section";
+  EXPECT_EQ(nearest_parameter("ecm.max_iterations"), "solver.max_iterations");
+  EXPECT_EQ(nearest_parameter("ecm.E"), "ecm.youngs_modulus") << "the paper's symbol";
+  EXPECT_EQ(nearest_parameter("emc"), "ecm") << "a section";
+  EXPECT_EQ(nearest_parameter("ecm.colour"), std::nullopt);
+}
+
+} // namespace
+} // namespace matrigrate

@@ -1,0 +1,163 @@
+#include "base/file.hpp"
+#include "parameters/assign.hpp"
+#include "parameters/read.hpp"
+#include "parameters/rules.hpp"
+#include "parameters/schema.hpp"
+#include "parameters/write.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+namespace matrigrate {
+namespace {
+
+std::string committed(const std::string& path) {
+  return read_file(std::filesystem::path(MATRIGRATE_SOURCE_DIR) / path, 1 << 20);
+}
+
+/// Each parameter at random, a quantity within a factor of `spread` of its default, with all bits of its mantissa in
+/// use.
+class RandomParameters {
+public:
+  explicit RandomParameters(unsigned seed) : m_random(seed) {}
+
+  Parameters draw(double spread) {
+    Parameters p;
+    for (const Row& row : schema()) {
+      const Parameters before = p;
+      do {
+        p = before;
+        std::visit([&](const auto& member) { change(row, member, p, spread); }, row.member);
+      } while (!in_range(row, p));
+    }
+    return p;
+  }
+
+private:
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(m_random); }
+
+  void change(const Row&, double& (*member)(Parameters&), Parameters& p, double spread) {
+    member(p) *= std::exp(uniform(-std::log(spread), std::log(spread)));
+  }
+  void change(const Row& row, int& (*member)(Parameters&), Parameters& p, double) {
+    member(p) = static_cast<int>(uniform(row.range.low, row.range.high));
+  }
+  void change(const Row&, std::uint64_t& (*member)(Parameters&), Parameters& p, double) {
+    member(p) = m_random() >> 11;
+  }
+  void change(const Row&, bool& (*member)(Parameters&), Parameters& p, double) { member(p) = m_random() % 2 == 0; }
+  void change(const Row&, const Choice& choice, Parameters& p, double) {
+    choice.set(p, m_random() % choice.names.size());
+  }
+
+  static bool in_range(const Row& row, Parameters& p) {
+    const auto* member = std::get_if<double& (*)(Parameters&)>(&row.member);
+    if (member == nullptr) return true;
+    const double value = (*member)(p);
+    const units::Unit unit = units::parse_unit(row.unit);
+    return value > units::to_internal(row.range.low, unit) && value < units::to_internal(row.range.high, unit);
+  }
+
+  std::mt19937_64 m_random;
+};
+
+bool rules_hold(const Parameters& p) {
+  return std::ranges::all_of(rules(), [&](const Rule& rule) { return rule.broken(p).empty(); });
+}
+
+TEST(Write, TheResolvedFileReadsBackToTheSameBits) {
+  EXPECT_TRUE(same(parse_parameters(to_toml({}), "f.toml"), Parameters{}));
+  RandomParameters random(3);
+  int compared = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Parameters p = random.draw(1.3);
+    if (!rules_hold(p)) continue;
+    ++compared;
+    const std::string text = to_toml(p);
+    ASSERT_TRUE(same(parse_parameters(text, "f.toml"), p)) << text;
+  }
+  EXPECT_GT(compared, 500);
+}
+
+TEST(Write, EveryValueOfEveryRangeReadsBackToTheSameBits) {
+  RandomParameters random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Parameters p = random.draw(1e6);
+    for (const Row& row : schema()) {
+      const auto* member = std::get_if<double& (*)(Parameters&)>(&row.member);
+      if (member == nullptr || kind(row) != Kind::quantity) continue;
+      const std::string text = value_text(row, p);
+      Parameters q;
+      ASSERT_EQ(assign(row, {text.substr(1, text.size() - 2), "a string"}, q), "") << row.path << " = " << text;
+      Parameters copy = p;
+      ASSERT_EQ((*member)(q), (*member)(copy)) << row.path << " = " << text;
+    }
+  }
+}
+
+TEST(Write, EveryParameterStandsInTheResolvedFile) {
+  const std::string text = to_toml({});
+  for (const Row& row : schema())
+    EXPECT_NE(text.find("\n" + std::string(key_of(row)) + " = "), std::string::npos) << row.path;
+}
+
+TEST(Write, PresetsAreGoodAndDiffer) {
+  EXPECT_TRUE(same(parameters_of(*find_preset("baseline")), Parameters{}));
+  EXPECT_EQ(parameters_of(*find_preset("soft")).ecm.youngs_modulus, 0.05);
+  EXPECT_EQ(parameters_of(*find_preset("stiff")).ecm.youngs_modulus, 0.4);
+  EXPECT_EQ(find_preset("none"), nullptr);
+}
+
+TEST(Write, AScenarioReadsBackAsItsPreset) {
+  for (const Preset& preset : presets())
+    EXPECT_TRUE(same(parse_parameters(new_scenario(preset), "f.toml"), parameters_of(preset))) << preset.name;
+}
+
+TEST(Write, AScenarioShowsEveryParameterAndHidesNumerics) {
+  const std::string text = new_scenario(presets()[0]);
+  for (const Row& row : schema()) {
+    const std::string key(key_of(row));
+    const bool open = text.find("\n" + key + " = ") != std::string::npos;
+    const bool hidden = text.find("\n# " + key + " = ") != std::string::npos;
+    EXPECT_TRUE(open || hidden) << row.path;
+    EXPECT_EQ(open, row.audience == Audience::usual) << row.path;
+  }
+}
+
+TEST(Write, TheSchemaForEditorsDescribesEveryParameter) {
+  const auto schema_json = nlohmann::json::parse(json_schema());
+  for (const Row& row : schema()) {
+    const auto& section = schema_json.at("properties").at(std::string(section_of(row)));
+    EXPECT_FALSE(section.at("additionalProperties").get<bool>());
+    const auto& property = section.at("properties").at(std::string(key_of(row)));
+    EXPECT_TRUE(property.contains("default")) << row.path;
+    EXPECT_EQ(property.contains("anyOf"), kind(row) == Kind::quantity) << row.path;
+  }
+  const auto& E = schema_json.at("properties").at("ecm").at("properties").at("youngs_modulus");
+  EXPECT_EQ(E.at("anyOf").at(1).at("exclusiveMinimum"), 0.0);
+  EXPECT_EQ(E.at("anyOf").at(1).at("maximum"), 1e7);
+}
+
+TEST(Write, CommittedDocumentsAreCurrent) {
+  EXPECT_EQ(committed("docs/parameters.md"), parameters_markdown())
+      << "bring it up to date with: matrigrate list --parameters > docs/parameters.md";
+  EXPECT_EQ(committed("docs/scenario.schema.json"), json_schema())
+      << "bring it up to date with: matrigrate list --schema-json > docs/scenario.schema.json";
+}
+
+TEST(Write, CommittedScenariosAreCurrent) {
+  for (const Preset& preset : presets()) {
+    const std::string path = "scenarios/" + std::string(preset.name) + ".toml";
+    EXPECT_EQ(committed(path), new_scenario(preset))
+        << "bring it up to date with: rm " << path << "; matrigrate new " << path << " --preset " << preset.name;
+  }
+}
+
+} // namespace
+} // namespace matrigrate

@@ -1,0 +1,61 @@
+# Shared by ./demo and ./test: what the build needs from Debian, and how it is built.
+# Sourced with the working directory at the project's root.
+
+# name: reason
+packages_to_build="
+g++: the compiler
+cmake: the build description
+ninja-build: runs the build
+git: names the commit in the provenance of results
+ca-certificates: lets apt and git reach hosts over https
+libeigen3-dev: vectors and small matrices
+libfmt-dev: text
+libtbb-dev: threads
+libtomlplusplus-dev: scenario files
+libcli11-dev: the command line
+nlohmann-json3-dev: JSON
+"
+packages_to_test="
+libgtest-dev: the tests
+libbenchmark-dev: the benchmarks
+clang-format: the test of the formatting
+"
+
+say() { printf '%s: %s\n' "${0##*/}" "$*"; }
+die() {
+  say "$*" >&2
+  exit 1
+}
+
+# install_packages LIST: installs what is missing of it, through apt, as root or through sudo; touches nothing otherwise.
+install_packages() {
+  local missing="" name reason
+  while IFS=: read -r name reason; do
+    [ -n "$name" ] || continue
+    dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null | grep -qx installed && continue
+    missing="$missing $name"
+    say "missing: $name ($(echo "$reason" | sed 's/^ //'))"
+  done <<<"$1"
+  [ -n "$missing" ] || return 0
+
+  local as_root=""
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || die "the packages above must be installed by root: apt-get install$missing"
+    as_root="sudo"
+  fi
+  say "installing through apt:$missing"
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+  # shellcheck disable=SC2086 # a list of words
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing ||
+    die "apt could not install the packages; is this Debian 12, and can it reach its package source?"
+}
+
+# jobs: as many compilers as there are cores, but no more than one for each 1.5 GB of memory.
+jobs() {
+  local cores memory_mb
+  cores=$(nproc)
+  memory_mb=$(awk '/MemAvailable/ {print int($2 / 1024)}' /proc/meminfo)
+  local fit=$((memory_mb / 1500))
+  [ "$fit" -ge 1 ] || fit=1
+  echo $((fit < cores ? fit : cores))
+}
