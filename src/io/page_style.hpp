@@ -18,7 +18,7 @@ section { border-top: 1px solid #8c959f; margin-top: 2rem; padding-top: 1rem; }
 table { border-collapse: collapse; margin: 1rem 0; width: 100%; font-variant-numeric: tabular-nums; }
 th, td { border-bottom: 1px solid #d0d7de; padding: .4rem .7rem .4rem 0; text-align: left; vertical-align: top; }
 th { border-bottom-color: #57606a; }
-td.verdict { white-space: nowrap; }
+td.verdict, .checks td:nth-child(2), .checks td:nth-child(3), .checks td:nth-child(4) { white-space: nowrap; }
 .holds, .fails { font-weight: 600; }
 .holds { color: #0a5c36; }
 .fails { color: #9a1c00; }
