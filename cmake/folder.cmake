@@ -9,7 +9,8 @@ target_compile_options(
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 warns falsely on std::string (GCC bug 105651)
 if(MATRIGRATE_SANITIZE)
   target_compile_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE} -fno-omit-frame-pointer
-                                                      -fno-sanitize-recover=all)
+                                                      -fno-sanitize-recover=all
+                                                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>) # false with sanitizers
   target_link_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE})
 endif()
 

@@ -25,6 +25,7 @@ std::string key(Mark mark, int colour, double x, double y) {
 
 std::vector<int> series_colours(const std::vector<Series>& series) {
   std::vector<int> colours;
+  colours.reserve(series.size());
   int next = 0;
   for (const Series& s : series) colours.push_back(s.colour >= 0 ? s.colour : next++);
   return colours;

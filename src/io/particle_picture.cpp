@@ -97,18 +97,21 @@ struct Frame {
 };
 
 /// A dot is a line of no length with round ends, which takes a third of the bytes of a circle.
+/// Place of a level in the list of paths; -1, for values that are missing, comes first.
+std::size_t slot(int level) { return level < 0 ? 0 : std::size_t{1} + static_cast<std::size_t>(level); }
+
 std::string dots(const ParticlePicture& p, const Axis& axis, const Frame& frame) {
   std::array<std::string, levels + 1> path;
   for (std::size_t i = 0; i < p.position.size(); ++i) {
     if (!finite(p.position[i])) continue;
     const Vec2 a = frame.at(p.position[i]);
-    path[static_cast<std::size_t>(level_of(p.value[i], axis) + 1)] += 'M' + svg::point(a.x(), a.y()) + "h0";
+    path[slot(level_of(p.value[i], axis))] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
   const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\">\n",
                                 p.particle_size * frame.scale);
   for (int level = -1; level < levels; ++level) {
-    const auto& data = path[static_cast<std::size_t>(level + 1)];
+    const auto& data = path[slot(level)];
     const std::string c = level < 0 ? std::string(missing) : colour(map, level_centre(level));
     if (!data.empty()) out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", c, data);
   }

@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::string_view table_1 = "Heck et al. 2020, Table 1";
 constexpr std::string_view methods = "Heck et al. 2020, Methods";
-constexpr std::string_view ours = "MODEL.md, interpretation";
 constexpr std::string_view chosen = "this program";
 
 constexpr double most_seeds = 9007199254740991.0; // 2^53 - 1: every tool reads it back exactly
@@ -61,29 +60,29 @@ constexpr std::array rows{
     Row{"ecm.radius", [](Parameters& p) -> double& { return p.ecm.radius; }, "um", closed(10, 2000),
         "", table_1, "Radius of the disc of matrix, clamped at its rim"},
     Row{"ecm.cell_hole", [](Parameters& p) -> bool& { return p.ecm.cell_hole; }, "", none,
-        "", ours, "Whether the disc of the cell and its margin of degradation start as fluid"},
+        "", "MODEL.md, D6", "Whether the disc of the cell and its margin of degradation start as fluid"},
     Row{"ecm.particle_spacing", [](Parameters& p) -> double& { return p.ecm.particle_spacing; }, "um", closed(0.1, 50),
         "d_p", table_1, "Distance of neighbouring matrix particles", numerical},
     Row{"ecm.smoothing_length", [](Parameters& p) -> double& { return p.ecm.smoothing_length; }, "um", closed(0.1, 150),
         "h", table_1, "Smoothing length of the kernel, which reaches twice as far", numerical},
     Row{"ecm.lattice", choice([](Parameters& p) -> Lattice& { return p.ecm.lattice; }, lattices), "", none,
-        "", ours, "Arrangement of the matrix particles at the start", numerical},
+        "", "MODEL.md, D2", "Arrangement of the matrix particles at the start", numerical},
     Row{"ecm.thickness", [](Parameters& p) -> double& { return p.ecm.thickness; }, "um", above(0, 1000),
-        "t_z", ours, "Thickness of the plane model: a force per depth times it meets the forces of the cell",
+        "t_z", "MODEL.md, D1", "Thickness of the plane model: a force per depth times it meets the forces of the cell",
         numerical},
     Row{"ecm.formulation", choice([](Parameters& p) -> Formulation& { return p.ecm.formulation; },
         formulations), "", none,
-        "", ours, "Whether the stress of the solid is summed over reference or over current neighbours", numerical},
+        "", "MODEL.md, D4", "Whether the stress of the solid is summed over reference or over current neighbours", numerical},
     Row{"ecm.hourglass_weight", [](Parameters& p) -> double& { return p.ecm.hourglass_weight; }, "1", closed(0, 10),
-        "a_hg", ours, "Weight of the penalty against zero-energy modes of the particles", numerical},
+        "a_hg", "MODEL.md, D5", "Weight of the penalty against zero-energy modes of the particles", numerical},
     Row{"ecm.support_floor", [](Parameters& p) -> double& { return p.ecm.support_floor; }, "1", above(0, 1),
-        "", ours, "Smallest eigenvalue of the support tensor that is inverted as it is", numerical},
+        "", "MODEL.md, D4", "Smallest eigenvalue of the support tensor that is inverted as it is", numerical},
     Row{"ecm.orphan_support", [](Parameters& p) -> double& { return p.ecm.orphan_support; }, "1", below(0, 1),
-        "", ours, "A solid particle with less than this share of its intact support becomes fluid", numerical},
+        "", "MODEL.md, D7", "A solid particle with less than this share of its intact support becomes fluid", numerical},
     Row{"ecm.density_min", [](Parameters& p) -> double& { return p.ecm.density_min; }, "1", open(0, 1),
-        "", ours, "Lower bound of the density over its initial value", numerical},
+        "", "MODEL.md, D7", "Lower bound of the density over its initial value", numerical},
     Row{"ecm.density_max", [](Parameters& p) -> double& { return p.ecm.density_max; }, "1", above(1, 10),
-        "", ours, "Upper bound of the density over its initial value", numerical},
+        "", "MODEL.md, D7", "Upper bound of the density over its initial value", numerical},
     Row{"ecm.verlet_skin", [](Parameters& p) -> double& { return p.ecm.verlet_skin; }, "um", above(0, 50),
         "", chosen, "Neighbours are listed up to this distance beyond the support; never changes a result", numerical},
 

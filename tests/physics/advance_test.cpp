@@ -79,6 +79,12 @@ TEST(Advance, GivesTheSameBitsWithAFreshWorkspace) { // what a restart does
   EXPECT_TRUE(same_bits(pulled(small(), 40), pulled(small(), 40, true)));
 }
 
+TEST(Advance, GivesTheSameBitsForAnySkinOfTheNeighbourList) {
+  Parameters wide = small();
+  wide.ecm.verlet_skin = 3.0;
+  EXPECT_TRUE(same_bits(pulled(small(), 40), pulled(wide, 40)));
+}
+
 TEST(Advance, ForcesBalanceToTheTolerance) {
   const Parameters p = small();
   State s = start(p);

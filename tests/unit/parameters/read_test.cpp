@@ -195,15 +195,13 @@ TEST(Read, TheWholeOfABadFileIsToldAtOnce) {
   const std::vector<std::string> expected{
       "f.toml:2:12: run.duration: \"6 Pa\" is a stress, but a time is expected; write it like \"6 h\"",
       "f.toml:3:17: run.time_step: cannot be read: expected a comment or whitespace, saw 's'; write it like time_step "
-      "= "
-      "\"0.4 s\"",
+      "= \"0.4 s\"",
       "f.toml:4:1: run.thread: there is no such parameter; did you mean run.threads?",
       "f.toml:5:2: emc: there is no such section; did you mean ecm?",
       "f.toml:8:25: ecm.youngs_modulus: cannot be read: the closing quote is missing; write it like youngs_modulus = "
       "\"200 Pa\"",
       "f.toml:9:18: ecm.youngs_modulus: \"300 kg\" is a quantity in um^-1 s^2 nN, but a stress is expected; write it "
-      "like "
-      "\"200 Pa\"",
+      "like \"200 Pa\"",
       "f.toml:10:18: ecm.youngs_modulus: is given twice (first on line 9)",
       "f.toml:11:11: ecm.lattice: cannot be read: could not determine value type; write it like lattice = \"square\"",
       "f.toml:12:8: solver: cannot be read: expected ']', saw '\\n'",
