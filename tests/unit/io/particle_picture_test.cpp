@@ -121,7 +121,7 @@ TEST(ParticlePicture, DrawsArrowsThatCanBeSeen) {
 }
 
 TEST(ParticlePicture, DrawsAnythingWellFormed) {
-  for (ParticlePicture picture : {ParticlePicture{}, lattice(1, 1), lattice(1, 200), lattice(200, 1)}) {
+  for (const ParticlePicture& picture : {ParticlePicture{}, lattice(1, 1), lattice(1, 200), lattice(200, 1)}) {
     const std::string svg = to_svg(picture);
     EXPECT_TRUE(parsed(svg));
     EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0U);
