@@ -39,12 +39,85 @@ struct EcmParameters {
   double verlet_skin = 1.0;      ///< neighbours are listed up to 2h + skin [um]
 };
 
+/// Profile of the curvature factor of the actomyosin tension.
+enum class CurvatureProfile { gaussian, half_gaussian, triangle };
+
+/// How the polarization turns towards the adhesions: at a speed proportional to the angle, or at a constant one.
+enum class Turning { proportional, constant };
+
 struct CellParameters {
-  double radius = 15.0; ///< R [um]
+  double radius = 15.0;             ///< R [um]
+  double start_x = 0.0;             ///< centre at the start [um]
+  double start_y = 0.0;             ///< centre at the start [um]
+  int particles = 235;              ///< particles of the cortex
+  double spring_stiffness = 2.8;    ///< k_s [nN/um]
+  double dashpot = 2.5;             ///< eta_c [nN s/um]
+  double bending_stiffness = 0.05;  ///< k_bend [nN um]
+  double area_stiffness = 0.71e-3;  ///< k_A [nN/um^2]
+  double repulsion_stiffness = 1.4; ///< k_rep [nN/um^1.5]
+  double repulsion_distance = 0.2;  ///< d_rep [um]
+  double liquid_drag = 0.04;        ///< gamma_liquid [nN s/um^2]; times t_z a particle's drag
+};
+
+struct ContactParameters {
+  double range = 1.4;          ///< d_c [um]
+  double sample_spacing = 0.8; ///< points of the viscous coupling on a segment are no further apart [um]
+  double deepest_solid = 0.3;  ///< a solid particle deeper inside the cell becomes fluid at once [um]
+};
+
+struct ActomyosinParameters {
+  double force = 0.6;               ///< F_am [nN]
+  double f_mat_body = 0.05;         ///< f_mat of the cell's body [-]
+  double curvature_optimum = -0.15; ///< kappa_0 [1/um], convex positive
+  double curvature_width = 0.25;    ///< kappa_w [1/um]
+  CurvatureProfile curvature_profile = CurvatureProfile::gaussian;
+};
+
+struct ProtrusionParameters {
+  double initiation_rate = 6e-5;               ///< r_prot, a front particle [1/s]
+  int half_width = 20;                         ///< w_prot, particles to each side of the centre
+  int tip_half_width = 3;                      ///< w_f, particles to each side of the centre that push
+  double force = 0.32;                         ///< F_prot, shared by the pushing particles [nN]
+  double growth_time = 400.0;                  ///< T_prot [s]
+  double spring_stiffness = 2.8e-3;            ///< k_s,prot [nN/um]
+  double deflection_rate = 0.1;                ///< r_defl [1/s]
+  double deflection_cone = 1.0471975511965976; ///< half opening of the cone that is looked at [rad]
+  double spreading_rate = 0.5;                 ///< speed at which growing particles slide towards equal spacing [1/s]
+  double finishing_time = 400.0;               ///< T_finish [s]
+};
+
+struct AdhesionParameters {
+  double stiffness = 2.0;         ///< k_ad [nN/um]
+  double rest_length = 5.0;       ///< l_0,adh [um]
+  double least_support = 0.02;    ///< share of solid around the anchor below which the adhesion is lost [-]
+  double maturation_time = 600.0; ///< T_mat [s]
+  double step_threshold = 0.98;   ///< share of a step's force at which the next one begins [-]
+  double base_drag = 1000.0;      ///< drag of each pinned base particle while maturing [nN s/um]
+  double r_off_min = 2.78e-4;     ///< [1/s]
+  double r_off_0 = 0.2;           ///< [1/s]
+  double zeta_diss = 20.0;        ///< [1/nN]
+  bool rupture = false;           ///< whether an adhesion breaks at rupture_ratio
+  double rupture_ratio = 1.0;     ///< f_rupt [-]
+};
+
+struct PolarizationParameters {
+  double rate = 1.1e-3; ///< r_pol [1/s]
+  Turning turning = Turning::proportional;
 };
 
 struct DegradationParameters {
-  double body_distance = 1.9; ///< reach of degradation around the cell's body [um]
+  double tip_rate = 0.2;            ///< r_degr,tip [1/s]
+  double tip_distance = 2.4;        ///< [um]
+  double protrusion_rate = 0.033;   ///< [1/s]
+  double protrusion_distance = 1.4; ///< [um]
+  double body_rate = 0.033;         ///< [1/s]
+  double body_distance = 1.9;       ///< reach of degradation around the cell's body [um]
+  double threshold = 0.02;          ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
+};
+
+struct OutputParameters {
+  double track_interval = 60.0;      ///< [s]
+  double snapshot_interval = 1800.0; ///< [s]
 };
 
 struct SolverParameters {
@@ -56,7 +129,13 @@ struct Parameters {
   RunParameters run;
   EcmParameters ecm;
   CellParameters cell;
+  ContactParameters contact;
+  ActomyosinParameters actomyosin;
+  ProtrusionParameters protrusion;
+  AdhesionParameters adhesion;
+  PolarizationParameters polarization;
   DegradationParameters degradation;
+  OutputParameters output;
   SolverParameters solver;
 };
 

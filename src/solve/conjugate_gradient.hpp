@@ -6,8 +6,8 @@
 
 namespace matrigrate {
 
-/// Conjugate gradients with the diagonal as preconditioner (Hestenes and Stiefel 1952), both components at once, each
-/// with its own coefficients. Simple on purpose: the oracle that every faster solver is held against. Test:
+/// Conjugate gradients with the 2x2 diagonal blocks as preconditioner (Hestenes and Stiefel 1952).
+/// Simple on purpose: the oracle that every faster solver is held against. Test:
 /// tests/unit/solve/conjugate_gradient_test.cpp
 class ConjugateGradient final : public DragSolver {
 public:
@@ -20,7 +20,8 @@ public:
 private:
   double m_tolerance;
   int m_max_iterations;
-  std::vector<Vec2> m_r, m_p, m_q; // residual, direction, A direction
+  std::vector<Vec2> m_r, m_z, m_p, m_q; // residual, preconditioned residual, direction, A direction
+  std::vector<Mat2> m_inverse;          // of the diagonal blocks
 };
 
 } // namespace matrigrate

@@ -3,29 +3,73 @@
 #include "base/adjacency.hpp"
 #include "base/vector.hpp"
 
+#include <cstdint>
+#include <initializer_list>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// The velocities that balance all forces. This folder knows neither cells nor gels.
 namespace matrigrate {
 
+/// A list of quadratic terms c_m |sum_k w_mk . v_k|^2 / 2 of the dissipation, each over a few nodes k: a coefficient
+/// c_m >= 0 [nN s/um] and weights w_mk, scalars (both components alike) or vectors (along a direction). Each adds the
+/// positive semidefinite matrix c_m w_m w_m^T.
+template <class Weight>
+struct DragTerms {
+  std::vector<double> c;               ///< one a term [nN s/um]
+  std::vector<std::uint32_t> first{0}; ///< term m has the entries first[m] .. first[m + 1] - 1
+  std::vector<std::uint32_t> node;
+  std::vector<Weight> weight; ///< [-]
+
+  std::size_t size() const { return c.size(); }
+
+  void clear() {
+    c.clear();
+    first.assign(1, 0);
+    node.clear();
+    weight.clear();
+  }
+
+  void add(double coefficient, std::initializer_list<std::pair<std::uint32_t, Weight>> entries) {
+    for (const auto& [k, w] : entries) add_entry(k, w);
+    close(coefficient);
+  }
+
+  /// Entry by entry, for terms over many nodes; close() ends the term.
+  void add_entry(std::uint32_t k, const Weight& w) {
+    node.push_back(k);
+    weight.push_back(w);
+  }
+  void close(double coefficient) {
+    c.push_back(coefficient);
+    first.push_back(static_cast<std::uint32_t>(node.size()));
+  }
+};
+
 /// The equation solved in every step (Heck et al. 2020, Eqs. 1-2, without inertia):
-///   A v = F,   A_ii = sum_j G_ij (+ own drag),  A_ij = -G_ij,
-/// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um]. A is scalar: both velocity components share it. A node
-/// whose velocity is given has the row A_ii = 1, no coupling, and its velocity as F; its drag on others stands in their
-/// F and A_ii. A is symmetric, and positive definite as soon as each group of coupled nodes has a given velocity or own
-/// drag.
+///   A v = F,   A = (D - G) (x) I_2 + sum over links and directed terms,
+/// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um] between the first pairs->size() nodes (the matrix), and
+/// a diagonal D for all nodes: D_ii = sum_j G_ij + own drag. The nodes behind them (the cell) are coupled by terms
+/// alone. A node whose velocity is given has the row D_ii = 1, no coupling, no place in any term, and its velocity as
+/// F; its drag on others stands in their F and D_ii. A is symmetric, and positive definite as soon as each group of
+/// coupled nodes has a given velocity or own drag.
 struct DragSystem {
-  const Adjacency* pairs = nullptr; ///< the pattern; owned elsewhere
-  std::vector<double> coupling;     ///< G_ij >= 0 beside pairs->index; 0 where either node is given [nN s/um]
-  std::vector<double> diagonal;     ///< A_ii > 0 [nN s/um]
-  std::vector<Vec2> F;              ///< right-hand sides for both components [nN]
+  const Adjacency* pairs = nullptr; ///< the pattern of G; owned elsewhere
+  std::vector<double> coupling;     ///< G_ij beside pairs->index; 0 where either node is given [nN s/um]
+  std::vector<double> diagonal;     ///< D_ii > 0, one a node; terms not included [nN s/um]
+  DragTerms<double> links;          ///< terms that treat both components alike
+  DragTerms<Vec2> directed;         ///< terms along a direction
+  std::vector<Vec2> F;              ///< right-hand side [nN]
 
   std::size_t size() const { return diagonal.size(); }
 };
 
 /// y = A x.
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
+
+/// The 2x2 blocks on the diagonal of A, terms included [nN s/um].
+void diagonal_blocks(const DragSystem& A, std::vector<Mat2>& blocks);
 
 /// How a solve went.
 struct SolveReport {

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <variant>
+
+/// The life of a protrusion (Heck et al. 2020, Fig 3). Each phase holds what only it has.
+namespace matrigrate {
+
+/// Pushes its tip outwards along `direction`.
+struct Growing {
+  Vec2 direction; ///< d_prot, unit vector
+};
+
+/// Adheres, pulls, and matures as the matrix resists.
+struct Maturing {
+  Vec2 direction; ///< d_prot at the end of growth, unit vector
+  Vec2 anchor;    ///< the adhered point of the matrix [um]
+  int steps = 0;  ///< maturation steps done; f_mat stands at 0.1 (steps + 1), at most 1
+};
+
+/// Pulls with its final maturation until its adhesion disassembles.
+struct Contracting {
+  Vec2 anchor;  ///< [um]
+  double f_mat; ///< [-]
+};
+
+/// Without adhesion, still contracting.
+struct Finishing {
+  double f_mat; ///< [-]
+};
+
+using Phase = std::variant<Growing, Maturing, Contracting, Finishing>;
+
+/// "growing", "maturing", "contracting", "finishing".
+std::string_view name(const Phase& phase);
+
+/// Why an adhesion ended.
+enum class EndCause {
+  none,        ///< it has not, or the run ended first
+  unadhered,   ///< growth ended where no solid was in reach
+  disassembly, ///< by Eq. (7)
+  rupture,     ///< the force passed f_rupt f_mat F_am
+  lost         ///< the matrix around the anchor was degraded
+};
+
+std::string_view name(EndCause cause);
+
+inline constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+/// What is kept of a protrusion: times of its transitions [s], `never` where they did not happen, and the paper's
+/// read-outs.
+struct ProtrusionRecord {
+  std::uint32_t id = 0;     ///< in the order of initiation, from 1
+  std::uint32_t centre = 0; ///< the central particle
+  double t_initiation = never;
+  double t_adhesion = never;    ///< end of growth, adhered
+  double t_mature = never;      ///< end of maturation
+  double t_disassembly = never; ///< loss of the adhesion, or end of growth without one
+  double t_end = never;         ///< particles free again
+  double length = never;        ///< l_prot: from between the base particles to the tip, at the end of growth [um]
+  double f_mat = never;         ///< at the end of maturation [-]
+  double force = never;         ///< of the adhesion at disassembly [nN]
+  EndCause cause = EndCause::none;
+};
+
+/// A protrusion that lives.
+struct Protrusion {
+  std::uint32_t centre = 0; ///< the central particle; w_prot particles to each side belong to it
+  double since = 0.0;       ///< when the phase began [s]
+  Phase phase;
+  ProtrusionRecord record;
+};
+
+} // namespace matrigrate
