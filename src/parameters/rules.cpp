@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace matrigrate {
@@ -30,14 +31,33 @@ std::string room(const Parameters& p) {
 }
 
 std::string hole(const Parameters& p) {
-  if (!p.ecm.cell_hole) return {};
-  const double hole_radius = p.cell.radius + p.degradation.body_distance;
+  const double hole_radius = std::hypot(p.cell.start_x, p.cell.start_y) + p.cell.radius + p.degradation.body_distance;
   const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
   if (hole_radius < free_radius) return {};
   return fmt::format(
       "the cell and its margin reach {:.4g} um from the centre, but the matrix is clamped from {:.4g} um on; "
-      "take a smaller cell or a larger disc",
+      "take a smaller cell, a start nearer to the centre, or a larger disc",
       hole_radius, free_radius);
+}
+
+std::string resolution(const Parameters& p) {
+  if (3.0 * p.ecm.particle_spacing <= p.cell.radius) return {};
+  return fmt::format("particles {:.4g} um apart are too coarse for a cell of radius {:.4g} um; allowed is a spacing <= "
+                     "{:.4g} um",
+                     p.ecm.particle_spacing, p.cell.radius, p.cell.radius / 3.0);
+}
+
+std::string protrusion_width(const Parameters& p) {
+  if (2 * p.protrusion.half_width + 1 <= p.cell.particles / 2) return {};
+  return fmt::format("a protrusion of {} particles takes more than half of the cortex, which has {}; allowed is a "
+                     "half_width <= {}",
+                     2 * p.protrusion.half_width + 1, p.cell.particles, (p.cell.particles / 2 - 1) / 2);
+}
+
+std::string tip_width(const Parameters& p) {
+  if (p.protrusion.tip_half_width <= p.protrusion.half_width) return {};
+  return fmt::format("the pushing tip reaches {} particles to each side, but the protrusion only {}",
+                     p.protrusion.tip_half_width, p.protrusion.half_width);
 }
 
 std::string supports(const Parameters& p) {
@@ -69,7 +89,13 @@ std::span<const Rule> rules() {
   static const std::vector<Rule> all{
       {"enough neighbours", {"ecm.smoothing_length", "ecm.particle_spacing"}, support},
       {"some matrix is free", {"ecm.radius", "ecm.smoothing_length", "ecm.particle_spacing"}, room},
-      {"the cell fits", {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length"}, hole},
+      {"the cell fits",
+       {"cell.radius", "cell.start_x", "cell.start_y", "degradation.body_distance", "ecm.radius",
+        "ecm.smoothing_length"},
+       hole},
+      {"the matrix resolves the cell", {"ecm.particle_spacing", "cell.radius"}, resolution},
+      {"a protrusion fits on the cortex", {"protrusion.half_width", "cell.particles"}, protrusion_width},
+      {"a tip fits on a protrusion", {"protrusion.tip_half_width", "protrusion.half_width"}, tip_width},
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},

@@ -2,22 +2,38 @@
 
 #include "base/failure.hpp"
 #include "base/parallel.hpp"
+#include "cell/geometry.hpp"
+#include "cell/rest_length.hpp"
+#include "contact/degrade.hpp"
 #include "ecm/degradation.hpp"
 #include "ecm/stress.hpp"
 #include "ecm/updated_lagrangian.hpp"
+#include "protrusion/adhesion.hpp"
+#include "protrusion/deflection.hpp"
+#include "protrusion/growth.hpp"
+#include "protrusion/initiation.hpp"
+#include "protrusion/life_cycle.hpp"
+#include "protrusion/polarization.hpp"
 #include "simulation/step_limits.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <variant>
 
 namespace matrigrate {
 
 namespace {
 
-/// Solves A v = F into s.ecm.v, starting from the velocities of the last step.
+/// Where a node is: a particle of the matrix, or of the cortex behind them.
+const Vec2& position(const State& s, std::size_t node) {
+  return node < s.ecm.size() ? s.ecm.x[node] : s.cortex.x[node - s.ecm.size()];
+}
+
+/// Solves A v = F into the velocities of matrix and cortex, starting from those of the last step.
 void solve_velocities(State& s, const Parameters& p, Workspace& w) {
   std::vector<Vec2> v = s.ecm.v;
+  v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
   w.health.solve = w.solver->solve(w.drag, v);
   if (!w.health.solve.converged)
     throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the drag system was not solved: relative residual "
@@ -27,12 +43,15 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w) {
   const double furthest = 0.5 * p.ecm.particle_spacing / p.run.time_step;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].allFinite() && v[i].norm() <= furthest) continue;
-    throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the particle at ({:.4g}, {:.4g}) um would move {:.3g} "
-                                       "um in one step of {:.4g} s, more than "
-                                       "half a particle spacing; {}",
-                                       s.step + 1, s.t, s.ecm.x[i].x(), s.ecm.x[i].y(), v[i].norm() * p.run.time_step,
-                                       p.run.time_step, describe(step_limits(p))));
+    throw NumericalFailure(fmt::format(
+        "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
+        "more than half a particle spacing; {}",
+        s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
+        v[i].norm() * p.run.time_step, p.run.time_step, describe(step_limits(p))));
   }
+  const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
+  s.cortex.v.assign(cell, v.end());
+  v.erase(cell, v.end());
   s.ecm.v = std::move(v);
 }
 
@@ -44,31 +63,75 @@ void advance_material(State& s, const Parameters& p, Workspace& w) {
   w.health.density_bounds = bounds.below + bounds.above;
 }
 
-void advance_positions(State& s, double dt) {
+void advance_positions(State& s, const Parameters& p, const Workspace& w) {
+  const double dt = p.run.time_step;
   parallel_for(s.ecm.size(), [&](std::size_t i) { s.ecm.x[i] += dt * s.ecm.v[i]; });
+  for (std::size_t i = 0; i < s.cortex.size(); ++i) s.cortex.x[i] += dt * s.cortex.v[i];
+  spread_evenly(s, p.protrusion, dt);
+  move_anchors(s, w.cell.anchor_weights, dt);
+}
+
+/// Degradation around tips, protrusions and body, of the particles met at x(t).
+void degrade_around_cell(State& s, const Parameters& p, Workspace& w) {
+  std::vector<Vec2> tips;
+  for (const Protrusion& protrusion : s.protrusions)
+    if (std::holds_alternative<Growing>(protrusion.phase))
+      for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p.protrusion))
+        tips.push_back(s.cortex.x[i]);
+  degrade(s.ecm, p, w.cell.met, w.cell.membership.on_protrusion, tips, p.run.time_step);
+  w.health.engulfed += fluidize_engulfed(s.ecm, p, w.cell.met);
+}
+
+/// Front of the cell; all of it before the first protrusion.
+std::vector<std::uint8_t> front_of(const State& s) {
+  return s.polarization ? front(s.cortex, *s.polarization) : std::vector<std::uint8_t>(s.cortex.size(), 1);
+}
+
+void live_protrusions(State& s, const Parameters& p) {
+  const Vec2 centre = centroid(s.cortex);
+  deflect(s, p, p.run.time_step);
+  live(s, p);
+  polarize(s, p.polarization, centre, p.run.time_step);
+  initiate(s, p, front_of(s), centre);
+  ratchet_rest_lengths(s.cortex, p.cell, membership(s, p).soft);
+}
+
+void require_inside(const State& s, const Parameters& p) {
+  const double room = p.ecm.radius - 4.0 * p.ecm.smoothing_length; // the rim and what feels it
+  for (const Vec2& x : s.cortex.x)
+    if (x.norm() > room)
+      throw NumericalFailure(
+          fmt::format("step {} (t = {:.6g} s): the cell has reached the clamped rim of the matrix at "
+                      "({:.4g}, {:.4g}) um; take a larger ecm.radius",
+                      s.step, s.t, x.x(), x.y()));
 }
 
 } // namespace
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
-  // neighbours and shape at x(t)
+  // neighbours, and shape of the cell, at x(t)
   if (w.neighbours.update(s.ecm.x, s.ecm.period_x)) ++w.health.list_builds;
   w.reference.update(s.ecm);
+  describe_cell(s, p, w);
 
-  // momentum balance, Eq. 2: A v = F
+  // momentum balances, Eqs. 1 and 2: A v = F
   assemble_drag(s, p, w);
   assemble_forces(s, p, w, loads);
   solve_velocities(s, p, w);
 
   // density, stress, positions
   advance_material(s, p, w);
-  advance_positions(s, p.run.time_step);
-
-  // events
-  w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
-
+  advance_positions(s, p, w);
   ++s.step;
   s.t = static_cast<double>(s.step) * p.run.time_step;
+
+  // events
+  if (s.has_cell()) {
+    degrade_around_cell(s, p, w);
+    live_protrusions(s, p);
+    require_inside(s, p);
+  }
+  w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
 }
 
 void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads,

@@ -1,19 +1,68 @@
 #include "simulation/equations.hpp"
 
+#include "cell/actomyosin.hpp"
+#include "cell/area.hpp"
+#include "cell/bending.hpp"
+#include "cell/geometry.hpp"
+#include "cell/repulsion.hpp"
+#include "cell/spring.hpp"
+#include "contact/elastic.hpp"
+#include "contact/viscous.hpp"
 #include "ecm/fluid.hpp"
 #include "ecm/stress.hpp"
 #include "ecm/updated_lagrangian.hpp"
 #include "ecm/viscosity.hpp"
+#include "protrusion/adhesion.hpp"
+#include "protrusion/growth.hpp"
+#include "protrusion/maturation.hpp"
 
 namespace matrigrate {
 
+namespace {
+
+/// Right side of Eq. (1), in the paper's order.
+void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
+  const double dt = p.run.time_step;
+  const std::uint32_t first = s.node(0);
+  const CortexState& c = s.cortex;
+  const Membership& m = w.cell.membership;
+  add_springs(c, p.cell, m.k_s, dt, first, w.force, w.drag);
+  add_bending(c, p.cell, dt, first, w.force, w.drag);
+  add_area(c, p.cell, dt, first, w.force, w.drag);
+  add_repulsion(c, p.cell, dt, first, w.force, w.drag);
+  add_elastic_contact(s.ecm, c, p, w.cell.met, dt, w.force, w.drag);
+  add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
+  add_growth(s, p.protrusion, w.cell.normals, w.force);
+  add_maturation(s, p, w.force, w.drag);
+  add_adhesions(s, p.adhesion, w.cell.anchor_weights, dt, w.force, w.drag);
+}
+
+} // namespace
+
+void describe_cell(const State& s, const Parameters& p, Workspace& w) {
+  if (!s.has_cell()) return;
+  const double reach = 2.0 * p.ecm.smoothing_length;
+  w.cell.membership = membership(s, p);
+  w.cell.normals.resize(s.cortex.size());
+  for (std::size_t i = 0; i < s.cortex.size(); ++i) w.cell.normals[i] = normal(s.cortex, i);
+  w.cell.grid.emplace(s.cortex, reach);
+  w.cell.met = encounters(s.ecm, s.cortex, *w.cell.grid, reach);
+  w.cell.anchor_weights = anchor_weights(s, p.ecm);
+}
+
 void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
   assemble_viscosity(s.ecm, p.ecm, w.neighbours.pairs(), w.drag);
+  w.drag.links.clear();
+  w.drag.directed.clear();
+  if (!s.has_cell()) return;
+  w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), p.cell.liquid_drag * p.ecm.thickness);
+  w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
+  add_viscous_contact(s.ecm, s.cortex, p, *w.cell.grid, w.drag);
 }
 
 void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   const Adjacency& pairs = w.neighbours.pairs();
-  w.force.assign(s.ecm.size(), Vec2::Zero());
+  w.force.assign(w.drag.size(), Vec2::Zero());
   switch (p.ecm.formulation) {
   case Formulation::total_lagrangian:
     add_elastic_forces(s.ecm, p.ecm, w.reference, w.F, w.PB, w.force);
@@ -23,9 +72,10 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
     break;
   }
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
+  if (s.has_cell()) assemble_cell_forces(s, p, w);
   if (loads) loads(s, w.force);
-  for (std::size_t i = 0; i < s.ecm.size(); ++i)
-    if (!s.ecm.clamped[i]) w.drag.F[i] += w.force[i];
+  for (std::size_t i = 0; i < w.force.size(); ++i)
+    if (i >= s.ecm.size() || !s.ecm.clamped[i]) w.drag.F[i] += w.force[i];
 }
 
 } // namespace matrigrate

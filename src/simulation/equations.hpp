@@ -11,10 +11,16 @@ namespace matrigrate {
 /// Forces from outside the model, added to those of the particles [nN]: loads of a test.
 using Loads = std::function<void(const State&, std::span<Vec2>)>;
 
-/// Eq. (2), left side: viscous drag of all pairs, ecm/viscosity.
+/// Shape, protrusions and surroundings of the cell at x(t).
+void describe_cell(const State& s, const Parameters& p, Workspace& w);
+
+/// Eqs. (1) and (2), left side: viscous drag of all pairs of the matrix (ecm/viscosity), of the cell in the liquid, and
+/// between both (contact/viscous).
 void assemble_drag(const State& s, const Parameters& p, Workspace& w);
 
-/// Eq. (2), right side: stress (ecm/stress or ecm/updated_lagrangian), pressure of the fluid (ecm/fluid), loads.
+/// Eq. (2), right side: stress (ecm/stress or ecm/updated_lagrangian) and pressure of the fluid (ecm/fluid); Eq. (1),
+/// right side: springs, bending, area, repulsion and actomyosin (cell), contact (contact/elastic), growth, pull of
+/// maturation and adhesion (protrusion); loads. Stiff forces add what makes them linearly implicit to the drag.
 void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads);
 
 } // namespace matrigrate

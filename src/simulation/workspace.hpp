@@ -1,13 +1,17 @@
 #pragma once
 
+#include "contact/proximity.hpp"
 #include "ecm/reference.hpp"
 #include "parameters/parameters.hpp"
+#include "protrusion/membership.hpp"
 #include "solve/drag_system.hpp"
+#include "sph/interpolate.hpp"
 #include "sph/neighbours.hpp"
 #include "state/state.hpp"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace matrigrate {
@@ -17,7 +21,17 @@ struct StepHealth {
   SolveReport solve;
   std::size_t density_bounds = 0; ///< particles at a density bound after the last step
   std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
+  std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
   std::size_t list_builds = 0;    ///< neighbour lists built since the start
+};
+
+/// The cell at x(t), as far as it is derived from State: its shape, its protrusions, and whom it meets.
+struct CellShape {
+  Membership membership;
+  std::vector<Vec2> normals;                ///< outward unit normals of the cortex particles
+  std::optional<SegmentGrid> grid;          ///< segments within the support of the kernel
+  std::vector<Encounter> met;               ///< solid particles within the support of the kernel
+  std::vector<PointWeights> anchor_weights; ///< beside State::protrusions
 };
 
 /// Everything that can be thrown away: derived from State and Parameters, rebuilt at will.
@@ -26,8 +40,9 @@ struct Workspace {
 
   Reference reference;
   VerletList neighbours;
+  CellShape cell;
   DragSystem drag;
-  std::vector<Vec2> force; ///< all but drag, on all particles, clamped ones included [nN]
+  std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]
   std::unique_ptr<DragSolver> solver;
   std::vector<Mat2> F;                ///< deformation gradients [-]
   std::vector<Mat2> PB;               ///< corrected first Piola-Kirchhoff stress [kPa]

@@ -1,0 +1,40 @@
+#include "cell/actomyosin.hpp"
+
+#include "cell/geometry.hpp"
+#include "cell/spring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace matrigrate {
+
+double curvature_factor(double kappa, const ActomyosinParameters& p) {
+  const double q = (kappa - p.curvature_optimum) / p.curvature_width;
+  switch (p.curvature_profile) {
+  case CurvatureProfile::half_gaussian:
+    return std::exp(-0.5 * q * q);
+  case CurvatureProfile::triangle:
+    return std::max(0.0, 1.0 - std::abs(q));
+  case CurvatureProfile::gaussian:
+    break;
+  }
+  return std::exp(-q * q);
+}
+
+double F_am(double f_mat_i, double f_mat_j, double kappa, const ActomyosinParameters& p) {
+  return std::min(f_mat_i, f_mat_j) * curvature_factor(kappa, p) * p.force;
+}
+
+void add_actomyosin(const CortexState& c, const ActomyosinParameters& p, std::span<const double> f_mat, double dt,
+                    std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
+  std::vector<double> kappa(c.size());
+  for (std::size_t i = 0; i < c.size(); ++i) kappa[i] = curvature(c, i);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const std::size_t j = c.next(i);
+    const double T = F_am(f_mat[i], f_mat[j], 0.5 * (kappa[i] + kappa[j]), p);
+    if (T > 0.0) add_tension(c, i, T, dt, first, force, A);
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,72 @@
+#include "cell/repulsion.hpp"
+
+#include "cell/geometry.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr std::size_t nearest_partner = 3; // particles along the ring
+
+struct Touch {
+  std::size_t particle;
+  std::size_t segment;
+  double s;
+  double d;
+  Vec2 n; // from the segment to the particle
+};
+
+std::vector<Touch> touches(const CortexState& c, double reach) {
+  const std::size_t n = c.size();
+  std::vector<Vec2> middle(n);
+  std::vector<double> limit2(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const Vec2 e = c.x[c.next(j)] - c.x[j];
+    middle[j] = c.x[j] + 0.5 * e;
+    limit2[j] = std::pow(0.5 * e.norm() + reach, 2);
+  }
+  std::vector<Touch> found;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      if ((c.x[i] - middle[j]).squaredNorm() >= limit2[j]) continue;
+      if (c.apart(i, j) < nearest_partner || c.apart(i, c.next(j)) < nearest_partner) continue;
+      const ClosestPoint q = closest_point(c.x[i], c.x[j], c.x[c.next(j)]);
+      const double d = q.from.norm();
+      if (d >= reach || d <= 0.0) continue;
+      found.push_back({i, j, q.s, d, q.from / d});
+    }
+  return found;
+}
+
+} // namespace
+
+double repulsion(double d, const CellParameters& p) {
+  return d < p.repulsion_distance ? p.repulsion_stiffness * std::pow(p.repulsion_distance - d, 1.5) : 0.0;
+}
+
+double repulsion_energy(const CortexState& c, const CellParameters& p) {
+  double sum = 0.0;
+  for (const Touch& t : touches(c, p.repulsion_distance))
+    sum += p.repulsion_stiffness / 2.5 * std::pow(p.repulsion_distance - t.d, 2.5);
+  return sum;
+}
+
+void add_repulsion(const CortexState& c, const CellParameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
+                   DragSystem& A) {
+  for (const Touch& t : touches(c, p.repulsion_distance)) {
+    const std::uint32_t i = first + static_cast<std::uint32_t>(t.particle);
+    const std::uint32_t a = first + static_cast<std::uint32_t>(t.segment);
+    const std::uint32_t b = first + static_cast<std::uint32_t>(c.next(t.segment));
+    const Vec2 f = repulsion(t.d, p) * t.n;
+    force[i] += f;
+    force[a] -= (1.0 - t.s) * f;
+    force[b] -= t.s * f;
+    const double slope = 1.5 * p.repulsion_stiffness * std::sqrt(p.repulsion_distance - t.d);
+    A.directed.add(dt * slope, {{i, t.n}, {a, -(1.0 - t.s) * t.n}, {b, -t.s * t.n}});
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,54 @@
+#include "cell/spring.hpp"
+
+namespace matrigrate {
+
+namespace {
+
+struct Segment {
+  std::uint32_t a, b; // nodes
+  double l;           // [um]
+  Vec2 t;             // unit vector from a to b
+};
+
+Segment segment(const CortexState& c, std::size_t i, std::uint32_t first) {
+  const std::size_t j = c.next(i);
+  const Vec2 e = c.x[j] - c.x[i];
+  const double l = e.norm();
+  const Vec2 t = l > 0.0 ? Vec2(e / l) : Vec2::Zero();
+  return {first + static_cast<std::uint32_t>(i), first + static_cast<std::uint32_t>(j), l, t};
+}
+
+void pull(const Segment& s, double T, double dt, std::span<Vec2> force, DragSystem& A) {
+  force[s.a] += T * s.t;
+  force[s.b] -= T * s.t;
+  if (T <= 0.0 || dt <= 0.0 || s.l <= 0.0) return;
+  const Vec2 n = perpendicular(s.t);
+  A.directed.add(dt * T / s.l, {{s.a, n}, {s.b, -n}});
+}
+
+} // namespace
+
+double spring_energy(const CortexState& c, std::span<const double> k) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const double stretch = (c.x[c.next(i)] - c.x[i]).norm() - c.l0[i];
+    sum += 0.5 * k[i] * stretch * stretch;
+  }
+  return sum;
+}
+
+void add_springs(const CortexState& c, const CellParameters& p, std::span<const double> k, double dt,
+                 std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Segment s = segment(c, i, first);
+    pull(s, spring_tension(k[i], s.l, c.l0[i]), dt, force, A);
+    A.directed.add(p.dashpot + dt * k[i], {{s.a, s.t}, {s.b, -s.t}});
+  }
+}
+
+void add_tension(const CortexState& c, std::size_t i, double T, double dt, std::uint32_t first, std::span<Vec2> force,
+                 DragSystem& A) {
+  pull(segment(c, i, first), T, dt, force, A);
+}
+
+} // namespace matrigrate

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "solve/drag_system.hpp"
+#include "state/cortex.hpp"
+
+#include <span>
+
+/// Springs and dashpots of the cortex, Heck et al. 2020, Eq. (1), terms F^s and F^d. Test:
+/// tests/unit/cell/spring_test.cpp
+namespace matrigrate {
+
+/// Tension of a spring, both ways: k (l - l_0) [nN].
+inline double spring_tension(double k, double l, double l0) { return k * (l - l0); }
+
+/// Energy of all springs, sum of k (l - l_0)^2 / 2 [nN um].
+/// @param k  stiffness of each segment [nN/um]
+double spring_energy(const CortexState& c, std::span<const double> k);
+
+/// Adds the spring forces, and their dashpots eta_c dl/dt. Treated linearly implicitly: the drag along a segment is
+/// eta_c + dt k, and across it dt (tension)/l where it pulls (MODEL.md, D10).
+/// @param k      stiffness of each segment [nN/um]
+/// @param first  node of particle 0
+/// @param force  of all nodes [nN]
+void add_springs(const CortexState& c, const CellParameters& p, std::span<const double> k, double dt,
+                 std::uint32_t first, std::span<Vec2> force, DragSystem& A);
+
+/// Adds a tension T >= 0 [nN] between the ends of segment i, with its drag dt T/l across the segment.
+void add_tension(const CortexState& c, std::size_t i, double T, double dt, std::uint32_t first, std::span<Vec2> force,
+                 DragSystem& A);
+
+} // namespace matrigrate

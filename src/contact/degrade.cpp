@@ -1,0 +1,45 @@
+#include "contact/degrade.hpp"
+
+#include "contact/elastic.hpp"
+#include "ecm/degradation.hpp"
+#include "ecm/material.hpp"
+
+#include <algorithm>
+
+namespace matrigrate {
+
+double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p) {
+  const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
+  if (distance >= reach) return 0.0;
+  if (std::max(solid_pressure, contact_pressure(distance, p)) <= p.degradation.threshold) return 0.0;
+  return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
+}
+
+void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
+             std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt) {
+  const double K = moduli(p.ecm).K;
+  const double tip_reach2 = p.degradation.tip_distance * p.degradation.tip_distance;
+  for (const Encounter& e : met) {
+    const std::uint32_t k = e.particle;
+    if (ecm.f[k] <= 0.0) continue;
+    double rate = degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K), p);
+    const bool at_tip =
+        std::ranges::any_of(tips, [&](const Vec2& tip) { return (ecm.x[k] - tip).squaredNorm() < tip_reach2; });
+    if (at_tip) rate = std::max(rate, p.degradation.tip_rate);
+    if (rate <= 0.0) continue;
+    ecm.f[k] = degraded(ecm.f[k], rate, dt);
+    if (ecm.f[k] <= 0.0) fluidize(ecm, k);
+  }
+}
+
+std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const Encounter> met) {
+  std::size_t count = 0;
+  for (const Encounter& e : met) {
+    if (ecm.f[e.particle] <= 0.0 || e.distance >= -p.contact.deepest_solid) continue;
+    fluidize(ecm, e.particle);
+    ++count;
+  }
+  return count;
+}
+
+} // namespace matrigrate

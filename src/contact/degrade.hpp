@@ -1,0 +1,30 @@
+#pragma once
+
+#include "contact/proximity.hpp"
+#include "parameters/parameters.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// The cell degrades the solid around it (Heck et al. 2020, section "Degradation"; MODEL.md, D15).
+/// Test: tests/unit/contact/degrade_test.cpp
+namespace matrigrate {
+
+/// Rate at which an encounter degrades its particle [1/s]: the protrusion's or the body's, where the particle is closer
+/// than its reach and the larger of solid and contact pressure is above p_th, else 0.
+/// @param on_protrusion  whether the closest segment belongs to a protrusion
+/// @param solid_pressure [kPa]
+double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p);
+
+/// Degrades for dt: around the tips at tip_rate whatever the pressure, along protrusions and body by
+/// degradation_rate(); the faster one counts. Particles that reach f = 0 become fluid.
+/// @param on_protrusion  1 for the segments that belong to any protrusion
+/// @param tips           positions of the pushing particles of all growing protrusions [um]
+void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
+             std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt);
+
+/// Fluidizes solid particles deeper inside the cell than contact.deepest_solid.   @return how many
+std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const Encounter> met);
+
+} // namespace matrigrate

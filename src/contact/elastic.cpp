@@ -1,0 +1,28 @@
+#include "contact/elastic.hpp"
+
+#include "ecm/material.hpp"
+
+namespace matrigrate {
+
+double contact_pressure(double distance, const Parameters& p) {
+  return distance < p.contact.range ? moduli(p.ecm).K * (1.0 - distance / p.contact.range) : 0.0;
+}
+
+void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, std::span<const Encounter> met,
+                         double dt, std::span<Vec2> force, DragSystem& A) {
+  const double width = p.ecm.particle_spacing * p.ecm.thickness; // [um^2] a unit of pressure acts on
+  const double stiffness = moduli(p.ecm).K * width / p.contact.range;
+  for (const Encounter& e : met) {
+    if (e.distance >= p.contact.range) continue;
+    const double f = ecm.f[e.particle];
+    const auto a = static_cast<std::uint32_t>(ecm.size() + e.segment);
+    const auto b = static_cast<std::uint32_t>(ecm.size() + c.next(e.segment));
+    const Vec2 F = f * contact_pressure(e.distance, p) * width * e.normal;
+    force[e.particle] += F;
+    force[a] -= (1.0 - e.s) * F;
+    force[b] -= e.s * F;
+    A.directed.add(dt * f * stiffness, {{e.particle, e.normal}, {a, -(1.0 - e.s) * e.normal}, {b, -e.s * e.normal}});
+  }
+}
+
+} // namespace matrigrate

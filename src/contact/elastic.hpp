@@ -1,0 +1,22 @@
+#pragma once
+
+#include "contact/proximity.hpp"
+#include "parameters/parameters.hpp"
+#include "solve/drag_system.hpp"
+
+#include <span>
+
+/// Elastic contact of cell and solid matrix, Heck et al. 2020, Eq. (1), term F^sigma (MODEL.md, D13).
+/// Test: tests/unit/contact/elastic_test.cpp
+namespace matrigrate {
+
+/// Contact pressure K (1 - d/d_c) for d < d_c, else 0 [kPa].   @param distance  outside positive [um]
+double contact_pressure(double distance, const Parameters& p);
+
+/// Adds f_degr p_c dp t_z along the normal to the particle and its reaction to the ends of the segment, linearly
+/// implicit along the normal.
+/// @param first  node of cortex particle 0   @param force  of all nodes [nN]
+void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, std::span<const Encounter> met,
+                         double dt, std::span<Vec2> force, DragSystem& A);
+
+} // namespace matrigrate

@@ -1,0 +1,89 @@
+#include "contact/proximity.hpp"
+
+#include "cell/geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace matrigrate {
+
+namespace {
+
+/// Outward normal of segment i, not normalised.
+Vec2 outward(const CortexState& c, std::size_t i) { return -perpendicular(c.x[c.next(i)] - c.x[i]); }
+
+/// Outward direction at the closest point: of the segment, or of both segments that meet at its end.
+Vec2 outward_at(const CortexState& c, std::size_t i, double s) {
+  const Vec2 own = outward(c, i).normalized();
+  if (s <= 0.0) return own + outward(c, c.previous(i)).normalized();
+  if (s >= 1.0) return own + outward(c, c.next(i)).normalized();
+  return own;
+}
+
+} // namespace
+
+SegmentGrid::SegmentGrid(const CortexState& c, double reach) : m_bin(0.5 * reach) {
+  m_low = m_high = c.x[0];
+  for (const Vec2& x : c.x) {
+    m_low = m_low.cwiseMin(x);
+    m_high = m_high.cwiseMax(x);
+  }
+  m_low.array() -= reach;
+  m_high.array() += reach;
+  m_columns = static_cast<std::size_t>((m_high.x() - m_low.x()) / m_bin) + 1;
+  m_rows = static_cast<std::size_t>((m_high.y() - m_low.y()) / m_bin) + 1;
+  const auto each_bin = [&](std::size_t i, const auto& action) {
+    const Vec2 low = c.x[i].cwiseMin(c.x[c.next(i)]).array() - reach;
+    const Vec2 high = c.x[i].cwiseMax(c.x[c.next(i)]).array() + reach;
+    for (std::size_t r = row(low.y()); r <= row(high.y()); ++r)
+      for (std::size_t q = column(low.x()); q <= column(high.x()); ++q) action(r * m_columns + q);
+  };
+  m_first.assign(m_columns * m_rows + 1, 0);
+  for (std::size_t i = 0; i < c.size(); ++i) each_bin(i, [&](std::size_t bin) { ++m_first[bin + 1]; });
+  for (std::size_t bin = 1; bin < m_first.size(); ++bin) m_first[bin] += m_first[bin - 1];
+  m_segments.resize(m_first.back());
+  std::vector<std::uint32_t> end(m_first.begin(), m_first.end() - 1);
+  for (std::size_t i = 0; i < c.size(); ++i)
+    each_bin(i, [&](std::size_t bin) { m_segments[end[bin]++] = static_cast<std::uint32_t>(i); });
+}
+
+std::size_t SegmentGrid::column(double x) const {
+  return std::min(static_cast<std::size_t>(std::max(0.0, (x - m_low.x()) / m_bin)), m_columns - 1);
+}
+
+std::size_t SegmentGrid::row(double y) const {
+  return std::min(static_cast<std::size_t>(std::max(0.0, (y - m_low.y()) / m_bin)), m_rows - 1);
+}
+
+std::span<const std::uint32_t> SegmentGrid::near(const Vec2& p) const {
+  if ((p.array() < m_low.array()).any() || (p.array() > m_high.array()).any()) return {};
+  const std::size_t bin = row(p.y()) * m_columns + column(p.x());
+  return {m_segments.data() + m_first[bin], static_cast<std::size_t>(m_first[bin + 1] - m_first[bin])};
+}
+
+std::vector<Encounter> encounters(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid, double reach) {
+  std::vector<Encounter> found;
+  for (std::size_t k = 0; k < ecm.size(); ++k) {
+    if (ecm.f[k] <= 0.0 || ecm.clamped[k]) continue;
+    double d2 = reach * reach;
+    ClosestPoint closest{0.0, Vec2::Zero()};
+    std::uint32_t segment = std::numeric_limits<std::uint32_t>::max();
+    for (const std::uint32_t i : grid.near(ecm.x[k])) {
+      const ClosestPoint q = closest_point(ecm.x[k], c.x[i], c.x[c.next(i)]);
+      if (q.from.squaredNorm() >= d2) continue;
+      d2 = q.from.squaredNorm();
+      closest = q;
+      segment = i;
+    }
+    if (segment == std::numeric_limits<std::uint32_t>::max()) continue;
+    const Vec2 out = outward_at(c, segment, closest.s);
+    const double d = std::sqrt(d2);
+    const double sign = closest.from.dot(out) < 0.0 ? -1.0 : 1.0;
+    const Vec2 n = d > 1e-9 ? Vec2(sign * closest.from / d) : Vec2(outward(c, segment).normalized());
+    found.push_back({static_cast<std::uint32_t>(k), segment, closest.s, sign * d, n});
+  }
+  return found;
+}
+
+} // namespace matrigrate

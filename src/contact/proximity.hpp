@@ -1,0 +1,47 @@
+#pragma once
+
+#include "base/vector.hpp"
+#include "state/cortex.hpp"
+#include "state/ecm.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// Which solid particles of the matrix are near the cell. Test: tests/unit/contact/proximity_test.cpp
+namespace matrigrate {
+
+/// A solid particle (f_degr > 0) and the segment of the cortex that is closest to it.
+struct Encounter {
+  std::uint32_t particle;
+  std::uint32_t segment;
+  double s;        ///< closest point along the segment, 0 at its first end and 1 at its second [-]
+  double distance; ///< outside the cell positive [um]
+  Vec2 normal;     ///< unit vector of growing distance, at the particle
+};
+
+/// Segments of the cortex in a grid, to find those near a point.
+class SegmentGrid {
+public:
+  /// @param reach  segments up to this distance from a point are found [um], > 0
+  SegmentGrid(const CortexState& c, double reach);
+
+  /// A superset of the segments within reach of p, in ascending order.
+  std::span<const std::uint32_t> near(const Vec2& p) const;
+
+private:
+  std::size_t column(double x) const;
+  std::size_t row(double y) const;
+
+  Vec2 m_low, m_high;
+  double m_bin;
+  std::size_t m_columns, m_rows;
+  std::vector<std::uint32_t> m_first;
+  std::vector<std::uint32_t> m_segments;
+};
+
+/// The encounters of all free solid particles within the grid's reach, in the order of the particles.
+/// @param reach  that of the grid [um]
+std::vector<Encounter> encounters(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid, double reach);
+
+} // namespace matrigrate

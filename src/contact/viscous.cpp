@@ -1,0 +1,67 @@
+#include "contact/viscous.hpp"
+
+#include "ecm/viscosity.hpp"
+#include "sph/kernel.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace matrigrate {
+
+namespace {
+
+/// A point of a segment that stands for part of its volume.
+struct Sample {
+  Vec2 x;
+  double s;      // along the segment
+  double volume; // per depth [um^2]
+};
+
+/// Samples of all segments; those of segment i are first[i] .. first[i + 1] - 1.
+struct Samples {
+  std::vector<Sample> all;
+  std::vector<std::size_t> first{0};
+};
+
+Samples samples(const CortexState& c, const Parameters& p) {
+  Samples result;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Vec2 e = c.x[c.next(i)] - c.x[i];
+    const double l = e.norm();
+    const int count = std::max(1, static_cast<int>(std::ceil(l / p.contact.sample_spacing)));
+    for (int m = 0; m < count; ++m) {
+      const double s = (m + 0.5) / count;
+      result.all.push_back({c.x[i] + s * e, s, l / count * p.ecm.particle_spacing});
+    }
+    result.first.push_back(result.all.size());
+  }
+  return result;
+}
+
+} // namespace
+
+void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, const SegmentGrid& grid,
+                         DragSystem& A) {
+  const Kernel kernel(p.ecm.smoothing_length);
+  const double reach2 = kernel.support() * kernel.support();
+  const Samples points = samples(c, p);
+  for (std::size_t k = 0; k < ecm.size(); ++k) {
+    if (ecm.f[k] <= 0.0 || ecm.clamped[k]) continue;
+    for (const std::uint32_t i : grid.near(ecm.x[k])) {
+      const auto a = static_cast<std::uint32_t>(ecm.size() + i);
+      const auto b = static_cast<std::uint32_t>(ecm.size() + c.next(i));
+      for (std::size_t m = points.first[i]; m < points.first[i + 1]; ++m) {
+        const Sample& point = points.all[m];
+        const double r2 = (ecm.x[k] - point.x).squaredNorm();
+        if (r2 >= reach2) continue;
+        const double shared_volume = std::sqrt(ecm.V0 * point.volume); // pair_drag takes V_i V_j as a square
+        const double G =
+            ecm.f[k]
+            * pair_drag(r2, kernel.W_slope(std::sqrt(r2)), shared_volume, p.ecm.viscosity, p.ecm.thickness, kernel.h());
+        A.links.add(G, {{static_cast<std::uint32_t>(k), 1.0}, {a, -(1.0 - point.s)}, {b, -point.s}});
+      }
+    }
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,72 @@
+#include "protrusion/adhesion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace matrigrate {
+
+double adhesion_force(double length, const AdhesionParameters& p) {
+  return p.stiffness * std::max(0.0, length - p.rest_length);
+}
+
+double disassembly_rate(double F, double f_mat, const AdhesionParameters& p) {
+  return p.r_off_min + p.r_off_0 * std::exp(-p.zeta_diss * F / f_mat);
+}
+
+bool ruptures(double F, double f_mat, const Parameters& p) {
+  return p.adhesion.rupture && F >= p.adhesion.rupture_ratio * f_mat * p.actomyosin.force;
+}
+
+const Vec2* anchor(const Phase& phase) {
+  if (const auto* maturing = std::get_if<Maturing>(&phase)) return &maturing->anchor;
+  if (const auto* contracting = std::get_if<Contracting>(&phase)) return &contracting->anchor;
+  return nullptr;
+}
+
+Vec2* anchor(Phase& phase) {
+  return const_cast<Vec2*>(anchor(static_cast<const Phase&>(phase))); // NOLINT: the phase is not const here
+}
+
+double adhesion_force(const State& s, const Protrusion& protrusion, const AdhesionParameters& p) {
+  const Vec2* point = anchor(protrusion.phase);
+  return point == nullptr ? 0.0 : adhesion_force((*point - s.cortex.x[protrusion.centre]).norm(), p);
+}
+
+std::vector<PointWeights> anchor_weights(const State& s, const EcmParameters& p) {
+  const Kernel kernel(p.smoothing_length);
+  std::vector<PointWeights> weights(s.protrusions.size());
+  for (std::size_t n = 0; n < weights.size(); ++n)
+    if (const Vec2* point = anchor(s.protrusions[n].phase)) weights[n] = solid_weights(s.ecm, kernel, *point);
+  return weights;
+}
+
+void add_adhesions(const State& s, const AdhesionParameters& p, std::span<const PointWeights> weights, double dt,
+                   std::span<Vec2> force, DragSystem& A) {
+  for (std::size_t n = 0; n < s.protrusions.size(); ++n) {
+    const Vec2* point = anchor(s.protrusions[n].phase);
+    if (point == nullptr) continue;
+    const Vec2 L = *point - s.cortex.x[s.protrusions[n].centre];
+    const double F = adhesion_force(L.norm(), p);
+    if (F <= 0.0) continue;
+    const Vec2 e = L.normalized();
+    const std::uint32_t tip = s.node(s.protrusions[n].centre);
+    force[tip] += F * e;
+    spread(weights[n], -F * e, force);
+    const auto resist = [&](const Vec2& direction, double stiffness) {
+      A.directed.add_entry(tip, direction);
+      for (std::size_t k = 0; k < weights[n].index.size(); ++k)
+        if (!s.ecm.clamped[weights[n].index[k]])
+          A.directed.add_entry(weights[n].index[k], -weights[n].weight[k] * direction);
+      A.directed.close(dt * stiffness);
+    };
+    resist(e, p.stiffness);
+    resist(perpendicular(e), F / L.norm());
+  }
+}
+
+void move_anchors(State& s, std::span<const PointWeights> weights, double dt) {
+  for (std::size_t n = 0; n < s.protrusions.size(); ++n)
+    if (Vec2* point = anchor(s.protrusions[n].phase)) *point += dt * interpolate(weights[n], s.ecm.v);
+}
+
+} // namespace matrigrate

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "solve/drag_system.hpp"
+#include "sph/interpolate.hpp"
+#include "state/state.hpp"
+
+#include <span>
+#include <vector>
+
+/// Adhesion of a protrusion's tip to a point of the continuum (Heck et al. 2020, sections "Adhesion" and "Protrusion
+/// retraction"; MODEL.md, D18). Test: tests/unit/protrusion/adhesion_test.cpp
+namespace matrigrate {
+
+/// Force of an adhesion spring, tension only: k_ad max(0, L - l_0,adh) [nN].   @param length  L [um]
+double adhesion_force(double length, const AdhesionParameters& p);
+
+/// Rate at which an adhesion disassembles, Heck et al. 2020, Eq. (7), without rupture:
+///   r_off = r_off_min + r_off_0 exp(-zeta_diss F / f_mat)
+/// @param F      force of the adhesion            [nN]  >= 0
+/// @param f_mat  maturation of its protrusion     [-]   in (0, 1]
+/// @return       [1/s]
+/// Limits: F -> 0 gives r_off_min + r_off_0; falls with F towards r_off_min.
+double disassembly_rate(double F, double f_mat, const AdhesionParameters& p);
+
+/// Whether the force breaks the adhesion, second case of Eq. (7): F >= f_rupt f_mat F_am, where ruptures are on.
+bool ruptures(double F, double f_mat, const Parameters& p);
+
+/// The anchor of a phase, or null.
+const Vec2* anchor(const Phase& phase);
+Vec2* anchor(Phase& phase);
+
+/// Force of the adhesion of a protrusion now; 0 without one [nN].
+double adhesion_force(const State& s, const Protrusion& protrusion, const AdhesionParameters& p);
+
+/// How the anchor of each protrusion of `s` hangs in the solid; empty for those without.
+std::vector<PointWeights> anchor_weights(const State& s, const EcmParameters& p);
+
+/// Adds the adhesion forces on centre particles, and their reactions on the solid; linearly implicit.
+/// @param weights  from anchor_weights()   @param force  of all nodes [nN]
+void add_adhesions(const State& s, const AdhesionParameters& p, std::span<const PointWeights> weights, double dt,
+                   std::span<Vec2> force, DragSystem& A);
+
+/// The solid carries the anchors along for dt.
+void move_anchors(State& s, std::span<const PointWeights> weights, double dt);
+
+} // namespace matrigrate

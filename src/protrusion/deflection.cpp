@@ -1,0 +1,50 @@
+#include "protrusion/deflection.hpp"
+
+#include "protrusion/growth.hpp"
+#include "sph/kernel.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace matrigrate {
+
+namespace {
+
+Vec2 foremost(const CortexState& c, std::size_t centre, const Vec2& direction, const ProtrusionParameters& p) {
+  const std::vector<std::size_t> tips = pushing_particles(c, centre, p);
+  return c.x[*std::ranges::max_element(tips, {}, [&](std::size_t i) { return c.x[i].dot(direction); })];
+}
+
+} // namespace
+
+double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& tip, const Vec2& direction) {
+  const Kernel kernel(p.ecm.smoothing_length);
+  const double nearest = p.degradation.tip_distance;
+  const double in_cone = std::cos(p.protrusion.deflection_cone);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < ecm.size(); ++k) {
+    const Vec2 r = ecm.x[k] - tip;
+    if (std::abs(r.x()) > kernel.support() || std::abs(r.y()) > kernel.support()) continue;
+    const double d = r.norm();
+    if (d <= nearest || d >= kernel.support() || r.dot(direction) < in_cone * d) continue;
+    weights += kernel.W(d);
+    sum += kernel.W(d) * (1.0 - ecm.f[k]) * cross(direction, r) / d;
+  }
+  return weights > 0.0 ? p.protrusion.deflection_rate * sum / weights : 0.0;
+}
+
+void deflect(State& s, const Parameters& p, double dt) {
+  for (Protrusion& protrusion : s.protrusions) {
+    auto* growing = std::get_if<Growing>(&protrusion.phase);
+    if (growing == nullptr) continue;
+    const Vec2 tip = foremost(s.cortex, protrusion.centre, growing->direction, p.protrusion);
+    const double angle = dt * deflection_speed(s.ecm, p, tip, growing->direction);
+    growing->direction = (Eigen::Rotation2Dd(angle) * growing->direction).normalized();
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "state/state.hpp"
+
+#include <span>
+
+/// Growth turns towards degraded matrix (Heck et al. 2020, section "Protrusion growth"; MODEL.md, D17).
+/// Test: tests/unit/protrusion/deflection_test.cpp
+namespace matrigrate {
+
+/// Angular speed of d_prot: r_defl times the mean, with kernel weights W(|r|), of (1 - f_degr) sin(angle from d_prot to
+/// r) over the matrix particles at r from the foremost pushing particle that are further than the reach of tip
+/// degradation and less than deflection_cone off d_prot [rad/s].
+/// @param tip        position of the foremost pushing particle [um]
+/// @param direction  d_prot, unit vector
+double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& tip, const Vec2& direction);
+
+/// Turns d_prot of all growing protrusions for dt.
+void deflect(State& s, const Parameters& p, double dt);
+
+} // namespace matrigrate

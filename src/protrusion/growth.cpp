@@ -1,0 +1,69 @@
+#include "protrusion/growth.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace matrigrate {
+
+namespace {
+
+/// Moves the particles of one protrusion along its contour by a share of their distance from equal spacing.
+void spread_one(CortexState& c, std::size_t centre, int half_width, double share) {
+  const auto count = static_cast<std::size_t>(2 * half_width + 1);
+  std::vector<Vec2> x(count);
+  std::vector<double> at(count, 0.0); // arc length from the first particle
+  for (std::size_t k = 0; k < count; ++k) {
+    x[k] = c.x[c.along(centre, static_cast<int>(k) - half_width)];
+    if (k > 0) at[k] = at[k - 1] + (x[k] - x[k - 1]).norm();
+  }
+  std::size_t piece = 0;
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const double even = at.back() * static_cast<double>(k) / static_cast<double>(count - 1);
+    const double goal = at[k] + share * (even - at[k]);
+    while (piece + 2 < count && at[piece + 1] < goal) ++piece;
+    const double length = at[piece + 1] - at[piece];
+    const double s = length > 0.0 ? (goal - at[piece]) / length : 0.0;
+    c.x[c.along(centre, static_cast<int>(k) - half_width)] = x[piece] + s * (x[piece + 1] - x[piece]);
+  }
+}
+
+} // namespace
+
+std::vector<std::size_t> pushing_particles(const CortexState& c, std::size_t centre, const ProtrusionParameters& p) {
+  std::vector<std::size_t> particles;
+  for (int k = -p.tip_half_width; k <= p.tip_half_width; ++k) particles.push_back(c.along(centre, k));
+  return particles;
+}
+
+Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionParameters& p) {
+  return p.force / (2.0 * p.tip_half_width + 1.0) * std::max(0.0, normal.dot(direction)) * direction;
+}
+
+void add_growth(const State& s, const ProtrusionParameters& p, std::span<const Vec2> normals, std::span<Vec2> force) {
+  for (const Protrusion& protrusion : s.protrusions) {
+    const auto* growing = std::get_if<Growing>(&protrusion.phase);
+    if (growing == nullptr) continue;
+    for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p))
+      force[s.node(i)] += growth_force(growing->direction, normals[i], p);
+  }
+}
+
+void spread_evenly(State& s, const ProtrusionParameters& p, double dt) {
+  const double share = std::min(1.0, p.spreading_rate * dt);
+  for (const Protrusion& protrusion : s.protrusions)
+    if (std::holds_alternative<Growing>(protrusion.phase)) spread_one(s.cortex, protrusion.centre, p.half_width, share);
+}
+
+double protrusion_length(const CortexState& c, std::size_t centre, const ProtrusionParameters& p) {
+  const Vec2 base = 0.5 * (c.x[c.along(centre, -p.half_width)] + c.x[c.along(centre, p.half_width)]);
+  return (c.x[centre] - base).norm();
+}
+
+void relax_rest_lengths(CortexState& c, std::size_t centre, const ProtrusionParameters& p) {
+  for (int k = -p.half_width; k < p.half_width; ++k) {
+    const std::size_t i = c.along(centre, k);
+    c.l0[i] = (c.x[c.next(i)] - c.x[i]).norm();
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,125 @@
+#include "protrusion/life_cycle.hpp"
+
+#include "base/random.hpp"
+#include "protrusion/adhesion.hpp"
+#include "protrusion/growth.hpp"
+#include "protrusion/maturation.hpp"
+#include "sph/interpolate.hpp"
+
+namespace matrigrate {
+
+namespace {
+
+Transition to(Phase next, EndCause cause = EndCause::none) {
+  return {.changes = true, .ends = false, .next = next, .cause = cause};
+}
+
+/// The table, a row of functions: one for each phase.
+struct Table {
+  const Circumstances& now;
+  const Parameters& p;
+
+  bool lost() const { return now.support < p.adhesion.least_support; }
+
+  Transition operator()(const Growing& phase) const {
+    if (now.age < p.protrusion.growth_time) return {};
+    if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::unadhered);
+    return to(Maturing{phase.direction, now.ahead, 0});
+  }
+
+  Transition operator()(const Maturing& phase) const {
+    if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::lost);
+    if (now.age >= p.adhesion.maturation_time)
+      return to(Contracting{phase.anchor, final_f_mat(phase.steps, now.force, p)});
+    if (phase.steps < most_maturation_steps && now.force >= step_force(phase.steps, p))
+      return to(Maturing{phase.direction, phase.anchor, phase.steps + 1});
+    return {};
+  }
+
+  Transition operator()(const Contracting& phase) const {
+    const Finishing finishing{phase.f_mat};
+    if (lost()) return to(finishing, EndCause::lost);
+    if (ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
+    const double rate = disassembly_rate(now.force, phase.f_mat, p.adhesion);
+    if (now.draw < event_probability(rate, p.run.time_step)) return to(finishing, EndCause::disassembly);
+    return {};
+  }
+
+  Transition operator()(const Finishing&) const {
+    if (now.age < p.protrusion.finishing_time) return {};
+    return {.changes = true, .ends = true, .next = {}, .cause = EndCause::none};
+  }
+};
+
+/// The point l_0,adh ahead of the tip of a growing protrusion, or the anchor of one that has adhered.
+Vec2 adhesion_site(const State& s, const Protrusion& protrusion, const AdhesionParameters& p) {
+  if (const auto* growing = std::get_if<Growing>(&protrusion.phase))
+    return s.cortex.x[protrusion.centre] + p.rest_length * growing->direction;
+  const Vec2* point = anchor(protrusion.phase);
+  return point != nullptr ? *point : s.cortex.x[protrusion.centre];
+}
+
+/// Writes down the transition at time t.
+void record(Protrusion& protrusion, const Transition& change, const Circumstances& now, double length, double t) {
+  ProtrusionRecord& r = protrusion.record;
+  if (change.cause != EndCause::none) {
+    r.cause = change.cause;
+    r.t_disassembly = t;
+  }
+  if (std::holds_alternative<Growing>(protrusion.phase)) {
+    r.length = length;
+    if (change.cause == EndCause::none) r.t_adhesion = t;
+    return;
+  }
+  if (change.cause != EndCause::none) r.force = now.force;
+  if (const auto* contracting = std::get_if<Contracting>(&change.next);
+      contracting != nullptr && std::holds_alternative<Maturing>(protrusion.phase)) {
+    r.t_mature = t;
+    r.f_mat = contracting->f_mat;
+  }
+}
+
+} // namespace
+
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p) {
+  return std::visit(Table{now, p}, phase);
+}
+
+Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p) {
+  Circumstances now{.age = s.t - protrusion.since + 1e-6 * p.run.time_step, // times are sums of steps
+                    .force = adhesion_force(s, protrusion, p.adhesion),
+                    .ahead = adhesion_site(s, protrusion, p.adhesion),
+                    .draw = uniform(p.run.seed, Purpose::disassembly, s.step, protrusion.record.id)};
+  const bool growing = std::holds_alternative<Growing>(protrusion.phase);
+  const bool needs_solid = growing ? now.age >= p.protrusion.growth_time : anchor(protrusion.phase) != nullptr;
+  if (needs_solid) now.support = solid_weights(s.ecm, Kernel(p.ecm.smoothing_length), now.ahead).support;
+  return now;
+}
+
+void live(State& s, const Parameters& p) {
+  std::vector<Protrusion> alive;
+  for (Protrusion& protrusion : s.protrusions) {
+    const Circumstances now = circumstances(s, protrusion, p);
+    const Transition change = transition(protrusion.phase, now, p);
+    if (!change.changes) {
+      alive.push_back(protrusion);
+      continue;
+    }
+    if (change.ends) {
+      protrusion.record.t_end = s.t;
+      s.ended.push_back(protrusion.record);
+      continue;
+    }
+    record(protrusion, change, now, protrusion_length(s.cortex, protrusion.centre, p.protrusion), s.t);
+    if (change.next.index() != protrusion.phase.index()) {
+      if (!std::holds_alternative<Contracting>(protrusion.phase)) // growth or maturation is over
+        relax_rest_lengths(s.cortex, protrusion.centre, p.protrusion);
+      protrusion.since = s.t;
+    }
+    protrusion.phase = change.next;
+    alive.push_back(protrusion);
+  }
+  s.protrusions = std::move(alive);
+}
+
+} // namespace matrigrate

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "state/state.hpp"
+
+/// The phases of a protrusion and what leads from one to the next (Heck et al. 2020, Fig 3; MODEL.md, D20).
+/// Test: tests/unit/protrusion/life_cycle_test.cpp
+namespace matrigrate {
+
+/// What decides on a transition.
+struct Circumstances {
+  double age = 0.0;          ///< time in the present phase [s]
+  double force = 0.0;        ///< of the adhesion [nN]
+  double support = 0.0;      ///< share of solid around the anchor; when growth ends, around the point to adhere to [-]
+  Vec2 ahead = Vec2::Zero(); ///< the point to adhere to, l_0,adh ahead of the tip [um]
+  double draw = 1.0;         ///< uniform in (0, 1)
+};
+
+/// What becomes of a protrusion in a step.
+struct Transition {
+  bool changes = false;
+  bool ends = false; ///< its particles are free again; `next` does not matter
+  Phase next;
+  EndCause cause = EndCause::none; ///< set where an adhesion ends or is not found
+};
+
+/// The transition table:
+///   Growing      age >= T_prot, solid ahead          -> Maturing
+///   Growing      age >= T_prot, none                 -> Finishing (unadhered), f_mat of the body
+///   Maturing     anchor's support gone               -> Finishing (lost)
+///   Maturing     age >= T_mat                        -> Contracting with final_f_mat()
+///   Maturing     force >= step_force()               -> Maturing, one step on
+///   Contracting  anchor's support gone               -> Finishing (lost)
+///   Contracting  ruptures()                          -> Finishing (rupture)
+///   Contracting  draw < 1 - exp(-r_off dt)           -> Finishing (disassembly)
+///   Finishing    age >= T_finish                     -> free
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p);
+
+/// Circumstances of a protrusion after the step, with its draw.
+Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p);
+
+/// Lets every protrusion make its transition; those that end move to s.ended. Rest lengths become the lengths at the
+/// end of growth and of maturation.
+void live(State& s, const Parameters& p);
+
+} // namespace matrigrate

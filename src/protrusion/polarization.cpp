@@ -1,0 +1,34 @@
+#include "protrusion/polarization.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+namespace matrigrate {
+
+std::optional<double> adhesion_direction(const State& s, const Vec2& centre) {
+  Vec2 sum = Vec2::Zero();
+  for (const Protrusion& protrusion : s.protrusions)
+    if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase))
+      sum += (contracting->anchor - centre).normalized();
+  if (sum.norm() < 1e-9) return std::nullopt; // no adhesions, or in opposite directions
+  return std::atan2(sum.y(), sum.x());
+}
+
+double turned(double angle, double target, double dt, const PolarizationParameters& p) {
+  const double difference = std::remainder(target - angle, 2.0 * std::numbers::pi);
+  const double share = -std::expm1(-p.rate * dt);
+  const double change = p.turning == Turning::proportional
+                            ? share * difference
+                            : std::copysign(std::min(std::abs(difference), p.rate * dt), difference);
+  return std::remainder(angle + change, 2.0 * std::numbers::pi);
+}
+
+void polarize(State& s, const PolarizationParameters& p, const Vec2& centre, double dt) {
+  if (!s.polarization) return;
+  if (const std::optional<double> target = adhesion_direction(s, centre))
+    s.polarization = turned(*s.polarization, *target, dt, p);
+}
+
+} // namespace matrigrate
