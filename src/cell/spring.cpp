@@ -1,8 +1,21 @@
 #include "cell/spring.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace matrigrate {
 
 namespace {
+
+constexpr double shortest = 1e-3; // of l_c: bounds the force on a segment that a step has all but closed
+
+double crowding_length(const CellParameters& p) { return p.crowding * initial_segment_length(p); }
+
+/// Derivative of crowding_tension with respect to l [nN/um].
+double crowding_stiffness(double l, const CellParameters& p) {
+  const double ratio = crowding_length(p) / std::max(l, shortest * crowding_length(p));
+  return ratio > 1.0 ? p.spring_stiffness * ratio * ratio : 0.0;
+}
 
 struct Segment {
   std::uint32_t a, b; // nodes
@@ -28,6 +41,21 @@ void pull(const Segment& s, double T, double dt, std::span<Vec2> force, DragSyst
 
 } // namespace
 
+double crowding_tension(double l, const CellParameters& p) {
+  const double l_c = crowding_length(p);
+  return l < l_c ? -p.spring_stiffness * l_c * (l_c / std::max(l, shortest * l_c) - 1.0) : 0.0;
+}
+
+double crowding_energy(const CortexState& c, const CellParameters& p) {
+  const double l_c = crowding_length(p);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const double l = (c.x[c.next(i)] - c.x[i]).norm();
+    if (l < l_c) sum += p.spring_stiffness * l_c * (l - l_c - l_c * std::log(l / l_c));
+  }
+  return sum;
+}
+
 double spring_energy(const CortexState& c, std::span<const double> k) {
   double sum = 0.0;
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -41,8 +69,8 @@ void add_springs(const CortexState& c, const CellParameters& p, std::span<const 
                  std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Segment s = segment(c, i, first);
-    pull(s, spring_tension(k[i], s.l, c.l0[i]), dt, force, A);
-    A.directed.add(p.dashpot + dt * k[i], {{s.a, s.t}, {s.b, -s.t}});
+    pull(s, spring_tension(k[i], s.l, c.l0[i]) + crowding_tension(s.l, p), dt, force, A);
+    A.directed.add(p.dashpot + dt * (k[i] + crowding_stiffness(s.l, p)), {{s.a, s.t}, {s.b, -s.t}});
   }
 }
 

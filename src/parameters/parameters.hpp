@@ -51,6 +51,7 @@ struct CellParameters {
   double start_y = 0.0;             ///< centre at the start [um]
   int particles = 235;              ///< particles of the cortex
   double spring_stiffness = 2.8;    ///< k_s [nN/um]
+  double crowding = 0.5;            ///< share of its initial length below which a segment resists compression [-]
   double dashpot = 2.5;             ///< eta_c [nN s/um]
   double bending_stiffness = 0.05;  ///< k_bend [nN um]
   double area_stiffness = 0.71e-3;  ///< k_A [nN/um^2]

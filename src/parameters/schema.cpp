@@ -114,6 +114,8 @@ constexpr std::array rows{
         "k_rep", table_1, "Stiffness of the repulsion of the cortex from itself"},
     Row{"cell.repulsion_distance", [](Parameters& p) -> double& { return p.cell.repulsion_distance; }, "um", above(0, 10),
         "d_rep", table_1, "Range of the repulsion of the cortex from itself"},
+    Row{"cell.crowding", [](Parameters& p) -> double& { return p.cell.crowding; }, "1", open(0, 1),
+        "", "MODEL.md, D10", "Share of its initial length below which a segment resists compression ever more", numerical},
     Row{"cell.particles", [](Parameters& p) -> int& { return p.cell.particles; }, "1", closed(20, 10000),
         "", table_1, "Particles of the cortex", numerical},
 

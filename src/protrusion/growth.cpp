@@ -7,23 +7,24 @@ namespace matrigrate {
 
 namespace {
 
-/// Moves the particles of one protrusion along its contour by a share of their distance from equal spacing.
-void spread_one(CortexState& c, std::size_t centre, int half_width, double share) {
-  const auto count = static_cast<std::size_t>(2 * half_width + 1);
-  std::vector<Vec2> x(count);
-  std::vector<double> at(count, 0.0); // arc length from the first particle
-  for (std::size_t k = 0; k < count; ++k) {
-    x[k] = c.x[c.along(centre, static_cast<int>(k) - half_width)];
+/// Moves the particles from one to the other, `count` segments apart along the ring in the direction of `side`, along
+/// their contour by a share of their distance from equal spacing. Both ends stay.
+void spread_between(CortexState& c, std::size_t from, int side, int count, double share) {
+  const auto points = static_cast<std::size_t>(count + 1);
+  std::vector<Vec2> x(points);
+  std::vector<double> at(points, 0.0); // arc length from the first particle
+  for (std::size_t k = 0; k < points; ++k) {
+    x[k] = c.x[c.along(from, side * static_cast<int>(k))];
     if (k > 0) at[k] = at[k - 1] + (x[k] - x[k - 1]).norm();
   }
   std::size_t piece = 0;
-  for (std::size_t k = 1; k + 1 < count; ++k) {
-    const double even = at.back() * static_cast<double>(k) / static_cast<double>(count - 1);
+  for (std::size_t k = 1; k + 1 < points; ++k) {
+    const double even = at.back() * static_cast<double>(k) / count;
     const double goal = at[k] + share * (even - at[k]);
-    while (piece + 2 < count && at[piece + 1] < goal) ++piece;
+    while (piece + 2 < points && at[piece + 1] < goal) ++piece;
     const double length = at[piece + 1] - at[piece];
     const double s = length > 0.0 ? (goal - at[piece]) / length : 0.0;
-    c.x[c.along(centre, static_cast<int>(k) - half_width)] = x[piece] + s * (x[piece + 1] - x[piece]);
+    c.x[c.along(from, side * static_cast<int>(k))] = x[piece] + s * (x[piece + 1] - x[piece]);
   }
 }
 
@@ -51,7 +52,8 @@ void add_growth(const State& s, const ProtrusionParameters& p, std::span<const V
 void spread_evenly(State& s, const ProtrusionParameters& p, double dt) {
   const double share = std::min(1.0, p.spreading_rate * dt);
   for (const Protrusion& protrusion : s.protrusions)
-    if (std::holds_alternative<Growing>(protrusion.phase)) spread_one(s.cortex, protrusion.centre, p.half_width, share);
+    if (std::holds_alternative<Growing>(protrusion.phase))
+      for (const int side : {-1, 1}) spread_between(s.cortex, protrusion.centre, side, p.half_width, share);
 }
 
 double protrusion_length(const CortexState& c, std::size_t centre, const ProtrusionParameters& p) {

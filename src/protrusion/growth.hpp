@@ -23,8 +23,8 @@ Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionPar
 /// @param force    of all nodes [nN]
 void add_growth(const State& s, const ProtrusionParameters& p, std::span<const Vec2> normals, std::span<Vec2> force);
 
-/// Lets the particles of growing protrusions slide along the contour towards equal spacing for dt, so that the stretch
-/// does not gather at the tip. The first and last particle stay.
+/// Lets the particles on either flank of growing protrusions slide along the contour towards equal spacing for dt, so
+/// that the stretch does not gather at the tip. The centre stays at the tip, the first and last particle at the base.
 void spread_evenly(State& s, const ProtrusionParameters& p, double dt);
 
 /// l_prot: distance from the middle between the first and the last particle to the centre [um].

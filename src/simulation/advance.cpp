@@ -89,7 +89,7 @@ std::vector<std::uint8_t> front_of(const State& s) {
 
 void live_protrusions(State& s, const Parameters& p) {
   const Vec2 centre = centroid(s.cortex);
-  deflect(s, p, p.run.time_step);
+  deflect(s, p, p.run.time_step, [&](const Vec2& point) { return contains(s.cortex, point); });
   live(s, p);
   polarize(s, p.polarization, centre, p.run.time_step);
   initiate(s, p, front_of(s), centre);
