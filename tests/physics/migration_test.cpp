@@ -1,0 +1,147 @@
+#include "base/failure.hpp"
+#include "cell/geometry.hpp"
+#include "protrusion/growth.hpp"
+#include "protrusion/maturation.hpp"
+#include "simulation/advance.hpp"
+#include "simulation/start.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <numeric>
+
+using namespace matrigrate;
+
+namespace {
+
+/// A cell whose protrusions live fast, so that a minute shows every phase.
+Parameters hasty() {
+  Parameters p;
+  p.ecm.radius = 60.0;
+  p.protrusion.initiation_rate = 2e-3;
+  p.protrusion.growth_time = 40.0;
+  p.protrusion.finishing_time = 10.0;
+  p.adhesion.maturation_time = 20.0;
+  p.adhesion.r_off_min = 0.05;
+  p.solver.tolerance = 1e-8;
+  return p;
+}
+
+State migrated(const Parameters& p, int steps, bool fresh_workspaces = false) {
+  State s = initial_state(p);
+  auto w = std::make_unique<Workspace>(s, p);
+  for (int k = 0; k < steps; ++k) {
+    if (fresh_workspaces && k % 50 == 49) w = std::make_unique<Workspace>(s, p);
+    advance(s, p, *w);
+  }
+  return s;
+}
+
+bool same_bits(const State& a, const State& b) {
+  const auto bytes = [](const auto& u, const auto& v) {
+    return u.size() == v.size() && std::memcmp(u.data(), v.data(), u.size() * sizeof(u[0])) == 0;
+  };
+  return bytes(a.ecm.x, b.ecm.x) && bytes(a.ecm.v, b.ecm.v) && bytes(a.ecm.S, b.ecm.S) && bytes(a.ecm.f, b.ecm.f)
+         && bytes(a.cortex.x, b.cortex.x) && bytes(a.cortex.v, b.cortex.v) && bytes(a.cortex.l0, b.cortex.l0)
+         && a.polarization == b.polarization && a.initiated == b.initiated && a.ended.size() == b.ended.size();
+}
+
+Vec2 sum(const std::vector<Vec2>& a) { return std::accumulate(a.begin(), a.end(), Vec2(Vec2::Zero())); }
+
+} // namespace
+
+TEST(Migration, ACellWithoutProtrusionsStaysInItsHole) {
+  Parameters p = hasty();
+  p.protrusion.initiation_rate = 0.0;
+  const State s = migrated(p, 100);
+  EXPECT_LT(centroid(s.cortex).norm(), 1e-3);
+  EXPECT_NEAR(area(s.cortex), initial_area(p.cell), 0.01 * initial_area(p.cell));
+  EXPECT_FALSE(s.polarization);
+}
+
+TEST(Migration, PassesThroughEveryPhase) {
+  const State s = migrated(hasty(), 300);
+  EXPECT_GE(s.initiated, 1U);
+  ASSERT_FALSE(s.ended.empty());
+  const ProtrusionRecord& r = s.ended.front();
+  EXPECT_LT(r.t_initiation, r.t_adhesion);
+  EXPECT_NEAR(r.t_adhesion - r.t_initiation, 40.0, 0.41);
+  EXPECT_NEAR(r.t_mature - r.t_adhesion, 20.0, 0.41);
+  EXPECT_GT(r.t_disassembly, r.t_mature);
+  EXPECT_NEAR(r.t_end - r.t_disassembly, 10.0, 0.41);
+  EXPECT_EQ(r.cause, EndCause::disassembly);
+  EXPECT_GT(r.length, 3.0);
+  EXPECT_TRUE(s.polarization);
+  EXPECT_FALSE(crosses_itself(s.cortex));
+}
+
+TEST(Migration, GivesTheSameBitsForAnyNumberOfThreads) {
+  const auto with_threads = [](std::size_t n) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, n);
+    return migrated(hasty(), 200);
+  };
+  const State one = with_threads(1);
+  EXPECT_TRUE(same_bits(one, with_threads(2)));
+  EXPECT_TRUE(same_bits(one, with_threads(4)));
+}
+
+TEST(Migration, GivesTheSameBitsWithFreshWorkspaces) { // what a restart does
+  EXPECT_TRUE(same_bits(migrated(hasty(), 200), migrated(hasty(), 200, true)));
+}
+
+TEST(Migration, SeedsGiveDifferentRuns) {
+  Parameters other = hasty();
+  other.run.seed = 2;
+  EXPECT_FALSE(same_bits(migrated(hasty(), 60), migrated(other, 60)));
+}
+
+TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all that joins them
+  const Parameters p = hasty();
+  State s = initial_state(p);
+  Workspace w(s, p);
+  double most = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    advance(s, p, w);
+    w.neighbours.update(s.ecm.x, s.ecm.period_x);
+    w.reference.update(s.ecm);
+    describe_cell(s, p, w);
+    assemble_drag(s, p, w);
+    assemble_forces(s, p, w, {});
+    std::vector<Vec2> external(w.force.size(), Vec2::Zero());
+    add_growth(s, p.protrusion, w.cell.normals, external);
+    add_maturation(s, p, external, w.drag);
+    most = std::max(most, (sum(w.force) - sum(external)).norm());
+  }
+  EXPECT_LT(most, 1e-12);
+}
+
+TEST(Migration, LiquidDragAloneResistsACellInFluid) {
+  Parameters p = hasty();
+  p.protrusion.initiation_rate = 0.0;
+  State s = initial_state(p);
+  for (std::size_t i = 0; i < s.ecm.size(); ++i)
+    if (!s.ecm.clamped[i]) s.ecm.f[i] = 0.0;
+  Workspace w(s, p);
+  advance(s, p, w, [](const State& at, std::span<Vec2> force) {
+    for (std::size_t i = 0; i < at.cortex.size(); ++i) force[at.node(i)] += Vec2(1e-3, 0.0);
+  });
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& v : s.cortex.v) mean += v / static_cast<double>(s.cortex.size());
+  EXPECT_NEAR(mean.x(), 1e-3 / 0.04, 1e-6); // F / gamma_liquid
+}
+
+TEST(Migration, StopsAtTheRim) {
+  Parameters p = hasty();
+  p.ecm.radius = 30.0;
+  State s = initial_state(p);
+  Workspace w(s, p);
+  try {
+    march(s, p, w, 600.0);
+    FAIL() << "it went on";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("rim"), std::string::npos) << failure.what();
+  }
+}
