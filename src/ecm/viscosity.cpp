@@ -23,6 +23,7 @@ void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const Adjac
   A.coupling.resize(pairs.pairs());
   A.diagonal.resize(ecm.size());
   A.F.resize(ecm.size());
+  A.position = ecm.x;
   parallel_for(ecm.size(), [&](std::size_t i) {
     if (ecm.clamped[i]) return set_given(A, i, ecm.v[i]);
     double sum = 0.0;

@@ -36,7 +36,7 @@ struct EcmParameters {
   double orphan_support = 0.2;   ///< a solid particle with less of its intact support becomes fluid [-]
   double density_min = 0.6;      ///< lower bound of rho/rho_0 [-]
   double density_max = 1.8;      ///< upper bound of rho/rho_0 [-]
-  double verlet_skin = 1.0;      ///< neighbours are listed up to 2h + skin [um]
+  double verlet_skin = 0.5;      ///< neighbours are listed up to 2h + skin [um]
 };
 
 /// Profile of the curvature factor of the actomyosin tension.
@@ -44,6 +44,9 @@ enum class CurvatureProfile { gaussian, half_gaussian, triangle };
 
 /// How the polarization turns towards the adhesions: at a speed proportional to the angle, or at a constant one.
 enum class Turning { proportional, constant };
+
+/// How the drag system of a step is solved.
+enum class SolverMethod { two_level, conjugate_gradient };
 
 struct CellParameters {
   double radius = 15.0;             ///< R [um]
@@ -122,6 +125,7 @@ struct OutputParameters {
 };
 
 struct SolverParameters {
+  SolverMethod method = SolverMethod::two_level;
   double tolerance = 1e-6; ///< relative residual at which the drag system counts as solved [-]
   int max_iterations = 5000;
 };

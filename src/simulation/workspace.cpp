@@ -1,11 +1,35 @@
 #include "simulation/workspace.hpp"
 
+#include "ecm/viscosity.hpp"
 #include "solve/conjugate_gradient.hpp"
+#include "solve/two_level.hpp"
 
 namespace matrigrate {
 
+namespace {
+
+constexpr double coarse_spacings = 4.0; // grid of the solver over particle spacing
+
+/// The matrix where it was before anything moved.
+EcmState at_reference(EcmState ecm) {
+  ecm.x = ecm.X;
+  return ecm;
+}
+
+std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
+  if (p.solver.method == SolverMethod::conjugate_gradient || s.ecm.period_x > 0.0)
+    return std::make_unique<ConjugateGradient>(p.solver.tolerance, p.solver.max_iterations);
+  const EcmState ecm = at_reference(s.ecm);
+  const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, ecm.period_x);
+  DragSystem reference;
+  assemble_viscosity(ecm, p.ecm, pairs, reference);
+  return std::make_unique<TwoLevel>(reference, coarse_spacings * p.ecm.particle_spacing, p.solver.tolerance,
+                                    p.solver.max_iterations);
+}
+
+} // namespace
+
 Workspace::Workspace(const State& s, const Parameters& p)
-    : reference(s.ecm, p.ecm), neighbours(2.0 * p.ecm.smoothing_length, p.ecm.verlet_skin),
-      solver(std::make_unique<ConjugateGradient>(p.solver.tolerance, p.solver.max_iterations)) {}
+    : reference(s.ecm, p.ecm), neighbours(2.0 * p.ecm.smoothing_length, p.ecm.verlet_skin), solver(make_solver(s, p)) {}
 
 } // namespace matrigrate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "solve/drag_system.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace matrigrate {
+
+/// Smooth velocity fields: bilinear on a square grid far coarser than the particles. The operator on the grid is the
+/// Galerkin product P^T A P of a reference system, factorised once; P follows the nodes wherever they have moved. So a
+/// correction depends on the present positions and the reference alone, on no earlier step.
+/// Test: tests/unit/solve/two_level_test.cpp
+class CoarseGrid {
+public:
+  /// @param reference  a system at rest with its positions, without terms   @param spacing  of the grid [um], > 0
+  CoarseGrid(const DragSystem& reference, double spacing);
+
+  /// Weights of all nodes of A at their present positions; nodes whose velocity is given have none.
+  void locate(const DragSystem& A);
+
+  /// z += P (P^T A_reference P)^-1 P^T r.
+  void add_correction(std::span<const Vec2> r, std::span<Vec2> z);
+
+private:
+  /// The four grid points around a node; those left out carry no weight.
+  struct Weights {
+    std::array<std::uint32_t, 4> point{};
+    std::array<double, 4> weight{};
+  };
+  Weights weights(const Vec2& x) const;
+
+  double m_spacing;
+  Vec2 m_low;
+  std::size_t m_columns = 0, m_rows = 0;
+  std::vector<std::int32_t> m_unknown; // of a grid point; -1 where it carries none
+  std::vector<Weights> m_weights;      // of the nodes; points are unknowns
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> m_factor;
+  Eigen::MatrixX2d m_r;
+};
+
+/// Whether the velocity of node i is given: it has neither couplings nor terms.
+bool is_given(const DragSystem& A, std::size_t i);
+
+} // namespace matrigrate
