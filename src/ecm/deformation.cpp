@@ -5,22 +5,23 @@ namespace matrigrate {
 Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t i) {
   const Adjacency& pairs = ref.pairs();
   const Vec2 u_i = ecm.displacement(i);
-  Mat2 sum = Mat2::Zero();
+  Mat2 F = Mat2::Identity();
   for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-    const std::uint32_t j = pairs.index[k];
-    sum += ecm.V0 * ecm.f[j] * (ecm.displacement(j) - u_i) * ref.grad_W(k).transpose();
+    const Vec2 u_ji = ecm.displacement(pairs.index[k]) - u_i;
+    F += u_ji * ref.weighted_grad(k).transpose();
   }
-  return Mat2::Identity() + sum * ref.B(i);
+  return F;
 }
 
 Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i) {
   const Adjacency& pairs = ref.pairs();
-  Mat2 sum = Mat2::Zero();
+  const Vec2 v_i = ecm.v[i];
+  Mat2 rate = Mat2::Zero();
   for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-    const std::uint32_t j = pairs.index[k];
-    sum += ecm.V0 * ecm.f[j] * (ecm.v[j] - ecm.v[i]) * ref.grad_W(k).transpose();
+    const Vec2 v_ji = ecm.v[pairs.index[k]] - v_i;
+    rate += v_ji * ref.weighted_grad(k).transpose();
   }
-  return sum * ref.B(i);
+  return rate;
 }
 
 } // namespace matrigrate

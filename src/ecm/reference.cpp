@@ -31,6 +31,7 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
   const Kernel kernel(p.smoothing_length);
   m_X_ij.resize(m_pairs.pairs());
   m_grad_W.resize(m_pairs.pairs());
+  m_weighted_grad.resize(m_pairs.pairs());
   m_W_over_r2.resize(m_pairs.pairs());
   m_B.resize(ecm.size());
   m_support.resize(ecm.size());
@@ -63,10 +64,12 @@ void Reference::correct(std::size_t i, const EcmState& ecm) {
   m_support[i] = eigen.eigenvalues()(0);
   if (ecm.clamped[i]) {
     m_B[i] = m_B_lattice;
-    return;
+  } else {
+    const Vec2 bounded = eigen.eigenvalues().cwiseMax(m_support_floor * m_intact[i]);
+    m_B[i] = eigen.eigenvectors() * bounded.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
   }
-  const Vec2 bounded = eigen.eigenvalues().cwiseMax(m_support_floor * m_intact[i]);
-  m_B[i] = eigen.eigenvectors() * bounded.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+  for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k)
+    m_weighted_grad[k] = ecm.V0 * ecm.f[m_pairs.index[k]] * (m_B[i] * m_grad_W[k]);
 }
 
 void Reference::update(const EcmState& ecm) {
