@@ -32,7 +32,8 @@ const Vec2& position(const State& s, std::size_t node) {
 
 /// Solves A v = F into the velocities of matrix and cortex, starting from those of the last step.
 void solve_velocities(State& s, const Parameters& p, Workspace& w) {
-  std::vector<Vec2> v = s.ecm.v;
+  std::vector<Vec2>& v = w.v;
+  v = s.ecm.v;
   v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
   w.health.solve = w.solver->solve(w.drag, v);
   if (!w.health.solve.converged)
@@ -50,9 +51,8 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w) {
         v[i].norm() * p.run.time_step, p.run.time_step, describe(step_limits(p))));
   }
   const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
+  s.ecm.v.assign(v.begin(), cell);
   s.cortex.v.assign(cell, v.end());
-  v.erase(cell, v.end());
-  s.ecm.v = std::move(v);
 }
 
 void advance_material(State& s, const Parameters& p, Workspace& w) {

@@ -43,6 +43,7 @@ struct Workspace {
   CellShape cell;
   DragSystem drag;
   std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]
+  std::vector<Vec2> v;     ///< velocities of all nodes [um/s]
   std::unique_ptr<DragSolver> solver;
   std::vector<Mat2> F;                ///< deformation gradients [-]
   std::vector<Mat2> PB;               ///< corrected first Piola-Kirchhoff stress [kPa]

@@ -2,6 +2,8 @@
 
 #include "base/parallel.hpp"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +15,36 @@ constexpr double least_share = 1e-3; // grid points with less of the largest dia
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Factorises; the matrix is positive definite because the reference is.
-void factorise(const Triplets& entries, long size, Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>& factor) {
+struct Factor {
+  Eigen::SparseMatrix<double> L;      // of the permuted matrix
+  std::vector<std::int32_t> position; // of an unknown in it
+};
+
+/// Cholesky factor with a fill-reducing order; the matrix is positive definite because the reference is.
+Factor factorise(const Triplets& entries, long size) {
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  factor.compute(matrix);
+  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> cholesky(matrix);
+  Factor factor{cholesky.matrixL(), {}};
+  const auto& order = cholesky.permutationP().indices();
+  factor.position.assign(order.data(), order.data() + order.size());
+  return factor;
+}
+
+/// x := (L L^T)^-1 x, both components at once.
+void solve_factored(const Eigen::SparseMatrix<double>& L, std::vector<Vec2>& x) {
+  const int* first = L.outerIndexPtr();
+  const int* row = L.innerIndexPtr();
+  const double* value = L.valuePtr();
+  const auto n = static_cast<std::size_t>(L.cols());
+  for (std::size_t j = 0; j < n; ++j) { // the diagonal comes first in its column
+    x[j] /= value[first[j]];
+    for (int k = first[j] + 1; k < first[j + 1]; ++k) x[static_cast<std::size_t>(row[k])] -= value[k] * x[j];
+  }
+  for (std::size_t j = n; j-- > 0;) {
+    for (int k = first[j] + 1; k < first[j + 1]; ++k) x[j] -= value[k] * x[static_cast<std::size_t>(row[k])];
+    x[j] /= value[first[j]];
+  }
 }
 
 } // namespace
@@ -70,8 +97,11 @@ CoarseGrid::CoarseGrid(const DragSystem& reference, double spacing) : m_spacing(
     const std::int32_t column = m_unknown[static_cast<std::size_t>(entry.col())];
     if (row >= 0 && column >= 0) kept.emplace_back(row, column, entry.value());
   }
-  factorise(kept, count, m_factor);
-  m_r.resize(count, 2);
+  Factor factor = factorise(kept, count);
+  m_L = std::move(factor.L);
+  for (std::int32_t& unknown : m_unknown)
+    if (unknown >= 0) unknown = factor.position[static_cast<std::size_t>(unknown)];
+  m_r.resize(static_cast<std::size_t>(count));
 }
 
 CoarseGrid::Weights CoarseGrid::weights(const Vec2& x) const {
@@ -99,13 +129,12 @@ void CoarseGrid::locate(const DragSystem& A) {
 }
 
 void CoarseGrid::add_correction(std::span<const Vec2> r, std::span<Vec2> z) {
-  m_r.setZero();
+  std::ranges::fill(m_r, Vec2::Zero());
   for (std::size_t i = 0; i < m_weights.size(); ++i) // in order: the same bits for any number of threads
-    for (std::size_t k = 0; k < 4; ++k) m_r.row(m_weights[i].point[k]) += m_weights[i].weight[k] * r[i].transpose();
-  const Eigen::MatrixX2d correction = m_factor.solve(m_r);
+    for (std::size_t k = 0; k < 4; ++k) m_r[m_weights[i].point[k]] += m_weights[i].weight[k] * r[i];
+  solve_factored(m_L, m_r);
   parallel_for(m_weights.size(), [&](std::size_t i) {
-    for (std::size_t k = 0; k < 4; ++k)
-      z[i] += m_weights[i].weight[k] * correction.row(m_weights[i].point[k]).transpose();
+    for (std::size_t k = 0; k < 4; ++k) z[i] += m_weights[i].weight[k] * m_r[m_weights[i].point[k]];
   });
 }
 

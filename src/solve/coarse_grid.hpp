@@ -2,7 +2,7 @@
 
 #include "solve/drag_system.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 #include <array>
 #include <cstdint>
@@ -39,8 +39,8 @@ private:
   std::size_t m_columns = 0, m_rows = 0;
   std::vector<std::int32_t> m_unknown; // of a grid point; -1 where it carries none
   std::vector<Weights> m_weights;      // of the nodes; points are unknowns
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> m_factor;
-  Eigen::MatrixX2d m_r;
+  Eigen::SparseMatrix<double> m_L;     // Cholesky factor of the operator; unknowns are in its order
+  std::vector<Vec2> m_r;
 };
 
 /// Whether the velocity of node i is given: it has neither couplings nor terms.
