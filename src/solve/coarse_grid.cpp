@@ -15,6 +15,11 @@ constexpr double least_share = 1e-3; // grid points with less of the largest dia
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
+/// Weights of the four corners at s, t.
+std::array<double, 4> bilinear(double s, double t) {
+  return {(1.0 - s) * (1.0 - t), s * (1.0 - t), (1.0 - s) * t, s * t};
+}
+
 struct Factor {
   Eigen::SparseMatrix<double> L;      // of the permuted matrix
   std::vector<std::int32_t> position; // of an unknown in it
@@ -67,23 +72,26 @@ CoarseGrid::CoarseGrid(const DragSystem& reference, double spacing) : m_spacing(
   m_low = low.array() - 0.5 * spacing;
   m_columns = static_cast<std::size_t>((high.x() - m_low.x()) / spacing) + 2;
   m_rows = static_cast<std::size_t>((high.y() - m_low.y()) / spacing) + 2;
-  m_unknown.assign(m_columns * m_rows, 0);
-  for (std::size_t q = 0; q < m_unknown.size(); ++q) m_unknown[q] = static_cast<std::int32_t>(q);
+  m_unknown.assign(m_columns * m_rows, -1);
+  m_grid.assign(m_unknown.size() + m_columns + 2, Vec2::Zero());
 
   locate(reference);
   Triplets all;
-  const auto add = [&](const Weights& a, const Weights& b, double value) {
+  const auto add = [&](std::size_t i, std::size_t j, double value) {
+    const auto at_i = corners(m_places[i]);
+    const auto at_j = corners(m_places[j]);
+    const auto w_i = bilinear(m_places[i].s, m_places[i].t);
+    const auto w_j = bilinear(m_places[j].s, m_places[j].t);
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t l = 0; l < 4; ++l)
-        if (a.weight[k] != 0.0 && b.weight[l] != 0.0)
-          all.emplace_back(static_cast<int>(a.point[k]), static_cast<int>(b.point[l]),
-                           value * a.weight[k] * b.weight[l]);
+        if (w_i[k] != 0.0 && w_j[l] != 0.0)
+          all.emplace_back(static_cast<int>(at_i[k]), static_cast<int>(at_j[l]), value * w_i[k] * w_j[l]);
   };
   for (std::size_t i = 0; i < n; ++i) {
     if (is_given(reference, i)) continue;
-    add(m_weights[i], m_weights[i], reference.diagonal[i]);
+    add(i, i, reference.diagonal[i]);
     for (std::uint32_t k = reference.pairs->first[i]; k < reference.pairs->first[i + 1]; ++k)
-      add(m_weights[i], m_weights[reference.pairs->index[k]], -reference.coupling[k]);
+      if (reference.coupling[k] != 0.0) add(i, reference.pairs->index[k], -reference.coupling[k]);
   }
   std::vector<double> diagonal(m_unknown.size(), 0.0);
   for (const auto& entry : all)
@@ -104,37 +112,56 @@ CoarseGrid::CoarseGrid(const DragSystem& reference, double spacing) : m_spacing(
   m_r.resize(static_cast<std::size_t>(count));
 }
 
-CoarseGrid::Weights CoarseGrid::weights(const Vec2& x) const {
+CoarseGrid::Place CoarseGrid::place(const Vec2& x) const {
   const Vec2 at = (x - m_low) / m_spacing;
   const double column = std::clamp(std::floor(at.x()), 0.0, static_cast<double>(m_columns - 2));
   const double row = std::clamp(std::floor(at.y()), 0.0, static_cast<double>(m_rows - 2));
-  const double s = std::clamp(at.x() - column, 0.0, 1.0);
-  const double t = std::clamp(at.y() - row, 0.0, 1.0);
-  const std::size_t corner = static_cast<std::size_t>(row) * m_columns + static_cast<std::size_t>(column);
-  const std::array<std::size_t, 4> points{corner, corner + 1, corner + m_columns, corner + m_columns + 1};
-  const std::array<double, 4> values{(1.0 - s) * (1.0 - t), s * (1.0 - t), (1.0 - s) * t, s * t};
-  Weights w;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::int32_t unknown = m_unknown[points[k]];
-    if (unknown < 0) continue;
-    w.point[k] = static_cast<std::uint32_t>(unknown);
-    w.weight[k] = values[k];
-  }
-  return w;
+  return {static_cast<std::uint32_t>(static_cast<std::size_t>(row) * m_columns + static_cast<std::size_t>(column)),
+          std::clamp(at.x() - column, 0.0, 1.0), std::clamp(at.y() - row, 0.0, 1.0)};
+}
+
+std::array<std::size_t, 4> CoarseGrid::corners(const Place& at) const {
+  return {at.corner, at.corner + std::size_t{1}, at.corner + m_columns, at.corner + m_columns + 1};
 }
 
 void CoarseGrid::locate(const DragSystem& A) {
-  m_weights.resize(A.size());
-  parallel_for(A.size(), [&](std::size_t i) { m_weights[i] = is_given(A, i) ? Weights{} : weights(A.position[i]); });
+  const auto empty_cell = static_cast<std::uint32_t>(m_unknown.size());
+  m_places.resize(A.size());
+  parallel_for(A.size(),
+               [&](std::size_t i) { m_places[i] = is_given(A, i) ? Place{empty_cell} : place(A.position[i]); });
+}
+
+void CoarseGrid::restrict_to_grid(std::span<const Vec2> r) {
+  std::ranges::fill(m_grid, Vec2::Zero());
+  Corners sum;
+  sum.fill(Vec2::Zero());
+  Place at; // of the sum: neighbours in the list mostly share a cell
+  const auto flush = [&] {
+    const auto points = corners(at);
+    for (std::size_t k = 0; k < 4; ++k) m_grid[points[k]] += sum[k];
+    sum.fill(Vec2::Zero());
+  };
+  for (std::size_t i = 0; i < m_places.size(); ++i) { // in order: the same bits for any number of threads
+    if (m_places[i].corner != at.corner) flush();
+    at = m_places[i];
+    const auto w = bilinear(at.s, at.t);
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += w[k] * r[i];
+  }
+  flush();
 }
 
 void CoarseGrid::add_correction(std::span<const Vec2> r, std::span<Vec2> z) {
-  std::ranges::fill(m_r, Vec2::Zero());
-  for (std::size_t i = 0; i < m_weights.size(); ++i) // in order: the same bits for any number of threads
-    for (std::size_t k = 0; k < 4; ++k) m_r[m_weights[i].point[k]] += m_weights[i].weight[k] * r[i];
+  restrict_to_grid(r);
+  for (std::size_t q = 0; q < m_unknown.size(); ++q)
+    if (m_unknown[q] >= 0) m_r[static_cast<std::size_t>(m_unknown[q])] = m_grid[q];
   solve_factored(m_L, m_r);
-  parallel_for(m_weights.size(), [&](std::size_t i) {
-    for (std::size_t k = 0; k < 4; ++k) z[i] += m_weights[i].weight[k] * m_r[m_weights[i].point[k]];
+  std::ranges::fill(m_grid, Vec2::Zero());
+  for (std::size_t q = 0; q < m_unknown.size(); ++q)
+    if (m_unknown[q] >= 0) m_grid[q] = m_r[static_cast<std::size_t>(m_unknown[q])];
+  parallel_for(m_places.size(), [&](std::size_t i) {
+    const auto points = corners(m_places[i]);
+    const auto w = bilinear(m_places[i].s, m_places[i].t);
+    z[i] += w[0] * m_grid[points[0]] + w[1] * m_grid[points[1]] + w[2] * m_grid[points[2]] + w[3] * m_grid[points[3]];
   });
 }
 

@@ -27,18 +27,25 @@ public:
   void add_correction(std::span<const Vec2> r, std::span<Vec2> z);
 
 private:
-  /// The four grid points around a node; those left out carry no weight.
-  struct Weights {
-    std::array<std::uint32_t, 4> point{};
-    std::array<double, 4> weight{};
+  /// Where a node stands: the lower left corner of its grid cell, and the way across it. Given nodes stand in a cell of
+  /// their own that carries nothing.
+  struct Place {
+    std::uint32_t corner = 0;
+    double s = 0.0, t = 0.0; ///< in [0, 1]
   };
-  Weights weights(const Vec2& x) const;
+  /// Values at the corners of a cell: lower left, lower right, upper left, upper right.
+  using Corners = std::array<Vec2, 4>;
+
+  Place place(const Vec2& x) const;
+  std::array<std::size_t, 4> corners(const Place& at) const;
+  void restrict_to_grid(std::span<const Vec2> r);
 
   double m_spacing;
   Vec2 m_low;
   std::size_t m_columns = 0, m_rows = 0;
   std::vector<std::int32_t> m_unknown; // of a grid point; -1 where it carries none
-  std::vector<Weights> m_weights;      // of the nodes; points are unknowns
+  std::vector<Place> m_places;         // of the nodes
+  std::vector<Vec2> m_grid;            // values at the grid points, and those of the empty cell
   Eigen::SparseMatrix<double> m_L;     // Cholesky factor of the operator; unknowns are in its order
   std::vector<Vec2> m_r;
 };

@@ -31,11 +31,11 @@ void add_terms(const DragTerms<Weight>& terms, const std::vector<std::int32_t>& 
 
 } // namespace
 
-void Patch::factorise(const DragSystem& A, const std::vector<Mat2>& diagonal_blocks) {
+void Patch::factorise(const DragSystem& A, std::span<const double> diagonal) {
   m_nodes.clear();
   m_local.assign(A.size(), -1);
   for (std::size_t i = 0; i < A.size(); ++i) {
-    const double terms = 0.5 * diagonal_blocks[i].trace() - A.diagonal[i];
+    const double terms = diagonal[i] - A.diagonal[i];
     if (i < A.pairs->size() && terms < least_share * A.diagonal[i]) continue;
     m_local[i] = static_cast<std::int32_t>(m_nodes.size());
     m_nodes.push_back(static_cast<std::uint32_t>(i));

@@ -16,7 +16,8 @@ namespace matrigrate {
 class Patch {
 public:
   /// Chooses the nodes and factorises their part of A.
-  void factorise(const DragSystem& A, const std::vector<Mat2>& diagonal_blocks);
+  /// @param diagonal  mean_diagonal() of A
+  void factorise(const DragSystem& A, std::span<const double> diagonal);
 
   bool contains(std::size_t node) const { return m_local[node] >= 0; }
 

@@ -2,15 +2,13 @@
 
 #include "base/parallel.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
 namespace matrigrate {
 
 void TwoLevel::precondition(std::span<const Vec2> r) {
-  parallel_for(r.size(), [&](std::size_t i) { m_z[i] = m_inverse[i] * r[i]; });
+  parallel_for(r.size(), [&](std::size_t i) { m_z[i] = r[i] / m_diagonal[i]; });
   m_patch.solve(r, m_z);
   m_coarse.add_correction(r, m_z);
 }
@@ -37,10 +35,8 @@ SolveReport TwoLevel::solve(const DragSystem& A, std::span<Vec2> v) {
   parallel_for(n, [&](std::size_t i) { m_r[i] = A.F[i] - m_q[i]; });
   double r2 = dot(m_r, m_r);
   if (r2 > goal) {
-    diagonal_blocks(A, m_blocks);
-    m_inverse.resize(n);
-    parallel_for(n, [&](std::size_t i) { m_inverse[i] = m_blocks[i].inverse(); });
-    m_patch.factorise(A, m_blocks);
+    mean_diagonal(A, m_diagonal);
+    m_patch.factorise(A, m_diagonal);
     m_coarse.locate(A);
     precondition(m_r);
     m_p = m_z;

@@ -9,7 +9,7 @@
 namespace matrigrate {
 
 /// Conjugate gradients with an additive two-level preconditioner: smooth fields on a CoarseGrid, the surroundings of
-/// the cell on a Patch, and the 2x2 diagonal blocks elsewhere. Keeps nothing from one solve to the next.
+/// the cell on a Patch, and the diagonal elsewhere. Keeps nothing from one solve to the next.
 /// Test: tests/unit/solve/two_level_test.cpp
 class TwoLevel final : public DragSolver {
 public:
@@ -29,7 +29,7 @@ private:
   int m_max_iterations;
   CoarseGrid m_coarse;
   Patch m_patch;
-  std::vector<Mat2> m_blocks, m_inverse;
+  std::vector<double> m_diagonal;
   std::vector<Vec2> m_r, m_z, m_p, m_q;
 };
 
