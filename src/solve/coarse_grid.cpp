@@ -11,6 +11,7 @@ namespace matrigrate {
 
 namespace {
 
+constexpr double pinning = 10.0;     // own drag of a node that does not follow smooth fields, over that of particles
 constexpr double least_share = 1e-3; // grid points with less of the largest diagonal carry no unknown
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -75,6 +76,7 @@ CoarseGrid::CoarseGrid(const DragSystem& reference, double spacing) : m_spacing(
   m_unknown.assign(m_columns * m_rows, -1);
   m_grid.assign(m_unknown.size() + m_columns + 2, Vec2::Zero());
 
+  m_most_drag = pinning * *std::ranges::max_element(reference.diagonal);
   locate(reference);
   Triplets all;
   const auto add = [&](std::size_t i, std::size_t j, double value) {
@@ -127,8 +129,9 @@ std::array<std::size_t, 4> CoarseGrid::corners(const Place& at) const {
 void CoarseGrid::locate(const DragSystem& A) {
   const auto empty_cell = static_cast<std::uint32_t>(m_unknown.size());
   m_places.resize(A.size());
-  parallel_for(A.size(),
-               [&](std::size_t i) { m_places[i] = is_given(A, i) ? Place{empty_cell} : place(A.position[i]); });
+  parallel_for(A.size(), [&](std::size_t i) {
+    m_places[i] = is_given(A, i) || is_pinned(A, i) ? Place{empty_cell} : place(A.position[i]);
+  });
 }
 
 void CoarseGrid::restrict_to_grid(std::span<const Vec2> r) {

@@ -20,7 +20,8 @@ public:
   /// @param reference  a system at rest with its positions, without terms   @param spacing  of the grid [um], > 0
   CoarseGrid(const DragSystem& reference, double spacing);
 
-  /// Weights of all nodes of A at their present positions; nodes whose velocity is given have none.
+  /// Weights of all nodes of A at their present positions; nodes whose velocity is given, or that are held by far
+  /// more drag than a particle, have none.
   void locate(const DragSystem& A);
 
   /// z += P (P^T A_reference P)^-1 P^T r.
@@ -36,11 +37,13 @@ private:
   /// Values at the corners of a cell: lower left, lower right, upper left, upper right.
   using Corners = std::array<Vec2, 4>;
 
+  bool is_pinned(const DragSystem& A, std::size_t i) const { return A.diagonal[i] > m_most_drag; }
   Place place(const Vec2& x) const;
   std::array<std::size_t, 4> corners(const Place& at) const;
   void restrict_to_grid(std::span<const Vec2> r);
 
   double m_spacing;
+  double m_most_drag = 0.0; // [nN s/um]
   Vec2 m_low;
   std::size_t m_columns = 0, m_rows = 0;
   std::vector<std::int32_t> m_unknown; // of a grid point; -1 where it carries none
