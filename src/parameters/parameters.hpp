@@ -126,7 +126,7 @@ struct OutputParameters {
 
 struct SolverParameters {
   SolverMethod method = SolverMethod::two_level;
-  double tolerance = 1e-6; ///< relative residual at which the drag system counts as solved [-]
+  double tolerance = 1e-3; ///< relative residual at which the drag system counts as solved [-]
   int max_iterations = 5000;
 };
 

@@ -75,7 +75,7 @@ TEST(Write, TheResolvedFileReadsBackToTheSameBits) {
   EXPECT_TRUE(same(parse_parameters(to_toml({}), "f.toml"), Parameters{}));
   RandomParameters random(3);
   int compared = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     const Parameters p = random.draw(1.3);
     if (!rules_hold(p)) continue;
     ++compared;

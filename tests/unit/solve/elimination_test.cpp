@@ -1,0 +1,94 @@
+#include "solve/elimination.hpp"
+
+#include "synthetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+using namespace matrigrate;
+
+namespace {
+
+struct Small {
+  Small() {
+    synthetic::add_cell(body, 1);
+    // a link between two matrix nodes, one that lists the matrix last, and a term over very many nodes of both kinds
+    const auto first = static_cast<std::uint32_t>(body.x.size());
+    body.A.links.add(0.7, {{400, 1.0}, {401, -0.5}, {first + 3, -0.5}});
+    body.A.links.add(0.9, {{first + 9, -1.0}, {420, 1.0}});
+    for (std::uint32_t k = 0; k < 70; ++k) body.A.directed.add_entry(first + 2 * k, Vec2(0.1, 0.01 * k));
+    body.A.directed.add_entry(410, Vec2(0.2, 0.1));
+    body.A.directed.close(2.0);
+    elimination.factorise(body.A);
+  }
+  /// A as a dense matrix, x and y of a node in turn.
+  Eigen::MatrixXd dense() const {
+    const std::size_t n = body.A.size();
+    Eigen::MatrixXd A(2 * n, 2 * n);
+    std::vector<Vec2> unit(n, Vec2::Zero()), column(n);
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+      unit[k / 2][static_cast<long>(k % 2)] = 1.0;
+      multiply(body.A, unit, column);
+      for (std::size_t i = 0; i < n; ++i) A.block<2, 1>(static_cast<long>(2 * i), static_cast<long>(k)) = column[i];
+      unit[k / 2].setZero();
+    }
+    return A;
+  }
+  synthetic::Body body = synthetic::disc(30.0);
+  Elimination elimination;
+};
+
+} // namespace
+
+TEST(Elimination, GivesTheSchurComplement) {
+  Small s;
+  const auto n = static_cast<long>(2 * s.body.x.size());
+  const Eigen::MatrixXd A = s.dense();
+  const long c = A.rows() - n;
+  const Eigen::MatrixXd S =
+      A.topLeftCorner(n, n) - A.topRightCorner(n, c) * A.bottomRightCorner(c, c).llt().solve(A.bottomLeftCorner(c, n));
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, -1.0, 1.0).array().sin();
+  const Eigen::VectorXd expected = S * x;
+
+  Field from, to;
+  from.resize(s.body.x.size());
+  to.resize(s.body.x.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    from.x()[i] = static_cast<float>(x[static_cast<long>(2 * i)]);
+    from.y()[i] = static_cast<float>(x[static_cast<long>(2 * i + 1)]);
+  }
+  s.elimination.add_product(from, to);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    Vec2 y = s.elimination.diagonal()[i] * Vec2(from.x()[i], from.y()[i]) + Vec2(to.x()[i], to.y()[i]);
+    for (std::uint32_t k = s.body.pairs.first[i]; k < s.body.pairs.first[i + 1]; ++k) {
+      const std::uint32_t j = s.body.pairs.index[k];
+      y -= s.body.A.coupling[k] * Vec2(from.x()[j], from.y()[j]);
+    }
+    EXPECT_NEAR((y - expected.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-5);
+  }
+}
+
+TEST(Elimination, SolvesWithASolutionOfTheRest) {
+  Small s;
+  const auto n = static_cast<long>(2 * s.body.x.size());
+  const Eigen::MatrixXd A = s.dense();
+  const long c = A.rows() - n;
+  Eigen::VectorXd F(A.rows());
+  for (std::size_t i = 0; i < s.body.A.size(); ++i) F.segment<2>(static_cast<long>(2 * i)) = s.body.A.F[i];
+  const Eigen::VectorXd exact = A.llt().solve(F);
+
+  std::vector<Vec2> r = s.body.A.F;
+  s.elimination.reduce(r);
+  const Eigen::MatrixXd S =
+      A.topLeftCorner(n, n) - A.topRightCorner(n, c) * A.bottomRightCorner(c, c).llt().solve(A.bottomLeftCorner(c, n));
+  const Eigen::VectorXd reduced = S * exact.head(n);
+  for (std::size_t i = 0; i < s.body.x.size(); ++i)
+    EXPECT_NEAR((r[i] - reduced.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-9);
+
+  std::vector<Vec2> v(s.body.A.size(), Vec2::Zero());
+  for (std::size_t i = 0; i < s.body.x.size(); ++i) v[i] = exact.segment<2>(static_cast<long>(2 * i));
+  s.elimination.recover(s.body.A.F, v);
+  for (std::size_t i = 0; i < v.size(); ++i)
+    EXPECT_NEAR((v[i] - exact.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-9);
+}
