@@ -30,12 +30,14 @@ int run(int argc, char** argv) {
   app.name("matrigrate");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_line());
-  app.footer("Exit codes: 0 done; 2 usage; 3 configuration; 4 numerical failure; 5 input or output.");
+  app.footer("Exit codes: 0 done; 2 usage; 3 configuration; 4 numerical failure; 5 input or output;\n"
+             "75 stopped by a signal; 130 by Ctrl-C.");
   Action chosen;
   add_new(app, chosen);
   add_list(app, chosen);
   add_check(app, chosen);
   add_explain(app, chosen);
+  add_run(app, chosen, {argv, argv + argc});
   add_validate(app, chosen);
   add_info(app, chosen);
   check_verb(app, argc, argv);

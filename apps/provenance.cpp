@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <tbb/version.h>
 #include <toml++/toml.h>
+#include <xxhash.h>
 
 #include <fstream>
 #include <thread>
@@ -27,7 +28,10 @@ Json libraries() {
       {"fmt", joined(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"nlohmann-json", joined(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
       {"oneTBB", TBB_runtime_version()},
-      {"toml++", joined(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)}};
+      {"toml++", joined(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
+      {"xxHash",
+       joined(static_cast<int>(XXH_versionNumber() / 10000), static_cast<int>(XXH_versionNumber() / 100 % 100),
+              static_cast<int>(XXH_versionNumber() % 100))}};
 }
 
 std::string cpu_model() {

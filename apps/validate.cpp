@@ -84,7 +84,7 @@ void print_verdict(const Options& options, const std::vector<Outcome>& outcomes)
 
 int validate(Options options) {
   const auto chosen = chosen_cases(options.name);
-  const Parameters p = options.scenario.empty() ? apply_overrides({}, options.overrides)
+  const Parameters p = options.scenario.empty() ? apply_overrides(validation::default_parameters(), options.overrides)
                                                 : read_parameters(options.scenario, options.overrides);
   if (options.folder.empty()) options.folder = "validate-" + options.name;
   make_output_folder(options.folder, options.force);

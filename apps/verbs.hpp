@@ -4,12 +4,23 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 /// The verbs of the program, one file each. A verb adds itself to the command line; when it is given, it sets what is
 /// to be done. Exit codes and exceptions are brought together in main.cpp and nowhere else.
 namespace matrigrate::apps {
 
-enum ExitCode : int { done = 0, internal = 1, usage = 2, configuration = 3, numerical = 4, input_output = 5 };
+enum ExitCode : int {
+  done = 0,
+  internal = 1,
+  usage = 2,
+  configuration = 3,
+  numerical = 4,
+  input_output = 5,
+  requeue = 75,     ///< stopped by a signal to terminate
+  interrupted = 130 ///< stopped by Ctrl-C
+};
 
 /// The command line asks for something that there is not. Exit code 2.
 class UsageError : public std::runtime_error {
@@ -24,6 +35,7 @@ void add_new(CLI::App& app, Action& chosen);
 void add_list(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_explain(CLI::App& app, Action& chosen);
+void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_validate(CLI::App& app, Action& chosen);
 void add_info(CLI::App& app, Action& chosen);
 

@@ -14,6 +14,7 @@ libtbb-dev: threads
 libtomlplusplus-dev: scenario files
 libcli11-dev: the command line
 nlohmann-json3-dev: JSON
+libxxhash-dev: fingerprints of trajectories
 "
 packages_to_test="
 libgtest-dev: the tests

@@ -1,6 +1,6 @@
 #include "io/page.hpp"
 
-#include "io/page_style.hpp"
+#include "io/page_parts.hpp"
 #include "io/svg.hpp"
 
 #include <fmt/format.h>
@@ -18,21 +18,6 @@ constexpr std::array<std::string_view, 6> check_columns{"quantity",  "measured",
 
 std::string badge(bool holds) {
   return fmt::format("<span class=\"{}\">{}</span>", holds ? "holds" : "fails", verdict(holds));
-}
-
-std::string replaced(std::string text, std::string_view what, std::string_view with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
-    text.replace(at, what.size(), with);
-  return text;
-}
-
-/// The SVG element alone, with its ids set apart from those of the other pictures of the page.
-std::string inlined(const Figure& figure, std::string_view prefix) {
-  const std::size_t begin = figure.svg.find("<svg");
-  if (begin == std::string::npos) throw std::invalid_argument(fmt::format("figure '{}' is no SVG", figure.name));
-  std::string svg = replaced(figure.svg.substr(begin), " id=\"", fmt::format(" id=\"{}", prefix));
-  svg = replaced(std::move(svg), "url(#", fmt::format("url(#{}", prefix));
-  return replaced(std::move(svg), "href=\"#", fmt::format("href=\"#{}", prefix));
 }
 
 std::string check_table(const PageSection& section) {
@@ -65,14 +50,7 @@ std::string section_html(const PageSection& section, std::size_t number) {
     for (const auto& remark : section.remarks) out += fmt::format("<li>{}</li>\n", svg::escape(remark));
     out += "</ul>\n";
   }
-  if (section.figures.empty()) return out + "</section>\n";
-  out += "<div class=\"figures\">\n";
-  for (std::size_t f = 0; f < section.figures.size(); ++f) {
-    const Figure& figure = section.figures[f];
-    out += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
-                       inlined(figure, fmt::format("s{}f{}-", number, f + 1)), svg::escape(figure.caption));
-  }
-  return out + "</div>\n</section>\n";
+  return out + figures_html(section.figures, fmt::format("s{}", number)) + "</section>\n";
 }
 
 std::string summary_html(const std::vector<PageSection>& sections) {
@@ -92,14 +70,9 @@ std::string summary_html(const std::vector<PageSection>& sections) {
 std::string verdict(bool holds) { return holds ? "holds" : "does not hold"; }
 
 std::string page(const std::string& title, const std::vector<PageSection>& sections, const std::string& provenance) {
-  std::string out = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                                "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
-                                svg::escape(title), page_style);
-  out += summary_html(sections);
+  std::string out = page_head(title) + summary_html(sections);
   for (std::size_t s = 0; s < sections.size(); ++s) out += section_html(sections[s], s + 1);
-  out += fmt::format("<section>\n<h2>Provenance</h2>\n<pre>{}</pre>\n</section>\n", svg::escape(provenance));
-  return out + "</body>\n</html>\n";
+  return out + page_end(provenance);
 }
 
 } // namespace matrigrate::io

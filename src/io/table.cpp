@@ -18,7 +18,8 @@ void check_length(const Table& table, const std::vector<double>& row) {
         fmt::format("a row of {} numbers does not fit a table of {} columns", row.size(), table.columns.size()));
 }
 
-/// A field in quotes where it holds a character that would end it.
+} // namespace
+
 std::string quoted(std::string_view field) {
   if (field.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(field);
   std::string out = "\"";
@@ -28,8 +29,6 @@ std::string quoted(std::string_view field) {
   }
   return out + '"';
 }
-
-} // namespace
 
 void Table::add(std::vector<double> row) {
   check_length(*this, row);

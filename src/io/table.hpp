@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace matrigrate::io {
@@ -18,5 +19,8 @@ struct Table {
 /// back to the same bits, NaN as an empty field, infinities as inf and -inf. The same bytes in every locale.
 /// @throws std::invalid_argument if a row is not as long as columns
 std::string to_csv(const Table& table);
+
+/// A field of CSV, in quotes where it holds a character that would end it.
+std::string quoted(std::string_view field);
 
 } // namespace matrigrate::io

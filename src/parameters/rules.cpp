@@ -31,6 +31,7 @@ std::string room(const Parameters& p) {
 }
 
 std::string hole(const Parameters& p) {
+  if (!room(p).empty()) return {}; // said already
   const double hole_radius = std::hypot(p.cell.start_x, p.cell.start_y) + p.cell.radius + p.degradation.body_distance;
   const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
   if (hole_radius < free_radius) return {};

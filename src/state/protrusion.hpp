@@ -12,25 +12,25 @@ namespace matrigrate {
 
 /// Pushes its tip outwards along `direction`.
 struct Growing {
-  Vec2 direction; ///< d_prot, unit vector
+  Vec2 direction = Vec2::Zero(); ///< d_prot, unit vector
 };
 
 /// Adheres, pulls, and matures as the matrix resists.
 struct Maturing {
-  Vec2 direction; ///< d_prot at the end of growth, unit vector
-  Vec2 anchor;    ///< the adhered point of the matrix [um]
-  int steps = 0;  ///< maturation steps done; f_mat stands at 0.1 (steps + 1), at most 1
+  Vec2 direction = Vec2::Zero(); ///< d_prot at the end of growth, unit vector
+  Vec2 anchor = Vec2::Zero();    ///< the adhered point of the matrix [um]
+  int steps = 0;                 ///< maturation steps done; f_mat stands at 0.1 (steps + 1), at most 1
 };
 
 /// Pulls with its final maturation until its adhesion disassembles.
 struct Contracting {
-  Vec2 anchor;  ///< [um]
-  double f_mat; ///< [-]
+  Vec2 anchor = Vec2::Zero(); ///< [um]
+  double f_mat = 0.0;         ///< [-]
 };
 
 /// Without adhesion, still contracting.
 struct Finishing {
-  double f_mat; ///< [-]
+  double f_mat = 0.0; ///< [-]
 };
 
 using Phase = std::variant<Growing, Maturing, Contracting, Finishing>;

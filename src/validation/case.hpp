@@ -41,10 +41,13 @@ struct Case {
   std::function<Result(const Parameters&)> run;
 };
 
+/// What the cases start from: the defaults, with a drag system solved so closely that the solver's error does not show
+/// beside that of the discretisation.
+Parameters default_parameters();
+
 /// Runs a case, after a check of run.time_step against the limits of the explicit step: some cases refine the step on
 /// their own, none may hide that the one asked for is too large.
 /// @throws NumericalFailure
-/// The drag system is solved to 1e-6 at least.
 Result run_case(const Case& which, const Parameters& p);
 
 /// All cases, in the order of the documentation.

@@ -10,7 +10,7 @@ using namespace matrigrate::validation;
 class Validation : public testing::TestWithParam<Case> {};
 
 TEST_P(Validation, Holds) {
-  const Result result = run_case(GetParam(), Parameters{});
+  const Result result = run_case(GetParam(), default_parameters());
   EXPECT_FALSE(result.checks.empty());
   for (const Check& check : result.checks)
     EXPECT_TRUE(check.holds()) << check.quantity << ": " << check.measured << ", expected " << check.expected << " +- "

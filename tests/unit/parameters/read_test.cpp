@@ -142,33 +142,35 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Together, OneFault,
-    testing::Values(Faulty{"[ecm]\nsmoothing_length = 1\n",
-                           "f.toml:2:20: ecm.smoothing_length: smoothing length over particle spacing is 0.5; allowed "
-                           "is 1 to 3: with less "
-                           "a particle has too few neighbours to carry stress, with more the matrix is smeared out"},
-                    Faulty{"[ecm]\nparticle_spacing = 5\n",
-                           "f.toml:2:20: ecm.particle_spacing: smoothing length over particle spacing is 0.52; allowed "
-                           "is 1 to 3: with less "
-                           "a particle has too few neighbours to carry stress, with more the matrix is smeared out"},
-                    Faulty{"ecm.cell_hole = false\necm.radius = 10\necm.particle_spacing=2.6",
-                           "f.toml:2:14: ecm.radius: a disc of 10 um is all clamped rim, which is 2 smoothing lengths "
-                           "wide; allowed is >= "
-                           "10.4 um"},
-                    Faulty{"ecm.radius = 20",
-                           "f.toml:1:14: ecm.radius: the cell and its margin reach 16.9 um from the centre, but the "
-                           "matrix is clamped from 14.8 um on; take a smaller cell or a larger disc"},
-                    Faulty{"ecm.orphan_support = 0.3", "f.toml:1:22: ecm.orphan_support: ecm.orphan_support is 0.3, "
-                                                       "but must be below ecm.support_floor, which is 0.3"},
-                    Faulty{"ecm.support_floor = 0.1", "f.toml:1:21: ecm.support_floor: ecm.orphan_support is 0.2, but "
-                                                      "must be below ecm.support_floor, which is 0.1"},
-                    Faulty{"ecm.particle_spacing = 0.1\necm.smoothing_length = 0.13",
-                           "f.toml:1:24: ecm.particle_spacing: a disc of 150 um at a spacing of 0.1 um has 7.1e+06 "
-                           "particles; allowed are "
-                           "4e+06"},
-                    Faulty{"run.time_step = \"1e-6 s\"",
-                           "f.toml:1:17: run.time_step: the run takes 2.2e+10 steps; allowed are 1e+09"},
-                    Faulty{"run.duration = \"0.1 s\"",
-                           "f.toml:1:16: run.duration: a step of 0.4 s is longer than the run of 0.1 s"}));
+    testing::Values(
+        Faulty{"[ecm]\nsmoothing_length = 1\n",
+               "f.toml:2:20: ecm.smoothing_length: smoothing length over particle spacing is 0.5; allowed "
+               "is 1 to 3: with less "
+               "a particle has too few neighbours to carry stress, with more the matrix is smeared out"},
+        Faulty{"[ecm]\nparticle_spacing = 5\n",
+               "f.toml:2:20: ecm.particle_spacing: smoothing length over particle spacing is 0.52; allowed "
+               "is 1 to 3: with less "
+               "a particle has too few neighbours to carry stress, with more the matrix is smeared out"},
+        Faulty{"ecm.cell_hole = false\necm.radius = 10\necm.particle_spacing=2.6",
+               "f.toml:2:14: ecm.radius: a disc of 10 um is all clamped rim, which is 2 smoothing lengths "
+               "wide; allowed is >= "
+               "10.4 um"},
+        Faulty{
+            "ecm.radius = 20",
+            "f.toml:1:14: ecm.radius: the cell and its margin reach 16.9 um from the centre, but the "
+            "matrix is clamped from 14.8 um on; take a smaller cell, a start nearer to the centre, or a larger disc"},
+        Faulty{"ecm.orphan_support = 0.3", "f.toml:1:22: ecm.orphan_support: ecm.orphan_support is 0.3, "
+                                           "but must be below ecm.support_floor, which is 0.3"},
+        Faulty{"ecm.support_floor = 0.1", "f.toml:1:21: ecm.support_floor: ecm.orphan_support is 0.2, but "
+                                          "must be below ecm.support_floor, which is 0.1"},
+        Faulty{"ecm.particle_spacing = 0.1\necm.smoothing_length = 0.13",
+               "f.toml:1:24: ecm.particle_spacing: a disc of 150 um at a spacing of 0.1 um has 7.1e+06 "
+               "particles; allowed are "
+               "4e+06"},
+        Faulty{"run.time_step = \"1e-6 s\"",
+               "f.toml:1:17: run.time_step: the run takes 2.2e+10 steps; allowed are 1e+09"},
+        Faulty{"run.duration = \"0.1 s\"",
+               "f.toml:1:16: run.duration: a step of 0.4 s is longer than the run of 0.1 s"}));
 
 TEST(Read, RulesWaitForGoodValues) {
   EXPECT_EQ(faults_of("[ecm]\nsmoothing_length = 1\nparticle_spacing = \"x\"\n").size(), 1u);
@@ -260,7 +262,8 @@ INSTANTIATE_TEST_SUITE_P(
         Override{"ecm.radius=1\nrun.seed=2",
                  "--set: ecm.radius: \"1?run.seed=2\": \"?run.seed=2\" is not a unit; write it like \"150 um\""},
         Override{"ecm.radius=20", "--set: ecm.radius: the cell and its margin reach 16.9 um from the centre, but "
-                                  "the matrix is clamped from 14.8 um on; take a smaller cell or a larger disc"}));
+                                  "the matrix is clamped from 14.8 um on; take a smaller cell, a start nearer to the "
+                                  "centre, or a larger disc"}));
 
 } // namespace
 } // namespace matrigrate

@@ -1,0 +1,52 @@
+#include "apps/run_record.hpp"
+
+#include "apps/provenance.hpp"
+#include "io/trajectory_hash.hpp"
+#include "parameters/write.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::system_clock;
+
+/// ISO 8601, UTC: "2026-01-31T12:00:00Z".
+std::string utc(Clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(Clock::to_time_t(time)));
+}
+
+} // namespace
+
+std::string configuration_hash(const Parameters& p) {
+  Parameters q = p;
+  q.run.threads = RunParameters{}.threads;
+  return io::text_hash(to_toml(q));
+}
+
+Json to_json(const RunRecord& record, const Parameters& p) {
+  const Clock::time_point now = record.end.value_or(Clock::now());
+  Json json{{"status", record.status},
+            {"exit_code", record.exit_code ? Json(*record.exit_code) : Json()},
+            {"reason", record.reason},
+            {"seed", p.run.seed},
+            {"steps", record.steps},
+            {"t_s", record.t},
+            {"duration_s", p.run.duration},
+            {"wall_time_s", std::chrono::duration<double>(now - record.start).count()},
+            {"ms_per_step",
+             record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
+            {"trajectory_hash", record.trajectory_hash},
+            {"configuration_hash", record.configuration_hash},
+            {"command_line", record.command_line},
+            {"start", utc(record.start)},
+            {"end", record.end ? Json(utc(*record.end)) : Json()},
+            {"lineage", Json::array()}};
+  json.update(provenance());
+  return json;
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace matrigrate::apps {
+
+/// How a run stands or ended: what run.json holds.
+struct RunRecord {
+  std::string status = "running"; ///< running, done, interrupted, failed
+  std::optional<int> exit_code;   ///< none while it runs
+  std::string reason;             ///< why it ended early; empty if it did not
+  std::uint64_t steps = 0;
+  double t = 0.0;               ///< simulated time reached [s]
+  double march_wall_time = 0.0; ///< spent in the steps [s]
+  std::string trajectory_hash;
+  std::string configuration_hash;
+  std::vector<std::string> command_line;
+  std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
+  std::optional<std::chrono::system_clock::time_point> end;
+};
+
+/// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
+std::string configuration_hash(const Parameters& p);
+
+/// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
+///  configuration_hash, command_line, start, end, lineage, and the keys of provenance()}
+nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "io/cell_drawing.hpp"
+#include "io/cell_scene.hpp"
+
+#include <span>
+#include <string>
+
+/// Pictures of the cell in its matrix. Test: tests/unit/io/cell_picture_test.cpp
+namespace matrigrate::io {
+
+/// A time for people: "0 s", "45 min", "2 h 30 min".
+std::string time_text(double seconds);
+
+/// One scene with its time, a scale bar and a legend.
+/// @param box    what is seen: whole_disc() or surroundings()
+/// @param width  [pixel] at least 240
+/// @return  the SVG document
+std::string cell_picture(const CellScene& scene, const Box& box, int width = 640);
+
+/// Scenes side by side at one scale, with their times, a scale bar and a legend.
+/// @param most  the number of panels; of more scenes, as many are chosen at even distances, the first and the last
+///              among them
+/// @return  the SVG document
+std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most = 12, int width = 760);
+
+} // namespace matrigrate::io

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// A CSV file that grows by a row at a time, for runs that may be ended at any moment.
+/// Test: tests/unit/io/run_files_test.cpp
+namespace matrigrate::io {
+
+/// A field of a row: a number in the shortest form that reads back to the same bits (NaN: empty), or a word.
+using Field = std::variant<double, std::uint64_t, std::string_view>;
+
+/// A line of CSV with its end; words with a comma, quote or line break are quoted (RFC 4180).
+std::string csv_line(const std::vector<Field>& fields);
+
+class RowFile {
+public:
+  /// Makes the file anew, with its header.
+  /// @param columns  names ending in their unit
+  /// @throws InputOutputError naming the path and the reason
+  RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns);
+  RowFile(const RowFile&) = delete;
+  RowFile& operator=(const RowFile&) = delete;
+  ~RowFile();
+
+  /// Appends a row and hands it to the system at once; a row that does not fit on the disk is taken back, so that the
+  /// file always has whole lines.
+  /// @throws InputOutputError naming the path and the reason
+  /// @throws std::invalid_argument if the number of fields is not that of the columns
+  void add(const std::vector<Field>& fields);
+
+private:
+  void append(std::string_view line);
+
+  std::filesystem::path m_path;
+  std::size_t m_columns;
+  int m_descriptor;
+  std::int64_t m_size = 0; ///< of the whole lines [bytes]
+};
+
+} // namespace matrigrate::io

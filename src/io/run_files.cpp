@@ -1,0 +1,135 @@
+#include "io/run_files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace matrigrate::io {
+
+namespace {
+
+Field count(std::size_t n) { return std::uint64_t{n}; }
+
+} // namespace
+
+std::vector<std::string_view> track_columns() {
+  return {
+      "track",          "t_s",       "x_um",       "y_um",          "area_um2",    "perimeter_um", "polarization_rad",
+      "n_simultaneous", "n_growing", "n_maturing", "n_contracting", "n_finishing", "n_initiated",  "step"};
+}
+
+std::vector<Field> fields(const TrackRow& row) {
+  return {count(1),
+          row.t,
+          row.centre.x(),
+          row.centre.y(),
+          row.area,
+          row.perimeter,
+          row.polarization.value_or(never),
+          count(row.alive()),
+          count(row.in_phase[0]),
+          count(row.in_phase[1]),
+          count(row.in_phase[2]),
+          count(row.in_phase[3]),
+          count(row.initiated),
+          row.step};
+}
+
+std::vector<std::string_view> health_columns() {
+  return {"t_s",
+          "step",
+          "solver_iterations",
+          "solver_iterations_max",
+          "solver_residual",
+          "solver_residual_max",
+          "area_ratio",
+          "density_min",
+          "density_max",
+          "n_density_bounds",
+          "n_orphans",
+          "n_engulfed",
+          "n_solid_inside",
+          "deepest_solid_um",
+          "crosses_itself",
+          "fastest_um_per_s"};
+}
+
+std::vector<Field> fields(const HealthRow& row) {
+  return {row.t,
+          row.step,
+          count(static_cast<std::size_t>(row.iterations)),
+          count(static_cast<std::size_t>(row.most_iterations)),
+          row.residual,
+          row.largest_residual,
+          row.area_ratio,
+          row.density_min,
+          row.density_max,
+          count(row.density_bounds),
+          count(row.orphans),
+          count(row.engulfed),
+          count(row.solid_inside),
+          row.deepest_solid,
+          count(row.crosses_itself ? 1 : 0),
+          row.fastest};
+}
+
+std::vector<std::string_view> protrusion_columns() {
+  return {"id",      "centre_particle", "t_initiation_s", "t_adhesion_s", "t_mature_s", "t_disassembly_s",
+          "t_end_s", "length_um",       "f_mat",          "force_nN",     "f_adh_rel",  "cause"};
+}
+
+std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters& p) {
+  return {count(r.id), count(r.centre), r.t_initiation, r.t_adhesion, r.t_mature,           r.t_disassembly,
+          r.t_end,     r.length,        r.f_mat,        r.force,      relative_force(r, p), name(r.cause)};
+}
+
+std::string protrusions_csv(std::span<const ProtrusionRecord> records, const ActomyosinParameters& p) {
+  const auto columns = protrusion_columns();
+  std::string text = csv_line({columns.begin(), columns.end()});
+  for (const ProtrusionRecord& r : records) text += csv_line(fields(r, p));
+  return text;
+}
+
+std::vector<NamedValue> named_values(const ReadOuts& r) {
+  return {{"duration_s", "duration [s]", r.duration},
+          {"v_migr_abs_um_per_h", "speed, start to end [um/h]", r.v_migr_abs},
+          {"v_migr_path_60s_um_per_h", "speed along the path, sampled every 60 s [um/h]", r.v_migr_path_60s},
+          {"v_migr_path_600s_um_per_h", "speed along the path, sampled every 600 s [um/h]", r.v_migr_path_600s},
+          {"n_protrusions", "protrusions initiated", count(r.n_protrusions)},
+          {"n_unadhered", "of them, never adhered", count(r.n_unadhered)},
+          {"tau_prot_min", "life of a mature adhesion, mean [min]", r.tau_prot.value},
+          {"n_tau_prot", "adhesions in this mean", count(r.tau_prot.n)},
+          {"n_censored", "mature adhesions still alive, not in this mean", count(r.n_censored)},
+          {"l_prot_um", "length at the end of growth, mean [um]", r.l_prot.value},
+          {"f_mat", "maturation, mean [-]", r.f_mat.value},
+          {"force_nN", "force at disassembly, mean [nN]", r.force.value},
+          {"f_adh_rel", "force at disassembly over f_mat F_am, mean [-]", r.f_adh_rel.value},
+          {"n_simultaneous_mean", "protrusions at a time, mean", r.mean_simultaneous},
+          {"n_simultaneous_max", "protrusions at a time, most", count(r.most_simultaneous)}};
+}
+
+std::string readable(const Field& value) {
+  const double* number = std::get_if<double>(&value);
+  if (number == nullptr) return csv_line({value}).substr(0, csv_line({value}).size() - 1);
+  return std::isnan(*number) ? "-" : fmt::format("{:.4g}", *number);
+}
+
+std::string summary_csv(const ReadOuts& r) {
+  std::vector<Field> header;
+  std::vector<Field> row;
+  for (const NamedValue& v : named_values(r)) {
+    header.emplace_back(v.name);
+    row.push_back(v.value);
+  }
+  return csv_line(header) + csv_line(row);
+}
+
+std::string summary_json(const ReadOuts& r) {
+  nlohmann::ordered_json summary;
+  for (const NamedValue& v : named_values(r)) // NaN is written as null
+    std::visit([&](const auto& value) { summary[std::string(v.name)] = value; }, v.value);
+  return summary.dump(2) + "\n";
+}
+
+} // namespace matrigrate::io

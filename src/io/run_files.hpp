@@ -1,0 +1,50 @@
+#pragma once
+
+#include "io/row_file.hpp"
+#include "observe/health.hpp"
+#include "observe/readouts.hpp"
+#include "observe/tracks.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The tables of a run. Units stand in the names of the columns; what is not defined is an empty field, or null in
+/// JSON. Test: tests/unit/io/run_files_test.cpp
+namespace matrigrate::io {
+
+/// tracks.csv. The first four columns are those that celltrackR reads: track, time, x, y.
+std::vector<std::string_view> track_columns();
+std::vector<Field> fields(const TrackRow& row);
+
+/// health.csv.
+std::vector<std::string_view> health_columns();
+std::vector<Field> fields(const HealthRow& row);
+
+/// protrusions.csv.
+std::vector<std::string_view> protrusion_columns();
+std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters& p);
+
+/// The whole of protrusions.csv.
+std::string protrusions_csv(std::span<const ProtrusionRecord> records, const ActomyosinParameters& p);
+
+/// A read-out in words and in figures.
+struct NamedValue {
+  std::string_view name;    ///< as in the files, with its unit
+  std::string_view meaning; ///< for people
+  Field value;
+};
+std::vector<NamedValue> named_values(const ReadOuts& r);
+
+/// A value for people: four digits, or "-" where it is not defined.
+std::string readable(const Field& value);
+
+/// summary.csv: a header and one row.
+std::string summary_csv(const ReadOuts& r);
+
+/// summary.json: one object.
+std::string summary_json(const ReadOuts& r);
+
+} // namespace matrigrate::io

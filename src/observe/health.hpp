@@ -1,0 +1,52 @@
+#pragma once
+
+#include "simulation/workspace.hpp"
+#include "state/state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+/// Signs that a computation goes well or badly. Read-only. Test: tests/unit/observe/health_test.cpp
+namespace matrigrate {
+
+struct HealthRow {
+  double t = 0.0; ///< [s]
+  std::uint64_t step = 0;
+  int iterations = 0;             ///< of the solver in the last step
+  int most_iterations = 0;        ///< of the solver in a step since the previous row
+  double residual = 0.0;          ///< relative, of the last step [-]
+  double largest_residual = 0.0;  ///< relative, of a step since the previous row [-]
+  double area_ratio = never;      ///< area of the cell over A_0 [-]
+  double density_min = never;     ///< of solid particles, over rho_0 [-]
+  double density_max = never;     ///< of solid particles, over rho_0 [-]
+  std::size_t density_bounds = 0; ///< particles at a density bound after the last step
+  std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
+  std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
+  std::size_t solid_inside = 0;   ///< solid particles inside the cell
+  double deepest_solid = 0.0;     ///< their largest distance from the cortex [um]
+  bool crosses_itself = false;    ///< whether the cortex does
+  double fastest = 0.0;           ///< speed of the fastest particle of matrix or cortex [um/s]
+};
+
+/// Solid particles inside the cell.
+struct SolidInside {
+  std::size_t n = 0;
+  double deepest = 0.0; ///< the largest distance of one from the cortex [um]
+};
+SolidInside solid_inside(const State& s);
+
+/// Gathers the extremes of the steps between two rows.
+class HealthWatch {
+public:
+  /// To be called after each step.
+  void see(const StepHealth& step);
+
+  /// The row of now; the next one gathers anew.
+  HealthRow row(const State& s, const Parameters& p, const StepHealth& last);
+
+private:
+  int m_most_iterations = 0;
+  double m_largest_residual = 0.0;
+};
+
+} // namespace matrigrate

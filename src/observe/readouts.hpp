@@ -1,0 +1,50 @@
+#pragma once
+
+#include "observe/tracks.hpp"
+#include "parameters/parameters.hpp"
+
+#include <cstddef>
+#include <span>
+
+/// The read-outs of Heck et al. 2020, section "Migration measures", Eq. (9) and Figs 5-11: one number each for a run.
+/// Test: tests/unit/observe/readouts_test.cpp
+namespace matrigrate {
+
+/// Mean over those for which a value is defined.
+struct Mean {
+  double value = never; ///< NaN where there are none
+  std::size_t n = 0;
+};
+
+/// NaN where a run does not define a value.
+struct ReadOuts {
+  double duration = never;           ///< from the first to the last row [s]
+  double v_migr_abs = never;         ///< |x_cm(end) - x_cm(0)| / duration [um/h]
+  double v_migr_path_60s = never;    ///< length of the path of x_cm sampled every 60 s / duration [um/h]
+  double v_migr_path_600s = never;   ///< the same, sampled every 600 s [um/h]
+  std::size_t n_protrusions = 0;     ///< initiated
+  std::size_t n_unadhered = 0;       ///< of them, ended growth where no solid was in reach
+  Mean tau_prot;                     ///< life of an adhesion, from the end of maturation to disassembly [min]
+  std::size_t n_censored = 0;        ///< mature adhesions that the run outlived: not in tau_prot
+  Mean l_prot;                       ///< length at the end of growth, of those that adhered [um]
+  Mean f_mat;                        ///< at the end of maturation [-]
+  Mean force;                        ///< of mature adhesions at disassembly [nN]
+  Mean f_adh_rel;                    ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
+  double mean_simultaneous = never;  ///< protrusions alive, of all phases, mean over the rows
+  std::size_t most_simultaneous = 0; ///< the largest number of them in a row
+};
+
+/// f_adh_rel of one protrusion, Eq. (9); NaN if its adhesion has not matured or not ended [-].
+double relative_force(const ProtrusionRecord& r, const ActomyosinParameters& p);
+
+/// Length of the path of the centre of mass, sampled at multiples of an interval and at the last row; NaN if the rows
+/// lie further apart than the interval, or span less than it [um].
+/// @param interval  [s]
+double path_length(std::span<const TrackRow> rows, double interval);
+
+/// @param rows     in the order of time
+/// @param records  of all protrusions, ended or alive
+ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records,
+                  const ActomyosinParameters& p);
+
+} // namespace matrigrate

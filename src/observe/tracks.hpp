@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/vector.hpp"
+#include "state/state.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+/// Where the cell is and what its protrusions do, from time to time. Read-only.
+/// Test: tests/unit/observe/tracks_test.cpp
+namespace matrigrate {
+
+/// The cell at one time.
+struct TrackRow {
+  double t = 0.0; ///< [s]
+  std::uint64_t step = 0;
+  Vec2 centre = Vec2::Zero();         ///< centre of mass: centroid of the area inside the cortex [um]
+  double area = 0.0;                  ///< [um^2]
+  double perimeter = 0.0;             ///< [um]
+  std::optional<double> polarization; ///< angle of d_pol [rad]; none before the first protrusion
+  std::array<std::uint32_t, std::variant_size_v<Phase>> in_phase{}; ///< protrusions alive, in the order of the phases
+  std::uint32_t initiated = 0;                                      ///< protrusions initiated so far
+
+  std::uint32_t alive() const; ///< protrusions of all phases
+};
+
+/// @param s  a state with a cell
+TrackRow track_row(const State& s);
+
+/// Records of all protrusions, ended or alive, in the order of their initiation.
+std::vector<ProtrusionRecord> protrusion_records(const State& s);
+
+} // namespace matrigrate

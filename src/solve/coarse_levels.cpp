@@ -1,0 +1,143 @@
+#include "solve/coarse_levels.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr double least_share = 1e-3;     // grid points with less of the largest diagonal are left out
+constexpr std::size_t most_direct = 400; // unknowns of the level that is solved directly
+constexpr double least_diagonal = 0.6;   // of a smoother, in sums of a row's magnitudes: over 1/2 it cannot diverge
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+Sparse pair_drag_matrix(const DragSystem& A) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto n = static_cast<int>(A.pairs->size());
+  for (int i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    entries.emplace_back(i, i, A.diagonal[row]);
+    for (std::uint32_t k = A.pairs->first[row]; k < A.pairs->first[row + 1]; ++k)
+      if (A.coupling[k] != 0.0) entries.emplace_back(i, static_cast<int>(A.pairs->index[k]), -A.coupling[k]);
+  }
+  Sparse matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// A symmetric matrix as diagonal, pattern and negative rest.
+struct Parts {
+  explicit Parts(const Sparse& A) {
+    pairs.first.push_back(0);
+    for (long i = 0; i < A.outerSize(); ++i) {
+      double sum = 0.0;
+      double on = 0.0;
+      for (Sparse::InnerIterator entry(A, i); entry; ++entry) {
+        sum += std::abs(entry.value());
+        if (entry.row() == i) {
+          on = entry.value();
+          continue;
+        }
+        pairs.index.push_back(static_cast<std::uint32_t>(entry.row()));
+        G.push_back(-entry.value());
+      }
+      pairs.first.push_back(static_cast<std::uint32_t>(pairs.index.size()));
+      diagonal.push_back(on);
+      row_sum.push_back(sum);
+    }
+  }
+  Adjacency pairs;
+  std::vector<double> G, diagonal, row_sum;
+};
+
+} // namespace
+
+std::vector<std::uint8_t> free_nodes(const DragSystem& A) {
+  std::vector<std::uint8_t> free(A.pairs->size());
+  parallel_for(free.size(), [&](std::size_t i) {
+    const auto first = A.coupling.begin() + A.pairs->first[i];
+    const auto last = A.coupling.begin() + A.pairs->first[i + 1];
+    free[i] = std::any_of(first, last, [](double g) { return g != 0.0; }) ? 1 : 0;
+  });
+  return free;
+}
+
+CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
+  const std::size_t n = reference.pairs->size();
+  if (n == 0 || reference.position.size() < n) return;
+  Sparse A = pair_drag_matrix(reference);
+  std::vector<Vec2> x(reference.position.begin(), reference.position.begin() + static_cast<std::ptrdiff_t>(n));
+  std::vector<std::uint8_t> free = free_nodes(reference);
+  Grid grid(x, spacing);
+  for (;;) {
+    grid.locate(x, free);
+    const Sparse all = Sparse(grid.P().transpose()) * A * grid.P();
+    const Eigen::VectorXd diagonal = all.diagonal();
+    std::vector<std::uint8_t> keep(grid.size());
+    for (std::size_t q = 0; q < keep.size(); ++q)
+      keep[q] = diagonal[static_cast<long>(q)] > least_share * diagonal.maxCoeff() ? 1 : 0;
+    grid.leave_out(keep);
+    if (grid.size() == 0) return;
+    grid.locate(x, free);
+    A = Sparse(grid.P().transpose()) * A * grid.P();
+
+    Level& level = m_levels.emplace_back();
+    level.grid = grid;
+    for (Field* field : {&level.b, &level.x, &level.r, &level.smoother}) field->resize(grid.size());
+    if (grid.size() <= most_direct) break;
+    const Parts parts(A);
+    level.A.assign(parts.pairs, parts.G, parts.diagonal);
+    for (std::size_t q = 0; q < grid.size(); ++q) {
+      const double d = std::max(parts.diagonal[q], least_diagonal * parts.row_sum[q]);
+      level.smoother.x()[q] = level.smoother.y()[q] = static_cast<float>(1.0 / d);
+    }
+    x = grid.points();
+    free.assign(x.size(), 1);
+    grid = grid.coarser();
+  }
+  m_coarsest.compute(A.cast<float>());
+  m_b.resize(static_cast<long>(grid.size()), 2);
+}
+
+void CoarseLevels::locate(const DragSystem& A) {
+  const std::size_t n = A.pairs->size();
+  if (m_levels.empty()) return;
+  m_levels[0].grid.locate(std::span(A.position).first(n), free_nodes(A));
+}
+
+void CoarseLevels::add_correction(const Field& r, Field& z) {
+  if (m_levels.empty()) return;
+  m_levels[0].grid.restrict_to(r, m_levels[0].b);
+  cycle(0);
+  m_levels[0].grid.interpolate(m_levels[0].x, z);
+}
+
+void CoarseLevels::cycle(std::size_t level) {
+  Level& l = m_levels[level];
+  if (level + 1 == m_levels.size()) {
+    for (long q = 0; q < m_b.rows(); ++q) {
+      m_b(q, 0) = l.b.x()[q];
+      m_b(q, 1) = l.b.y()[q];
+    }
+    const Eigen::MatrixX2f solved = m_coarsest.solve(m_b);
+    for (long q = 0; q < m_b.rows(); ++q) {
+      l.x.x()[q] = solved(q, 0);
+      l.x.y()[q] = solved(q, 1);
+    }
+    return;
+  }
+  Level& next = m_levels[level + 1];
+  assign_product(l.smoother, l.b, l.x);
+  l.A.residual(l.b, l.x, l.r);
+  next.grid.restrict_to(l.r, next.b);
+  cycle(level + 1);
+  next.grid.interpolate(next.x, l.x);
+  l.A.residual(l.b, l.x, l.r);
+  matrigrate::add_product(l.smoother, l.r, l.x);
+}
+
+} // namespace matrigrate

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "base/parallel.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace matrigrate {
+
+/// Velocities or forces in single precision, all x components before all y components, each framed by zeros: a row of
+/// `lanes` numbers may be read from anywhere, and loops over whole fields need no special cases.
+class Field {
+public:
+  static constexpr std::size_t lanes = 8;
+
+  /// Sets the number of nodes; all values become zero.
+  void resize(std::size_t n) {
+    m_size = n;
+    m_stride = 2 * lanes + (n + lanes - 1) / lanes * lanes;
+    m_values.assign(2 * m_stride, 0.0F);
+  }
+  std::size_t size() const { return m_size; }
+  float* x() { return m_values.data() + lanes; }
+  float* y() { return m_values.data() + m_stride + lanes; }
+  const float* x() const { return m_values.data() + lanes; }
+  const float* y() const { return m_values.data() + m_stride + lanes; }
+
+  /// All values, frames included; fields of one size match value by value.
+  std::vector<float>& values() { return m_values; }
+  const std::vector<float>& values() const { return m_values; }
+  void set_zero() { std::fill(m_values.begin(), m_values.end(), 0.0F); }
+
+private:
+  std::size_t m_size = 0, m_stride = 0;
+  std::vector<float> m_values;
+};
+
+/// a . b over both components, summed in double precision.
+inline double dot(const Field& a, const Field& b) {
+  using Lanes = Eigen::Array<double, 4, 1>;
+  using Four = Eigen::Map<const Eigen::Array4f>;
+  const float* p = a.values().data();
+  const float* q = b.values().data();
+  const Lanes sum = ordered_sum<Lanes>(a.values().size() / 8, Lanes::Zero(), [p, q](std::size_t k) -> Lanes {
+    const Eigen::Array4f product = Four(p + 8 * k) * Four(q + 8 * k) + Four(p + 8 * k + 4) * Four(q + 8 * k + 4);
+    return product.cast<double>();
+  });
+  return sum.sum();
+}
+
+/// z = d r, value by value.
+inline void assign_product(const Field& d, const Field& r, Field& z) {
+  const float* a = d.values().data();
+  const float* b = r.values().data();
+  float* to = z.values().data();
+  parallel_for(z.values().size(), [=](std::size_t k) { to[k] = a[k] * b[k]; });
+}
+
+/// z += d r, value by value.
+inline void add_product(const Field& d, const Field& r, Field& z) {
+  const float* a = d.values().data();
+  const float* b = r.values().data();
+  float* to = z.values().data();
+  parallel_for(z.values().size(), [=](std::size_t k) { to[k] += a[k] * b[k]; });
+}
+
+/// y += alpha x.
+inline void add_multiple(float alpha, const Field& x, Field& y) {
+  const float* a = x.values().data();
+  float* to = y.values().data();
+  parallel_for(y.values().size(), [=](std::size_t k) { to[k] += alpha * a[k]; });
+}
+
+/// p = z + beta p.
+inline void extend(const Field& z, float beta, Field& p) {
+  const float* a = z.values().data();
+  float* to = p.values().data();
+  parallel_for(p.values().size(), [=](std::size_t k) { to[k] = a[k] + beta * to[k]; });
+}
+
+} // namespace matrigrate

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/vector.hpp"
+#include "solve/field.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace matrigrate {
+
+/// A square grid of points, and bilinear interpolation from it to nodes wherever they are: the matrix P. Points can be
+/// left out; they count as zero. Test: tests/unit/solve/multigrid_test.cpp
+class Grid {
+public:
+  Grid() = default;
+
+  /// A grid over all of x with some margin.   @param spacing  [um], > 0
+  Grid(std::span<const Vec2> x, double spacing);
+
+  /// A grid of twice the spacing over the same area.
+  Grid coarser() const;
+
+  std::size_t size() const { return m_points; }
+  double spacing() const { return m_spacing; }
+
+  /// Positions of the points that count [um].
+  std::vector<Vec2> points() const;
+
+  /// Leaves out the points for which keep is 0 and numbers the others anew, in their order.
+  void leave_out(std::span<const std::uint8_t> keep);
+
+  /// Interpolation to nodes at x, except those with free = 0: their rows of P are zero.
+  void locate(std::span<const Vec2> x, std::span<const std::uint8_t> free);
+
+  Eigen::SparseMatrix<double> P() const;
+
+  /// a = P^T r.
+  void restrict_to(const Field& r, Field& a) const;
+
+  /// z += P a.
+  void interpolate(const Field& a, Field& z) const;
+
+private:
+  /// The four points around a node.
+  struct Around {
+    std::array<std::uint32_t, 4> point{};
+    std::array<float, 4> weight{};
+  };
+  Around around(const Vec2& x) const;
+
+  double m_spacing = 0.0;
+  Vec2 m_low = Vec2::Zero();
+  std::size_t m_columns = 0, m_rows = 0, m_points = 0;
+  std::vector<std::int32_t> m_number; // of a point; -1 where it is left out
+  std::vector<Around> m_around;       // of the nodes
+};
+
+} // namespace matrigrate

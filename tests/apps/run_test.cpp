@@ -1,0 +1,129 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace matrigrate {
+namespace {
+
+using nlohmann::json;
+
+class Run : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[output]\ntrack_interval = \"8 s\"\nsnapshot_interval = \"16 s\"\n");
+  }
+  json record(const std::string& of) const { return json::parse(text_of(folder / of / "run.json")); }
+};
+
+TEST_F(Run, WritesItsFiles) {
+  const Ended ended = run("run s.toml --hours 0.01 --seed 7");
+  ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_TRUE(contains(ended.out, "Done: 36 s, 90 steps.")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "speed, start to end [um/h]")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "open s-seed7/report.html")) << ended.out;
+  for (const char* file : {"scenario.resolved.toml", "run.json", "tracks.csv", "protrusions.csv", "health.csv",
+                           "summary.csv", "summary.json", "snapshots.svg", "report.html", "snapshots/t_00000s.svg",
+                           "snapshots/t_00016s.svg", "snapshots/t_00032s.svg", "snapshots/t_00036s.svg"})
+    EXPECT_TRUE(exists(std::string("s-seed7/") + file)) << file;
+  const std::string tracks = text_of(folder / "s-seed7/tracks.csv");
+  EXPECT_TRUE(tracks.starts_with("track,t_s,x_um,y_um,area_um2,perimeter_um,polarization_rad,")) << tracks;
+  EXPECT_EQ(std::count(tracks.begin(), tracks.end(), '\n'), 1 + 6) << "0, 8, 16, 24, 32 and 36 s";
+  EXPECT_TRUE(text_of(folder / "s-seed7/health.csv").starts_with("t_s,step,solver_iterations,"));
+  EXPECT_TRUE(text_of(folder / "s-seed7/protrusions.csv").starts_with("id,centre_particle,t_initiation_s,"));
+  EXPECT_EQ(json::parse(text_of(folder / "s-seed7/summary.json")).at("duration_s"), 36.0);
+  EXPECT_EQ(run("check s-seed7/scenario.resolved.toml").code, 0);
+}
+
+TEST_F(Run, RecordsWhatItWas) {
+  ASSERT_EQ(run("run s.toml --hours 0.005 --seed 3 -o here --quiet").code, 0);
+  const json r = record("here");
+  EXPECT_EQ(r.at("status"), "done");
+  EXPECT_EQ(r.at("exit_code"), 0);
+  EXPECT_EQ(r.at("seed"), 3);
+  EXPECT_EQ(r.at("steps"), 45);
+  EXPECT_EQ(r.at("trajectory_hash").get<std::string>().size(), 16U);
+  EXPECT_EQ(r.at("command_line").at(1), "run");
+  for (const char* key : {"wall_time_s", "ms_per_step", "configuration_hash", "start", "end", "version", "git_hash",
+                          "git_dirty", "compiler", "flags", "libraries", "cpu", "lineage", "reason"})
+    EXPECT_TRUE(r.contains(key)) << key;
+  EXPECT_TRUE(r.at("end").get<std::string>().ends_with("Z"));
+}
+
+TEST_F(Run, GivesTheSameBitsAgain) {
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o a --quiet --set protrusion.initiation_rate=0.01").code, 0);
+  ASSERT_EQ(run("run a/scenario.resolved.toml -o b --quiet --threads 2").code, 0);
+  ASSERT_EQ(run("run a/scenario.resolved.toml -o c --quiet --seed 2").code, 0);
+  EXPECT_EQ(record("a").at("trajectory_hash"), record("b").at("trajectory_hash"));
+  EXPECT_EQ(record("a").at("configuration_hash"), record("b").at("configuration_hash"));
+  EXPECT_NE(record("a").at("trajectory_hash"), record("c").at("trajectory_hash"));
+  EXPECT_NE(record("a").at("configuration_hash"), record("c").at("configuration_hash"));
+  EXPECT_EQ(text_of(folder / "a/tracks.csv"), text_of(folder / "b/tracks.csv"));
+  EXPECT_GT(json::parse(text_of(folder / "a/summary.json")).at("n_protrusions"), 0);
+  EXPECT_GT(std::ranges::count(text_of(folder / "a/protrusions.csv"), '\n'), 1) << "those alive at the end too";
+}
+
+TEST_F(Run, SpeaksJson) {
+  const Ended ended = run("run s.toml --hours 0.002 --json");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found.at("folder"), "s-seed1");
+  EXPECT_EQ(found.at("status"), "done");
+  EXPECT_TRUE(found.at("summary").contains("v_migr_abs_um_per_h"));
+}
+
+TEST_F(Run, RefusesAFolderThatIsNotEmpty) {
+  std::filesystem::create_directory(folder / "here");
+  write("here/mine", "mine");
+  const Ended ended = run("run s.toml --hours 0.002 -o here");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "--force")) << ended.err;
+  EXPECT_FALSE(exists("here/run.json"));
+  EXPECT_EQ(run("run s.toml --hours 0.002 -o here --force --quiet").code, 0);
+  EXPECT_TRUE(exists("here/run.json"));
+  EXPECT_EQ(text_of(folder / "here/mine"), "mine");
+}
+
+TEST_F(Run, WritesNothingOnABadConfiguration) {
+  const Ended ended = run("run s.toml --set ecm.radius=1 --hours -1 --set run.sed=3");
+  EXPECT_EQ(ended.code, 3);
+  for (const char* key : {"ecm.radius", "run.duration", "run.sed"}) EXPECT_TRUE(contains(ended.err, key)) << ended.err;
+  EXPECT_EQ(run("run none.toml").code, 3);
+  const Ended step = run("run s.toml --set run.time_step=10");
+  EXPECT_EQ(step.code, 4);
+  EXPECT_TRUE(contains(step.err, "10 s")) << step.err;
+  EXPECT_EQ(entries(), 1U) << "s.toml alone";
+}
+
+TEST_F(Run, KeepsWhatItHasWhenItFails) {
+  const Ended ended = run("run s.toml --hours 0.01 -o here --set solver.max_iterations=1 --set solver.tolerance=1e-12");
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_TRUE(contains(ended.out, "Failed after 0 s of 36 s: ")) << ended.out;
+  EXPECT_EQ(record("here").at("status"), "failed");
+  EXPECT_EQ(record("here").at("exit_code"), 4);
+  EXPECT_TRUE(contains(record("here").at("reason"), "was not solved")) << record("here").at("reason");
+  for (const char* file : {"here/tracks.csv", "here/summary.json", "here/snapshots/t_00000s.svg", "here/report.html"})
+    EXPECT_TRUE(exists(file)) << file;
+}
+
+TEST_F(Run, StopsAtASignal) {
+  for (const auto& [signal, code] : {std::pair<std::string, int>{"INT", 130}, {"TERM", 75}}) {
+    // `timeout` passes on the program's own exit code with --preserve-status.
+    const std::string command = "cd '" + folder.string() + "' && timeout --preserve-status -s " + signal
+                                + " 1 '" MATRIGRATE_PROGRAM "' run s.toml -o " + signal
+                                + " --hours 1000 --quiet --set protrusion.initiation_rate=1e-12 >'"
+                                + (base / "out").string() + "' 2>'" + (base / "err").string() + "'";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), code);
+    EXPECT_EQ(record(signal).at("status"), "interrupted");
+    EXPECT_EQ(record(signal).at("exit_code"), code);
+    EXPECT_GT(record(signal).at("steps"), 0);
+    EXPECT_TRUE(contains(record(signal).at("reason"), "without a checkpoint"));
+    EXPECT_TRUE(exists(signal + "/report.html"));
+  }
+}
+
+} // namespace
+} // namespace matrigrate

@@ -1,0 +1,122 @@
+#include "observe/readouts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace matrigrate;
+
+namespace {
+
+/// Rows every `interval` s along a zigzag: 1 um in x a minute, and 1 um up or down every minute.
+std::vector<TrackRow> zigzag(double interval, int n) {
+  std::vector<TrackRow> rows(static_cast<std::size_t>(n) + 1);
+  for (int k = 0; k <= n; ++k) {
+    TrackRow& row = rows[static_cast<std::size_t>(k)];
+    row.t = interval * k;
+    const double minutes = row.t / 60.0;
+    row.centre = {minutes, std::abs(std::remainder(minutes, 2.0))};
+  }
+  return rows;
+}
+
+/// A protrusion that adhered at 400 s and matured at 1000 s.
+ProtrusionRecord mature(std::uint32_t id, double length, double f_mat) {
+  ProtrusionRecord r;
+  r.id = id;
+  r.t_initiation = 0.0;
+  r.t_adhesion = 400.0;
+  r.t_mature = 1000.0;
+  r.length = length;
+  r.f_mat = f_mat;
+  return r;
+}
+
+ProtrusionRecord ended(ProtrusionRecord r, EndCause cause, double t, double force) {
+  r.cause = cause;
+  r.t_disassembly = t;
+  r.force = force;
+  return r;
+}
+
+} // namespace
+
+TEST(PathLength, DependsOnTheSampling) {
+  const auto rows = zigzag(30.0, 40); // 20 min
+  EXPECT_NEAR(path_length(rows, 30.0), 20.0 * std::numbers::sqrt2, 1e-9);
+  EXPECT_NEAR(path_length(rows, 60.0), 20.0 * std::numbers::sqrt2, 1e-9);
+  EXPECT_NEAR(path_length(rows, 120.0), 20.0, 1e-9) << "every second minute: only the way ahead is left";
+  EXPECT_NEAR(path_length(rows, 600.0), 20.0, 1e-9);
+}
+
+TEST(PathLength, EndsAtTheLastRow) {
+  const auto rows = zigzag(60.0, 15); // 15 min: one sample at 10 min, then the end
+  EXPECT_NEAR(path_length(rows, 600.0), 10.0 + std::hypot(5.0, 1.0), 1e-9);
+}
+
+TEST(PathLength, TakesTimesThatAreRounded) {
+  auto rows = zigzag(60.0, 20);
+  for (TrackRow& row : rows) row.t *= 1.0 - 1e-12;
+  EXPECT_NEAR(path_length(rows, 60.0), 20.0 * std::numbers::sqrt2, 1e-6);
+}
+
+TEST(PathLength, IsUndefinedForCoarseOrShortTracks) {
+  EXPECT_TRUE(std::isnan(path_length(zigzag(120.0, 10), 60.0)));
+  EXPECT_TRUE(std::isnan(path_length(zigzag(30.0, 4), 600.0)));
+  EXPECT_TRUE(std::isnan(path_length({}, 60.0)));
+}
+
+TEST(ReadOuts, GiveSpeedsInMicrometresAnHour) {
+  const ReadOuts r = readouts(zigzag(60.0, 60), {}, {});
+  EXPECT_EQ(r.duration, 3600.0);
+  EXPECT_NEAR(r.v_migr_abs, 60.0, 1e-9);
+  EXPECT_NEAR(r.v_migr_path_60s, 60.0 * std::numbers::sqrt2, 1e-9);
+  EXPECT_NEAR(r.v_migr_path_600s, 60.0, 1e-9);
+}
+
+TEST(ReadOuts, AverageTheProtrusionsForWhichAValueIsDefined) {
+  const ActomyosinParameters p{.force = 0.5};
+  ProtrusionRecord unadhered;
+  unadhered.id = 4;
+  unadhered.length = 9.0;
+  unadhered = ended(unadhered, EndCause::unadhered, 400.0, never);
+  ProtrusionRecord lost_early = mature(5, 22.0, never);
+  lost_early.t_mature = never;
+  lost_early = ended(lost_early, EndCause::lost, 700.0, 0.3);
+  const std::vector<ProtrusionRecord> records{
+      ended(mature(1, 20.0, 0.4), EndCause::disassembly, 1600.0, 0.1), // 10 min, 0.1 / (0.4 0.5) = 0.5
+      ended(mature(2, 24.0, 0.8), EndCause::rupture, 2200.0, 0.4),     // 20 min, 1
+      mature(3, 26.0, 0.6),                                            // still adheres
+      unadhered, lost_early};
+  const ReadOuts r = readouts({}, records, p);
+  EXPECT_EQ(r.n_protrusions, 5U);
+  EXPECT_EQ(r.n_unadhered, 1U);
+  EXPECT_EQ(r.n_censored, 1U);
+  EXPECT_EQ(r.tau_prot.n, 2U);
+  EXPECT_NEAR(r.tau_prot.value, 15.0, 1e-12);
+  EXPECT_EQ(r.l_prot.n, 4U) << "the one that never adhered is left out";
+  EXPECT_NEAR(r.l_prot.value, 23.0, 1e-12);
+  EXPECT_NEAR(r.f_mat.value, 0.6, 1e-12);
+  EXPECT_NEAR(r.force.value, 0.25, 1e-12) << "the one lost before it matured is left out";
+  EXPECT_NEAR(r.f_adh_rel.value, 0.75, 1e-12);
+  EXPECT_TRUE(std::isnan(r.v_migr_abs));
+}
+
+TEST(ReadOuts, CountSimultaneousProtrusions) {
+  auto rows = zigzag(60.0, 3);
+  rows[1].in_phase = {1, 0, 1, 0};
+  rows[2].in_phase = {1, 1, 0, 1};
+  rows[3].in_phase = {0, 0, 0, 1};
+  const ReadOuts r = readouts(rows, {}, {});
+  EXPECT_EQ(r.most_simultaneous, 3U);
+  EXPECT_NEAR(r.mean_simultaneous, 1.5, 1e-12);
+}
+
+TEST(ReadOuts, AreUndefinedWithoutProtrusionsOrRows) {
+  const ReadOuts r = readouts({}, {}, {});
+  for (const double value : {r.duration, r.v_migr_abs, r.v_migr_path_60s, r.tau_prot.value, r.l_prot.value,
+                             r.f_mat.value, r.force.value, r.f_adh_rel.value, r.mean_simultaneous})
+    EXPECT_TRUE(std::isnan(value));
+}

@@ -1,0 +1,58 @@
+#include "observe/tracks.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace matrigrate;
+
+namespace {
+
+Protrusion living(std::uint32_t id, Phase phase) {
+  Protrusion protrusion;
+  protrusion.phase = std::move(phase);
+  protrusion.record.id = id;
+  return protrusion;
+}
+
+} // namespace
+
+TEST(TrackRow, TellsPlaceAndShapeOfASquare) {
+  State s;
+  s.step = 10;
+  s.t = 4.0;
+  s.cortex.x = {{3, 5}, {7, 5}, {7, 9}, {3, 9}};
+  s.polarization = 0.5;
+  const TrackRow row = track_row(s);
+  EXPECT_EQ(row.t, 4.0);
+  EXPECT_EQ(row.step, 10U);
+  EXPECT_NEAR((row.centre - Vec2(5, 7)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(row.area, 16.0, 1e-12);
+  EXPECT_NEAR(row.perimeter, 16.0, 1e-12);
+  EXPECT_EQ(row.polarization, 0.5);
+  EXPECT_EQ(row.alive(), 0U);
+}
+
+TEST(TrackRow, CountsProtrusionsByPhase) {
+  State s;
+  s.cortex.x = {{0, 0}, {1, 0}, {0, 1}};
+  s.initiated = 7;
+  s.protrusions = {living(4, Contracting{Vec2::Zero(), 0.5}), living(6, Growing{Vec2::UnitX()}),
+                   living(7, Contracting{Vec2::Zero(), 0.5})};
+  const TrackRow row = track_row(s);
+  EXPECT_EQ(row.in_phase, (std::array<std::uint32_t, 4>{1, 0, 2, 0}));
+  EXPECT_EQ(row.alive(), 3U);
+  EXPECT_EQ(row.initiated, 7U);
+  EXPECT_FALSE(row.polarization);
+}
+
+TEST(ProtrusionRecords, AreInTheOrderOfInitiation) {
+  State s;
+  s.protrusions = {living(2, Finishing{0.05}), living(4, Finishing{0.05})};
+  for (const std::uint32_t id : {3U, 1U}) {
+    ProtrusionRecord r;
+    r.id = id;
+    s.ended.push_back(r);
+  }
+  const auto records = protrusion_records(s);
+  ASSERT_EQ(records.size(), 4U);
+  for (std::uint32_t k = 0; k < 4; ++k) EXPECT_EQ(records[k].id, k + 1);
+}
