@@ -14,6 +14,7 @@ libtbb-dev: threads
 libtomlplusplus-dev: scenario files
 libcli11-dev: the command line
 nlohmann-json3-dev: JSON
+librandom123-dev: counter-based random numbers
 libxxhash-dev: fingerprints of trajectories
 "
 packages_to_test="
@@ -31,6 +32,7 @@ die() {
 # install_packages LIST: installs what is missing of it, through apt, as root or through sudo; touches nothing otherwise.
 install_packages() {
   local missing="" name reason
+  command -v dpkg-query >/dev/null || die "this installs Debian packages, and needs Debian 12; CONTRIBUTING.md says how to build elsewhere"
   while IFS=: read -r name reason; do
     [ -n "$name" ] || continue
     dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null | grep -qx installed && continue
@@ -51,12 +53,19 @@ install_packages() {
     die "apt could not install the packages; is this Debian 12, and can it reach its package source?"
 }
 
-# jobs: as many compilers as there are cores, but no more than one for each 1.5 GB of memory.
-jobs() {
-  local cores memory_mb
+# job_count: as many compilers as there are cores, but no more than one for each 1.5 GB of free memory, where that and
+# the limit of a container can be read.
+job_count() {
+  local cores memory_mb limit fit
   cores=$(nproc)
-  memory_mb=$(awk '/MemAvailable/ {print int($2 / 1024)}' /proc/meminfo)
-  local fit=$((memory_mb / 1500))
+  memory_mb=$(awk '/MemAvailable/ {print int($2 / 1024)}' /proc/meminfo 2>/dev/null || true)
+  [ -n "$memory_mb" ] || memory_mb=$((cores * 1500))
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || true)
+  case $limit in
+  "" | *[!0-9]*) ;;
+  *) [ $((limit / 1048576)) -ge "$memory_mb" ] || memory_mb=$((limit / 1048576)) ;;
+  esac
+  fit=$((memory_mb / 1500))
   [ "$fit" -ge 1 ] || fit=1
   echo $((fit < cores ? fit : cores))
 }

@@ -10,8 +10,10 @@ namespace matrigrate {
 namespace {
 
 constexpr double least_share = 1e-3;     // grid points with less of the largest diagonal are left out
-constexpr std::size_t most_direct = 400; // unknowns of the level that is solved directly
+constexpr std::size_t most_direct = 100; // unknowns of the level that is solved directly
 constexpr double least_diagonal = 0.6;   // of a smoother, in sums of a row's magnitudes: over 1/2 it cannot diverge
+
+constexpr float links_share = 0.6F; // of their row sums in the diagonal of a smoother, for the same reason
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -87,30 +89,58 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
 
     Level& level = m_levels.emplace_back();
     level.grid = grid;
-    for (Field* field : {&level.b, &level.x, &level.r, &level.smoother}) field->resize(grid.size());
+    for (Field* field : {&level.b, &level.x, &level.r, &level.inverse_diagonal, &level.smoother})
+      field->resize(grid.size());
     if (grid.size() <= most_direct) break;
     const Parts parts(A);
     level.A.assign(parts.pairs, parts.G, parts.diagonal);
     for (std::size_t q = 0; q < grid.size(); ++q) {
       const double d = std::max(parts.diagonal[q], least_diagonal * parts.row_sum[q]);
-      level.smoother.x()[q] = level.smoother.y()[q] = static_cast<float>(1.0 / d);
+      level.inverse_diagonal.x()[q] = level.inverse_diagonal.y()[q] = static_cast<float>(1.0 / d);
     }
     x = grid.points();
     free.assign(x.size(), 1);
     grid = grid.coarser();
   }
-  m_coarsest.compute(A.cast<float>());
+  m_coarsest = A.cast<float>();
   m_b.resize(static_cast<long>(grid.size()), 2);
 }
 
-void CoarseLevels::locate(const DragSystem& A) {
-  const std::size_t n = A.pairs->size();
-  if (m_levels.empty()) return;
-  m_levels[0].grid.locate(std::span(A.position).first(n), free_nodes(A));
+void CoarseLevels::locate(const DragSystem& A, const Elimination& elimination) {
+  m_located = !m_levels.empty() && A.position.size() >= A.pairs->size();
+  if (!m_located) return;
+  m_levels[0].grid.locate(std::span(A.position).first(A.pairs->size()), free_nodes(A));
+  elimination.lump(A, m_links);
+  m_linked.resize(m_links.size());
+  const std::vector<std::uint8_t> all(m_links.size(), 1);
+  for (std::size_t k = 0; k < m_links.size(); ++k) m_linked.x()[k] = m_linked.y()[k] = m_links.drag(k);
+  for (Level& l : m_levels) {
+    l.at_links = l.grid;
+    l.at_links.locate(m_links.position(), all);
+    if (&l == &m_levels.back()) break;
+    l.smoother = l.inverse_diagonal;
+    l.at_links.restrict_to(m_linked, l.r);
+    for (std::size_t q = 0; q < l.grid.size(); ++q)
+      if (l.r.x()[q] > 0.0F)
+        l.smoother.x()[q] = l.smoother.y()[q] = 1.0F / (1.0F / l.inverse_diagonal.x()[q] + links_share * l.r.x()[q]);
+  }
+  Eigen::MatrixXf coarsest = m_coarsest;
+  m_links.add_to(m_levels.back().at_links, coarsest);
+  m_factor.compute(coarsest);
+}
+
+/// r = b - (A + P^T E P) x.
+void CoarseLevels::residual(Level& level) {
+  level.A.residual(level.b, level.x, level.r);
+  if (m_links.size() == 0) return;
+  m_linked.set_zero();
+  level.at_links.interpolate(level.x, m_linked);
+  m_links.multiply(m_linked);
+  level.at_links.subtract_restricted(m_linked, level.r);
 }
 
 void CoarseLevels::add_correction(const Field& r, Field& z) {
-  if (m_levels.empty()) return;
+  if (!m_located) return;
   m_levels[0].grid.restrict_to(r, m_levels[0].b);
   cycle(0);
   m_levels[0].grid.interpolate(m_levels[0].x, z);
@@ -123,7 +153,7 @@ void CoarseLevels::cycle(std::size_t level) {
       m_b(q, 0) = l.b.x()[q];
       m_b(q, 1) = l.b.y()[q];
     }
-    const Eigen::MatrixX2f solved = m_coarsest.solve(m_b);
+    const Eigen::MatrixX2f solved = m_factor.solve(m_b);
     for (long q = 0; q < m_b.rows(); ++q) {
       l.x.x()[q] = solved(q, 0);
       l.x.y()[q] = solved(q, 1);
@@ -132,11 +162,11 @@ void CoarseLevels::cycle(std::size_t level) {
   }
   Level& next = m_levels[level + 1];
   assign_product(l.smoother, l.b, l.x);
-  l.A.residual(l.b, l.x, l.r);
+  residual(l);
   next.grid.restrict_to(l.r, next.b);
   cycle(level + 1);
   next.grid.interpolate(next.x, l.x);
-  l.A.residual(l.b, l.x, l.r);
+  residual(l);
   matrigrate::add_product(l.smoother, l.r, l.x);
 }
 

@@ -183,6 +183,13 @@ void Elimination::scatter(const Add& add) {
   }
 }
 
+void Elimination::lump(const DragSystem& A, LumpedLinks& links) const {
+  links.clear(std::span(A.diagonal).subspan(m_matrix));
+  if (A.position.size() >= m_matrix)
+    for (const Linked& linked : m_linked) links.add(A.position[linked.node], linked.drag);
+  links.close();
+}
+
 void Elimination::add_product(const Field& x, Field& y) {
   if (m_linked.empty() && m_mixed.size() == 0) return;
   m_t.setZero();

@@ -2,6 +2,7 @@
 
 #include "solve/drag_system.hpp"
 #include "solve/field.hpp"
+#include "solve/lumped_links.hpp"
 
 #include <Eigen/SparseCholesky>
 
@@ -26,6 +27,9 @@ public:
 
   /// For each row of A_mm a bound from above of diagonal() and what all other terms can add [nN s/um].
   std::span<const double> bound() const { return m_bound; }
+
+  /// The links for smooth fields, at the present positions of A.
+  void lump(const DragSystem& A, LumpedLinks& links) const;
 
   /// y += (S - diagonal() + G) x.
   void add_product(const Field& x, Field& y);

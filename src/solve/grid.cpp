@@ -50,7 +50,7 @@ void Grid::leave_out(std::span<const std::uint8_t> keep) {
   m_points = count;
 }
 
-Grid::Around Grid::around(const Vec2& x) const {
+Grid::Around Grid::weigh(const Vec2& x) const {
   const Vec2 at = (x - m_low) / m_spacing;
   const double column = std::clamp(std::floor(at.x()), 0.0, static_cast<double>(m_columns - 2));
   const double row = std::clamp(std::floor(at.y()), 0.0, static_cast<double>(m_rows - 2));
@@ -71,7 +71,7 @@ Grid::Around Grid::around(const Vec2& x) const {
 
 void Grid::locate(std::span<const Vec2> x, std::span<const std::uint8_t> free) {
   m_around.resize(x.size());
-  parallel_for(x.size(), [&](std::size_t i) { m_around[i] = free[i] != 0 ? around(x[i]) : Around{}; });
+  parallel_for(x.size(), [&](std::size_t i) { m_around[i] = free[i] != 0 ? weigh(x[i]) : Around{}; });
 }
 
 Eigen::SparseMatrix<double> Grid::P() const {
@@ -91,6 +91,14 @@ void Grid::restrict_to(const Field& r, Field& a) const {
     for (std::size_t k = 0; k < 4; ++k) {
       a.x()[m_around[i].point[k]] += m_around[i].weight[k] * r.x()[i];
       a.y()[m_around[i].point[k]] += m_around[i].weight[k] * r.y()[i];
+    }
+}
+
+void Grid::subtract_restricted(const Field& r, Field& a) const {
+  for (std::size_t i = 0; i < m_around.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      a.x()[m_around[i].point[k]] -= m_around[i].weight[k] * r.x()[i];
+      a.y()[m_around[i].point[k]] -= m_around[i].weight[k] * r.y()[i];
     }
 }
 

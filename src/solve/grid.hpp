@@ -16,6 +16,12 @@ namespace matrigrate {
 /// left out; they count as zero. Test: tests/unit/solve/multigrid_test.cpp
 class Grid {
 public:
+  /// The four points around a node and their weights; 0 for those left out.
+  struct Around {
+    std::array<std::uint32_t, 4> point{};
+    std::array<float, 4> weight{};
+  };
+
   Grid() = default;
 
   /// A grid over all of x with some margin.   @param spacing  [um], > 0
@@ -36,21 +42,20 @@ public:
   /// Interpolation to nodes at x, except those with free = 0: their rows of P are zero.
   void locate(std::span<const Vec2> x, std::span<const std::uint8_t> free);
 
+  const Around& around(std::size_t node) const { return m_around[node]; }
   Eigen::SparseMatrix<double> P() const;
 
   /// a = P^T r.
   void restrict_to(const Field& r, Field& a) const;
 
+  /// a -= P^T r.
+  void subtract_restricted(const Field& r, Field& a) const;
+
   /// z += P a.
   void interpolate(const Field& a, Field& z) const;
 
 private:
-  /// The four points around a node.
-  struct Around {
-    std::array<std::uint32_t, 4> point{};
-    std::array<float, 4> weight{};
-  };
-  Around around(const Vec2& x) const;
+  Around weigh(const Vec2& x) const;
 
   double m_spacing = 0.0;
   Vec2 m_low = Vec2::Zero();

@@ -50,7 +50,7 @@ void Multigrid::prepare(const DragSystem& A) {
   const std::size_t n = A.pairs->size();
   m_elimination.factorise(A);
   m_pairs.assign(*A.pairs, A.coupling, m_elimination.diagonal());
-  m_coarse.locate(A);
+  m_coarse.locate(A, m_elimination);
   for (Field* field : {&m_smoother, &m_x, &m_r, &m_z, &m_p, &m_q}) field->resize(n);
   for (std::size_t i = 0; i < n; ++i)
     m_smoother.x()[i] = m_smoother.y()[i] = static_cast<float>(1.0 / m_elimination.bound()[i]);

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "solve/field.hpp"
+#include "solve/grid.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace matrigrate {
+
+/// What the links do to smooth fields of the matrix if each node a behind it moves with the mean of its partners,
+/// held back by its own drag alone:
+///   E = diag(g_k) - sum over a of g_a g_a^T / T_a,   g_k = sum_a g_ka,   T_a = own drag + sum_k g_ka.
+/// E is positive semidefinite. On a grid it is P^T E P. Test: tests/unit/solve/multigrid_test.cpp
+class LumpedLinks {
+public:
+  /// @param own  drag of the nodes behind the matrix [nN s/um]
+  void clear(std::span<const double> own);
+
+  /// The links of a node of the matrix at x: nodes behind and drags.
+  void add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags);
+
+  /// To be called after the last add().
+  void close();
+
+  std::size_t size() const { return m_x.size(); }
+  std::span<const Vec2> position() const { return m_x; } ///< of the linked nodes
+  float drag(std::size_t k) const { return m_g[k]; }     ///< g_k
+
+  /// A += P^T E P for a grid located at position().
+  void add_to(const Grid& grid, Eigen::MatrixXf& A) const;
+
+  /// u := E u on the linked nodes.
+  void multiply(Field& u);
+
+private:
+  std::vector<Vec2> m_x;
+  std::vector<float> m_g;
+  std::vector<std::uint32_t> m_first, m_behind;
+  std::vector<float> m_drag;
+  std::vector<float> m_T;   // then 1 / T
+  std::vector<float> m_sum; // of the nodes behind, x and y in turn
+};
+
+} // namespace matrigrate
