@@ -46,7 +46,7 @@ enum class CurvatureProfile { gaussian, half_gaussian, triangle };
 enum class Turning { proportional, constant };
 
 /// How the drag system of a step is solved.
-enum class SolverMethod { two_level, conjugate_gradient };
+enum class SolverMethod { multigrid, conjugate_gradient };
 
 struct CellParameters {
   double radius = 15.0;             ///< R [um]
@@ -125,8 +125,8 @@ struct OutputParameters {
 };
 
 struct SolverParameters {
-  SolverMethod method = SolverMethod::two_level;
-  double tolerance = 1e-3; ///< relative residual at which the drag system counts as solved [-]
+  SolverMethod method = SolverMethod::multigrid;
+  double tolerance = 1e-5; ///< relative residual at which the drag system counts as solved [-]
   int max_iterations = 5000;
 };
 

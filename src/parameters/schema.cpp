@@ -32,7 +32,7 @@ constexpr Choice choice(Access, std::span<const std::string_view> names) {
 constexpr std::array<std::string_view, 2> lattices{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> curvature_profiles{"gaussian", "half_gaussian", "triangle"};
 constexpr std::array<std::string_view, 2> turnings{"proportional", "constant"};
-constexpr std::array<std::string_view, 2> solver_methods{"two_level", "conjugate_gradient"};
+constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
 constexpr std::array<std::string_view, 2> formulations{"total_lagrangian", "updated_lagrangian"};
 
 // clang-format off
@@ -209,7 +209,7 @@ constexpr std::array rows{
         "", chosen, "Time between snapshots"},
 
     Row{"solver.method", choice([](Parameters& p) -> SolverMethod& { return p.solver.method; }, solver_methods), "", none,
-        "", chosen, "Conjugate gradients with a two-level preconditioner, or with the diagonal", numerical},
+        "", chosen, "Conjugate gradients, with a multigrid cycle or with the diagonal as preconditioner", numerical},
     Row{"solver.tolerance", [](Parameters& p) -> double& { return p.solver.tolerance; }, "1", above(0, 0.1),
         "", chosen, "Relative residual at which the drag system counts as solved", numerical},
     Row{"solver.max_iterations", [](Parameters& p) -> int& { return p.solver.max_iterations; }, "1", closed(1, 1000000),

@@ -2,13 +2,11 @@
 
 #include "ecm/viscosity.hpp"
 #include "solve/conjugate_gradient.hpp"
-#include "solve/two_level.hpp"
+#include "solve/multigrid.hpp"
 
 namespace matrigrate {
 
 namespace {
-
-constexpr double coarse_spacings = 4.0; // grid of the solver over particle spacing
 
 /// The matrix where it was before anything moved.
 EcmState at_reference(EcmState ecm) {
@@ -23,8 +21,7 @@ std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
   const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, ecm.period_x);
   DragSystem reference;
   assemble_viscosity(ecm, p.ecm, pairs, reference);
-  return std::make_unique<TwoLevel>(reference, coarse_spacings * p.ecm.particle_spacing, p.solver.tolerance,
-                                    p.solver.max_iterations);
+  return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, p.solver.tolerance, p.solver.max_iterations);
 }
 
 } // namespace

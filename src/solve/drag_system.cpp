@@ -38,16 +38,6 @@ void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y) {
   add_products(A.directed, x, y);
 }
 
-void mean_diagonal(const DragSystem& A, std::vector<double>& diagonal) {
-  diagonal = A.diagonal;
-  for (std::size_t m = 0; m < A.links.size(); ++m)
-    for (std::uint32_t k = A.links.first[m]; k < A.links.first[m + 1]; ++k)
-      diagonal[A.links.node[k]] += A.links.c[m] * A.links.weight[k] * A.links.weight[k];
-  for (std::size_t m = 0; m < A.directed.size(); ++m)
-    for (std::uint32_t k = A.directed.first[m]; k < A.directed.first[m + 1]; ++k)
-      diagonal[A.directed.node[k]] += 0.5 * A.directed.c[m] * A.directed.weight[k].squaredNorm();
-}
-
 void diagonal_blocks(const DragSystem& A, std::vector<Mat2>& blocks) {
   blocks.resize(A.size());
   for (std::size_t i = 0; i < A.size(); ++i) blocks[i] = A.diagonal[i] * Mat2::Identity();

@@ -72,9 +72,6 @@ void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
 /// The 2x2 blocks on the diagonal of A, terms included [nN s/um].
 void diagonal_blocks(const DragSystem& A, std::vector<Mat2>& blocks);
 
-/// The mean over both components of the diagonal of A, terms included [nN s/um].
-void mean_diagonal(const DragSystem& A, std::vector<double>& diagonal);
-
 /// How a solve went.
 struct SolveReport {
   int iterations = 0;

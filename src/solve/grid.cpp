@@ -87,11 +87,17 @@ Eigen::SparseMatrix<double> Grid::P() const {
 
 void Grid::restrict_to(const Field& r, Field& a) const {
   a.set_zero();
-  for (std::size_t i = 0; i < m_around.size(); ++i) // in order: the same bits for any number of threads
+  float* ax = a.x();
+  float* ay = a.y();
+  for (std::size_t i = 0; i < m_around.size(); ++i) { // in order: the same bits for any number of threads
+    const Around& w = m_around[i];
+    const float x = r.x()[i];
+    const float y = r.y()[i];
     for (std::size_t k = 0; k < 4; ++k) {
-      a.x()[m_around[i].point[k]] += m_around[i].weight[k] * r.x()[i];
-      a.y()[m_around[i].point[k]] += m_around[i].weight[k] * r.y()[i];
+      ax[w.point[k]] += w.weight[k] * x;
+      ay[w.point[k]] += w.weight[k] * y;
     }
+  }
 }
 
 void Grid::subtract_restricted(const Field& r, Field& a) const {

@@ -14,6 +14,7 @@ void LumpedLinks::clear(std::span<const double> own) {
 void LumpedLinks::add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags) {
   double sum = 0.0;
   for (const auto& [a, drag] : drags) {
+    if (drag <= 0.0) continue;
     sum += drag;
     m_T[a] += static_cast<float>(drag);
     m_behind.push_back(a);

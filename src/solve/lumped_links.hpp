@@ -15,13 +15,14 @@ namespace matrigrate {
 /// What the links do to smooth fields of the matrix if each node a behind it moves with the mean of its partners,
 /// held back by its own drag alone:
 ///   E = diag(g_k) - sum over a of g_a g_a^T / T_a,   g_k = sum_a g_ka,   T_a = own drag + sum_k g_ka.
-/// E is positive semidefinite. On a grid it is P^T E P. Test: tests/unit/solve/multigrid_test.cpp
+/// E is positive semidefinite. On a grid it is P^T E P.
+/// Test: tests/unit/solve/lumped_links_test.cpp
 class LumpedLinks {
 public:
   /// @param own  drag of the nodes behind the matrix [nN s/um]
   void clear(std::span<const double> own);
 
-  /// The links of a node of the matrix at x: nodes behind and drags.
+  /// The links of a node of the matrix at x: nodes behind and drags; only drags above 0 count.
   void add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags);
 
   /// To be called after the last add().

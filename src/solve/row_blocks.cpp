@@ -38,8 +38,9 @@ void RowBlocks::append_block(const Source& source, std::size_t row, Part& part) 
   const Adjacency& pairs = source.pairs;
   const std::size_t count = std::min(lanes, pairs.size() - row);
   const auto append = [&part](std::int32_t distance, const std::array<float, lanes>& values) {
+    part.coefficient.resize(lanes * (part.distance.size() + 1));
+    std::ranges::copy(values, part.coefficient.end() - lanes);
     part.distance.push_back(distance);
-    part.coefficient.insert(part.coefficient.end(), values.begin(), values.end());
   };
   std::array<float, lanes> values{};
   for (std::size_t l = 0; l < count; ++l) values[l] = static_cast<float>(source.D[row + l]);
