@@ -181,7 +181,7 @@ private:
   void take(const std::string& path, const toml::node& node, const Place& place) {
     const Row* row = find_row(path);
     if (row == nullptr) return unknown(path, false, place);
-    m_given.emplace(path, place);
+    m_given.insert_or_assign(path, place);
     const std::string fault = assign(*row, given_by(node), m_parameters);
     if (!fault.empty()) complain(place, path, fault);
   }
@@ -193,11 +193,23 @@ private:
       if (std::ranges::any_of(rule.keys, blamed)) continue;
       const std::string fault = rule.broken(m_parameters);
       if (fault.empty()) continue;
-      const auto given = std::ranges::find_if(rule.keys, [&](std::string_view key) { return m_given.contains(key); });
-      const std::string key(given == rule.keys.end() ? rule.keys.front() : *given);
-      const Place place = given == rule.keys.end() ? Place{} : m_given.find(key)->second;
+      const std::string key(key_to_blame(rule));
+      const auto given = m_given.find(key);
+      const Place place = given == m_given.end() ? Place{} : given->second;
       m_faults.push_back({place.file, place.line, place.column, key, fault});
     }
+  }
+
+  /// The key of a broken rule that was chosen last: on the command line, else in the file, else the rule's first.
+  std::string_view key_to_blame(const Rule& rule) const {
+    std::string_view in_file;
+    for (const std::string_view key : rule.keys) {
+      const auto given = m_given.find(key);
+      if (given == m_given.end()) continue;
+      if (given->second.file == command_line) return key;
+      if (in_file.empty()) in_file = key;
+    }
+    return in_file.empty() ? rule.keys.front() : in_file;
   }
 
   Parameters m_parameters;

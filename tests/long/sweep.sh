@@ -11,7 +11,7 @@ seeds=${4:-3}
 sets=${5:-E F T r}
 
 list() { # parameter values of each set
-  for value in 50 100 200 300 400; do [[ $sets == *E* ]] && echo "ecm.youngs_modulus=${value} Pa"; done
+  for value in 200 50 400 100 300; do [[ $sets == *E* ]] && echo "ecm.youngs_modulus=${value} Pa"; done
   for value in 0.4 0.8 1.2 1.6 2.0; do [[ $sets == *F* ]] && echo "actomyosin.force=${value} nN"; done
   for value in 200 300 500 600; do [[ $sets == *T* ]] && echo "protrusion.growth_time=${value} s"; done
   for value in 1e-5 3e-5 8e-5 1e-4; do [[ $sets == *r* ]] && echo "protrusion.initiation_rate=${value} 1/s"; done
