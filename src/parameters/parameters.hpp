@@ -126,7 +126,7 @@ struct OutputParameters {
 
 struct SolverParameters {
   SolverMethod method = SolverMethod::multigrid;
-  double tolerance = 1e-5; ///< relative residual at which the drag system counts as solved [-]
+  double tolerance = 1e-4; ///< relative residual at which the drag system counts as solved [-]
   int max_iterations = 5000;
 };
 

@@ -11,14 +11,15 @@ class Kernel {
 public:
   /// @param h  smoothing length [um], > 0
   explicit Kernel(double h)
-      : m_h(h), m_norm(7.0 / (4.0 * std::numbers::pi * h * h)), m_slope_norm(-5.0 * m_norm / (h * h)) {}
+      : m_h(h), m_per_h(1.0 / h), m_norm(7.0 / (4.0 * std::numbers::pi * h * h)),
+        m_slope_norm(-5.0 * m_norm / (h * h)) {}
 
   double h() const { return m_h; }
   double support() const { return 2.0 * m_h; } ///< radius beyond which W is 0 [um]
 
   /// @param r  distance [um], >= 0   @return W [1/um^2]
   double W(double r) const {
-    const double q = r / m_h;
+    const double q = r * m_per_h;
     if (q >= 2.0) return 0.0;
     const double a = 1.0 - 0.5 * q;
     return m_norm * (a * a) * (a * a) * (2.0 * q + 1.0);
@@ -27,7 +28,7 @@ public:
   /// (1/r) dW/dr, finite at r = 0, never positive.
   /// @param r  distance [um], >= 0   @return [1/um^4]
   double W_slope(double r) const {
-    const double q = r / m_h;
+    const double q = r * m_per_h;
     if (q >= 2.0) return 0.0;
     const double a = 1.0 - 0.5 * q;
     return m_slope_norm * a * a * a;
@@ -35,6 +36,7 @@ public:
 
 private:
   double m_h;
+  double m_per_h; // 1/h
   double m_norm;
   double m_slope_norm;
 };

@@ -59,7 +59,8 @@ TEST(Area, IsMinusTheGradientOfItsEnergy) {
 TEST(Area, IsImplicitInTheAreaThatTheNextStepFinds) { // the force grows as the missing area does
   const CellParameters p = small_cell();
   const CortexState c = wavy_cortex(p, 0.9);
-  const std::vector<Vec2> v = stirred(c.size());
+  std::vector<Vec2> v = stirred(c.size());
+  for (std::size_t i = 0; i < c.size(); ++i) v[i] += 0.2 * c.x[i]; // it grows
   CortexState after = c;
   CortexState before = c;
   for (std::size_t i = 0; i < c.size(); ++i) {

@@ -140,7 +140,9 @@ TEST(Contains, AgreesWithTheRadiusOfARoundCell) {
   for (double y = -18.0; y < 18.5; y += 0.75)
     for (double x = -18.0; x < 18.5; x += 0.75) {
       const double r = std::hypot(x, y);
-      if (std::abs(r - 15.0) > 0.01) EXPECT_EQ(contains(c, {x, y}), r < 15.0) << x << ", " << y;
+      if (std::abs(r - 15.0) > 0.01) {
+        EXPECT_EQ(contains(c, {x, y}), r < 15.0) << x << ", " << y;
+      }
     }
 }
 

@@ -57,7 +57,9 @@ TEST(Repulsion, PushesTheSidesOfASlitApart) {
   const CortexState c = slit();
   const std::vector<Vec2> force = assemble(repulsion_force(p), c).force;
   for (std::size_t i = 0; i < c.size(); ++i)
-    if (std::abs(c.x[i].x()) < 1.5) EXPECT_GT(force[i].y() * c.x[i].y(), 1e-4) << "particle " << i;
+    if (std::abs(c.x[i].x()) < 1.5) {
+      EXPECT_GT(force[i].y() * c.x[i].y(), 1e-4) << "particle " << i;
+    }
 }
 
 TEST(Repulsion, ObeysTheLawsOfInternalForces) { expect_internal(repulsion_force(CellParameters{}), slit()); }
