@@ -1,0 +1,94 @@
+#include "contact/degrade.hpp"
+
+#include "contact/elastic.hpp"
+#include "ecm/material.hpp"
+#include "scene.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace matrigrate;
+
+TEST(DegradationRate, HasItsReachOnProtrusionAndBody) {
+  const Parameters p;
+  const double high = 1.0; // [kPa]
+  EXPECT_EQ(degradation_rate(1.39, true, high, p), 0.033);
+  EXPECT_EQ(degradation_rate(1.4, true, high, p), 0.0);
+  EXPECT_EQ(degradation_rate(1.89, false, high, p), 0.033);
+  EXPECT_EQ(degradation_rate(1.9, false, high, p), 0.0);
+  Parameters q = p;
+  q.degradation.protrusion_rate = 0.01;
+  q.degradation.body_rate = 0.02;
+  EXPECT_EQ(degradation_rate(0.5, true, high, q), 0.01);
+  EXPECT_EQ(degradation_rate(0.5, false, high, q), 0.02);
+}
+
+TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContact) {
+  const Parameters p;
+  EXPECT_EQ(degradation_rate(1.5, false, 0.0, p), 0.0);
+  EXPECT_EQ(degradation_rate(1.5, false, p.degradation.threshold, p), 0.0);
+  EXPECT_GT(degradation_rate(1.5, false, 1.001 * p.degradation.threshold, p), 0.0);
+  // contact alone reaches the threshold at d_c (1 - p_th/K)
+  const double d = p.contact.range * (1.0 - p.degradation.threshold / moduli(p.ecm).K);
+  EXPECT_GT(degradation_rate(d - 1e-6, false, -1.0, p), 0.0);
+  EXPECT_EQ(degradation_rate(d + 1e-6, false, -1.0, p), 0.0);
+}
+
+TEST(Degrade, FollowsTheRateOfEachEncounterAndLeavesTheRestAlone) {
+  Scene s = touching_scene();
+  const EcmState before = s.ecm;
+  const std::vector<Encounter> met = s.met();
+  std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
+  for (std::size_t i = 0; i < 12; ++i) on_protrusion[i] = 1;
+  s.p.degradation.protrusion_rate = 0.011;
+  degrade(s.ecm, s.p, met, on_protrusion, {}, 0.4);
+  std::vector<double> expected = before.f;
+  for (const Encounter& e : met)
+    expected[e.particle] -= 0.4 * degradation_rate(e.distance, on_protrusion[e.segment] != 0, 0.0, s.p);
+  int changed = 0;
+  for (std::size_t k = 0; k < s.ecm.size(); ++k) {
+    EXPECT_NEAR(s.ecm.f[k], expected[k], 1e-15);
+    if (s.ecm.f[k] < before.f[k]) ++changed;
+  }
+  EXPECT_GT(changed, 5);
+}
+
+TEST(Degrade, WorksAtATipWhateverThePressureAndTheFasterRateCounts) {
+  Scene s = touching_scene();
+  const Vec2 tip = s.c.x[0];
+  const std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
+  const EcmState before = s.ecm;
+  degrade(s.ecm, s.p, s.met(), on_protrusion, std::vector<Vec2>{tip, tip}, 0.4);
+  int at_tip = 0;
+  for (std::size_t k = 0; k < s.ecm.size(); ++k) {
+    if ((s.ecm.x[k] - tip).norm() >= 2.4 || s.ecm.clamped[k]) continue;
+    EXPECT_NEAR(before.f[k] - s.ecm.f[k], 0.08, 1e-12);
+    ++at_tip;
+  }
+  EXPECT_GT(at_tip, 1);
+}
+
+TEST(Degrade, TurnsAParticleIntoFluidInThirtySecondsAtTheBody) {
+  Scene s = touching_scene();
+  for (double& f : s.ecm.f) f = 1.0;
+  const std::vector<Encounter> met = s.met();
+  const auto close = std::ranges::find_if(met, [](const Encounter& e) { return e.distance > 0.0 && e.distance < 1.0; });
+  ASSERT_NE(close, met.end());
+  const std::uint32_t k = close->particle;
+  s.ecm.S[k](0, 1) = 0.01;
+  int steps = 0;
+  for (; s.ecm.f[k] > 0.0 && steps < 1000; ++steps)
+    degrade(s.ecm, s.p, met, std::vector<std::uint8_t>(s.c.size(), 0), {}, 0.4);
+  EXPECT_NEAR(0.4 * steps, 1.0 / 0.033, 0.41);
+  EXPECT_EQ(s.ecm.S[k].norm(), 0.0);
+}
+
+TEST(FluidizeEngulfed, TakesWhatLiesDeepInsideTheCell) {
+  Scene s = touching_scene();
+  const std::vector<Encounter> met = s.met();
+  const auto deep =
+      static_cast<std::size_t>(std::ranges::count_if(met, [](const Encounter& e) { return e.distance < -0.3; }));
+  ASSERT_GT(deep, 0U);
+  EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, met), deep);
+  EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, met), 0U);
+  for (const Encounter& e : met) EXPECT_EQ(s.ecm.f[e.particle] > 0.0, e.distance >= -0.3);
+}

@@ -1,0 +1,87 @@
+#include "contact/viscous.hpp"
+
+#include "ecm/viscosity.hpp"
+#include "scene.hpp"
+#include "sph/kernel.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace matrigrate;
+
+namespace {
+
+DragSystem coupling(const Scene& s) {
+  return assemble(s.ecm.size() + s.c.size(),
+                  [&](std::span<Vec2>, DragSystem& A) {
+                    add_viscous_contact(s.ecm, s.c, s.p, SegmentGrid(s.c, s.reach), A);
+                  })
+      .A;
+}
+
+/// Force on the cell while it moves by and the matrix rests.
+Vec2 drag_on_cell(const Scene& s, const Vec2& speed) {
+  std::vector<Vec2> v(s.ecm.size(), Vec2::Zero());
+  v.resize(s.ecm.size() + s.c.size(), speed);
+  const std::vector<Vec2> f = drag_force(coupling(s), v);
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t i = s.ecm.size(); i < f.size(); ++i) sum -= f[i];
+  return sum;
+}
+
+} // namespace
+
+TEST(ViscousContact, DoesNothingWhereCellAndMatrixMoveTogether) {
+  const Scene s = touching_scene();
+  const DragSystem A = coupling(s);
+  const std::vector<Vec2> stir = drag_force(A, stirred(s.positions().size()));
+  const std::vector<Vec2> together = drag_force(A, std::vector<Vec2>(stir.size(), Vec2(0.3, -1.0)));
+  ASSERT_GT(largest(stir), 1e-3);
+  EXPECT_LT(largest(together), 1e-12 * largest(stir));
+}
+
+TEST(ViscousContact, ObeysTheThirdLawAndOnlyDissipates) {
+  const Scene s = touching_scene();
+  const DragSystem A = coupling(s);
+  const std::vector<Vec2> v = stirred(s.positions().size());
+  const std::vector<Vec2> f = drag_force(A, v);
+  EXPECT_LT(net_force(f).norm(), 1e-11 * largest(f));
+  EXPECT_GT(power(f, v), 0.0);
+  for (const double c : A.links.c) EXPECT_GE(c, 0.0);
+}
+
+TEST(ViscousContact, IsThePairDragOfTheirVolumesTimesTheSolidShare) {
+  Scene s;
+  std::fill(s.ecm.f.begin(), s.ecm.f.end(), 0.0);
+  s.p.contact.sample_spacing = 10.0; // one sample a segment
+  const std::uint32_t k = 5;
+  s.ecm.clamped[k] = 0;
+  s.ecm.f[k] = 0.25;
+  s.ecm.x[k] = s.c.x[20] * (1.0 + 4.9 / 5.0); // 4.9 um out: few segments in reach
+  double expected = 0.0;
+  const Kernel kernel(s.p.ecm.smoothing_length);
+  for (std::size_t i = 0; i < s.c.size(); ++i) {
+    const Vec2 e = s.c.x[s.c.next(i)] - s.c.x[i];
+    const double r = (s.c.x[i] + 0.5 * e - s.ecm.x[k]).norm();
+    const double shared = std::sqrt(s.ecm.V0 * e.norm() * s.p.ecm.particle_spacing);
+    expected += 0.25 * pair_drag(r * r, kernel.W_slope(r), shared, s.p.ecm.viscosity, 1.0, kernel.h());
+  }
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(drag_on_cell(s, {1.0, 0.0}).x(), -expected, 1e-12);
+}
+
+TEST(ViscousContact, FluidDoesNotHoldTheCell) {
+  const Scene held = touching_scene();
+  Scene loose = held;
+  std::fill(loose.ecm.f.begin(), loose.ecm.f.end(), 0.0);
+  EXPECT_LT(drag_on_cell(held, {1.0, 0.0}).x(), -1.0);
+  EXPECT_EQ(drag_on_cell(loose, {1.0, 0.0}).norm(), 0.0);
+}
+
+TEST(ViscousContact, DoesNotDependOnHowFinelyTheSegmentsAreSampled) {
+  Scene coarse = touching_scene();
+  Scene fine = coarse;
+  coarse.p.contact.sample_spacing = 0.8;
+  fine.p.contact.sample_spacing = 0.05;
+  const double f = drag_on_cell(fine, {0.0, 1.0}).y();
+  EXPECT_NEAR(drag_on_cell(coarse, {0.0, 1.0}).y(), f, 0.02 * std::abs(f));
+}
