@@ -1,0 +1,147 @@
+#include "protrusion/adhesion.hpp"
+
+#include "../base/kolmogorov_smirnov.hpp"
+#include "base/random.hpp"
+#include "scene.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace matrigrate;
+
+namespace {
+
+constexpr double dt = 0.4;
+
+/// A contracting protrusion to the right, its adhesion stretched by 0.3 um and out of line.
+State pulling(const Parameters& p) {
+  State s = cell_in_matrix(p);
+  const Vec2 anchor = s.cortex.x[0] + 5.3 * Vec2(std::cos(0.4), std::sin(0.4));
+  add_protrusion(s, 0, Contracting{anchor, 0.8});
+  return s;
+}
+
+Assembled adhesions(const State& s, const Parameters& p) {
+  const std::vector<PointWeights> weights = anchor_weights(s, p.ecm);
+  return assemble(s.ecm.size() + s.cortex.size(),
+                  [&](std::span<Vec2> force, DragSystem& A) { add_adhesions(s, p.adhesion, weights, dt, force, A); });
+}
+
+} // namespace
+
+TEST(AdhesionForce, PullsOnlyBeyondItsRestLength) {
+  const AdhesionParameters p;
+  EXPECT_DOUBLE_EQ(adhesion_force(5.3, p), 0.6);
+  EXPECT_EQ(adhesion_force(5.0, p), 0.0);
+  EXPECT_EQ(adhesion_force(0.0, p), 0.0);
+}
+
+// Heck et al. 2020, Fig 4 (from Table 1): unloaded and loaded adhesions of full and half maturation.
+TEST(DisassemblyRate, HasTheValuesOfEquationSeven) {
+  const AdhesionParameters p;
+  EXPECT_NEAR(disassembly_rate(0.0, 1.0, p), 0.200278, 1e-9);
+  EXPECT_NEAR(disassembly_rate(0.6, 1.0, p), 2.78e-4 + 0.2 * 6.14421e-6, 1e-9);
+  EXPECT_NEAR(disassembly_rate(0.3, 1.0, p), 2.78e-4 + 0.2 * 2.47875e-3, 1e-8);
+  EXPECT_NEAR(disassembly_rate(0.3, 0.5, p), disassembly_rate(0.6, 1.0, p), 1e-15);
+  EXPECT_NEAR(1.0 / disassembly_rate(0.6, 1.0, p) / 3600.0, 0.995, 0.001); // an hour under full load
+}
+
+TEST(DisassemblyRate, FallsWithTheForceTowardsItsLeast) {
+  const AdhesionParameters p;
+  double last = 1.0;
+  for (double F = 0.0; F < 1.5; F += 0.05) {
+    const double rate = disassembly_rate(F, 0.9, p);
+    EXPECT_LT(rate, last);
+    EXPECT_GT(rate, p.r_off_min);
+    last = rate;
+  }
+  AdhesionParameters independent = p;
+  independent.zeta_diss = 0.0;
+  EXPECT_EQ(disassembly_rate(0.1, 0.5, independent), disassembly_rate(1.0, 0.9, independent));
+}
+
+TEST(Rupture, HappensAtItsShareOfTheMatureForceWhereSwitchedOn) {
+  Parameters p;
+  EXPECT_FALSE(ruptures(10.0, 0.5, p));
+  p.adhesion.rupture = true;
+  EXPECT_FALSE(ruptures(0.299, 0.5, p)); // 0.5 x 0.6 nN
+  EXPECT_TRUE(ruptures(0.301, 0.5, p));
+}
+
+TEST(Lifetimes, OfAdhesionsUnderConstantForceAreExponential) {
+  const AdhesionParameters p;
+  for (const double F : {0.1, 0.2, 0.3}) {
+    const double rate = disassembly_rate(F, 1.0, p);
+    const double probability = event_probability(rate, dt);
+    std::vector<double> lifetimes;
+    for (std::uint32_t id = 1; id <= 2000; ++id) {
+      std::uint64_t step = 1;
+      while (uniform(11, Purpose::disassembly, step, id) >= probability) ++step;
+      // within the step in which it happens any moment is as likely as for a rate: take it by the same law
+      const double u = uniform(12, Purpose::test, step, id);
+      lifetimes.push_back((static_cast<double>(step) - 1.0) * dt - std::log1p(-u * probability) / rate);
+    }
+    EXPECT_LT(kolmogorov_smirnov_exponential(lifetimes, rate), one_in_a_hundred) << F;
+  }
+}
+
+TEST(Adhesions, PullTipAndSolidTogether) {
+  const Parameters p = small_matrix();
+  const State s = pulling(p);
+  const std::vector<Vec2> force = adhesions(s, p).force;
+  const Vec2 pull = force[s.node(0)];
+  EXPECT_NEAR(pull.norm(), 0.6, 1e-9);
+  EXPECT_GT(pull.dot(Vec2(std::cos(0.4), std::sin(0.4))), 0.6 - 1e-9);
+  EXPECT_LT(net_force(force).norm(), 1e-12);
+  for (std::size_t i = 1; i < s.cortex.size(); ++i) EXPECT_EQ(force[s.node(i)].norm(), 0.0);
+}
+
+TEST(Adhesions, AreNothingWhileSlack) {
+  const Parameters p = small_matrix();
+  State s = pulling(p);
+  std::get<Contracting>(s.protrusions[0].phase).anchor = s.cortex.x[0] + Vec2(4.9, 0.0);
+  const Assembled a = adhesions(s, p);
+  EXPECT_EQ(largest(a.force), 0.0);
+  EXPECT_EQ(a.A.directed.size(), 0U);
+}
+
+TEST(Adhesions, AreFullyImplicit) {
+  const Parameters p = small_matrix();
+  State s = pulling(p);
+  const Assembled a = adhesions(s, p);
+  std::vector<Vec2> v(a.force.size(), Vec2::Zero());
+  v[s.node(0)] = Vec2(-0.003, 0.005); // the tip moves, the matrix rests
+  const Vec2 drag = drag_force(a.A, v)[s.node(0)];
+  constexpr double h = 1e-5;
+  s.cortex.x[0] += h * v[s.node(0)];
+  const Vec2 rate = (adhesions(s, p).force[s.node(0)] - a.force[s.node(0)]) / h;
+  EXPECT_LT((drag + dt * rate).norm(), 1e-6 * drag.norm());
+}
+
+TEST(Adhesions, ConserveMomentumInTheirDrag) {
+  const Parameters p = small_matrix();
+  const State s = pulling(p);
+  const DragSystem A = adhesions(s, p).A;
+  const std::vector<Vec2> v = stirred(A.size());
+  EXPECT_LT(net_force(drag_force(A, v)).norm(), 1e-12);
+  EXPECT_GT(power(drag_force(A, v), v), 0.0);
+}
+
+TEST(Anchors, AreCarriedByTheSolid) {
+  const Parameters p = small_matrix();
+  State s = pulling(p);
+  const Vec2 before = *anchor(s.protrusions[0].phase);
+  Mat2 L;
+  L << 0.001, 0.002, -0.001, 0.0005;
+  for (std::size_t k = 0; k < s.ecm.size(); ++k) s.ecm.v[k] = Vec2(0.01, 0.02) + L * (s.ecm.x[k] - before);
+  move_anchors(s, anchor_weights(s, p.ecm), dt);
+  const double off_centre = 0.05; // [um] the weights' mean position, off the lattice points
+  EXPECT_LT((*anchor(s.protrusions[0].phase) - before - dt * Vec2(0.01, 0.02)).norm(), dt * L.norm() * off_centre);
+}
+
+TEST(Anchors, BelongToMaturingAndContractingProtrusions) {
+  const Vec2 at(1.0, 2.0);
+  EXPECT_EQ(anchor(Phase(Growing{at})), nullptr);
+  EXPECT_EQ(anchor(Phase(Finishing{0.3})), nullptr);
+  EXPECT_EQ(*anchor(Phase(Maturing{at, at, 0})), at);
+  EXPECT_EQ(*anchor(Phase(Contracting{at, 0.3})), at);
+}

@@ -1,0 +1,102 @@
+#include "protrusion/growth.hpp"
+
+#include "scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace matrigrate;
+
+namespace {
+
+std::vector<Vec2> normals(const CortexState& c) {
+  std::vector<Vec2> n;
+  for (std::size_t i = 0; i < c.size(); ++i) n.push_back(normal(c, i));
+  return n;
+}
+
+} // namespace
+
+TEST(PushingParticles, AreTheCentreAndThreeToEachSide) {
+  const Parameters p = small_matrix();
+  const State s = cell_in_matrix(p);
+  const std::vector<std::size_t> pushing = pushing_particles(s.cortex, 1, p.protrusion);
+  EXPECT_EQ((std::set<std::size_t>(pushing.begin(), pushing.end())), (std::set<std::size_t>{233, 234, 0, 1, 2, 3, 4}));
+}
+
+TEST(GrowthForce, IsAShareOfFProtAlongItsDirectionAndFadesAsTheNormalTurns) {
+  const ProtrusionParameters p;
+  const Vec2 d = Vec2(3.0, 4.0) / 5.0;
+  EXPECT_LT((growth_force(d, d, p) - 0.32 / 7.0 * d).norm(), 1e-15);
+  const Vec2 turned = Eigen::Rotation2Dd(1.0471975511965976) * d; // 60 degrees
+  EXPECT_LT((growth_force(d, turned, p) - 0.16 / 7.0 * d).norm(), 1e-15);
+  EXPECT_EQ(growth_force(d, perpendicular(d), p).norm(), 0.0);
+  EXPECT_EQ(growth_force(d, -d, p).norm(), 0.0);
+}
+
+TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  add_protrusion(s, 30, Growing{outward(s, 30)});
+  add_protrusion(s, 120, Contracting{2.0 * s.cortex.x[120], 0.5});
+  std::vector<Vec2> force(s.ecm.size() + s.cortex.size(), Vec2::Zero());
+  add_growth(s, p.protrusion, normals(s.cortex), force);
+  const Vec2 sum = net_force(force);
+  EXPECT_GT(sum.dot(outward(s, 30)), 0.99 * 0.32); // the tip is nearly flat
+  EXPECT_LE(sum.norm(), 0.32);
+  EXPECT_LT(std::abs(cross(sum, outward(s, 30))), 1e-12);
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const bool at_tip = i >= s.node(27) && i <= s.node(33);
+    EXPECT_EQ(force[i].norm() > 0.0, at_tip) << i;
+  }
+}
+
+TEST(Spreading, EvensOutEachFlankAlongItsContourAndKeepsTipAndBase) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  add_protrusion(s, 100, Growing{outward(s, 100)});
+  for (std::size_t i = 95; i <= 105; ++i) s.cortex.x[i] *= 1.6; // a spike: all stretch in two segments
+  const CortexState before = s.cortex;
+  for (int k = 0; k < 400; ++k) spread_evenly(s, p.protrusion, 0.4);
+  for (const std::size_t kept : {80, 100, 120}) EXPECT_EQ(s.cortex.x[kept], before.x[kept]);
+  for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(s.cortex.x[i], before.x[i]);
+  EXPECT_EQ(s.cortex.l0, before.l0);
+  double longest = 0.0, shortest = 1e9;
+  for (std::size_t i = 80; i < 100; ++i) {
+    const double l = (s.cortex.x[i + 1] - s.cortex.x[i]).norm();
+    longest = std::max(longest, l);
+    shortest = std::min(shortest, l);
+  }
+  EXPECT_LT(longest, 1.02 * shortest);
+  EXPECT_NEAR(area(s.cortex), area(before), 0.03 * area(before));
+}
+
+TEST(Spreading, LeavesOtherPhasesAlone) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  s.cortex = wavy_cortex(p.cell);
+  add_protrusion(s, 100, Finishing{0.5});
+  const CortexState before = s.cortex;
+  spread_evenly(s, p.protrusion, 0.4);
+  EXPECT_EQ(s.cortex.x, before.x);
+}
+
+TEST(ProtrusionLength, RunsFromTheMiddleOfTheBaseToTheCentre) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  const Vec2 base = 0.5 * (s.cortex.x[80] + s.cortex.x[120]);
+  s.cortex.x[100] = base + Vec2(-12.0, 16.0);
+  EXPECT_NEAR(protrusion_length(s.cortex, 100, p.protrusion), 20.0, 1e-12);
+}
+
+TEST(RelaxedRestLengths, AreTheLengthsOfTheProtrusionAlone) {
+  const Parameters p = small_matrix();
+  CortexState c = wavy_cortex(p.cell);
+  const CortexState before = c;
+  relax_rest_lengths(c, 10, p.protrusion);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const bool inside = i < 30 || i >= 225; // 10 - 20 wraps to 225
+    EXPECT_DOUBLE_EQ(c.l0[i], inside ? (c.x[c.next(i)] - c.x[i]).norm() : before.l0[i]) << i;
+  }
+}

@@ -1,0 +1,161 @@
+#include "protrusion/life_cycle.hpp"
+
+#include "protrusion/adhesion.hpp"
+#include "protrusion/growth.hpp"
+#include "protrusion/maturation.hpp"
+#include "scene.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace matrigrate;
+
+namespace {
+
+const Vec2 d(1.0, 0.0);
+const Vec2 site(20.0, 1.0);
+
+/// A quiet moment: solid all around, no force, no bad luck.
+Circumstances quiet(double age) { return {.age = age, .force = 0.0, .support = 1.0, .ahead = site, .draw = 0.999999}; }
+
+template <class Next>
+Next expect_to(const Transition& change, EndCause cause = EndCause::none) {
+  EXPECT_TRUE(change.changes);
+  EXPECT_FALSE(change.ends);
+  EXPECT_EQ(change.cause, cause);
+  EXPECT_TRUE(std::holds_alternative<Next>(change.next)) << name(change.next);
+  return std::holds_alternative<Next>(change.next) ? std::get<Next>(change.next) : Next{};
+}
+
+} // namespace
+
+TEST(Transition, GrowthLastsTProtAndThenAdheresAhead) {
+  const Parameters p;
+  EXPECT_FALSE(transition(Growing{d}, quiet(399.9), p).changes);
+  const auto next = expect_to<Maturing>(transition(Growing{d}, quiet(400.0), p));
+  EXPECT_EQ(next.anchor, site);
+  EXPECT_EQ(next.direction, d);
+  EXPECT_EQ(next.steps, 0);
+}
+
+TEST(Transition, GrowthThatFindsNoSolidStaysUnadhered) {
+  const Parameters p;
+  Circumstances now = quiet(400.0);
+  now.support = 0.019;
+  EXPECT_EQ(expect_to<Finishing>(transition(Growing{d}, now, p), EndCause::unadhered).f_mat, 0.05);
+  now.age = 100.0; // solid does not matter before
+  EXPECT_FALSE(transition(Growing{d}, now, p).changes);
+}
+
+TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
+  const Parameters p;
+  Circumstances now = quiet(10.0);
+  now.force = 0.9 * step_force(2, p);
+  EXPECT_FALSE(transition(Maturing{d, site, 2}, now, p).changes);
+  now.force = step_force(2, p);
+  const auto next = expect_to<Maturing>(transition(Maturing{d, site, 2}, now, p));
+  EXPECT_EQ(next.steps, 3);
+  EXPECT_EQ(next.anchor, site);
+  now.force = 10.0;
+  EXPECT_FALSE(transition(Maturing{d, site, most_maturation_steps}, now, p).changes);
+}
+
+TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
+  const Parameters p;
+  Circumstances now = quiet(600.0);
+  now.force = 0.27;
+  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4}, now, p));
+  EXPECT_EQ(next.f_mat, final_f_mat(4, 0.27, p));
+  EXPECT_EQ(next.anchor, site);
+}
+
+TEST(Transition, AnAdhesionWhoseSolidIsGoneIsLost) {
+  const Parameters p;
+  Circumstances now = quiet(10.0);
+  now.support = 0.0;
+  expect_to<Finishing>(transition(Maturing{d, site, 4}, now, p), EndCause::lost);
+  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::lost).f_mat, 0.7);
+}
+
+TEST(Transition, ContractionEndsByADrawAgainstEquationSeven) {
+  const Parameters p;
+  Circumstances now = quiet(10.0);
+  now.force = 0.05;
+  const double probability = -std::expm1(-disassembly_rate(0.05, 0.7, p.adhesion) * p.run.time_step);
+  now.draw = 1.0001 * probability;
+  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p).changes);
+  now.draw = 0.9999 * probability;
+  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::disassembly).f_mat, 0.7);
+}
+
+TEST(Transition, RuptureIsCertainAboveItsForce) {
+  Parameters p;
+  p.adhesion.rupture = true;
+  Circumstances now = quiet(10.0);
+  now.force = 0.43;
+  expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::rupture);
+  p.adhesion.rupture = false;
+  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p).changes);
+}
+
+TEST(Transition, FinishingLastsTFinishAndFreesTheParticles) {
+  const Parameters p;
+  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.9), p).changes);
+  EXPECT_TRUE(transition(Finishing{0.7}, quiet(400.0), p).ends);
+}
+
+TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  s.t = 400.0;
+  Protrusion& growing = add_protrusion(s, 0, Growing{d});
+  growing.since = 0.0;
+  Circumstances now = circumstances(s, s.protrusions[0], p);
+  EXPECT_NEAR(now.age, 400.0, 1e-5);
+  EXPECT_GE(now.age, 400.0);
+  EXPECT_LT((now.ahead - Vec2(20.0, 0.0)).norm(), 1e-9);
+  EXPECT_GT(now.support, 0.5);
+  EXPECT_EQ(now.force, 0.0);
+  s.protrusions[0].phase = Contracting{s.cortex.x[0] + Vec2(5.2, 0.0), 1.0};
+  const Circumstances then = circumstances(s, s.protrusions[0], p);
+  EXPECT_NEAR(then.force, 0.4, 1e-9);
+  EXPECT_EQ(then.draw, now.draw); // same step, same protrusion
+  s.protrusions[0].record.id = 2;
+  EXPECT_NE(circumstances(s, s.protrusions[0], p).draw, now.draw);
+}
+
+TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
+  Parameters p = small_matrix();
+  p.adhesion.r_off_min = 10.0; // disassembles at once when it contracts
+  State s = cell_in_matrix(p);
+  add_protrusion(s, 100, Growing{outward(s, 100)});
+  for (std::size_t i = 95; i <= 105; ++i) s.cortex.x[i] *= 1.2;
+  const auto until = [&](double t) {
+    while (s.t < t - 0.5 * p.run.time_step) {
+      ++s.step;
+      s.t = static_cast<double>(s.step) * p.run.time_step;
+      live(s, p);
+    }
+  };
+  const double stretched = (s.cortex.x[95] - s.cortex.x[94]).norm();
+  until(399.6);
+  EXPECT_NE(s.cortex.l0[94], stretched);
+  until(400.0);
+  ASSERT_TRUE(std::holds_alternative<Maturing>(s.protrusions.at(0).phase));
+  EXPECT_EQ(s.cortex.l0[94], stretched); // rest lengths are taken anew
+  EXPECT_NEAR(s.protrusions[0].record.t_adhesion, 400.0, 1e-9);
+  EXPECT_EQ(s.protrusions[0].record.length, protrusion_length(s.cortex, 100, p.protrusion));
+  std::get<Maturing>(s.protrusions[0].phase).anchor += 0.05 * outward(s, 100); // 0.1 nN
+  until(1000.0);
+  ASSERT_TRUE(std::holds_alternative<Contracting>(s.protrusions.at(0).phase));
+  EXPECT_NEAR(s.protrusions[0].record.t_mature, 1000.0, 1e-9);
+  EXPECT_NEAR(s.protrusions[0].record.f_mat, 0.1 * (1.0 + 0.04 / 0.0588), 1e-6);
+  until(1002.0);
+  ASSERT_TRUE(std::holds_alternative<Finishing>(s.protrusions.at(0).phase));
+  const ProtrusionRecord record = s.protrusions[0].record;
+  EXPECT_EQ(record.cause, EndCause::disassembly);
+  EXPECT_NEAR(record.force, 0.1, 1e-9);
+  until(record.t_disassembly + 400.0);
+  EXPECT_TRUE(s.protrusions.empty());
+  ASSERT_EQ(s.ended.size(), 1U);
+  EXPECT_NEAR(s.ended[0].t_end, record.t_disassembly + 400.0, 1e-9);
+}
