@@ -7,6 +7,20 @@ target_compile_options(
             -ffp-contract=off # the same bits wherever the same additions are made
             -fno-math-errno
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 warns falsely on std::string (GCC bug 105651)
+
+# Two marks for hot loops. MATRIGRATE_SIMD: compile this function for newer instruction sets as well; the loader picks the
+# best one for the machine, and the bits are the same, since no operation is fused or put in another order.
+# MATRIGRATE_INDEPENDENT: the turns of this loop do not depend on each other.
+set(simd "")
+set(independent "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(independent "_Pragma(\"GCC ivdep\")")
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT MATRIGRATE_SANITIZE) # sanitizers start later than the choice
+    set(simd "__attribute__((target_clones(\"avx2\",\"default\")))")
+  endif()
+endif()
+target_compile_definitions(matrigrate_options INTERFACE "MATRIGRATE_SIMD=${simd}" "MATRIGRATE_INDEPENDENT=${independent}")
+
 if(MATRIGRATE_SANITIZE)
   target_compile_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE} -fno-omit-frame-pointer
                                                       -fno-sanitize-recover=all

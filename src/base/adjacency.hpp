@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,11 @@ struct Adjacency {
 
   std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
   std::size_t pairs() const { return index.size(); }
+  /// First entry (i, j) of row i with j > i.
+  std::uint32_t upper(std::size_t i) const {
+    const auto row = of(i);
+    return first[i] + static_cast<std::uint32_t>(std::upper_bound(row.begin(), row.end(), i) - row.begin());
+  }
   std::span<const std::uint32_t> of(std::size_t i) const {
     return {index.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
   }

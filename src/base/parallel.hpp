@@ -15,9 +15,10 @@ namespace matrigrate {
 inline constexpr std::size_t parallel_block = 512;
 
 /// Calls body(i) for every i in [0, n), in any order.
+/// @param grain  a thread takes about so many at least
 template <class Body>
-void parallel_for(std::size_t n, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, parallel_block), [&](const auto& range) {
+void parallel_for(std::size_t n, const Body& body, std::size_t grain = parallel_block) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
   });
 }

@@ -2,26 +2,40 @@
 
 namespace matrigrate {
 
-Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t i) {
+namespace {
+
+/// sum_j V_0 f_j (a_j - a_i) (x) B_i grad_0 W_ij of one particle.
+template <class Field>
+Mat2 gradient(const EcmState& ecm, const Reference& ref, std::size_t i, const Field& a) {
   const Adjacency& pairs = ref.pairs();
-  const Vec2 u_i = ecm.displacement(i);
-  Mat2 F = Mat2::Identity();
+  Mat2 sum = Mat2::Zero();
   for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-    const Vec2 u_ji = ecm.displacement(pairs.index[k]) - u_i;
-    F += u_ji * ref.weighted_grad(k).transpose();
+    const std::uint32_t j = pairs.index[k];
+    sum += ecm.f[j] * (a(j) - a(i)) * ref.grad_W(k).transpose();
   }
-  return F;
+  return ecm.V0 * sum * ref.B(i);
+}
+
+} // namespace
+
+Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t i) {
+  return Mat2::Identity() + gradient(ecm, ref, i, [&](std::size_t j) { return ecm.displacement(j); });
 }
 
 Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i) {
-  const Adjacency& pairs = ref.pairs();
-  const Vec2 v_i = ecm.v[i];
-  Mat2 rate = Mat2::Zero();
-  for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-    const Vec2 v_ji = ecm.v[pairs.index[k]] - v_i;
-    rate += v_ji * ref.weighted_grad(k).transpose();
-  }
-  return rate;
+  return gradient(ecm, ref, i, [&](std::size_t j) { return ecm.v[j]; });
+}
+
+void gradients(const EcmState& ecm, const Reference& ref, const VectorPlanes& a, std::vector<Mat2>& gradient) {
+  gradient.resize(ecm.size());
+  ref.each_row(ecm, [&](const RowTerms& terms) {
+    RowTensors sum;
+    sum_gradient(terms, a, sum);
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      gradient[i] = ecm.f[i] > 0.0 ? Mat2(ecm.V0 * sum[t] * ref.B(i)) : Mat2(Mat2::Zero());
+    }
+  });
 }
 
 } // namespace matrigrate

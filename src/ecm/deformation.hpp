@@ -4,6 +4,8 @@
 #include "ecm/reference.hpp"
 #include "state/ecm.hpp"
 
+#include <vector>
+
 namespace matrigrate {
 
 /// Deformation gradient over reference neighbours (MODEL.md, D4; exact for every linear displacement):
@@ -13,5 +15,8 @@ Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t
 
 /// Its rate, from the velocities of `ecm` [1/s].
 Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i);
+
+/// The same sums for all solid particles and any field a; 0 for fluid ones. Displacements give F - I, velocities dF/dt.
+void gradients(const EcmState& ecm, const Reference& ref, const VectorPlanes& a, std::vector<Mat2>& gradient);
 
 } // namespace matrigrate

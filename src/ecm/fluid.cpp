@@ -5,6 +5,8 @@
 #include "state/initial.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace matrigrate {
 
@@ -30,7 +32,14 @@ void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacen
   parallel_for(ecm.size(), [&](std::size_t i) {
     pressure[i] = ecm.f[i] < 1.0 ? fluid_pressure(ecm, p, pairs, kernel, rho_lattice, i) : 0.0;
   });
+  std::vector<std::uint8_t> feels(ecm.size(), 0); // itself under pressure, or next to one that is
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (pressure[i] == 0.0) continue;
+    feels[i] = 1;
+    for (const std::uint32_t j : pairs.of(i)) feels[j] = 1;
+  }
   parallel_for(ecm.size(), [&](std::size_t i) {
+    if (!feels[i]) return;
     Vec2 sum = Vec2::Zero();
     for (const std::uint32_t j : pairs.of(i)) {
       const double p_ij = pressure[i] + pressure[j];

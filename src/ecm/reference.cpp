@@ -31,7 +31,6 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
   const Kernel kernel(p.smoothing_length);
   m_X_ij.resize(m_pairs.pairs());
   m_grad_W.resize(m_pairs.pairs());
-  m_weighted_grad.resize(m_pairs.pairs());
   m_W_over_r2.resize(m_pairs.pairs());
   m_B.resize(ecm.size());
   m_support.resize(ecm.size());
@@ -48,6 +47,7 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
     const Mat2 A = support_tensor(i, intact, ecm.V0);
     m_intact[i] = std::clamp(Eigen2(A, Eigen::EigenvaluesOnly).eigenvalues()(0), 1e-6, 1.0);
   });
+  m_rows = find_rows(m_pairs, m_X_ij);
   parallel_for(ecm.size(), [&](std::size_t i) { correct(i, ecm); });
   m_f_seen = ecm.f;
 }
@@ -68,8 +68,6 @@ void Reference::correct(std::size_t i, const EcmState& ecm) {
     const Vec2 bounded = eigen.eigenvalues().cwiseMax(m_support_floor * m_intact[i]);
     m_B[i] = eigen.eigenvectors() * bounded.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
   }
-  for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k)
-    m_weighted_grad[k] = ecm.V0 * ecm.f[m_pairs.index[k]] * (m_B[i] * m_grad_W[k]);
 }
 
 void Reference::update(const EcmState& ecm) {

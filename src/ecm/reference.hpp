@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/adjacency.hpp"
+#include "base/parallel.hpp"
 #include "base/vector.hpp"
+#include "ecm/rows.hpp"
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"
 
@@ -26,10 +28,18 @@ public:
   void update(const EcmState& ecm);
 
   const Adjacency& pairs() const { return m_pairs; }
-  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }     ///< X_i - X_j of entry k of pairs() [um]
-  const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; } ///< grad_0 W_ij of entry k [1/um^3]
-  /// V_0 f_j B_i grad_0 W_ij of entry k: (F - I)_i is the sum of (u_j - u_i) (x) it [1/um].
-  const Vec2& weighted_grad(std::uint32_t k) const { return m_weighted_grad[k]; }
+  /// Calls body(terms) for every row of particles: what their sums over neighbours go over.
+  template <class Body>
+  void each_row(const EcmState& ecm, const Body& body) const {
+    constexpr std::size_t grain = 8;
+    const auto of_row = [&](std::size_t r) {
+      body(RowTerms{m_rows[r], m_pairs.index.data(), m_X_ij.data(), m_grad_W.data(), m_W_over_r2.data(), ecm.f.data()});
+    };
+    parallel_for(m_rows.size(), of_row, grain);
+  }
+
+  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }      ///< X_i - X_j of entry k of pairs() [um]
+  const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; }  ///< grad_0 W_ij of entry k [1/um^3]
   double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; } ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
   const Mat2& B(std::size_t i) const { return m_B[i]; }              ///< gradient correction [-]
 
@@ -42,9 +52,9 @@ private:
 
   double m_support_floor;
   Adjacency m_pairs;
+  std::vector<ParticleRow> m_rows;
   std::vector<Vec2> m_X_ij;
   std::vector<Vec2> m_grad_W;
-  std::vector<Vec2> m_weighted_grad;
   std::vector<double> m_W_over_r2;
   Mat2 m_B_lattice;
   std::vector<Mat2> m_B;

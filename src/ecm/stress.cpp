@@ -17,49 +17,6 @@ double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
   return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0;
 }
 
-/// e_ij from what has been read of the pair.
-inline Vec2 pair_error(const Mat2& F_i, const Mat2& F_j, const Vec2& X_ij, const Vec2& u_ij) {
-  const Mat2 F = 0.5 * (F_i + F_j);
-  return {(F(0, 0) - 1.0) * X_ij.x() + F(0, 1) * X_ij.y() - u_ij.x(),
-          F(1, 0) * X_ij.x() + (F(1, 1) - 1.0) * X_ij.y() - u_ij.y()};
-}
-
-/// Stress conjugate to the pair errors through F_i: 1/V_0 sum_j 1/2 c_ij e_ij (x) X_ij, per unit f_i [kPa].
-Mat2 hourglass_stress(const EcmState& ecm, double scale, const Reference& ref, const std::vector<Mat2>& F,
-                      std::size_t i) {
-  const Adjacency& pairs = ref.pairs();
-  const Mat2 F_i = F[i];
-  const Vec2 u_i = ecm.displacement(i);
-  Mat2 sum = Mat2::Zero();
-  for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-    const std::uint32_t j = pairs.index[k];
-    const Vec2 u_ij = u_i - ecm.displacement(j);
-    const Vec2 e = (ecm.f[j] * ref.W_over_r2(k)) * pair_error(F_i, F[j], ref.X_ij(k), u_ij);
-    sum += e * ref.X_ij(k).transpose();
-  }
-  return (0.5 * scale / ecm.V0) * sum;
-}
-
-/// Force on particle i over t_z f_i [kPa um].
-Vec2 elastic_force(const EcmState& ecm, double scale, const Reference& ref, const std::vector<Mat2>& F,
-                   const std::vector<Mat2>& PB, std::size_t i) {
-  const Adjacency& pairs = ref.pairs();
-  const Mat2 F_i = F[i];
-  const Mat2 PB_i = PB[i];
-  const Vec2 u_i = ecm.displacement(i);
-  Vec2 stress = Vec2::Zero();
-  Vec2 hourglass = Vec2::Zero();
-  for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-    const std::uint32_t j = pairs.index[k];
-    if (ecm.f[j] <= 0.0) continue;
-    const Vec2 u_ij = u_i - ecm.displacement(j);
-    const Mat2 sum = PB_i + PB[j];
-    stress += ecm.f[j] * Vec2(sum * ref.grad_W(k));
-    hourglass += (ecm.f[j] * ref.W_over_r2(k)) * pair_error(F_i, F[j], ref.X_ij(k), u_ij);
-  }
-  return ecm.V0 * ecm.V0 * stress + scale * hourglass;
-}
-
 } // namespace
 
 Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F) {
@@ -71,7 +28,7 @@ Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F) {
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
                      std::uint32_t k) {
   const std::uint32_t j = ref.pairs().index[k];
-  return pair_error(F[i], F[j], ref.X_ij(k), ecm.displacement(i) - ecm.displacement(j));
+  return 0.5 * (F[i] + F[j]) * ref.X_ij(k) - (ref.X_ij(k) + ecm.displacement(i) - ecm.displacement(j));
 }
 
 double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F) {
@@ -87,20 +44,39 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 }
 
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,
-                        std::vector<Mat2>& PB, std::span<Vec2> force) {
+                        SolidPlanes& planes, std::span<Vec2> force) {
   const std::size_t n = ecm.size();
   const double K = moduli(p).K;
   const double scale = hourglass_scale(ecm, p);
-  F.resize(n);
-  PB.resize(n);
-  parallel_for(n, [&](std::size_t i) { F[i] = ecm.f[i] > 0.0 ? deformation_gradient(ecm, ref, i) : Mat2::Identity(); });
-  parallel_for(n, [&](std::size_t i) {
-    if (ecm.f[i] <= 0.0) return;
-    const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
-    PB[i] = (P + hourglass_stress(ecm, scale, ref, F, i)) * ref.B(i);
+  planes.u.resize(n);
+  planes.F.resize(n);
+  planes.PB.resize(n);
+  for (std::size_t i = 0; i < n; ++i) planes.u.set(i, ecm.displacement(i));
+  gradients(ecm, ref, planes.u, F);
+  for (std::size_t i = 0; i < n; ++i) {
+    F[i] += Mat2::Identity();
+    planes.F.set(i, F[i]);
+  }
+  ref.each_row(ecm, [&](const RowTerms& terms) {
+    RowTensors moment;
+    sum_hourglass_moment(terms, planes.u, planes.F, moment);
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      Mat2 PB = Mat2::Zero();
+      if (ecm.f[i] > 0.0) {
+        const Mat2 conjugate = (0.5 * scale / ecm.V0) * moment[t]; // to the pair errors, through F_i
+        PB = (piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]) + conjugate) * ref.B(i);
+      }
+      planes.PB.set(i, PB);
+    }
   });
-  parallel_for(n, [&](std::size_t i) {
-    if (ecm.f[i] > 0.0) force[i] += p.thickness * ecm.f[i] * elastic_force(ecm, scale, ref, F, PB, i);
+  ref.each_row(ecm, [&](const RowTerms& terms) {
+    RowVectors sum;
+    sum_forces(terms, planes.u, planes.F, planes.PB, ecm.V0 * ecm.V0, scale, sum);
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      if (ecm.f[i] > 0.0) force[i] += p.thickness * ecm.f[i] * sum[t];
+    }
   });
 }
 
@@ -112,9 +88,13 @@ void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmPar
 
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F,
                              double dt) {
+  VectorPlanes v;
+  v.resize(ecm.size());
+  for (std::size_t i = 0; i < ecm.size(); ++i) v.set(i, ecm.v[i]);
+  std::vector<Mat2> rate;
+  gradients(ecm, ref, v, rate);
   parallel_for(ecm.size(), [&](std::size_t i) {
-    if (ecm.f[i] <= 0.0) return;
-    advance_stress_of(ecm, i, deformation_rate(ecm, ref, i) * F[i].inverse(), p, dt);
+    if (ecm.f[i] > 0.0) advance_stress_of(ecm, i, rate[i] * F[i].inverse(), p, dt);
   });
   return count_density_bounds(ecm, p);
 }

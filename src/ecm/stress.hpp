@@ -22,14 +22,21 @@ Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vecto
 /// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2. The forces below contain exactly its negative gradient.
 double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F);
 
+/// Fields of the solid, component by component; workspace of the elastic forces.
+struct SolidPlanes {
+  VectorPlanes u;  ///< displacement [um]
+  TensorPlanes F;  ///< deformation gradient [-]
+  TensorPlanes PB; ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
+};
+
 /// Adds the elastic forces to `force` [nN]. On particle i
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// @param F   workspace: deformation gradients, computed here
-/// @param PB  workspace: P_i B_i
+/// @param F       deformation gradients, computed here; the identity in the fluid
+/// @param planes  workspace
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,
-                        std::vector<Mat2>& PB, std::span<Vec2> force);
+                        SolidPlanes& planes, std::span<Vec2> force);
 
 /// Limits that were enforced in an update; both should stay 0 in a healthy run.
 struct DensityBounds {

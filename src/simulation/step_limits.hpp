@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// How large an explicit step may be. Test: tests/physics/step_limits_test.cpp; measured by `validate step-limit`.
+/// How large an explicit step may be. Test: tests/physics/advance_test.cpp; measured by `validate step-limit`.
 namespace matrigrate {
 
 /// Largest stable steps of the explicit Euler update; the drag itself is implicit and sets none.

@@ -2,6 +2,7 @@
 
 #include "contact/proximity.hpp"
 #include "ecm/reference.hpp"
+#include "ecm/stress.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
 #include "solve/drag_system.hpp"
@@ -46,7 +47,7 @@ struct Workspace {
   std::vector<Vec2> v;     ///< velocities of all nodes [um/s]
   std::unique_ptr<DragSolver> solver;
   std::vector<Mat2> F;                ///< deformation gradients [-]
-  std::vector<Mat2> PB;               ///< corrected first Piola-Kirchhoff stress [kPa]
+  SolidPlanes planes;                 ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;
 };

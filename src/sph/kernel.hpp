@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <numbers>
 
 namespace matrigrate {
@@ -28,9 +29,7 @@ public:
   /// (1/r) dW/dr, finite at r = 0, never positive.
   /// @param r  distance [um], >= 0   @return [1/um^4]
   double W_slope(double r) const {
-    const double q = r * m_per_h;
-    if (q >= 2.0) return 0.0;
-    const double a = 1.0 - 0.5 * q;
+    const double a = std::max(0.0, 1.0 - 0.5 * m_per_h * r);
     return m_slope_norm * a * a * a;
   }
 

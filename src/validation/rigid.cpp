@@ -36,14 +36,15 @@ void move_rigidly(EcmState& ecm, double angle, const Vec2& shift, double spin, c
 }
 
 struct Forces {
-  std::vector<Mat2> F, PB;
+  std::vector<Mat2> F;
+  SolidPlanes planes;
   std::vector<Vec2> force;
 };
 
 Forces elastic_forces(const EcmState& ecm, const Parameters& p, const Reference& ref) {
   Forces a;
   a.force.assign(ecm.size(), Vec2::Zero());
-  add_elastic_forces(ecm, p.ecm, ref, a.F, a.PB, a.force);
+  add_elastic_forces(ecm, p.ecm, ref, a.F, a.planes, a.force);
   return a;
 }
 

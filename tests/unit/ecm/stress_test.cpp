@@ -12,14 +12,15 @@ using namespace matrigrate;
 namespace {
 
 struct Forces {
-  std::vector<Mat2> F, PB;
+  std::vector<Mat2> F;
+  SolidPlanes planes;
   std::vector<Vec2> force;
 };
 
 Forces forces_of(const EcmState& ecm, const EcmParameters& p, const Reference& ref) {
   Forces a;
   a.force.assign(ecm.size(), Vec2::Zero());
-  add_elastic_forces(ecm, p, ref, a.F, a.PB, a.force);
+  add_elastic_forces(ecm, p, ref, a.F, a.planes, a.force);
   return a;
 }
 
