@@ -42,6 +42,10 @@ const std::vector<Case>& cases() {
       {"convergence", "Orders of convergence in particle spacing and in time step.", convergence},
       {"step-limit", "The largest stable explicit step, measured, against the analysis of the discrete operators.",
        step_limit},
+      {"protrusion", "Length of a single protrusion over time, as E and direction vary.", protrusion},
+      {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
+      {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly},
+      {"initiation", "Waiting times and places of protrusions of a polarized cell.", initiation},
   };
   return all;
 }

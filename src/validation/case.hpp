@@ -34,7 +34,7 @@ struct Result {
   bool holds() const; ///< all checks hold, and there is at least one
 };
 
-/// A verification of the matrix on its own.
+/// A verification of a part of the model on its own.
 struct Case {
   std::string name;    ///< as typed after `validate`
   std::string summary; ///< one sentence

@@ -17,5 +17,9 @@ Result poiseuille(const Parameters& p);
 Result tearing(const Parameters& p);
 Result convergence(const Parameters& p);
 Result step_limit(const Parameters& p);
+Result protrusion(const Parameters& p);
+Result maturation(const Parameters& p);
+Result disassembly(const Parameters& p);
+Result initiation(const Parameters& p);
 
 } // namespace matrigrate::validation

@@ -16,7 +16,9 @@ State started(EcmState ecm) {
 
 } // namespace
 
-Specimen::Specimen(EcmState ecm, const Parameters& parameters) : p(parameters), s(started(std::move(ecm))), w(s, p) {}
+Specimen::Specimen(State state, const Parameters& parameters) : p(parameters), s(std::move(state)), w(s, p) {}
+
+Specimen::Specimen(EcmState ecm, const Parameters& parameters) : Specimen(started(std::move(ecm)), parameters) {}
 
 void Specimen::march_for(double seconds, const Loads& loads, const std::function<bool(const State&)>& each_step) {
   march(s, p, w, s.t + seconds, loads, each_step);

@@ -10,6 +10,7 @@ namespace matrigrate::validation {
 /// A state, its parameters and workspace, ready to march.
 struct Specimen {
   Specimen(EcmState ecm, const Parameters& parameters);
+  Specimen(State state, const Parameters& parameters);
 
   void march_for(double seconds, const Loads& loads = {}, const std::function<bool(const State&)>& each_step = {});
 

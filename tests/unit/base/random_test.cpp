@@ -1,6 +1,6 @@
 #include "base/random.hpp"
 
-#include "kolmogorov_smirnov.hpp"
+#include "base/kolmogorov_smirnov.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "protrusion/adhesion.hpp"
 
-#include "../base/kolmogorov_smirnov.hpp"
+#include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
 #include "scene.hpp"
 

@@ -1,6 +1,6 @@
 #include "protrusion/initiation.hpp"
 
-#include "../base/kolmogorov_smirnov.hpp"
+#include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
 #include "protrusion/membership.hpp"
 #include "scene.hpp"

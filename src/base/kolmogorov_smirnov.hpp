@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+/// Whether a sample follows a distribution. Test: tests/unit/base/random_test.cpp
 namespace matrigrate {
 
 /// Kolmogorov-Smirnov statistic D sqrt(n) of a sample against the distribution function `cdf`: above 1.63 in one of a

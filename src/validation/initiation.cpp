@@ -1,0 +1,86 @@
+#include "protrusion/initiation.hpp"
+#include "base/kolmogorov_smirnov.hpp"
+#include "base/random.hpp"
+#include "cell/geometry.hpp"
+#include "validation/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace matrigrate::validation {
+
+namespace {
+
+constexpr std::uint64_t cells = 1000;
+
+struct First {
+  double t = 0.0;     // of the first protrusion of a polarized cell [s]
+  double place = 0.0; // among the particles of the front, from 0 to 1
+};
+
+First wait(Parameters p, std::uint64_t seed, const State& start, const std::vector<std::uint8_t>& of_front) {
+  p.run.seed = seed;
+  State s = start;
+  while (s.protrusions.empty()) {
+    ++s.step;
+    initiate(s, p, of_front, Vec2::Zero());
+  }
+  const std::uint32_t centre = s.protrusions.front().centre;
+  const auto before = static_cast<double>(std::count(of_front.begin(), of_front.begin() + centre, 1));
+  const auto all = static_cast<double>(std::count(of_front.begin(), of_front.end(), 1));
+  return {(static_cast<double>(s.step) - 0.5) * p.run.time_step, (before + uniform(seed, Purpose::test, 0, 0)) / all};
+}
+
+} // namespace
+
+Result initiation(const Parameters& p) {
+  Result result;
+  State s;
+  s.cortex = round_cortex(p.cell);
+  s.polarization = 1.0;
+  const std::vector<std::uint8_t> of_front = front(s.cortex, *s.polarization);
+  const auto n = static_cast<double>(std::count(of_front.begin(), of_front.end(), 1));
+  std::vector<double> times, places;
+  for (std::uint64_t seed = p.run.seed; seed < p.run.seed + cells; ++seed) {
+    const First first = wait(p, seed, s, of_front);
+    times.push_back(first.t);
+    places.push_back(first.place);
+  }
+  const double rate = n * p.protrusion.initiation_rate;
+  const double mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(cells);
+  const std::string rare = "exceeded by one sample in a hundred that follows it";
+  result.checks.push_back({"share of the particles at the front [-]", n / static_cast<double>(s.cortex.size()), 0.5,
+                           1.0 / static_cast<double>(s.cortex.size()), "half of an odd number"});
+  result.checks.push_back(
+      {fmt::format("mean waiting time of {} cells, times r_prot and the front's particles [-]", cells), mean * rate,
+       1.0, 3.0 / std::sqrt(static_cast<double>(cells)), "three standard errors"});
+  result.checks.push_back({"D sqrt(n) of the waiting times against the exponential [-]",
+                           kolmogorov_smirnov_exponential(times, rate), 0.0, one_in_a_hundred, rare});
+  result.checks.push_back({"D sqrt(n) of the places along the front against the uniform [-]",
+                           kolmogorov_smirnov(places, [](double x) { return x; }), 0.0, one_in_a_hundred, rare});
+
+  std::sort(times.begin(), times.end());
+  result.table.columns = {"waiting_time_s", "share_still_waiting", "exponential"};
+  io::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
+                .x_label = "time [s]",
+                .y_label = "share still waiting",
+                .log_y = true};
+  io::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = io::Mark::dashed};
+  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    const double waiting = 1.0 - static_cast<double>(k + 1) / static_cast<double>(times.size());
+    result.table.add({times[k], waiting, std::exp(-rate * times[k])});
+    measured.x.push_back(times[k]);
+    measured.y.push_back(waiting);
+    expected.x.push_back(times[k]);
+    expected.y.push_back(std::exp(-rate * times[k]));
+  }
+  plot.series = {measured, expected};
+  result.figures.push_back(
+      {"initiation", "A constant rate a front particle: exponential waiting times.", io::to_svg(plot)});
+  return result;
+}
+
+} // namespace matrigrate::validation
