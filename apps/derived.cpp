@@ -1,6 +1,7 @@
 #include "apps/derived.hpp"
 
 #include "ecm/material.hpp"
+#include "state/cortex.hpp"
 #include "state/initial.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +14,16 @@ namespace matrigrate::apps {
 
 namespace {
 
-// Measured with one thread on a server (AMD EPYC), release build, a steady load in the baseline's matrix: 96 ms a step
-// for 17,665 particles of radius 150 um, 432 ms for 49,077 of 250 um, 138 ms with h = 4 um; 1790, 1790 and 3500 bytes a
-// particle. The solver took 198, 324 and 128 iterations, or 3.4 R/h, to a tolerance of 1e-6.
+// Measured with one thread on a server (AMD EPYC), release build, the baseline's first minutes: 7.9 ms a step for
+// 17,665 particles of radius 150 um, 23.2 ms for 49,077 of 250 um, 16.3 ms with h = 4 um; 50, 128 and 91 MB. A decade
+// of the tolerance costs 0.55 ms at 150 um. Conjugate gradients took 3.4 R/h iterations to 1e-6.
+constexpr double seconds_a_pair = 13.4e-9;
+constexpr double seconds_a_pair_and_decade = 1.27e-9;
 constexpr double seconds_a_pair_and_iteration = 1.0e-9;
-constexpr double iterations_a_radius = 3.4 / 6.0; // for each decade of the tolerance
-constexpr double bytes_a_particle = 565.0;
-constexpr double bytes_a_pair = 45.0;
+constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
+constexpr double bytes_alone = 6e6;
+constexpr double bytes_a_particle = 665.0;
+constexpr double bytes_a_pair = 75.0;
 
 /// Mean number of particles within a distance of a point of the lattice, itself left out.
 double particles_within(double reach, const EcmParameters& ecm) {
@@ -40,25 +44,30 @@ Derived derived(const Parameters& p) {
             .clamped_particles = clamped,
             .fluid_particles = static_cast<std::size_t>(std::ranges::count(ecm.f, 0.0)),
             .neighbours = static_cast<double>(lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size()) - 1.0,
+            .segment_length = initial_segment_length(p.cell),
+            .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
+            .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
+            .wait = 1.0 / (p.cell.particles / 2 * p.protrusion.initiation_rate),
             .steps = std::ceil(p.run.duration / p.run.time_step - 1e-9),
             .limits = step_limits(p),
             .memory_bytes = 0.0,
             .wall_time = 0.0};
   const auto n = static_cast<double>(d.particles());
   const double listed = particles_within(2.0 * p.ecm.smoothing_length + p.ecm.verlet_skin, p.ecm);
-  d.memory_bytes = n * (bytes_a_particle + listed * bytes_a_pair);
-  const double iterations =
-      iterations_a_radius * p.ecm.radius / p.ecm.smoothing_length * -std::log10(p.solver.tolerance);
-  d.wall_time = d.steps * iterations * n * listed * seconds_a_pair_and_iteration;
+  d.memory_bytes = bytes_alone + n * (bytes_a_particle + listed * bytes_a_pair);
+  const double decades = -std::log10(p.solver.tolerance);
+  const double solve = p.solver.method == SolverMethod::multigrid
+                           ? seconds_a_pair_and_decade
+                           : seconds_a_pair_and_iteration * iterations_a_radius * p.ecm.radius / p.ecm.smoothing_length;
+  d.wall_time = d.steps * n * listed * (seconds_a_pair + decades * solve);
   return d;
 }
 
 std::string wall_time_basis() {
-  return "The wall time rests on the measured cost of the matrix alone under a steady load: 1 ns for each listed pair "
-         "of\n"
-         "particles and iteration of the solver, on one core of a server, with 3.4 R/h iterations a step at a "
-         "tolerance of\n"
-         "1e-6. A faster machine, more threads or a matrix at rest takes less.";
+  return "The wall time rests on the measured cost of the baseline on one core of a server: 13.4 ns a step for each\n"
+         "listed pair of particles, and 1.3 ns for each decade of solver.tolerance. A machine with other work to do "
+         "takes\n"
+         "longer.";
 }
 
 std::vector<std::string> warnings(const Parameters& p, const Derived& d) {

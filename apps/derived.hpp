@@ -19,6 +19,10 @@ struct Derived {
   std::size_t clamped_particles;
   std::size_t fluid_particles; ///< of the free ones, fluid from the start
   double neighbours;           ///< within the kernel's support, itself not counted
+  double segment_length;       ///< of the round cell's cortex [um]
+  double protrusion_width;     ///< cortex that a protrusion takes, of the round cell [um]
+  double first_wait;           ///< mean time to the first protrusion, from all of the cortex [s]
+  double wait;                 ///< mean time between protrusions of a polarized cell without any [s]
   double steps;
   StepLimits limits;
   double memory_bytes; ///< estimate

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -22,6 +24,7 @@ struct Options {
 };
 
 std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "never";
   if (seconds < 120.0) return fmt::format("{:.3g} s", seconds);
   if (seconds < 7200.0) return fmt::format("{:.3g} min", seconds / 60.0);
   return fmt::format("{:.3g} h", seconds / 3600.0);
@@ -29,11 +32,11 @@ std::string duration_text(double seconds) {
 
 std::string description(const Parameters& p, const Derived& d) {
   std::string text;
-  text += fmt::format(
-      "A disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio {:.4g}, viscosity {:.4g} Pa s), clamped "
-      "at its rim,\nfollowed for {} in steps of {:.4g} s.\n\n",
-      p.ecm.radius, 1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity,
-      duration_text(p.run.duration), p.run.time_step);
+  text += fmt::format("A cell of {:.4g} um radius in a disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio "
+                      "{:.4g},\nviscosity {:.4g} Pa s), "
+                      "clamped at its rim, followed for {} in steps of {:.4g} s.\n\n",
+                      p.cell.radius, p.ecm.radius, 1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio,
+                      1e3 * p.ecm.viscosity, duration_text(p.run.duration), p.run.time_step);
   const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
     text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
   };
@@ -45,11 +48,14 @@ std::string description(const Parameters& p, const Derived& d) {
       fmt::format("{} free, {} of them fluid from the start; {} clamped", d.free_particles, d.fluid_particles,
                   d.clamped_particles));
   add("neighbours", fmt::format("{:.0f}", d.neighbours), "of a particle, within the kernel's support of 2 h");
+  add("cortex", fmt::format("{:.3g} um", d.segment_length),
+      fmt::format("a segment of {}; a protrusion takes {:.3g} um", p.cell.particles, d.protrusion_width));
+  add("first protrusion", duration_text(d.first_wait),
+      fmt::format("on average; later {} a free front", duration_text(d.wait)));
   add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
   add("largest stable step", fmt::format("{:.3g} s", d.limits.smallest()), "set by the " + d.limits.binding());
   add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");
-  add("wall time", duration_text(d.wall_time),
-      "of the matrix alone on one thread; see the notes of `matrigrate explain -h`");
+  add("wall time", duration_text(d.wall_time), "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;
 }
 
@@ -64,6 +70,10 @@ Json to_json(const Options& options, const Derived& d, const std::vector<std::st
           {"clamped_particles", d.clamped_particles},
           {"fluid_particles", d.fluid_particles},
           {"neighbours", d.neighbours},
+          {"cortex_segment_um", d.segment_length},
+          {"protrusion_width_um", d.protrusion_width},
+          {"mean_wait_first_protrusion_s", d.first_wait},
+          {"mean_wait_protrusion_s", d.wait},
           {"steps", d.steps},
           {"step_limit_elastic_s", d.limits.elastic_s},
           {"step_limit_fluid_s", d.limits.fluid_s},

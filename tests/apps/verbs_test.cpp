@@ -106,6 +106,9 @@ TEST_F(Program, ExplainTellsDerivedQuantities) {
   EXPECT_EQ(derived.at("steps"), 54000.0);
   EXPECT_NEAR(derived.at("particles").get<double>(), 3.14159265 * 75 * 75, 100.0);
   EXPECT_EQ(derived.at("neighbours"), 20.0);
+  EXPECT_NEAR(derived.at("cortex_segment_um").get<double>(), 0.401, 1e-3);
+  EXPECT_NEAR(derived.at("mean_wait_protrusion_s").get<double>(), 1.0 / (117 * 6e-5), 1e-6);
+  EXPECT_TRUE(contains(run("explain a.toml --set 'protrusion.initiation_rate=0 1/s'").out, "never"));
   EXPECT_GT(derived.at("step_limit_elastic_s").get<double>(), 0.4);
   EXPECT_TRUE(derived.at("warnings").empty());
 }
