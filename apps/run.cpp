@@ -179,7 +179,8 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
   verb->add_option("--hours", options->hours, "Simulated time in hours: run.duration");
   verb->add_option("--threads", options->threads, "Threads, 0 for all: run.threads; never changes a result");
   verb->add_option("--set", options->overrides, "key=value, over the file; may be repeated")->allow_extra_args(false);
-  verb->add_flag("--force", options->force, "Write into a folder that is not empty");
+  verb->add_flag("--force", options->force,
+                 "Write into a folder that is not empty: files of the same name are replaced, others stay");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");
   verb->add_flag("--quiet", options->quiet, "Show no progress; print only where the report is");
   verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

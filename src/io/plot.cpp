@@ -20,6 +20,7 @@ constexpr double tick_gap = 8.0;   ///< between the vertical axis and its number
 void check(const Plot& plot, int width, int height) {
   if (width < 240 || height < 200)
     throw std::invalid_argument(fmt::format("a plot of {} x {} pixels is too small", width, height));
+  if (plot.equal_axes && (plot.log_x || plot.log_y)) throw std::invalid_argument("equal axes of a plot must be linear");
   for (const Series& s : plot.series)
     if (s.x.size() != s.y.size())
       throw std::invalid_argument(
@@ -37,6 +38,26 @@ std::vector<double> drawn_values(const Plot& plot, std::vector<double> Series::*
     for (std::size_t i = 0; i < s.x.size(); ++i)
       if (drawn(plot, s, i)) values.push_back((s.*coordinate)[i]);
   return values;
+}
+
+/// Widens the narrower extent by two values, so that the extents stand in the ratio `aspect`, x over y.
+void match_extents(std::vector<double>& x, std::vector<double>& y, double aspect) {
+  if (x.empty()) return;
+  const auto [x_low, x_high] = std::ranges::minmax(x);
+  const auto [y_low, y_high] = std::ranges::minmax(y);
+  const double x_extent = std::max(x_high - x_low, aspect * (y_high - y_low));
+  const double y_extent = x_extent / aspect;
+  for (const double sign : {-0.5, 0.5}) {
+    x.push_back(0.5 * (x_low + x_high) + sign * x_extent);
+    y.push_back(0.5 * (y_low + y_high) + sign * y_extent);
+  }
+}
+
+/// Takes the longer axis back until a unit is as long on both.
+void match_scales(Axis& x, Axis& y) {
+  const double scale = std::min((x.end - x.begin) / (x.high - x.low), (y.begin - y.end) / (y.high - y.low));
+  x.end = x.begin + scale * (x.high - x.low);
+  y.begin = y.end + scale * (y.high - y.low);
 }
 
 std::string line_path(const Plot& plot, const Series& s, const Axis& x, const Axis& y) {
@@ -100,9 +121,11 @@ std::string grid(const Axis& x, const Axis& y) {
 
 std::string to_svg(const Plot& plot, int width, int height) {
   check(plot, width, height);
-  const auto x_values = drawn_values(plot, &Series::x);
+  std::vector<double> x_values = drawn_values(plot, &Series::x);
+  std::vector<double> y_values = drawn_values(plot, &Series::y);
+  if (plot.equal_axes) match_extents(x_values, y_values, 0.86 * width / (0.75 * height));
   Axis x = fitted_axis(x_values, plot.log_x, 0.02, std::max(2, width / 105));
-  Axis y = fitted_axis(drawn_values(plot, &Series::y), plot.log_y, 0.05, std::max(2, height / 70));
+  Axis y = fitted_axis(y_values, plot.log_y, 0.05, std::max(2, height / 70));
 
   const svg::TextStyle label{.size = svg::label_size, .anchor = svg::Anchor::middle};
   const svg::TextStyle heading{.size = svg::title_size, .bold = true};
@@ -117,6 +140,7 @@ std::string to_svg(const Plot& plot, int width, int height) {
   y.end = legend_top + entries.height + margin;
   const double below = tick_room + svg::text_height(x_label.size(), svg::label_size) + margin;
   y.begin = std::max(height - below, y.end + 0.5 * height);
+  if (plot.equal_axes) match_scales(x, y);
 
   std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
   body += fmt::format("<g transform=\"translate({})\">\n{}</g>\n", svg::point(margin, legend_top), entries.svg);

@@ -33,11 +33,13 @@ struct Plot {
   std::string x_label = {}, y_label = {}; ///< with unit: "time [s]"
   bool log_x = false, log_y = false;
   std::vector<Series> series = {};
+  bool equal_axes = false; ///< a unit is as long on one axis as on the other, as on a map; linear axes only
 };
 
 /// @param width, height  [pixel] at least 240 x 200; the drawing gets taller where title and legend need it
 /// @return  the SVG document
-/// @throws std::invalid_argument if x and y of a series differ in length or the drawing is too small
+/// @throws std::invalid_argument if x and y of a series differ in length, the drawing is too small, or
+///         equal axes are wanted of a logarithmic one
 std::string to_svg(const Plot& plot, int width = 640, int height = 440);
 
 /// Particles in the plane coloured by a scalar, with a colour bar and a scale bar.

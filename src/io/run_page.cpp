@@ -25,11 +25,16 @@ Series over_time(std::span<const TrackRow> rows, const std::string& label, const
 
 Plot path_plot(std::span<const TrackRow> rows) {
   Series series{.label = "centre of mass"};
+  Series start{.label = "start", .mark = Mark::points};
   for (const TrackRow& row : rows) {
     series.x.push_back(row.centre.x());
     series.y.push_back(row.centre.y());
   }
-  return {.title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = {series}};
+  if (!rows.empty()) {
+    start.x.push_back(rows.front().centre.x());
+    start.y.push_back(rows.front().centre.y());
+  }
+  return {.title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = {series, start}, .equal_axes = true};
 }
 
 /// Speed from row to row, at the middle of the two.

@@ -6,11 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <clocale>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <locale>
+#include <regex>
 #include <stdexcept>
+#include <utility>
 
 namespace matrigrate::io {
 namespace {
@@ -175,6 +179,39 @@ TEST(Plot, SameBytesInEveryLocale) {
     EXPECT_EQ(to_svg(plot), before) << name;
   }
   std::setlocale(LC_ALL, old_c.c_str());
+}
+
+TEST(EqualAxes, DrawACircleAsACircle) {
+  Series circle{.mark = Mark::points};
+  for (int k = 0; k < 60; ++k) {
+    circle.x.push_back(30.0 + 7.0 * std::cos(0.1047 * k));
+    circle.y.push_back(-5.0 + 7.0 * std::sin(0.1047 * k));
+  }
+  Plot plot{.title = "a circle", .series = {circle}, .equal_axes = true};
+  for (const auto& [width, height] : {std::pair{640, 440}, std::pair{300, 900}, std::pair{1200, 300}}) {
+    const std::string drawing = to_svg(plot, width, height);
+    double x_low = 1e9, x_high = -1e9, y_low = 1e9, y_high = -1e9;
+    const std::regex dot_place("M([0-9.]+)[ ,]([0-9.]+)");
+    const std::string dots = drawing.substr(drawing.rfind("<path"));
+    for (auto m = std::sregex_iterator(dots.begin(), dots.end(), dot_place); m != std::sregex_iterator(); ++m) {
+      const double x = std::stod((*m)[1]);
+      const double y = std::stod((*m)[2]);
+      x_low = std::min(x_low, x);
+      x_high = std::max(x_high, x);
+      y_low = std::min(y_low, y);
+      y_high = std::max(y_high, y);
+    }
+    EXPECT_NEAR(x_high - x_low, y_high - y_low, 0.02 * (x_high - x_low)) << width << " x " << height;
+    EXPECT_GT(x_high - x_low, 60.0);
+  }
+  plot.log_x = true;
+  EXPECT_THROW(to_svg(plot), std::invalid_argument);
+}
+
+TEST(EqualAxes, StandAPathThatDoesNotMove) {
+  const Plot plot{.title = "a point", .series = {Series{.x = {3.0, 3.0}, .y = {1.0, 1.0}}}, .equal_axes = true};
+  EXPECT_EQ(count(to_svg(plot), "nan"), 0U);
+  EXPECT_EQ(count(to_svg({.title = "nothing", .equal_axes = true}), "nan"), 0U);
 }
 
 TEST(Legend, WrapsInsteadOfRunningOutOfTheDrawing) {
