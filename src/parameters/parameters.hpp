@@ -39,6 +39,27 @@ struct EcmParameters {
   double verlet_skin = 0.5;      ///< neighbours are listed up to 2h + skin [um]
 };
 
+/// Which reference neighbours are joined by fibres.
+enum class FibreArrangement { none, isotropic, uniaxial };
+
+/// How Eq. (5) is read: as the slope of the force over the strain, or as its secant.
+enum class FibreLaw { tangent, secant };
+
+/// Along which direction a fibre pulls: along itself, or along its change since the reference configuration.
+enum class FibreForce { axial, vectorial };
+
+struct FibreParameters {
+  FibreArrangement arrangement = FibreArrangement::none;
+  double direction_deg = 0.0;       ///< of the fibres of a uniaxial matrix, from the x axis [degrees]
+  double half_angle_deg = 30.0;     ///< pairs up to this far off the direction are joined [degrees]
+  double stiffness = 1.0;           ///< k_0 [kPa]
+  double onset = 0.075;             ///< eps_s, strain at which stiffening begins [-]
+  double stiffening_strain = 0.033; ///< d_s, strain in which the stiffness grows by e [-]
+  FibreLaw law = FibreLaw::tangent;
+  FibreForce pull = FibreForce::axial;
+  bool plane_to_space = false; ///< k_0 times 8/15, as if the plane network were one in space
+};
+
 /// Profile of the curvature factor of the actomyosin tension.
 enum class CurvatureProfile { gaussian, half_gaussian, triangle };
 
@@ -88,6 +109,9 @@ struct ProtrusionParameters {
   double deflection_cone = 1.0471975511965976; ///< half opening of the cone that is looked at [rad]
   double spreading_rate = 0.5;                 ///< speed at which growing particles slide towards equal spacing [1/s]
   double finishing_time = 400.0;               ///< T_finish [s]
+  int number = 0;           ///< n_prot, protrusions that are kept up at a time; 0: initiated at initiation_rate
+  double rear_share = 0.01; ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
+  double area_limit = 2.0;  ///< with a kept number: none is initiated beyond this area over A_0 [-]
 };
 
 struct AdhesionParameters {
@@ -133,6 +157,7 @@ struct SolverParameters {
 struct Parameters {
   RunParameters run;
   EcmParameters ecm;
+  FibreParameters fibres;
   CellParameters cell;
   ContactParameters contact;
   ActomyosinParameters actomyosin;

@@ -30,6 +30,9 @@ constexpr Choice choice(Access, std::span<const std::string_view> names) {
 }
 
 constexpr std::array<std::string_view, 2> lattices{"square", "hexagonal"};
+constexpr std::array<std::string_view, 3> fibre_arrangements{"none", "isotropic", "uniaxial"};
+constexpr std::array<std::string_view, 2> fibre_laws{"tangent", "secant"};
+constexpr std::array<std::string_view, 2> fibre_forces{"axial", "vectorial"};
 constexpr std::array<std::string_view, 3> curvature_profiles{"gaussian", "half_gaussian", "triangle"};
 constexpr std::array<std::string_view, 2> turnings{"proportional", "constant"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
@@ -39,6 +42,7 @@ constexpr std::array<std::string_view, 2> formulations{"total_lagrangian", "upda
 constexpr std::array all_sections{
     Section{"run", "The run: how long, in which steps, with which random numbers"},
     Section{"ecm", "The extracellular matrix"},
+    Section{"fibres", "Strain-stiffening fibres of the matrix"},
     Section{"cell", "The cell"},
     Section{"contact", "Contact of cell and matrix"},
     Section{"actomyosin", "Contraction of the cortex"},
@@ -95,6 +99,25 @@ constexpr std::array rows{
     Row{"ecm.verlet_skin", [](Parameters& p) -> double& { return p.ecm.verlet_skin; }, "um", above(0, 50),
         "", chosen, "Neighbours are listed up to this distance beyond the support; never changes a result", numerical},
 
+    Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
+        "", methods, "Fibres between all neighbouring matrix particles, between those along one direction, or none"},
+    Row{"fibres.direction_deg", [](Parameters& p) -> double& { return p.fibres.direction_deg; }, "1", closed(-180, 180),
+        "", methods, "Direction of uniaxial fibres, in degrees from the x axis"},
+    Row{"fibres.half_angle_deg", [](Parameters& p) -> double& { return p.fibres.half_angle_deg; }, "1", above(0, 90),
+        "", methods, "Neighbours up to this far off the direction are joined by uniaxial fibres, in degrees"},
+    Row{"fibres.stiffness", [](Parameters& p) -> double& { return p.fibres.stiffness; }, "Pa", closed(0, 1e7),
+        "k_0", table_1, "Stiffness of the fibres below the onset of stiffening"},
+    Row{"fibres.onset", [](Parameters& p) -> double& { return p.fibres.onset; }, "1", closed(0, 10),
+        "eps_s", table_1, "Strain of a fibre at which it begins to stiffen"},
+    Row{"fibres.stiffening_strain", [](Parameters& p) -> double& { return p.fibres.stiffening_strain; }, "1", closed(0.005, 100),
+        "d_s", table_1, "Strain in which a stiffening fibre becomes stiffer by the factor e"},
+    Row{"fibres.law", choice([](Parameters& p) -> FibreLaw& { return p.fibres.law; }, fibre_laws), "", none,
+        "", "MODEL.md, D24", "Whether Eq. 5 is the slope of a fibre's force over its strain, or the secant", numerical},
+    Row{"fibres.pull", choice([](Parameters& p) -> FibreForce& { return p.fibres.pull; }, fibre_forces), "", none,
+        "", "MODEL.md, D23", "Whether a fibre pulls along itself, or along its change since the start", numerical},
+    Row{"fibres.plane_to_space", [](Parameters& p) -> bool& { return p.fibres.plane_to_space; }, "", none,
+        "", "MODEL.md, D25", "Whether k_0 is taken times 8/15, as if the fibres were spread in space", numerical},
+
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),
         "R", table_1, "Radius of the cell at the start"},
     Row{"cell.start_x", [](Parameters& p) -> double& { return p.cell.start_x; }, "um", closed(-2000, 2000),
@@ -150,6 +173,12 @@ constexpr std::array rows{
         "k_s,prot", table_1, "Stiffness of the springs of a growing or maturing protrusion"},
     Row{"protrusion.deflection_rate", [](Parameters& p) -> double& { return p.protrusion.deflection_rate; }, "1/s", closed(0, 10),
         "r_defl", table_1, "Rate at which growth turns towards degraded matrix"},
+    Row{"protrusion.number", [](Parameters& p) -> int& { return p.protrusion.number; }, "1", closed(0, 100),
+        "n_prot", methods, "Protrusions that are kept up at a time, 0 for initiation at initiation_rate"},
+    Row{"protrusion.rear_share", [](Parameters& p) -> double& { return p.protrusion.rear_share; }, "1", closed(0, 1),
+        "", methods, "With a kept number: chance of a rear particle over that of a front particle"},
+    Row{"protrusion.area_limit", [](Parameters& p) -> double& { return p.protrusion.area_limit; }, "1", above(1, 100),
+        "", methods, "With a kept number: area over A_0 at which growth and initiation end"},
     Row{"protrusion.half_width", [](Parameters& p) -> int& { return p.protrusion.half_width; }, "1", closed(2, 5000),
         "w_prot", table_1, "Particles of a protrusion to each side of its centre", numerical},
     Row{"protrusion.tip_half_width", [](Parameters& p) -> int& { return p.protrusion.tip_half_width; }, "1", closed(0, 5000),

@@ -40,12 +40,18 @@ Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionPar
   return p.force / (2.0 * p.tip_half_width + 1.0) * std::max(0.0, normal.dot(direction)) * direction;
 }
 
-void add_growth(const State& s, const ProtrusionParameters& p, std::span<const Vec2> normals, std::span<Vec2> force) {
+double area_factor(double area, const ProtrusionParameters& p) {
+  if (p.number == 0) return 1.0;
+  return std::clamp((p.area_limit - area) / (p.area_limit - 1.0), 0.0, 1.0);
+}
+
+void add_growth(const State& s, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
+                std::span<Vec2> force) {
   for (const Protrusion& protrusion : s.protrusions) {
     const auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
     for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p))
-      force[s.node(i)] += growth_force(growing->direction, normals[i], p);
+      force[s.node(i)] += area_factor(area, p) * growth_force(growing->direction, normals[i], p);
   }
 }
 

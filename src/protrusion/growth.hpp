@@ -18,10 +18,17 @@ std::vector<std::size_t> pushing_particles(const CortexState& c, std::size_t cen
 /// @param direction  d_prot, unit vector   @param normal  outward unit normal of the particle
 Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionParameters& p);
 
+/// Share of the growth force that is left as the cell's area nears its limit, Heck et al. 2020, Eq. (10): 1 up to A_0,
+/// then falling linearly to 0 at area_limit A_0. Without a kept number always 1 [-].
+/// @param area  of the cell over A_0 [-]
+double area_factor(double area, const ProtrusionParameters& p);
+
 /// Adds the growth forces of all growing protrusions.
+/// @param area     of the cell over A_0 [-]
 /// @param normals  outward unit normals of the cortex particles
 /// @param force    of all nodes [nN]
-void add_growth(const State& s, const ProtrusionParameters& p, std::span<const Vec2> normals, std::span<Vec2> force);
+void add_growth(const State& s, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
+                std::span<Vec2> force);
 
 /// Lets the particles on either flank of growing protrusions slide along the contour towards equal spacing for dt, so
 /// that the stretch does not gather at the tip. The centre stays at the tip, the first and last particle at the base.

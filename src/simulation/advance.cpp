@@ -92,7 +92,7 @@ void live_protrusions(State& s, const Parameters& p) {
   deflect(s, p, p.run.time_step, [&](const Vec2& point) { return contains(s.cortex, point); });
   live(s, p);
   polarize(s, p.polarization, centre, p.run.time_step);
-  initiate(s, p, front_of(s), centre);
+  initiate(s, p, front_of(s), centre, area(s.cortex) / initial_area(p.cell));
   ratchet_rest_lengths(s.cortex, p.cell, membership(s, p).soft);
 }
 

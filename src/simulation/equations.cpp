@@ -8,6 +8,7 @@
 #include "cell/spring.hpp"
 #include "contact/elastic.hpp"
 #include "contact/viscous.hpp"
+#include "ecm/fibres.hpp"
 #include "ecm/fluid.hpp"
 #include "ecm/stress.hpp"
 #include "ecm/updated_lagrangian.hpp"
@@ -32,7 +33,7 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
   add_elastic_contact(s.ecm, c, p, w.cell.met, dt, w.force, w.drag);
   add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
-  add_growth(s, p.protrusion, w.cell.normals, w.force);
+  add_growth(s, p.protrusion, area(c) / initial_area(p.cell), w.cell.normals, w.force);
   add_maturation(s, p, w.force, w.drag);
   add_adhesions(s, p.adhesion, w.cell.anchor_weights, dt, w.force, w.drag);
 }
@@ -72,6 +73,7 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
     add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
     break;
   }
+  add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, p.run.time_step, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   if (s.has_cell()) assemble_cell_forces(s, p, w);
   if (loads) loads(s, w.force);

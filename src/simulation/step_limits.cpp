@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/vector.hpp"
+#include "ecm/fibres.hpp"
 #include "ecm/material.hpp"
 #include "ecm/viscosity.hpp"
 #include "state/initial.hpp"
@@ -22,11 +23,31 @@ namespace {
 struct Symbols {
   Vec2 gradient = Vec2::Zero(); // g, corrected; the gradient of exp(i k.X) is i g [1/um]
   Vec2 raw_gradient = Vec2::Zero();
-  double drag = 0.0;      // d [nN s/um]
-  double hourglass = 0.0; // c [nN/um]
+  double drag = 0.0;          // d [nN s/um]
+  double hourglass = 0.0;     // c [nN/um]
+  Mat2 fibres = Mat2::Zero(); // all of them taut, before they stiffen [nN/um]
 };
 
-Symbols symbols(const Vec2& k, const EcmParameters& p, const std::vector<Vec2>& patch) {
+/// A fibre between a particle inside the lattice and its neighbour at X.
+struct Spring {
+  Vec2 X;
+  double k; // [nN/um]
+};
+
+std::vector<Spring> springs(const Parameters& p, const std::vector<Vec2>& patch) {
+  std::vector<Spring> all;
+  if (p.fibres.arrangement == FibreArrangement::none) return all;
+  const Kernel kernel(p.ecm.smoothing_length);
+  double sum = 0.0;
+  for (const Vec2& X : patch) sum += kernel.W(X.norm());
+  for (const Vec2& X : patch)
+    if (X.squaredNorm() > 0.0 && joined(X, p.fibres))
+      all.push_back({X, p.ecm.thickness * kernel.W(X.norm()) / sum * fibre_stiffness(0.0, p.fibres)});
+  return all;
+}
+
+Symbols symbols(const Vec2& k, const EcmParameters& p, const std::vector<Vec2>& patch,
+                const std::vector<Spring>& fibres) {
   const Kernel kernel(p.smoothing_length);
   const double V0 = particle_area(p);
   Symbols s;
@@ -47,6 +68,8 @@ Symbols symbols(const Vec2& k, const EcmParameters& p, const std::vector<Vec2>& 
     const double error = s.gradient.dot(X) * std::cos(half_phase) - 2.0 * std::sin(half_phase);
     s.hourglass += 0.5 * c * error * error;
   }
+  for (const Spring& spring : fibres)
+    s.fibres += spring.k * (1.0 - std::cos(k.dot(spring.X))) / spring.X.squaredNorm() * spring.X * spring.X.transpose();
   return s;
 }
 
@@ -54,7 +77,7 @@ double elastic_rate(const Symbols& s, const EcmParameters& p, const Moduli& m) {
   const Mat2 stiffness = p.thickness * particle_area(p)
                              * ((m.K + m.G / 3.0) * s.gradient * s.gradient.transpose()
                                 + m.G * s.gradient.squaredNorm() * Mat2::Identity())
-                         + s.hourglass * Mat2::Identity();
+                         + s.hourglass * Mat2::Identity() + s.fibres;
   return Eigen::SelfAdjointEigenSolver<Mat2>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()(1) / s.drag;
 }
 
@@ -65,12 +88,13 @@ double fluid_rate(const Symbols& s, const EcmParameters& p, const Moduli& m) {
 } // namespace
 
 std::string StepLimits::binding() const {
-  return elastic_s <= fluid_s ? "elasticity of the intact matrix (K, G against mu)"
+  return elastic_s <= fluid_s ? "elasticity of the intact matrix (K, G, fibres against mu)"
                               : "pressure of the degraded matrix (K against mu)";
 }
 
 StepLimits step_limits(const Parameters& p) {
   const std::vector<Vec2> patch = lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length);
+  const std::vector<Spring> fibres = springs(p, patch);
   const Moduli m = moduli(p.ecm);
   double elastic = 0.0;
   double fluid = 0.0;
@@ -79,7 +103,7 @@ StepLimits step_limits(const Parameters& p) {
   for (int a = -samples; a <= samples; ++a)
     for (int b = 0; b <= samples; ++b) {
       if (b == 0 && a == 0) continue;
-      const Symbols s = symbols(Vec2(a, b) * (k_max / samples), p.ecm, patch);
+      const Symbols s = symbols(Vec2(a, b) * (k_max / samples), p.ecm, patch, fibres);
       if (s.drag <= 0.0) continue;
       elastic = std::max(elastic, elastic_rate(s, p.ecm, m));
       fluid = std::max(fluid, fluid_rate(s, p.ecm, m));
@@ -96,7 +120,7 @@ void require_stable_step(const Parameters& p) {
 
 std::string describe(const StepLimits& limits) {
   return fmt::format(
-      "steps are stable up to {:.3g} s for the elasticity of the intact matrix (K, G against mu) and up to "
+      "steps are stable up to {:.3g} s for the elasticity of the intact matrix (K, G, fibres against mu) and up to "
       "{:.3g} s for the pressure of the degraded matrix (K against mu); the smaller one is set by the {}",
       limits.elastic_s, limits.fluid_s, limits.binding());
 }

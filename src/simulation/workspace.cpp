@@ -24,9 +24,15 @@ std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
   return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, p.solver.tolerance, p.solver.max_iterations);
 }
 
+FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Reference& reference) {
+  if (p.fibres.arrangement == FibreArrangement::none) return {};
+  return {ecm, p.ecm, p.fibres, reference};
+}
+
 } // namespace
 
 Workspace::Workspace(const State& s, const Parameters& p)
-    : reference(s.ecm, p.ecm), neighbours(2.0 * p.ecm.smoothing_length, p.ecm.verlet_skin), solver(make_solver(s, p)) {}
+    : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
+      neighbours(2.0 * p.ecm.smoothing_length, p.ecm.verlet_skin), solver(make_solver(s, p)) {}
 
 } // namespace matrigrate

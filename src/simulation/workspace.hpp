@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/proximity.hpp"
+#include "ecm/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "ecm/stress.hpp"
 #include "parameters/parameters.hpp"
@@ -40,6 +41,7 @@ struct Workspace {
   Workspace(const State& s, const Parameters& p);
 
   Reference reference;
+  FibreNetwork fibres;
   VerletList neighbours;
   CellShape cell;
   DragSystem drag;

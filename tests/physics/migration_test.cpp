@@ -111,7 +111,7 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
     assemble_drag(s, p, w);
     assemble_forces(s, p, w, {});
     std::vector<Vec2> external(w.force.size(), Vec2::Zero());
-    add_growth(s, p.protrusion, w.cell.normals, external);
+    add_growth(s, p.protrusion, 1.0, w.cell.normals, external);
     add_maturation(s, p, external, w.drag);
     most = std::max(most, (sum(w.force) - sum(external)).norm());
   }

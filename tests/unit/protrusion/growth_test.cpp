@@ -35,13 +35,24 @@ TEST(GrowthForce, IsAShareOfFProtAlongItsDirectionAndFadesAsTheNormalTurns) {
   EXPECT_EQ(growth_force(d, -d, p).norm(), 0.0);
 }
 
+TEST(AreaFactor, FallsFromOneAtA0ToNothingAtTheLimitWhereANumberIsKept) {
+  ProtrusionParameters p;
+  EXPECT_EQ(area_factor(1.7, p), 1.0); // Eq. (10) is for a kept number alone
+  p.number = 2;
+  EXPECT_EQ(area_factor(0.9, p), 1.0);
+  EXPECT_EQ(area_factor(1.0, p), 1.0);
+  EXPECT_DOUBLE_EQ(area_factor(1.25, p), 0.75);
+  EXPECT_EQ(area_factor(2.0, p), 0.0);
+  EXPECT_EQ(area_factor(2.3, p), 0.0);
+}
+
 TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
   const Parameters p = small_matrix();
   State s = cell_in_matrix(p);
   add_protrusion(s, 30, Growing{outward(s, 30)});
   add_protrusion(s, 120, Contracting{2.0 * s.cortex.x[120], 0.5});
   std::vector<Vec2> force(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  add_growth(s, p.protrusion, normals(s.cortex), force);
+  add_growth(s, p.protrusion, 1.0, normals(s.cortex), force);
   const Vec2 sum = net_force(force);
   EXPECT_GT(sum.dot(outward(s, 30)), 0.99 * 0.32); // the tip is nearly flat
   EXPECT_LE(sum.norm(), 0.32);

@@ -99,6 +99,54 @@ TEST(Initiation, ProtrusionsNeverShareParticles) {
   }
 }
 
+TEST(KeptNumber, IsReachedAndNeverPassed) {
+  Parameters p = small_matrix();
+  for (const int number : {1, 2, 3, 4}) {
+    p.protrusion.number = number;
+    State s = cell_in_matrix(p);
+    const std::vector<std::uint8_t> of_front = front(s.cortex, 0.3);
+    for (int k = 0; k < 200; ++k) {
+      ++s.step;
+      initiate(s, p, of_front, Vec2::Zero());
+      ASSERT_LE(s.protrusions.size(), static_cast<std::size_t>(number));
+    }
+    EXPECT_EQ(s.protrusions.size(), static_cast<std::size_t>(number)) << number;
+    s.protrusions.erase(s.protrusions.begin());
+    for (int k = 0; k < 200; ++k, ++s.step) initiate(s, p, of_front, Vec2::Zero());
+    EXPECT_EQ(s.protrusions.size(), static_cast<std::size_t>(number));
+  }
+}
+
+TEST(KeptNumber, TakesRearParticlesAHundredTimesMoreRarely) {
+  Parameters p = small_matrix();
+  p.protrusion.number = 1;
+  const State start = cell_in_matrix(p);
+  const std::vector<std::uint8_t> of_front = front(start.cortex, 0.3);
+  int rear = 0;
+  constexpr int cells = 20000;
+  State s = start;
+  for (int n = 0; n < cells; ++n) {
+    s.protrusions.clear();
+    ++s.step;
+    initiate(s, p, of_front, Vec2::Zero());
+    ASSERT_EQ(s.protrusions.size(), 1U);
+    rear += of_front[s.protrusions[0].centre] ? 0 : 1;
+  }
+  const double expected = 0.01 * 118.0 / (117.0 + 0.01 * 118.0);
+  EXPECT_NEAR(static_cast<double>(rear) / cells, expected, 4.0 * std::sqrt(expected / cells));
+}
+
+TEST(KeptNumber, WaitsWhileTheCellIsTooLarge) {
+  Parameters p = small_matrix();
+  p.protrusion.number = 2;
+  State s = cell_in_matrix(p);
+  const std::vector<std::uint8_t> all(s.cortex.size(), 1);
+  for (int k = 0; k < 50; ++k, ++s.step) initiate(s, p, all, Vec2::Zero(), 2.01);
+  EXPECT_TRUE(s.protrusions.empty());
+  initiate(s, p, all, Vec2::Zero(), 1.99);
+  EXPECT_EQ(s.protrusions.size(), 1U);
+}
+
 TEST(HasRoom, NeedsAllParticlesFree) {
   const Parameters p = small_matrix();
   State s = cell_in_matrix(p);

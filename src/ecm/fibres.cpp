@@ -1,0 +1,169 @@
+#include "ecm/fibres.hpp"
+
+#include "base/parallel.hpp"
+#include "sph/kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr double plane_to_space = 8.0 / 15.0; // mean cos^4 of directions in space over that in the plane
+
+double k_0(const FibreParameters& p) { return p.plane_to_space ? plane_to_space * p.stiffness : p.stiffness; }
+
+/// Growth of the stiffness beyond the onset: exp((strain - eps_s)/d_s).
+double stiffening(double strain, const FibreParameters& p) {
+  return std::exp((strain - p.onset) / p.stiffening_strain);
+}
+
+/// A fibre as it stands: strain, and x_ij of its ends.
+struct Stretched {
+  double strain;
+  Vec2 x_ij;
+};
+
+Stretched stretched(const EcmState& ecm, const FibreNetwork& network, std::size_t i, std::uint32_t k) {
+  const std::uint32_t j = network.pairs().index[k];
+  const Vec2 x_ij = network.X_ij(k) + ecm.displacement(i) - ecm.displacement(j);
+  return {x_ij.norm() / network.length(k) - 1.0, x_ij};
+}
+
+/// T(eps)/eps, also where the strain is 0 [kPa].
+double secant(double strain, const FibreParameters& p) {
+  return strain > 1e-12 ? fibre_tension(strain, p) / strain : k_0(p);
+}
+
+/// Pull of particle j on i over t_z f_i f_j [nN/um].
+Vec2 pull(const Stretched& s, const Vec2& X_ij, double weight, const FibreParameters& p) {
+  if (p.pull == FibreForce::vectorial) return -weight * secant(s.strain, p) * (s.x_ij - X_ij);
+  return -weight * fibre_tension(s.strain, p) / (1.0 + s.strain) * s.x_ij;
+}
+
+} // namespace
+
+bool joined(const Vec2& X, const FibreParameters& p) {
+  if (p.arrangement == FibreArrangement::isotropic) return true;
+  constexpr double degree = std::numbers::pi / 180.0;
+  constexpr double boundary = 1e-9; // pairs on it belong
+  const Vec2 direction(std::cos(degree * p.direction_deg), std::sin(degree * p.direction_deg));
+  return std::abs(X.dot(direction)) >= (std::cos(degree * p.half_angle_deg) - boundary) * X.norm();
+}
+
+double fibre_stiffness(double strain, const FibreParameters& p) {
+  if (strain < 0.0) return 0.0;
+  return strain <= p.onset ? k_0(p) : k_0(p) * stiffening(strain, p);
+}
+
+double fibre_tension(double strain, const FibreParameters& p) {
+  if (strain <= 0.0) return 0.0;
+  if (p.law == FibreLaw::secant || strain <= p.onset) return fibre_stiffness(strain, p) * strain;
+  return k_0(p) * (p.onset + p.stiffening_strain * (stiffening(strain, p) - 1.0));
+}
+
+double fibre_slope(double strain, const FibreParameters& p) {
+  const double k = fibre_stiffness(strain, p);
+  return p.law == FibreLaw::secant && strain > p.onset ? k * (1.0 + strain / p.stiffening_strain) : k;
+}
+
+double fibre_energy(double strain, const FibreParameters& p) {
+  if (strain <= 0.0) return 0.0;
+  if (strain <= p.onset) return 0.5 * k_0(p) * strain * strain;
+  const double beyond = strain - p.onset;
+  const double d = p.stiffening_strain;
+  const double growth = stiffening(strain, p);
+  const double below = 0.5 * p.onset * p.onset;
+  if (p.law == FibreLaw::tangent) return k_0(p) * (below + (p.onset - d) * beyond + d * d * (growth - 1.0));
+  return k_0(p) * (below + d * (strain * growth - p.onset) - d * d * (growth - 1.0));
+}
+
+FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                           const Reference& ref) {
+  const Kernel kernel(p.smoothing_length);
+  const Adjacency& all = ref.pairs();
+  std::vector<double> sum(ecm.size(), kernel.W(0.0));
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) sum[i] += kernel.W(ref.X_ij(k).norm());
+  m_pairs.first.assign(1, 0);
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) {
+      const std::uint32_t j = all.index[k];
+      const Vec2 X = ref.X_ij(k);
+      if (!joined(X, fibres)) continue;
+      m_pairs.index.push_back(j);
+      m_X_ij.push_back(X);
+      m_length.push_back(X.norm());
+      m_weight.push_back(0.5 * kernel.W(X.norm()) * (1.0 / sum[i] + 1.0 / sum[j]));
+    }
+    m_pairs.first.push_back(static_cast<std::uint32_t>(m_pairs.index.size()));
+  }
+}
+
+namespace {
+
+/// Lets a pair resist its change with the drag g, as far as the drag system lists it.
+void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32_t j, double g) {
+  const auto row = A.pairs->of(i);
+  const auto found = std::lower_bound(row.begin(), row.end(), j);
+  if (found == row.end() || *found != j) return; // too far apart by now: it stays explicit
+  A.diagonal[i] += g;
+  if (ecm.clamped[j])
+    A.F[i] += g * ecm.v[j];
+  else
+    A.coupling[A.pairs->first[i] + static_cast<std::size_t>(found - row.begin())] += g;
+}
+
+} // namespace
+
+void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A) {
+  if (network.empty()) return;
+  parallel_for(ecm.size(), [&](std::size_t i) {
+    if (ecm.f[i] <= 0.0) return;
+    Vec2 sum = Vec2::Zero();
+    for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
+      const std::uint32_t j = network.pairs().index[k];
+      const Stretched s = stretched(ecm, network, i, k);
+      if (ecm.f[j] <= 0.0 || s.strain <= 0.0) continue;
+      sum += ecm.f[j] * pull(s, network.X_ij(k), network.weight(k), fibres);
+      const double excess = fibre_slope(s.strain, fibres) - k_0(fibres);
+      if (excess > 0.0 && !ecm.clamped[i])
+        add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
+    }
+    force[i] += p.thickness * ecm.f[i] * sum;
+  });
+}
+
+double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network) {
+  return ordered_sum(ecm.size(), 0.0, [&](std::size_t i) {
+    double sum = 0.0;
+    for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
+      const double length = network.length(k);
+      sum += 0.5 * ecm.f[i] * ecm.f[network.pairs().index[k]] * network.weight(k) * length * length
+             * fibre_energy(stretched(ecm, network, i, k).strain, fibres);
+    }
+    return sum;
+  });
+}
+
+Mat2 fibre_stress(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network, std::size_t i) {
+  Mat2 sum = Mat2::Zero();
+  for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
+    const Stretched s = stretched(ecm, network, i, k);
+    const double f = ecm.f[i] * ecm.f[network.pairs().index[k]];
+    sum += f * network.weight(k) * fibre_tension(s.strain, fibres) / (1.0 + s.strain) * s.x_ij * s.x_ij.transpose();
+  }
+  return ecm.rho[i] / (2.0 * ecm.V0) * sum;
+}
+
+double plane_von_mises(const Mat2& stress) {
+  const double xx = stress(0, 0);
+  const double yy = stress(1, 1);
+  const double xy = 0.5 * (stress(0, 1) + stress(1, 0));
+  return std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3.0 * xy * xy));
+}
+
+} // namespace matrigrate

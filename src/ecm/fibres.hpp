@@ -1,0 +1,70 @@
+#pragma once
+
+#include "ecm/reference.hpp"
+#include "parameters/parameters.hpp"
+#include "solve/drag_system.hpp"
+#include "state/ecm.hpp"
+
+#include <span>
+#include <vector>
+
+/// Strain-stiffening fibres of the matrix: springs between reference neighbours, Heck et al. 2020, Eqs. (3)-(5), and
+/// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/fibres_test.cpp
+namespace matrigrate {
+
+/// Stiffness of a fibre, Eq. (5): 0 in compression, k_0 up to eps_s, k_0 exp((strain - eps_s)/d_s) beyond [kPa].
+double fibre_stiffness(double strain, const FibreParameters& p);
+
+/// Force of a fibre over w_ij |X_ij|, per depth [kPa]: the integral of the stiffness over the strain (tangent law), or
+/// stiffness times strain (secant law). 0 in compression.
+double fibre_tension(double strain, const FibreParameters& p);
+
+/// Slope of fibre_tension() [kPa].
+double fibre_slope(double strain, const FibreParameters& p);
+
+/// Integral of fibre_tension() over the strain: energy of a fibre over w_ij |X_ij|^2, per depth [kPa].
+double fibre_energy(double strain, const FibreParameters& p);
+
+/// Whether a fibre joins neighbours that lie X apart in the reference configuration: all of them, or of a uniaxial
+/// matrix those within half_angle_deg of the direction, boundary included.
+bool joined(const Vec2& X, const FibreParameters& p);
+
+/// Who is joined to whom by a fibre, for ever: reference neighbours. Weights, Eq. (4): w_ij = (W_ij/S_i + W_ij/S_j)/2,
+/// S_i the sum of W over i itself and all its neighbours [-].
+class FibreNetwork {
+public:
+  FibreNetwork() = default; ///< no fibres
+
+  FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres, const Reference& ref);
+
+  bool empty() const { return m_pairs.index.empty(); }
+  const Adjacency& pairs() const { return m_pairs; }
+  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; } ///< of entry k of pairs() [um]
+  double length(std::uint32_t k) const { return m_length[k]; }  ///< |X_ij| [um]
+  double weight(std::uint32_t k) const { return m_weight[k]; }  ///< w_ij [-]
+
+private:
+  Adjacency m_pairs;
+  std::vector<Vec2> m_X_ij;
+  std::vector<double> m_length, m_weight;
+};
+
+/// Adds the forces of the fibres [nN]. On particle i
+///   -t_z sum_j f_i f_j w_ij T(eps_ij) |X_ij| n,   eps_ij = |x_ij|/|X_ij| - 1,
+/// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). Slopes beyond k_0 enter the drag as
+/// well, times dt, so that stiffening does not shorten the step.
+/// @param force  of all nodes   @param A  the drag system after assemble_viscosity()
+void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A);
+
+/// Energy of all fibres of the axial law over t_z [nN].
+double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network);
+
+/// Cauchy stress of the fibres at particle i, Eq. (11): the virial 1/(2 V_i) sum_j F_ij (x) x_ij of the axial forces
+/// per depth, V_i = V_0/rho_i [kPa]; 0 in the fluid.
+Mat2 fibre_stress(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network, std::size_t i);
+
+/// Von Mises stress of a plane state of stress, sigma_zz = 0: sqrt(xx^2 - xx yy + yy^2 + 3 xy^2) [kPa].
+double plane_von_mises(const Mat2& stress);
+
+} // namespace matrigrate
