@@ -42,6 +42,8 @@ const std::vector<Case>& cases() {
       {"convergence", "Orders of convergence in particle spacing and in time step.", convergence},
       {"step-limit", "The largest stable explicit step, measured, against the analysis of the discrete operators.",
        step_limit},
+      {"fibres", "Isotropic fibrillar gels of three concentrations against rheometry and the semi-affine law.", fibres},
+      {"fibres-uniaxial", "A gel of parallel fibres, pulled along and across them.", fibres_uniaxial},
       {"protrusion", "Length of a single protrusion over time, as E and direction vary.", protrusion},
       {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
       {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly},

@@ -17,6 +17,8 @@ Result poiseuille(const Parameters& p);
 Result tearing(const Parameters& p);
 Result convergence(const Parameters& p);
 Result step_limit(const Parameters& p);
+Result fibres(const Parameters& p);
+Result fibres_uniaxial(const Parameters& p);
 Result protrusion(const Parameters& p);
 Result maturation(const Parameters& p);
 Result disassembly(const Parameters& p);
