@@ -3,6 +3,7 @@
 #include "apps/provenance.hpp"
 #include "base/file.hpp"
 #include "io/cell_picture.hpp"
+#include "io/layer_picture.hpp"
 #include "io/run_files.hpp"
 #include "io/run_page.hpp"
 #include "parameters/write.hpp"
@@ -17,11 +18,11 @@ namespace matrigrate::apps {
 namespace {
 
 /// "t_01800s.svg"; times between full seconds keep their fraction: "t_00000.4s.svg".
-std::string snapshot_name(double t) {
+std::string snapshot_name(double t, std::string_view layer = "") {
   const double rounded = std::round(1e3 * t) / 1e3;
   const double whole = std::floor(rounded);
   const std::string fraction = rounded > whole ? fmt::format("{:.3g}", rounded - whole).substr(1) : std::string();
-  return fmt::format("t_{:05.0f}{}s.svg", whole, fraction);
+  return fmt::format("t_{:05.0f}{}s{}.svg", whole, fraction, layer);
 }
 
 } // namespace
@@ -42,7 +43,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   make_output_folder(m_folder / "snapshots", true);
   write_record(record);
   if (m_row_cadence.due(s.t)) add_row(s, w);
-  if (m_snapshot_cadence.due(s.t)) add_snapshot(s);
+  if (m_snapshot_cadence.due(s.t)) add_snapshot(s, w);
 }
 
 void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record) {
@@ -50,17 +51,18 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   add_ended(s);
   if (m_row_cadence.due(s.t)) add_row(s, w);
   if (!m_snapshot_cadence.due(s.t)) return;
-  add_snapshot(s);
+  add_snapshot(s, w);
   write_record(record);
 }
 
 void RunFolder::finish(const State& s, const Workspace& w, const std::string& status) {
   add_ended(s);
   if (m_rows.empty() || m_rows.back().step != s.step) add_row(s, w);
-  if (m_scenes.empty() || m_scenes.back().t != s.t) add_snapshot(s);
+  if (m_scenes.empty() || m_scenes.back().t != s.t) add_snapshot(s, w);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
-  m_readouts = matrigrate::readouts(m_rows, records, m_p.actomyosin);
+  m_readouts = matrigrate::readouts(m_rows, records, m_p);
   write_file(m_folder / "protrusions.csv", io::protrusions_csv(records, m_p.actomyosin)); // with those still alive
+  write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_rows, 600.0)));
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
   const std::string sheet = io::contact_sheet(m_scenes);
@@ -89,13 +91,18 @@ void RunFolder::add_ended(const State& s) {
   for (; m_ended < s.ended.size(); ++m_ended) m_protrusions.add(io::fields(s.ended[m_ended], m_p.actomyosin));
 }
 
-void RunFolder::add_snapshot(const State& s) {
+void RunFolder::add_snapshot(const State& s, const Workspace& w) {
   std::vector<Vec2> path;
   path.reserve(m_rows.size() + 1);
   for (const TrackRow& row : m_rows) path.push_back(row.centre);
   if (m_rows.empty() || m_rows.back().step != s.step) path.push_back(track_row(s).centre);
   io::CellScene scene = io::cell_scene(s, m_p, std::move(path));
   write_file(m_folder / "snapshots" / snapshot_name(s.t), io::cell_picture(scene, io::whole_disc(scene)));
+  if (m_p.output.displacement_layer)
+    write_file(m_folder / "snapshots" / snapshot_name(s.t, "_displacement"), io::displacement_picture(s, m_p));
+  if (m_p.output.fibre_stress_layer && !w.fibres.empty())
+    write_file(m_folder / "snapshots" / snapshot_name(s.t, "_fibre_stress"),
+               io::fibre_stress_picture(s, m_p, w.fibres));
   scene.matrix.front() = {}; // the contact sheet draws the intact matrix as one area
   m_scenes.push_back(std::move(scene));
 }

@@ -57,7 +57,7 @@ public:
 private:
   void add_row(const State& s, const Workspace& w);
   void add_ended(const State& s);
-  void add_snapshot(const State& s);
+  void add_snapshot(const State& s, const Workspace& w);
 
   std::filesystem::path m_folder;
   Parameters m_p;

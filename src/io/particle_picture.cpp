@@ -142,6 +142,19 @@ std::string arrows(const ParticlePicture& p, const Frame& frame) {
                      path, svg::dark);
 }
 
+/// The closed curve, dark with a light edge.
+std::string outline(const ParticlePicture& p, const Frame& frame) {
+  std::string path;
+  for (const Vec2& x : p.outline) {
+    const Vec2 a = frame.at(x);
+    path += (path.empty() ? 'M' : 'L') + svg::point(a.x(), a.y());
+  }
+  if (path.empty()) return path;
+  return fmt::format("<path fill=\"none\" stroke=\"#ffffff\" stroke-width=\"3.4\" d=\"{0}Z\"/>\n"
+                     "<path fill=\"none\" stroke=\"{1}\" stroke-width=\"1.6\" d=\"{0}Z\"/>\n",
+                     path, svg::dark);
+}
+
 std::string colour_bar(const ParticlePicture& p, const Axis& axis, double left) {
   const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   const double step = (axis.begin - axis.end) / levels;
@@ -193,7 +206,7 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
   const double bar_left = margin + room + bar_gap;
   std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
-  body += dots(p, values, frame) + arrows(p, frame) + colour_bar(p, values, bar_left);
+  body += dots(p, values, frame) + arrows(p, frame) + outline(p, frame) + colour_bar(p, values, bar_left);
   body += svg::text_lines(bar_left + bar_width + 9.0 + label_width(values) + svg::label_size + 4.0, top + 0.5 * height,
                           label, upward);
   body += scale_bar(round_step(0.1 * room / frame.scale), frame, top + height + 0.4 * scale_room);

@@ -91,22 +91,31 @@ std::string protrusions_csv(std::span<const ProtrusionRecord> records, const Act
   return text;
 }
 
+std::string msd_csv(std::span<const MsdPoint> points) {
+  std::string text = csv_line({std::string_view("lag_s"), std::string_view("msd_um2"), std::string_view("samples")});
+  for (const MsdPoint& point : points) text += csv_line({point.lag, point.msd, count(point.samples)});
+  return text;
+}
+
 std::vector<NamedValue> named_values(const ReadOuts& r) {
-  return {{"duration_s", "duration [s]", r.duration},
-          {"v_migr_abs_um_per_h", "speed, start to end [um/h]", r.v_migr_abs},
-          {"v_migr_path_60s_um_per_h", "speed along the path, sampled every 60 s [um/h]", r.v_migr_path_60s},
-          {"v_migr_path_600s_um_per_h", "speed along the path, sampled every 600 s [um/h]", r.v_migr_path_600s},
-          {"n_protrusions", "protrusions initiated", count(r.n_protrusions)},
-          {"n_unadhered", "of them, never adhered", count(r.n_unadhered)},
-          {"tau_prot_min", "life of a mature adhesion, mean [min]", r.tau_prot.value},
-          {"n_tau_prot", "adhesions in this mean", count(r.tau_prot.n)},
-          {"n_censored", "mature adhesions still alive, not in this mean", count(r.n_censored)},
-          {"l_prot_um", "length at the end of growth, mean [um]", r.l_prot.value},
-          {"f_mat", "maturation, mean [-]", r.f_mat.value},
-          {"force_nN", "force at disassembly, mean [nN]", r.force.value},
-          {"f_adh_rel", "force at disassembly over f_mat F_am, mean [-]", r.f_adh_rel.value},
-          {"n_simultaneous_mean", "protrusions at a time, mean", r.mean_simultaneous},
-          {"n_simultaneous_max", "protrusions at a time, most", count(r.most_simultaneous)}};
+  return {
+      {"duration_s", "duration [s]", r.duration},
+      {"v_migr_abs_um_per_h", "speed, start to end [um/h]", r.v_migr_abs},
+      {"v_migr_path_60s_um_per_h", "speed along the path, sampled every 60 s [um/h]", r.v_migr_path_60s},
+      {"v_migr_path_600s_um_per_h", "speed along the path, sampled every 600 s [um/h]", r.v_migr_path_600s},
+      {"n_protrusions", "protrusions initiated", count(r.n_protrusions)},
+      {"n_unadhered", "of them, never adhered", count(r.n_unadhered)},
+      {"tau_prot_min", "life of a mature adhesion, mean [min]", r.tau_prot.value},
+      {"n_tau_prot", "adhesions in this mean", count(r.tau_prot.n)},
+      {"n_censored", "mature adhesions still alive, not in this mean", count(r.n_censored)},
+      {"l_prot_um", "length at the end of growth, mean [um]", r.l_prot.value},
+      {"f_mat", "maturation, mean [-]", r.f_mat.value},
+      {"force_nN", "force at disassembly, mean [nN]", r.force.value},
+      {"f_adh_rel", "force at disassembly over f_mat F_am, mean [-]", r.f_adh_rel.value},
+      {"n_simultaneous_mean", "protrusions at a time, mean", r.mean_simultaneous},
+      {"n_simultaneous_max", "protrusions at a time, most", count(r.most_simultaneous)},
+      {"msd_slope", "log-log slope of the mean square displacement, lags of 10 min to half the run", r.msd_slope},
+      {"path_angle_deg", "mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]", r.path_angle}};
 }
 
 std::string readable(const Field& value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/row_file.hpp"
+#include "observe/displacement_statistics.hpp"
 #include "observe/health.hpp"
 #include "observe/readouts.hpp"
 #include "observe/tracks.hpp"
@@ -29,6 +30,9 @@ std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters&
 
 /// The whole of protrusions.csv.
 std::string protrusions_csv(std::span<const ProtrusionRecord> records, const ActomyosinParameters& p);
+
+/// msd.csv.
+std::string msd_csv(std::span<const MsdPoint> points);
 
 /// A read-out in words and in figures.
 struct NamedValue {

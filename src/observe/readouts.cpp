@@ -1,7 +1,10 @@
 #include "observe/readouts.hpp"
 
+#include "observe/displacement_statistics.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace matrigrate {
 
@@ -67,10 +70,9 @@ double path_length(std::span<const TrackRow> rows, double interval) {
   return length;
 }
 
-ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records,
-                  const ActomyosinParameters& p) {
+ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records, const Parameters& p) {
   ReadOuts out;
-  add_protrusions(out, records, p);
+  add_protrusions(out, records, p.actomyosin);
   if (rows.empty()) return out;
   double alive = 0.0;
   for (const TrackRow& row : rows) {
@@ -84,6 +86,9 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   out.v_migr_abs = (rows.back().centre - rows.front().centre).norm() / hours;
   out.v_migr_path_60s = path_length(rows, 60.0) / hours;
   out.v_migr_path_600s = path_length(rows, 600.0) / hours;
+  out.msd_slope = msd_slope(mean_square_displacement(rows, 600.0));
+  if (p.fibres.arrangement == FibreArrangement::uniaxial)
+    out.path_angle = angle_to(rows, p.fibres.direction_deg * std::numbers::pi / 180.0, 600.0);
   return out;
 }
 

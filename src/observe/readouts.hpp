@@ -32,6 +32,8 @@ struct ReadOuts {
   Mean f_adh_rel;                    ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
   double mean_simultaneous = never;  ///< protrusions alive, of all phases, mean over the rows
   std::size_t most_simultaneous = 0; ///< the largest number of them in a row
+  double msd_slope = never;  ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
+  double path_angle = never; ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
 };
 
 /// f_adh_rel of one protrusion, Eq. (9); NaN if its adhesion has not matured or not ended [-].
@@ -44,7 +46,6 @@ double path_length(std::span<const TrackRow> rows, double interval);
 
 /// @param rows     in the order of time
 /// @param records  of all protrusions, ended or alive
-ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records,
-                  const ActomyosinParameters& p);
+ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records, const Parameters& p);
 
 } // namespace matrigrate

@@ -146,6 +146,8 @@ struct DegradationParameters {
 struct OutputParameters {
   double track_interval = 60.0;      ///< [s]
   double snapshot_interval = 1800.0; ///< [s]
+  bool displacement_layer = false;   ///< snapshots of the displacement of the matrix
+  bool fibre_stress_layer = true;    ///< snapshots of the von Mises stress of the fibres, where there are any
 };
 
 struct SolverParameters {

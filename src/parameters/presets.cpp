@@ -3,14 +3,49 @@
 #include "parameters/read.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace matrigrate {
 
 std::span<const Preset> presets() {
+  const std::vector<std::string> uniaxial{"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial",
+                                          "fibres.stiffness=10 kPa"};
+  // The paper's Figs 11 to 13: a number of protrusions is kept up, and adhesions rupture at f_mat F_am.
+  const auto kept = [](int number, std::vector<std::string> overrides = {}) {
+    overrides.push_back("protrusion.number=" + std::to_string(number));
+    overrides.emplace_back("adhesion.rupture=true");
+    return overrides;
+  };
   static const std::vector<Preset> all{
-      {"baseline", "The paper's baseline: a matrix of 200 Pa", {}},
-      {"soft", "The paper's softest matrix: 50 Pa", {"ecm.youngs_modulus=50 Pa"}},
-      {"stiff", "The paper's stiffest matrix: 400 Pa", {"ecm.youngs_modulus=400 Pa"}},
+      {"baseline", "The paper's baseline: a matrix of 200 Pa (Figs 5 to 7)", {}},
+      {"soft", "The paper's softest matrix: 50 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=50 Pa"}},
+      {"stiff", "The paper's stiffest matrix: 400 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=400 Pa"}},
+      {"weak-contraction", "The paper's weakest actomyosin force: 0.4 nN (Fig 7)", {"actomyosin.force=0.4 nN"}},
+      {"strong-contraction", "The paper's strongest actomyosin force: 2 nN (Fig 7)", {"actomyosin.force=2 nN"}},
+      {"frequent-protrusions",
+       "The paper's highest rate of initiation (Fig 8)",
+       {"protrusion.initiation_rate=1e-4 1/s"}},
+      {"brief-adhesions",
+       "The paper's shortest adhesions: 10 min at high force (Fig 8)",
+       {"adhesion.r_off_min=1.667e-3 1/s"}},
+      {"long-protrusions", "The paper's longest time of growth: 600 s (Fig 8)", {"protrusion.growth_time=600 s"}},
+      {"sensitive-adhesions",
+       "Disassembly four times as sensitive to force (Figs 9 and 10)",
+       {"adhesion.zeta_diss=80 1/nN"}},
+      {"insensitive-adhesions",
+       "Disassembly at one rate whatever the force (Figs 9 and 10)",
+       {"adhesion.r_off_min=5.56e-4 1/s", "adhesion.r_off_0=0 1/s"}},
+      {"fibrillar",
+       "An isotropic fibrillar gel of 1.2 mg/ml (Fig 2C)",
+       {"ecm.youngs_modulus=10 Pa", "fibres.arrangement=isotropic", "fibres.stiffness=1645 Pa"}},
+      {"one-protrusion", "One protrusion at a time, homogeneous matrix (Fig 11)", kept(1)},
+      {"two-protrusions", "Two protrusions at a time, homogeneous matrix (Fig 11)", kept(2)},
+      {"three-protrusions", "Three protrusions at a time, homogeneous matrix (Fig 11)", kept(3)},
+      {"four-protrusions", "Four protrusions at a time, homogeneous matrix (Fig 11)", kept(4)},
+      {"one-protrusion-fibres", "One protrusion at a time, uniaxial fibres (Fig 12)", kept(1, uniaxial)},
+      {"two-protrusions-fibres", "Two protrusions at a time, uniaxial fibres (Figs 12 and 13)", kept(2, uniaxial)},
+      {"three-protrusions-fibres", "Three protrusions at a time, uniaxial fibres (Fig 12)", kept(3, uniaxial)},
+      {"four-protrusions-fibres", "Four protrusions at a time, uniaxial fibres (Fig 12)", kept(4, uniaxial)},
   };
   return all;
 }

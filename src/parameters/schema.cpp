@@ -236,6 +236,10 @@ constexpr std::array rows{
         "", chosen, "Time between rows of tracks.csv and health.csv"},
     Row{"output.snapshot_interval", [](Parameters& p) -> double& { return p.output.snapshot_interval; }, "s", above(0, 1e9),
         "", chosen, "Time between snapshots"},
+    Row{"output.displacement_layer", [](Parameters& p) -> bool& { return p.output.displacement_layer; }, "", none,
+        "", chosen, "Whether snapshots of the displacement of the matrix are drawn as well"},
+    Row{"output.fibre_stress_layer", [](Parameters& p) -> bool& { return p.output.fibre_stress_layer; }, "", none,
+        "", chosen, "Whether snapshots of the von Mises stress of the fibres are drawn as well, where there are any"},
 
     Row{"solver.method", choice([](Parameters& p) -> SolverMethod& { return p.solver.method; }, solver_methods), "", none,
         "", chosen, "Conjugate gradients, with a multigrid cycle or with the diagonal as preconditioner", numerical},

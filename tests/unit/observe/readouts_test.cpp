@@ -69,7 +69,7 @@ TEST(PathLength, IsUndefinedForCoarseOrShortTracks) {
 }
 
 TEST(ReadOuts, GiveSpeedsInMicrometresAnHour) {
-  const ReadOuts r = readouts(zigzag(60.0, 60), {}, {});
+  const ReadOuts r = readouts(zigzag(60.0, 60), {}, Parameters{});
   EXPECT_EQ(r.duration, 3600.0);
   EXPECT_NEAR(r.v_migr_abs, 60.0, 1e-9);
   EXPECT_NEAR(r.v_migr_path_60s, 60.0 * std::numbers::sqrt2, 1e-9);
@@ -77,7 +77,8 @@ TEST(ReadOuts, GiveSpeedsInMicrometresAnHour) {
 }
 
 TEST(ReadOuts, AverageTheProtrusionsForWhichAValueIsDefined) {
-  const ActomyosinParameters p{.force = 0.5};
+  Parameters p;
+  p.actomyosin.force = 0.5;
   ProtrusionRecord unadhered;
   unadhered.id = 4;
   unadhered.length = 9.0;
@@ -109,13 +110,13 @@ TEST(ReadOuts, CountSimultaneousProtrusions) {
   rows[1].in_phase = {1, 0, 1, 0};
   rows[2].in_phase = {1, 1, 0, 1};
   rows[3].in_phase = {0, 0, 0, 1};
-  const ReadOuts r = readouts(rows, {}, {});
+  const ReadOuts r = readouts(rows, {}, Parameters{});
   EXPECT_EQ(r.most_simultaneous, 3U);
   EXPECT_NEAR(r.mean_simultaneous, 1.5, 1e-12);
 }
 
 TEST(ReadOuts, AreUndefinedWithoutProtrusionsOrRows) {
-  const ReadOuts r = readouts({}, {}, {});
+  const ReadOuts r = readouts({}, {}, Parameters{});
   for (const double value : {r.duration, r.v_migr_abs, r.v_migr_path_60s, r.tau_prot.value, r.l_prot.value,
                              r.f_mat.value, r.force.value, r.f_adh_rel.value, r.mean_simultaneous})
     EXPECT_TRUE(std::isnan(value));

@@ -1,0 +1,70 @@
+#include "observe/displacement_statistics.hpp"
+
+#include "base/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace matrigrate;
+
+namespace {
+
+/// Rows every 60 s that follow a path.
+template <class Path>
+std::vector<TrackRow> walk(int n, const Path& path) {
+  std::vector<TrackRow> rows(static_cast<std::size_t>(n) + 1);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].t = 60.0 * static_cast<double>(k);
+    rows[k].centre = path(static_cast<double>(k));
+  }
+  return rows;
+}
+
+} // namespace
+
+TEST(Msd, OfAStraightPathGrowsAsTheSquareOfTheLag) {
+  const auto rows = walk(360, [](double k) { return Vec2(0.3 * k, -0.4 * k); });
+  const std::vector<MsdPoint> points = mean_square_displacement(rows, 600.0);
+  ASSERT_EQ(points.size(), 18U); // up to half of six hours
+  EXPECT_DOUBLE_EQ(points[0].lag, 600.0);
+  EXPECT_NEAR(points[0].msd, 25.0, 1e-9);
+  EXPECT_EQ(points[0].samples, 36U);
+  EXPECT_NEAR(points[3].msd, 400.0, 1e-9);
+  EXPECT_NEAR(msd_slope(points), 2.0, 1e-12);
+}
+
+TEST(Msd, OfARandomWalkGrowsInProportionToTheLag) {
+  double slope = 0.0;
+  constexpr int walks = 200;
+  for (std::uint64_t seed = 1; seed <= walks; ++seed) {
+    Vec2 x = Vec2::Zero();
+    const auto rows = walk(360, [&](double k) {
+      const double a = 2.0 * std::numbers::pi * uniform(seed, Purpose::test, static_cast<std::uint64_t>(k), 0);
+      x += Vec2(std::cos(a), std::sin(a));
+      return x;
+    });
+    slope += msd_slope(mean_square_displacement(rows, 60.0)) / walks;
+  }
+  EXPECT_NEAR(slope, 1.0, 0.1);
+}
+
+TEST(Msd, NeedsRowsAtMultiplesOfTheInterval) {
+  const auto rows = walk(20, [](double k) { return Vec2(k, 0.0); });
+  EXPECT_TRUE(mean_square_displacement(rows, 90.0).empty());
+  EXPECT_TRUE(mean_square_displacement({}, 60.0).empty());
+  EXPECT_TRUE(std::isnan(msd_slope({})));
+  EXPECT_EQ(mean_square_displacement(rows, 120.0).size(), 5U);
+}
+
+TEST(AngleTo, IsZeroAlongAndNinetyAcrossWithoutSign) {
+  const auto rows = walk(40, [](double k) { return Vec2(k, 0.0); });
+  EXPECT_NEAR(angle_to(rows, 0.0, 60.0), 0.0, 1e-9);
+  EXPECT_NEAR(angle_to(rows, std::numbers::pi, 60.0), 0.0, 1e-9);
+  EXPECT_NEAR(angle_to(rows, 0.5 * std::numbers::pi, 60.0), 90.0, 1e-9);
+  EXPECT_NEAR(angle_to(rows, -0.25 * std::numbers::pi, 60.0), 45.0, 1e-9);
+  const auto circle = walk(400, [](double k) { return Vec2(std::cos(0.01571 * k), std::sin(0.01571 * k)); });
+  EXPECT_NEAR(angle_to(circle, 0.3, 60.0), 45.0, 0.5);
+  EXPECT_TRUE(std::isnan(angle_to(walk(40, [](double) { return Vec2(1.0, 1.0); }), 0.0, 60.0)));
+}
