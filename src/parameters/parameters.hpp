@@ -126,6 +126,7 @@ struct AdhesionParameters {
   double zeta_diss = 20.0;        ///< [1/nN]
   bool rupture = false;           ///< whether an adhesion breaks at rupture_ratio
   double rupture_ratio = 1.0;     ///< f_rupt [-]
+  int rupture_strands = 2;        ///< strands of actomyosin that load an adhesion and that f_rupt counts
 };
 
 struct PolarizationParameters {

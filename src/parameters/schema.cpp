@@ -204,6 +204,8 @@ constexpr std::array rows{
         "", methods, "Whether an adhesion breaks at rupture_ratio; off in the paper without fibres"},
     Row{"adhesion.rupture_ratio", [](Parameters& p) -> double& { return p.adhesion.rupture_ratio; }, "1", above(0, 1e6),
         "f_rupt", table_1, "Force over f_mat F_am at which an adhesion breaks"},
+    Row{"adhesion.rupture_strands", [](Parameters& p) -> int& { return p.adhesion.rupture_strands; }, "1", closed(1, 2),
+        "", "MODEL.md, D28", "Strands of actomyosin that f_rupt counts: a protrusion has two", numerical},
     Row{"adhesion.step_threshold", [](Parameters& p) -> double& { return p.adhesion.step_threshold; }, "1", above(0, 1),
         "", methods, "Share of the force of a maturation step at which the next one begins", numerical},
     Row{"adhesion.base_drag", [](Parameters& p) -> double& { return p.adhesion.base_drag; }, "N s/m", closed(0, 1000),

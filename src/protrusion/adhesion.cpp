@@ -14,7 +14,8 @@ double disassembly_rate(double F, double f_mat, const AdhesionParameters& p) {
 }
 
 bool ruptures(double F, double f_mat, const Parameters& p) {
-  return p.adhesion.rupture && F >= p.adhesion.rupture_ratio * f_mat * p.actomyosin.force;
+  const double pull = p.adhesion.rupture_strands * f_mat * p.actomyosin.force;
+  return p.adhesion.rupture && F >= p.adhesion.rupture_ratio * pull;
 }
 
 const Vec2* anchor(const Phase& phase) {

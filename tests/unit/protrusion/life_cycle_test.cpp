@@ -91,7 +91,7 @@ TEST(Transition, RuptureIsCertainAboveItsForce) {
   Parameters p;
   p.adhesion.rupture = true;
   Circumstances now = quiet(10.0);
-  now.force = 0.43;
+  now.force = 0.85; // 0.7 x 2 x 0.6 nN is 0.84
   expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::rupture);
   p.adhesion.rupture = false;
   EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p).changes);
