@@ -12,6 +12,17 @@ void fluidize(EcmState& ecm, std::size_t i) {
   ecm.rho[i] = 1.0;
 }
 
+std::size_t fluidize_torn(EcmState& ecm, const EcmParameters& p) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
+    if (ecm.rho[i] > p.density_min && ecm.rho[i] < p.density_max) continue;
+    fluidize(ecm, i);
+    ++count;
+  }
+  return count;
+}
+
 std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& ref) {
   std::size_t count = 0;
   for (std::size_t found = 1; found > 0; count += found) {

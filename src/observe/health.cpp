@@ -68,6 +68,7 @@ HealthRow HealthWatch::row(const State& s, const Parameters& p, const StepHealth
                 .largest_residual = m_largest_residual,
                 .density_bounds = last.density_bounds,
                 .orphans = last.orphans,
+                .torn = last.torn,
                 .engulfed = last.engulfed,
                 .fastest = std::max(fastest(s.ecm.v), fastest(s.cortex.v))};
   add_densities(row, s.ecm);

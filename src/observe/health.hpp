@@ -21,6 +21,7 @@ struct HealthRow {
   double density_max = never;     ///< of solid particles, over rho_0 [-]
   std::size_t density_bounds = 0; ///< particles at a density bound after the last step
   std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
+  std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
   std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
   std::size_t solid_inside = 0;   ///< solid particles inside the cell
   double deepest_solid = 0.0;     ///< their largest distance from the cortex [um]

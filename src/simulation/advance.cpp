@@ -131,6 +131,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
     live_protrusions(s, p);
     require_inside(s, p);
   }
+  w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
 }
 

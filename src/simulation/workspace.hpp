@@ -23,6 +23,7 @@ struct StepHealth {
   SolveReport solve;
   std::size_t density_bounds = 0; ///< particles at a density bound after the last step
   std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
+  std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
   std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
   std::size_t list_builds = 0;    ///< neighbour lists built since the start
 };

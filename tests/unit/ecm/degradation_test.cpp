@@ -16,6 +16,23 @@ TEST(Degraded, FallsLinearlyAndNeverBelowZero) {
   EXPECT_NEAR(steps * 0.4, 5.0, 0.41);
 }
 
+TEST(Torn, WhatReachesABoundOfDensityBecomesFluid) {
+  const EcmParameters p;
+  EcmState ecm = rectangle(p, 20.0, 20.0, 2.0);
+  EXPECT_EQ(fluidize_torn(ecm, p), 0U);
+  ecm.rho[44] = p.density_min;
+  ecm.rho[45] = p.density_max;
+  ecm.rho[46] = 1.79;
+  ecm.rho[0] = p.density_max; // clamped
+  EXPECT_EQ(fluidize_torn(ecm, p), 2U);
+  EXPECT_EQ(ecm.f[44], 0.0);
+  EXPECT_EQ(ecm.f[45], 0.0);
+  EXPECT_EQ(ecm.rho[45], 1.0);
+  EXPECT_EQ(ecm.f[46], 1.0);
+  EXPECT_EQ(ecm.f[0], 1.0);
+  EXPECT_EQ(fluidize_torn(ecm, p), 0U);
+}
+
 TEST(Orphans, AFlakeWithoutSupportBecomesFluid) {
   const EcmParameters p;
   EcmState ecm = rectangle(p, 40.0, 40.0, 0.0);
