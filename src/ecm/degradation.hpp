@@ -17,8 +17,9 @@ double degraded(double f, double rate, double dt);
 /// Turns the particle into fluid at once: f = 0, its stress gone, its density that of the fluid at rest.
 void fluidize(EcmState& ecm, std::size_t i);
 
-/// Fluidizes every free solid particle whose density stands at a bound: the gel around it is torn or crushed beyond what
-/// its law describes, and a bound that is held for long would only feed a runaway.  @return how many were fluidized
+/// Fluidizes every free solid particle whose density stands at a bound: the gel around it is torn or crushed beyond
+/// what its law describes, and a bound that is held for long would only feed a runaway.  @return how many were
+/// fluidized
 std::size_t fluidize_torn(EcmState& ecm, const EcmParameters& p);
 
 /// Fluidizes every free solid particle whose support has fallen under orphan_support (a loose flake cannot carry a
