@@ -22,7 +22,7 @@ inline double pair_drag(double r2, double W_slope, double V, double mu, double t
 
 /// Fills A with the drag of all pairs at the current positions, and A.F with the drag of the clamped particles on the
 /// free ones; forces are added to A.F afterwards. Rows of clamped particles ask for their given velocity.
-/// @param pairs  with mirrors; valid for the positions of `ecm`; must outlive A
+/// @param pairs  valid for the positions of `ecm`; must outlive A
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, DragSystem& A);
 
 } // namespace matrigrate

@@ -105,7 +105,6 @@ Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period
     each_partner(g, x, i, reach, period_x, [&](std::uint32_t j) { *next++ = j; });
     std::sort(list.index.data() + list.first[i], next);
   });
-  pair_up(list);
   return list;
 }
 
