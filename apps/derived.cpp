@@ -36,6 +36,7 @@ Derived derived(const Parameters& p) {
   const EcmState ecm = disc(p);
   const Moduli m = moduli(p.ecm);
   const auto clamped = static_cast<std::size_t>(std::ranges::count(ecm.clamped, 1));
+  const int in_front = p.cell.particles / 2;
   Derived d{.K = m.K,
             .G = m.G,
             .shear_time = p.ecm.viscosity / m.G,
@@ -47,7 +48,7 @@ Derived derived(const Parameters& p) {
             .segment_length = initial_segment_length(p.cell),
             .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
             .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
-            .wait = 1.0 / (p.cell.particles / 2 * p.protrusion.initiation_rate),
+            .wait = 1.0 / (in_front * p.protrusion.initiation_rate),
             .steps = std::ceil(p.run.duration / p.run.time_step - 1e-9),
             .limits = step_limits(p),
             .memory_bytes = 0.0,

@@ -91,7 +91,7 @@ FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const Fi
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) {
       const std::uint32_t j = all.index[k];
-      const Vec2 X = ref.X_ij(k);
+      const Vec2& X = ref.X_ij(k);
       if (!joined(X, fibres)) continue;
       m_pairs.index.push_back(j);
       m_X_ij.push_back(X);

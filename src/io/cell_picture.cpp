@@ -79,8 +79,9 @@ std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most, i
   double bottom = margin;
   for (std::size_t k = 0; k < indices.size(); ++k) {
     const CellScene& scene = scenes[indices[k]];
-    panel.left = margin + static_cast<double>(k % columns) * (side + gap);
-    panel.top = margin + static_cast<double>(k / columns) * (side + gap + heading) + heading;
+    const std::size_t row = k / columns;
+    panel.left = margin + static_cast<double>(k - row * columns) * (side + gap);
+    panel.top = margin + static_cast<double>(row) * (side + gap + heading) + heading;
     body += svg::text(panel.left, panel.top - 6.0, time_text(scene.t), {.size = svg::label_size, .bold = true});
     body += drawing(scene, panel, IntactMatrix::area) + svg::frame(panel.left, panel.top, side, side);
     bottom = panel.top + side;

@@ -10,7 +10,7 @@ namespace {
 /// Moves the particles from one to the other, `count` segments apart along the ring in the direction of `side`, along
 /// their contour by a share of their distance from equal spacing. Both ends stay.
 void spread_between(CortexState& c, std::size_t from, int side, int count, double share) {
-  const auto points = static_cast<std::size_t>(count + 1);
+  const auto points = static_cast<std::size_t>(count) + 1;
   std::vector<Vec2> x(points);
   std::vector<double> at(points, 0.0); // arc length from the first particle
   for (std::size_t k = 0; k < points; ++k) {

@@ -37,9 +37,12 @@ Grid Grid::coarser() const {
 
 std::vector<Vec2> Grid::points() const {
   std::vector<Vec2> x;
-  for (std::size_t q = 0; q < m_number.size(); ++q)
-    if (m_number[q] >= 0)
-      x.emplace_back(m_low + m_spacing * Vec2(static_cast<double>(q % m_columns), static_cast<double>(q / m_columns)));
+  for (std::size_t q = 0; q < m_number.size(); ++q) {
+    if (m_number[q] < 0) continue;
+    const std::size_t row = q / m_columns;
+    const std::size_t column = q - row * m_columns;
+    x.emplace_back(m_low + m_spacing * Vec2(static_cast<double>(column), static_cast<double>(row)));
+  }
   return x;
 }
 
