@@ -7,7 +7,7 @@ using namespace matrigrate;
 namespace {
 
 /// An L of area 3, counter-clockwise.
-CortexState letter_L() { return polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); }
+CortexState letter_l() { return polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); }
 
 CellParameters off_centre() {
   CellParameters p;
@@ -24,7 +24,7 @@ CortexState reversed(CortexState c) {
 } // namespace
 
 TEST(Geometry, AreaCentroidAndPerimeterOfAnL) {
-  const CortexState c = letter_L();
+  const CortexState c = letter_l();
   EXPECT_NEAR(area(c), 3.0, 1e-15);
   EXPECT_NEAR(perimeter(c), 8.0, 1e-15);
   EXPECT_LT((centroid(c) - Vec2(2.5 / 3.0, 2.5 / 3.0)).norm(), 1e-15);
@@ -113,7 +113,7 @@ TEST(ClosestPoint, InTheMiddleAtTheEndsAndOnAPoint) {
 }
 
 TEST(CrossesItself, OnlyWhereSegmentsThatAreNoNeighboursMeet) {
-  EXPECT_FALSE(crosses_itself(letter_L()));
+  EXPECT_FALSE(crosses_itself(letter_l()));
   EXPECT_FALSE(crosses_itself(wavy_cortex(CellParameters{})));
   EXPECT_TRUE(crosses_itself(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}))); // a bow tie
   CortexState c = round_cortex(CellParameters{});
@@ -128,7 +128,7 @@ TEST(CrossesItself, OnlyWhereSegmentsThatAreNoNeighboursMeet) {
 }
 
 TEST(Contains, InsideOfAnLNotItsNotch) {
-  const CortexState c = letter_L();
+  const CortexState c = letter_l();
   for (const Vec2& p : {Vec2(0.5, 0.5), Vec2(1.5, 0.5), Vec2(0.5, 1.5), Vec2(0.5, 1.0)}) EXPECT_TRUE(contains(c, p));
   for (const Vec2& p : {Vec2(1.5, 1.5), Vec2(-0.1, 0.5), Vec2(0.5, 2.1), Vec2(3.0, 1.0), Vec2(-1.0, 0.0)})
     EXPECT_FALSE(contains(c, p));

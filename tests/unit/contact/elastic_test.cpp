@@ -77,7 +77,7 @@ TEST(ElasticContact, IsImplicitAlongTheNormal) {
   const auto inner = std::ranges::find_if(
       met, [](const Encounter& e) { return e.s > 0.2 && e.s < 0.8 && e.distance > 0.1 && e.distance < 1.0; });
   ASSERT_NE(inner, met.end());
-  const Encounter e = *inner;
+  const Encounter& e = *inner;
   const double speed = -0.01;
   after.ecm.x[e.particle] += dt * speed * e.normal;
   const std::vector<Vec2> grown = contact_of(after).force;

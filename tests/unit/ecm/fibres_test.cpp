@@ -230,7 +230,7 @@ TEST(FibreStress, IsConjugateToHomogeneousStretch) {
     const auto energy = [&](double ax, double ay) {
       double sum = 0.0;
       for (std::uint32_t k = network.pairs().first[middle]; k < network.pairs().first[middle + 1]; ++k) {
-        const Vec2 X = network.X_ij(k);
+        const Vec2& X = network.X_ij(k);
         const double strain = Vec2(ax * X.x(), ay * X.y()).norm() / X.norm() - 1.0;
         sum += 0.5 * network.weight(k) * X.squaredNorm() * fibre_energy(strain, fibres);
       }

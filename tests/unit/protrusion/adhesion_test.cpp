@@ -91,7 +91,7 @@ TEST(Adhesions, PullTipAndSolidTogether) {
   const Parameters p = small_matrix();
   const State s = pulling(p);
   const std::vector<Vec2> force = adhesions(s, p).force;
-  const Vec2 pull = force[s.node(0)];
+  const Vec2& pull = force[s.node(0)];
   EXPECT_NEAR(pull.norm(), 0.6, 1e-9);
   EXPECT_GT(pull.dot(Vec2(std::cos(0.4), std::sin(0.4))), 0.6 - 1e-9);
   EXPECT_LT(net_force(force).norm(), 1e-12);
