@@ -19,6 +19,27 @@ bool like_previous(const Adjacency& pairs, const std::vector<Vec2>& X_ij, std::s
   return true;
 }
 
+/// e_ij = (F_i + F_j)/2 X_ij - x_ij of the particles of a row, i = begin + t, and one of their neighbours each.
+class PairErrors {
+public:
+  PairErrors(const VectorPlanes& u, const TensorPlanes& F, std::size_t i, std::size_t j, const Vec2& X_ij)
+      : m_X(X_ij.x()), m_Y(X_ij.y()), m_ux_i(&u.x[i]), m_ux_j(&u.x[j]), m_uy_i(&u.y[i]), m_uy_j(&u.y[j]),
+        m_xx_i(&F.xx[i]), m_xx_j(&F.xx[j]), m_xy_i(&F.xy[i]), m_xy_j(&F.xy[j]), m_yx_i(&F.yx[i]), m_yx_j(&F.yx[j]),
+        m_yy_i(&F.yy[i]), m_yy_j(&F.yy[j]) {}
+
+  double x(std::size_t t) const {
+    return (0.5 * (m_xx_i[t] + m_xx_j[t]) - 1.0) * m_X + 0.5 * (m_xy_i[t] + m_xy_j[t]) * m_Y - (m_ux_i[t] - m_ux_j[t]);
+  }
+  double y(std::size_t t) const {
+    return 0.5 * (m_yx_i[t] + m_yx_j[t]) * m_X + (0.5 * (m_yy_i[t] + m_yy_j[t]) - 1.0) * m_Y - (m_uy_i[t] - m_uy_j[t]);
+  }
+
+private:
+  double m_X, m_Y;
+  const double *m_ux_i, *m_ux_j, *m_uy_i, *m_uy_j;
+  const double *m_xx_i, *m_xx_j, *m_xy_i, *m_xy_j, *m_yx_i, *m_yx_j, *m_yy_i, *m_yy_j;
+};
+
 /// Calls add(t) for the particles of a row; those at the edge of a body are alone in theirs.
 template <class Add>
 [[gnu::always_inline]] inline void each_of_row(std::size_t n, const Add& add) {
@@ -96,12 +117,10 @@ void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const Te
     const double Y = terms.X_ij[k].y();
     const double w = terms.W_over_r2[k];
     const double* f = terms.f + j;
-    const double *ux_i = u.x.data() + i, *ux_j = u.x.data() + j, *uy_i = u.y.data() + i, *uy_j = u.y.data() + j;
-    const double *xx_i = F.xx.data() + i, *xx_j = F.xx.data() + j, *xy_i = F.xy.data() + i, *xy_j = F.xy.data() + j;
-    const double *yx_i = F.yx.data() + i, *yx_j = F.yx.data() + j, *yy_i = F.yy.data() + i, *yy_j = F.yy.data() + j;
+    const PairErrors e(u, F, i, j, terms.X_ij[k]);
     const auto add = [&](std::size_t t) {
-      const double ex = (0.5 * (xx_i[t] + xx_j[t]) - 1.0) * X + 0.5 * (xy_i[t] + xy_j[t]) * Y - (ux_i[t] - ux_j[t]);
-      const double ey = 0.5 * (yx_i[t] + yx_j[t]) * X + (0.5 * (yy_i[t] + yy_j[t]) - 1.0) * Y - (uy_i[t] - uy_j[t]);
+      const double ex = e.x(t);
+      const double ey = e.y(t);
       const double fw = f[t] * w;
       sum.xx[t] += fw * ex * X;
       sum.xy[t] += fw * ex * Y;
@@ -121,20 +140,16 @@ void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes
   std::fill_n(sum.y, n, 0.0);
   for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
     const std::size_t j = terms.index[k];
-    const double X = terms.X_ij[k].x();
-    const double Y = terms.X_ij[k].y();
     const double bw = b * terms.W_over_r2[k];
     const double agx = a * terms.grad_W[k].x();
     const double agy = a * terms.grad_W[k].y();
     const double* f = terms.f + j;
-    const double *ux_i = u.x.data() + i, *ux_j = u.x.data() + j, *uy_i = u.y.data() + i, *uy_j = u.y.data() + j;
-    const double *xx_i = F.xx.data() + i, *xx_j = F.xx.data() + j, *xy_i = F.xy.data() + i, *xy_j = F.xy.data() + j;
-    const double *yx_i = F.yx.data() + i, *yx_j = F.yx.data() + j, *yy_i = F.yy.data() + i, *yy_j = F.yy.data() + j;
+    const PairErrors e(u, F, i, j, terms.X_ij[k]);
     const double *Qxx_i = Q.xx.data() + i, *Qxx_j = Q.xx.data() + j, *Qxy_i = Q.xy.data() + i, *Qxy_j = Q.xy.data() + j;
     const double *Qyx_i = Q.yx.data() + i, *Qyx_j = Q.yx.data() + j, *Qyy_i = Q.yy.data() + i, *Qyy_j = Q.yy.data() + j;
     const auto add = [&](std::size_t t) {
-      const double ex = (0.5 * (xx_i[t] + xx_j[t]) - 1.0) * X + 0.5 * (xy_i[t] + xy_j[t]) * Y - (ux_i[t] - ux_j[t]);
-      const double ey = 0.5 * (yx_i[t] + yx_j[t]) * X + (0.5 * (yy_i[t] + yy_j[t]) - 1.0) * Y - (uy_i[t] - uy_j[t]);
+      const double ex = e.x(t);
+      const double ey = e.y(t);
       const double sx = (Qxx_i[t] + Qxx_j[t]) * agx + (Qxy_i[t] + Qxy_j[t]) * agy;
       const double sy = (Qyx_i[t] + Qyx_j[t]) * agx + (Qyy_i[t] + Qyy_j[t]) * agy;
       sum.x[t] += f[t] * (sx + bw * ex);
