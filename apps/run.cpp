@@ -164,8 +164,9 @@ int run(Options options) {
 void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line) {
   CLI::App* verb = app.add_subcommand("run", "Simulate one cell; write tracks, protrusions, read-outs and pictures");
   verb->footer(
-      "Writes scenario.resolved.toml, run.json, tracks.csv, protrusions.csv, health.csv, summary.csv, summary.json,\n"
-      "snapshots/t_<seconds>s.svg, snapshots.svg and report.html. Rows are written as they come. Running\n"
+      "Writes scenario.resolved.toml, run.json, tracks.csv, protrusions.csv, health.csv, msd.csv, summary.csv,\n"
+      "summary.json, snapshots/t_<seconds>s.svg, snapshots.svg and report.html. Rows are written as they come. "
+      "Running\n"
       "scenario.resolved.toml again gives the same bits, and so the same trajectory_hash in run.json.\n"
       "--json prints {folder, report, summary: {read-outs}, and all keys of run.json}.\n"
       "Ctrl-C or a signal to terminate ends the run after its current step, with all files written up to there and "

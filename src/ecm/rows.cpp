@@ -40,6 +40,10 @@ private:
   const double *m_xx_i, *m_xx_j, *m_xy_i, *m_xy_j, *m_yx_i, *m_yx_j, *m_yy_i, *m_yy_j;
 };
 
+void clear(RowTensors& sum, std::size_t n) {
+  for (double* values : {sum.xx, sum.xy, sum.yx, sum.yy}) std::fill_n(values, n, 0.0);
+}
+
 /// Calls add(t) for the particles of a row; those at the edge of a body are alone in theirs.
 template <class Add>
 [[gnu::always_inline]] inline void each_of_row(std::size_t n, const Add& add) {
@@ -78,10 +82,7 @@ MATRIGRATE_SIMD
 void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum) {
   const std::size_t i = terms.row.begin;
   const std::size_t n = terms.row.count;
-  std::fill_n(sum.xx, n, 0.0);
-  std::fill_n(sum.xy, n, 0.0);
-  std::fill_n(sum.yx, n, 0.0);
-  std::fill_n(sum.yy, n, 0.0);
+  clear(sum, n);
   const double* ax = a.x.data() + i;
   const double* ay = a.y.data() + i;
   for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
@@ -107,10 +108,7 @@ MATRIGRATE_SIMD
 void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& F, RowTensors& sum) {
   const std::size_t i = terms.row.begin;
   const std::size_t n = terms.row.count;
-  std::fill_n(sum.xx, n, 0.0);
-  std::fill_n(sum.xy, n, 0.0);
-  std::fill_n(sum.yx, n, 0.0);
-  std::fill_n(sum.yy, n, 0.0);
+  clear(sum, n);
   for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
     const std::size_t j = terms.index[k];
     const double X = terms.X_ij[k].x();

@@ -137,6 +137,8 @@ std::vector<Stretch> pull_specimen(const Parameters& p, double largest, int incr
   return curve;
 }
 
+double edge_error(const EcmParameters& p) { return 2.0 * p.particle_spacing / height; }
+
 double stress_at(const std::vector<Stretch>& curve, double strain) {
   Stretch before{0.0, 0.0, 0.0};
   for (const Stretch& point : curve) {

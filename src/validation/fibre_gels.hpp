@@ -5,6 +5,7 @@
 #include <vector>
 
 /// Uniaxial stretch of fibrillar gels with free sides, quasi-static: on paper, and as a specimen.
+/// Test: tests/unit/validation/fibre_gels_test.cpp
 namespace matrigrate::validation {
 
 /// A state of the stretch.
@@ -26,6 +27,9 @@ std::vector<Stretch> affine_lattice(const Parameters& p, double largest, int inc
 
 /// A rectangle between grips, pulled along x in increments, each held until the specimen has come to rest.
 std::vector<Stretch> pull_specimen(const Parameters& p, double largest, int increments);
+
+/// Relative error of the specimen's stress: its two free edges are known to a spacing each [-].
+double edge_error(const EcmParameters& p);
 
 /// Linear interpolation of the stress of a curve that starts at the origin [kPa].
 double stress_at(const std::vector<Stretch>& curve, double strain);
