@@ -26,16 +26,4 @@ Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i) 
   return gradient(ecm, ref, i, [&](std::size_t j) { return ecm.v[j]; });
 }
 
-void gradients(const EcmState& ecm, const Reference& ref, const VectorPlanes& a, std::vector<Mat2>& gradient) {
-  gradient.resize(ecm.size());
-  ref.each_row(ecm, [&](const RowTerms& terms) {
-    RowTensors sum;
-    sum_gradient(terms, a, sum);
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
-      gradient[i] = ecm.f[i] > 0.0 ? Mat2(ecm.V0 * sum[t] * ref.B(i)) : Mat2(Mat2::Zero());
-    }
-  });
-}
-
 } // namespace matrigrate

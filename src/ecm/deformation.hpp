@@ -16,7 +16,20 @@ Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t
 /// Its rate, from the velocities of `ecm` [1/s].
 Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i);
 
-/// The same sums for all solid particles and any field a; 0 for fluid ones. Displacements give F - I, velocities dF/dt.
-void gradients(const EcmState& ecm, const Reference& ref, const VectorPlanes& a, std::vector<Mat2>& gradient);
+/// The same for the particles of a row, t of them, and any field a: displacements give F - I, velocities dF/dt.
+/// @param fa   f_j a_j of all particles
+/// @param own  own(i) is a_i
+/// @param use  use(i, gradient) for each particle; 0 for fluid ones
+template <class Own, class Use>
+void row_gradients(const EcmState& ecm, const Reference& ref, const RowTerms& terms, const VectorPlanes& fa,
+                   const Own& own, const Use& use) {
+  RowTensors sum;
+  sum_gradient(terms, fa, sum);
+  for (std::size_t t = 0; t < terms.row.count; ++t) {
+    const std::size_t i = terms.row.begin + t;
+    const Mat2 gradient = sum[t] - own(i) * ref.moments(i).grad_W.transpose();
+    use(i, ecm.f[i] > 0.0 ? Mat2(ecm.V0 * gradient * ref.B(i)) : Mat2(Mat2::Zero()));
+  }
+}
 
 } // namespace matrigrate

@@ -10,12 +10,6 @@ Moduli moduli(const EcmParameters& ecm) {
   return {.K = E / (3.0 * (1.0 - 2.0 * nu)), .G = E / (2.0 * (1.0 + nu))};
 }
 
-Mat2 jaumann_rate(const Mat2& S, const Mat2& L, double G) {
-  const Mat2 D = 0.5 * (L + L.transpose());
-  const Mat2 W = 0.5 * (L - L.transpose());
-  return 2.0 * G * (D - D.trace() / 3.0 * Mat2::Identity()) + W * S - S * W;
-}
-
 double von_mises(const Mat2& S) {
   const double S_zz = -S.trace();
   return std::sqrt(1.5 * (S.squaredNorm() + S_zz * S_zz));

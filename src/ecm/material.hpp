@@ -28,7 +28,15 @@ inline double density_rate(double rho, const Mat2& L) { return -rho * L.trace();
 /// Rate of the deviatoric stress, Jaumann rate of Hooke's law: 2 G (D - tr D/3 I) + W S - S W, with D and W the
 /// symmetric and skew parts of L. A rotation turns the stress and makes none.
 /// @param S  deviatoric stress, in-plane part [kPa]   @param L  velocity gradient [1/s]   @return [kPa/s]
-Mat2 jaumann_rate(const Mat2& S, const Mat2& L, double G);
+inline Mat2 jaumann_rate(const Mat2& S, const Mat2& L, double G) {
+  const double mean = (L(0, 0) + L(1, 1)) / 3.0;
+  const double turn = 0.5 * (L(0, 1) - L(1, 0)); // W_xy
+  Mat2 rate;
+  rate(0, 0) = 2.0 * G * (L(0, 0) - mean) + turn * (S(1, 0) + S(0, 1));
+  rate(1, 1) = 2.0 * G * (L(1, 1) - mean) - turn * (S(1, 0) + S(0, 1));
+  rate(0, 1) = rate(1, 0) = G * (L(0, 1) + L(1, 0)) + turn * (S(1, 1) - S(0, 0));
+  return rate;
+}
 
 /// Cauchy stress, sigma = -p I + S, in-plane part [kPa].
 inline Mat2 cauchy_stress(double rho, const Mat2& S, double K) { return S - pressure(rho, K) * Mat2::Identity(); }

@@ -33,6 +33,7 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
   m_grad_W.resize(m_pairs.pairs());
   m_W_over_r2.resize(m_pairs.pairs());
   m_B.resize(ecm.size());
+  m_moments.resize(ecm.size());
   m_support.resize(ecm.size());
   m_intact.resize(ecm.size());
   m_B_lattice = lattice_support(p).inverse();
@@ -67,6 +68,14 @@ void Reference::correct(std::size_t i, const EcmState& ecm) {
   } else {
     const Vec2 bounded = eigen.eigenvalues().cwiseMax(m_support_floor * m_intact[i]);
     m_B[i] = eigen.eigenvectors() * bounded.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+  }
+  m_moments[i] = {};
+  for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k) {
+    const double f = ecm.f[m_pairs.index[k]];
+    m_moments[i].grad_W += f * m_grad_W[k];
+    m_moments[i].w += f * m_W_over_r2[k];
+    m_moments[i].wX += f * m_W_over_r2[k] * m_X_ij[k];
+    m_moments[i].wXX += f * m_W_over_r2[k] * m_X_ij[k] * m_X_ij[k].transpose();
   }
 }
 

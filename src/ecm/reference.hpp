@@ -24,16 +24,16 @@ class Reference {
 public:
   Reference(const EcmState& ecm, const EcmParameters& p);
 
-  /// Brings A and B up to date with f_degr; only neighbours of particles whose f changed are touched.
+  /// Brings A, B and the moments up to date with f_degr; only neighbours of particles whose f changed are touched.
   void update(const EcmState& ecm);
 
   const Adjacency& pairs() const { return m_pairs; }
   /// Calls body(terms) for every row of particles: what their sums over neighbours go over.
   template <class Body>
-  void each_row(const EcmState& ecm, const Body& body) const {
+  void each_row(const Body& body) const {
     constexpr std::size_t grain = 8;
     const auto of_row = [&](std::size_t r) {
-      body(RowTerms{m_rows[r], m_pairs.index.data(), m_X_ij.data(), m_grad_W.data(), m_W_over_r2.data(), ecm.f.data()});
+      body(RowTerms{m_rows[r], m_pairs.index.data(), m_X_ij.data(), m_grad_W.data(), m_W_over_r2.data()});
     };
     parallel_for(m_rows.size(), of_row, grain);
   }
@@ -42,6 +42,9 @@ public:
   const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; }  ///< grad_0 W_ij of entry k [1/um^3]
   double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; } ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
   const Mat2& B(std::size_t i) const { return m_B[i]; }              ///< gradient correction [-]
+
+  /// Sums over the neighbours of particle i as degraded as they are.
+  const DegradationMoments& moments(std::size_t i) const { return m_moments[i]; }
 
   /// Smallest eigenvalue of A_i, over that of the intact particle where it is below 1 [-].
   double relative_support(std::size_t i) const { return m_support[i] / m_intact[i]; }
@@ -58,9 +61,10 @@ private:
   std::vector<double> m_W_over_r2;
   Mat2 m_B_lattice;
   std::vector<Mat2> m_B;
+  std::vector<DegradationMoments> m_moments;
   std::vector<double> m_intact;  // min(1, smallest eigenvalue of A_i with all f = 1)
   std::vector<double> m_support; // smallest eigenvalue of A_i
-  std::vector<double> m_f_seen;  // the f for which m_B holds
+  std::vector<double> m_f_seen;  // the f for which m_B and m_moments hold
 };
 
 } // namespace matrigrate

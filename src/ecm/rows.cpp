@@ -1,6 +1,7 @@
 #include "ecm/rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace matrigrate {
 
@@ -19,37 +20,100 @@ bool like_previous(const Adjacency& pairs, const std::vector<Vec2>& X_ij, std::s
   return true;
 }
 
-/// e_ij = (F_i + F_j)/2 X_ij - x_ij of the particles of a row, i = begin + t, and one of their neighbours each.
-class PairErrors {
-public:
-  PairErrors(const VectorPlanes& u, const TensorPlanes& F, std::size_t i, std::size_t j, const Vec2& X_ij)
-      : m_X(X_ij.x()), m_Y(X_ij.y()), m_ux_i(&u.x[i]), m_ux_j(&u.x[j]), m_uy_i(&u.y[i]), m_uy_j(&u.y[j]),
-        m_xx_i(&F.xx[i]), m_xx_j(&F.xx[j]), m_xy_i(&F.xy[i]), m_xy_j(&F.xy[j]), m_yx_i(&F.yx[i]), m_yx_j(&F.yx[j]),
-        m_yy_i(&F.yy[i]), m_yy_j(&F.yy[j]) {}
+/// Particles whose sums are made at once, in registers.
+constexpr std::size_t lanes = 8;
 
-  double x(std::size_t t) const {
-    return (0.5 * (m_xx_i[t] + m_xx_j[t]) - 1.0) * m_X + 0.5 * (m_xy_i[t] + m_xy_j[t]) * m_Y - (m_ux_i[t] - m_ux_j[t]);
+/// Calls add(t) for t = 0, lanes, 2 lanes, ...; the last turn overlaps the one before where the row does not come out
+/// even. Rows that are too short are for single(t).
+template <class Packed, class Single>
+[[gnu::always_inline]] inline void over_row(std::size_t n, const Packed& packed, const Single& single) {
+  if (n < lanes) {
+    for (std::size_t t = 0; t < n; ++t) single(t);
+    return;
   }
-  double y(std::size_t t) const {
-    return 0.5 * (m_yx_i[t] + m_yx_j[t]) * m_X + (0.5 * (m_yy_i[t] + m_yy_j[t]) - 1.0) * m_Y - (m_uy_i[t] - m_uy_j[t]);
-  }
-
-private:
-  double m_X, m_Y;
-  const double *m_ux_i, *m_ux_j, *m_uy_i, *m_uy_j;
-  const double *m_xx_i, *m_xx_j, *m_xy_i, *m_xy_j, *m_yx_i, *m_yx_j, *m_yy_i, *m_yy_j;
-};
-
-void clear(RowTensors& sum, std::size_t n) {
-  for (double* values : {sum.xx, sum.xy, sum.yx, sum.yy}) std::fill_n(values, n, 0.0);
+  for (std::size_t t = 0; t + lanes <= n; t += lanes) packed(t);
+  if (n % lanes != 0) packed(n - lanes);
 }
 
-/// Calls add(t) for the particles of a row; those at the edge of a body are alone in theirs.
-template <class Add>
-[[gnu::always_inline]] inline void each_of_row(std::size_t n, const Add& add) {
-  if (n == 1) return add(0);
-  MATRIGRATE_INDEPENDENT
-  for (std::size_t t = 0; t < n; ++t) add(t);
+/// sum_gradient of `width` particles from t on.
+template <std::size_t width>
+[[gnu::always_inline]] inline void gradient_of(const RowTerms& terms, const VectorPlanes& a, std::size_t t,
+                                               RowTensors& sum) {
+  double xx[width] = {}, xy[width] = {}, yx[width] = {}, yy[width] = {};
+  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
+    const double* ax = a.x.data() + terms.index[k] + t;
+    const double* ay = a.y.data() + terms.index[k] + t;
+    const double gx = terms.grad_W[k].x();
+    const double gy = terms.grad_W[k].y();
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < width; ++l) {
+      xx[l] = std::fma(ax[l], gx, xx[l]);
+      xy[l] = std::fma(ax[l], gy, xy[l]);
+      yx[l] = std::fma(ay[l], gx, yx[l]);
+      yy[l] = std::fma(ay[l], gy, yy[l]);
+    }
+  }
+  std::copy_n(xx, width, sum.xx + t);
+  std::copy_n(xy, width, sum.xy + t);
+  std::copy_n(yx, width, sum.yx + t);
+  std::copy_n(yy, width, sum.yy + t);
+}
+
+/// sum_hourglass_moment of `width` particles from t on.
+template <std::size_t width>
+[[gnu::always_inline]] inline void moment_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
+                                             std::size_t t, RowTensors& sum) {
+  double xx[width] = {}, xy[width] = {}, yx[width] = {}, yy[width] = {};
+  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
+    const std::size_t j = terms.index[k] + t;
+    const double X = 0.5 * terms.X_ij[k].x();
+    const double Y = 0.5 * terms.X_ij[k].y();
+    const double wx = terms.W_over_r2[k] * terms.X_ij[k].x();
+    const double wy = terms.W_over_r2[k] * terms.X_ij[k].y();
+    const double *ux = &u.x[j], *uy = &u.y[j], *hxx = &H.xx[j], *hxy = &H.xy[j], *hyx = &H.yx[j], *hyy = &H.yy[j];
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < width; ++l) {
+      const double x = std::fma(hxx[l], X, std::fma(hxy[l], Y, ux[l]));
+      const double y = std::fma(hyx[l], X, std::fma(hyy[l], Y, uy[l]));
+      xx[l] = std::fma(x, wx, xx[l]);
+      xy[l] = std::fma(x, wy, xy[l]);
+      yx[l] = std::fma(y, wx, yx[l]);
+      yy[l] = std::fma(y, wy, yy[l]);
+    }
+  }
+  std::copy_n(xx, width, sum.xx + t);
+  std::copy_n(xy, width, sum.xy + t);
+  std::copy_n(yx, width, sum.yx + t);
+  std::copy_n(yy, width, sum.yy + t);
+}
+
+/// sum_forces of `width` particles from t on.
+template <std::size_t width>
+[[gnu::always_inline]] inline void forces_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
+                                             const TensorPlanes& Q, std::size_t t, RowVectors& stress,
+                                             RowVectors& hourglass) {
+  double sx[width] = {}, sy[width] = {}, ex[width] = {}, ey[width] = {};
+  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
+    const std::size_t j = terms.index[k] + t;
+    const double X = 0.5 * terms.X_ij[k].x();
+    const double Y = 0.5 * terms.X_ij[k].y();
+    const double w = terms.W_over_r2[k];
+    const double gx = terms.grad_W[k].x();
+    const double gy = terms.grad_W[k].y();
+    const double *ux = &u.x[j], *uy = &u.y[j], *hxx = &H.xx[j], *hxy = &H.xy[j], *hyx = &H.yx[j], *hyy = &H.yy[j];
+    const double *qxx = &Q.xx[j], *qxy = &Q.xy[j], *qyx = &Q.yx[j], *qyy = &Q.yy[j];
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < width; ++l) {
+      sx[l] = std::fma(qxx[l], gx, std::fma(qxy[l], gy, sx[l]));
+      sy[l] = std::fma(qyx[l], gx, std::fma(qyy[l], gy, sy[l]));
+      ex[l] = std::fma(w, std::fma(hxx[l], X, std::fma(hxy[l], Y, ux[l])), ex[l]);
+      ey[l] = std::fma(w, std::fma(hyx[l], X, std::fma(hyy[l], Y, uy[l])), ey[l]);
+    }
+  }
+  std::copy_n(sx, width, stress.x + t);
+  std::copy_n(sy, width, stress.y + t);
+  std::copy_n(ex, width, hourglass.x + t);
+  std::copy_n(ey, width, hourglass.y + t);
 }
 
 } // namespace
@@ -80,81 +144,25 @@ void TensorPlanes::resize(std::size_t n) {
 
 MATRIGRATE_SIMD
 void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum) {
-  const std::size_t i = terms.row.begin;
-  const std::size_t n = terms.row.count;
-  clear(sum, n);
-  const double* ax = a.x.data() + i;
-  const double* ay = a.y.data() + i;
-  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
-    const std::size_t j = terms.index[k];
-    const double* f = terms.f + j;
-    const double* bx = a.x.data() + j;
-    const double* by = a.y.data() + j;
-    const double gx = terms.grad_W[k].x();
-    const double gy = terms.grad_W[k].y();
-    const auto add = [&](std::size_t t) {
-      const double wx = f[t] * (bx[t] - ax[t]);
-      const double wy = f[t] * (by[t] - ay[t]);
-      sum.xx[t] += wx * gx;
-      sum.xy[t] += wx * gy;
-      sum.yx[t] += wy * gx;
-      sum.yy[t] += wy * gy;
-    };
-    each_of_row(n, add);
-  }
+  over_row(
+      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { gradient_of<lanes>(terms, a, t, sum); },
+      [&](std::size_t t) __attribute__((always_inline)) { gradient_of<1>(terms, a, t, sum); });
 }
 
 MATRIGRATE_SIMD
-void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& F, RowTensors& sum) {
-  const std::size_t i = terms.row.begin;
-  const std::size_t n = terms.row.count;
-  clear(sum, n);
-  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
-    const std::size_t j = terms.index[k];
-    const double X = terms.X_ij[k].x();
-    const double Y = terms.X_ij[k].y();
-    const double w = terms.W_over_r2[k];
-    const double* f = terms.f + j;
-    const PairErrors e(u, F, i, j, terms.X_ij[k]);
-    const auto add = [&](std::size_t t) {
-      const double ex = e.x(t);
-      const double ey = e.y(t);
-      const double fw = f[t] * w;
-      sum.xx[t] += fw * ex * X;
-      sum.xy[t] += fw * ex * Y;
-      sum.yx[t] += fw * ey * X;
-      sum.yy[t] += fw * ey * Y;
-    };
-    each_of_row(n, add);
-  }
+void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& sum) {
+  over_row(
+      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { moment_of<lanes>(terms, u, H, t, sum); },
+      [&](std::size_t t) __attribute__((always_inline)) { moment_of<1>(terms, u, H, t, sum); });
 }
 
 MATRIGRATE_SIMD
-void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& F, const TensorPlanes& Q, double a,
-                double b, RowVectors& sum) {
-  const std::size_t i = terms.row.begin;
-  const std::size_t n = terms.row.count;
-  std::fill_n(sum.x, n, 0.0);
-  std::fill_n(sum.y, n, 0.0);
-  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
-    const std::size_t j = terms.index[k];
-    const double bw = b * terms.W_over_r2[k];
-    const double agx = a * terms.grad_W[k].x();
-    const double agy = a * terms.grad_W[k].y();
-    const double* f = terms.f + j;
-    const PairErrors e(u, F, i, j, terms.X_ij[k]);
-    const double *Qxx_i = Q.xx.data() + i, *Qxx_j = Q.xx.data() + j, *Qxy_i = Q.xy.data() + i, *Qxy_j = Q.xy.data() + j;
-    const double *Qyx_i = Q.yx.data() + i, *Qyx_j = Q.yx.data() + j, *Qyy_i = Q.yy.data() + i, *Qyy_j = Q.yy.data() + j;
-    const auto add = [&](std::size_t t) {
-      const double ex = e.x(t);
-      const double ey = e.y(t);
-      const double sx = (Qxx_i[t] + Qxx_j[t]) * agx + (Qxy_i[t] + Qxy_j[t]) * agy;
-      const double sy = (Qyx_i[t] + Qyx_j[t]) * agx + (Qyy_i[t] + Qyy_j[t]) * agy;
-      sum.x[t] += f[t] * (sx + bw * ex);
-      sum.y[t] += f[t] * (sy + bw * ey);
-    };
-    each_of_row(n, add);
-  }
+void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, const TensorPlanes& Q,
+                RowVectors& stress, RowVectors& hourglass) {
+  over_row(
+      terms.row.count,
+      [&](std::size_t t) __attribute__((always_inline)) { forces_of<lanes>(terms, u, H, Q, t, stress, hourglass); },
+      [&](std::size_t t) __attribute__((always_inline)) { forces_of<1>(terms, u, H, Q, t, stress, hourglass); });
 }
 
 } // namespace matrigrate

@@ -54,24 +54,32 @@ struct RowTensors {
   Mat2 operator[](std::size_t t) const { return (Mat2() << xx[t], xy[t], yx[t], yy[t]).finished(); }
 };
 
-/// What the sums go over; the arrays belong to Reference and EcmState.
+/// What the sums go over; the arrays belong to Reference.
 struct RowTerms {
   ParticleRow row;
   const std::uint32_t* index; ///< neighbours beside the entries
   const Vec2* X_ij;           ///< X_i - X_j beside the entries [um]
   const Vec2* grad_W;         ///< grad_0 W_ij beside the entries [1/um^3]
   const double* W_over_r2;    ///< W_0,ij / |X_ij|^2 beside the entries [1/um^4]
-  const double* f;            ///< f_degr of all particles [-]
 };
 
-/// sum_j f_j (a_j - a_i) (x) grad_0 W_ij.
+/// Sums that depend on the degradation of the neighbours alone: the same field times these is what a particle's own
+/// value adds to the sums below.
+struct DegradationMoments {
+  Vec2 grad_W = Vec2::Zero(); ///< sum_j f_j grad_0 W_ij
+  double w = 0.0;             ///< sum_j f_j w_ij, w_ij = W_0,ij/|X_ij|^2
+  Vec2 wX = Vec2::Zero();     ///< sum_j f_j w_ij X_ij
+  Mat2 wXX = Mat2::Zero();    ///< sum_j f_j w_ij X_ij (x) X_ij
+};
+
+/// sum_j a_j (x) grad_0 W_ij.
 void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum);
 
-/// sum_j f_j W_0,ij/|X_ij|^2 e_ij (x) X_ij with e_ij = (F_i + F_j)/2 X_ij - x_ij.   @param u  displacements [um]
-void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& F, RowTensors& sum);
+/// sum_j w_ij (H_j X_ij/2 + u_j) (x) X_ij.
+void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& sum);
 
-/// a sum_j f_j (Q_i + Q_j) grad_0 W_ij + b sum_j f_j W_0,ij/|X_ij|^2 e_ij.
-void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& F, const TensorPlanes& Q, double a,
-                double b, RowVectors& sum);
+/// Sums of Q_j grad_0 W_ij (stress) and of w_ij (H_j X_ij/2 + u_j) (hourglass).
+void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, const TensorPlanes& Q,
+                RowVectors& stress, RowVectors& hourglass);
 
 } // namespace matrigrate

@@ -17,13 +17,15 @@ double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
   return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0;
 }
 
-} // namespace
-
-Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F) {
-  Mat2 cofactor; // J F^-T
-  cofactor << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
-  return sigma * cofactor;
+/// advance_stress_of with the shear modulus G at hand.
+inline void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double G,
+                              double dt) {
+  const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
+  ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
+  ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, G);
 }
+
+} // namespace
 
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
                      std::uint32_t k) {
@@ -43,58 +45,71 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
   });
 }
 
-void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,
-                        SolidPlanes& planes, std::span<Vec2> force) {
+void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
+                        std::span<Vec2> force) {
+  std::vector<Mat2>& F = solid.F;
   const std::size_t n = ecm.size();
   const double K = moduli(p).K;
   const double scale = hourglass_scale(ecm, p);
-  planes.u.resize(n);
-  planes.F.resize(n);
-  planes.PB.resize(n);
-  for (std::size_t i = 0; i < n; ++i) planes.u.set(i, ecm.displacement(i));
-  gradients(ecm, ref, planes.u, F);
-  for (std::size_t i = 0; i < n; ++i) {
-    F[i] += Mat2::Identity();
-    planes.F.set(i, F[i]);
-  }
-  ref.each_row(ecm, [&](const RowTerms& terms) {
-    RowTensors moment;
-    sum_hourglass_moment(terms, planes.u, planes.F, moment);
+  solid.u.resize(n);
+  solid.H.resize(n);
+  solid.PB.resize(n);
+  F.resize(n);
+  parallel_for(n, [&](std::size_t i) { solid.u.set(i, ecm.f[i] * ecm.displacement(i)); });
+  ref.each_row([&](const RowTerms& terms) {
+    const auto keep = [&](std::size_t i, const Mat2& H) {
+      F[i] = Mat2::Identity() + H;
+      solid.H.set(i, ecm.f[i] * H);
+    };
+    row_gradients(
+        ecm, ref, terms, solid.u, [&](std::size_t i) { return ecm.displacement(i); }, keep);
+  });
+  ref.each_row([&](const RowTerms& terms) {
+    RowTensors sum;
+    sum_hourglass_moment(terms, solid.u, solid.H, sum);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
       const std::size_t i = terms.row.begin + t;
-      Mat2 PB = Mat2::Zero();
-      if (ecm.f[i] > 0.0) {
-        const Mat2 conjugate = (0.5 * scale / ecm.V0) * moment[t]; // to the pair errors, through F_i
-        PB = (piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]) + conjugate) * ref.B(i);
+      if (ecm.f[i] <= 0.0) {
+        solid.PB.set(i, Mat2::Zero());
+        continue;
       }
-      planes.PB.set(i, PB);
+      const DegradationMoments& m = ref.moments(i);
+      const Mat2 own = 0.5 * (F[i] - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
+      const Mat2 conjugate = (0.5 * scale / ecm.V0) * (own + sum[t]); // to the pair errors, through F_i
+      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
+      solid.PB.set(i, ecm.f[i] * (P + conjugate) * ref.B(i));
     }
   });
-  ref.each_row(ecm, [&](const RowTerms& terms) {
-    RowVectors sum;
-    sum_forces(terms, planes.u, planes.F, planes.PB, ecm.V0 * ecm.V0, scale, sum);
+  ref.each_row([&](const RowTerms& terms) {
+    RowVectors stress, hourglass;
+    sum_forces(terms, solid.u, solid.H, solid.PB, stress, hourglass);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
       const std::size_t i = terms.row.begin + t;
-      if (ecm.f[i] > 0.0) force[i] += p.thickness * ecm.f[i] * sum[t];
+      const double f = ecm.f[i];
+      if (f <= 0.0) continue;
+      const DegradationMoments& m = ref.moments(i);
+      const Vec2 of_stress = stress[t] + (solid.PB[i] / f) * m.grad_W;
+      const Vec2 of_hourglass = hourglass[t] + 0.5 * (F[i] - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
+      force[i] += p.thickness * f * (ecm.V0 * ecm.V0 * of_stress + scale * of_hourglass);
     }
   });
 }
 
 void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt) {
-  const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
-  ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
-  ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, moduli(p).G);
+  advance_stress_of(ecm, i, L, p, moduli(p).G, dt);
 }
 
-DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F,
+DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt) {
-  VectorPlanes v;
-  v.resize(ecm.size());
-  for (std::size_t i = 0; i < ecm.size(); ++i) v.set(i, ecm.v[i]);
-  std::vector<Mat2> rate;
-  gradients(ecm, ref, v, rate);
-  parallel_for(ecm.size(), [&](std::size_t i) {
-    if (ecm.f[i] > 0.0) advance_stress_of(ecm, i, rate[i] * F[i].inverse(), p, dt);
+  const double G = moduli(p).G;
+  solid.v.resize(ecm.size());
+  parallel_for(ecm.size(), [&](std::size_t i) { solid.v.set(i, ecm.f[i] * ecm.v[i]); });
+  ref.each_row([&](const RowTerms& terms) {
+    const auto advance = [&](std::size_t i, const Mat2& rate) {
+      if (ecm.f[i] > 0.0) advance_stress_of(ecm, i, rate * solid.F[i].inverse(), p, G, dt);
+    };
+    row_gradients(
+        ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, advance);
   });
   return count_density_bounds(ecm, p);
 }

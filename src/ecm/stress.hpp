@@ -12,7 +12,11 @@
 namespace matrigrate {
 
 /// First Piola-Kirchhoff stress P = J sigma F^-T [kPa].
-Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F);
+inline Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F) {
+  Mat2 cofactor; // J F^-T
+  cofactor << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
+  return sigma * cofactor;
+}
 
 /// Deviation of a pair from the deformation around it, e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every linear field.
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
@@ -22,21 +26,22 @@ Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vecto
 /// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2. The forces below contain exactly its negative gradient.
 double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F);
 
-/// Fields of the solid, component by component; workspace of the elastic forces.
-struct SolidPlanes {
-  VectorPlanes u;  ///< displacement [um]
-  TensorPlanes F;  ///< deformation gradient [-]
-  TensorPlanes PB; ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
+/// Workspace of the sums over neighbours: deformation of the solid, and fields component by component, times f_degr.
+struct SolidFields {
+  std::vector<Mat2> F{}; ///< deformation gradient [-]
+  VectorPlanes u{};      ///< displacement [um]
+  VectorPlanes v{};      ///< velocity [um/s]
+  TensorPlanes H{};      ///< deformation gradient less the identity, F - I [-]
+  TensorPlanes PB{};     ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
 };
 
 /// Adds the elastic forces to `force` [nN]. On particle i
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// @param F       deformation gradients, computed here; the identity in the fluid
-/// @param planes  workspace
-void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, std::vector<Mat2>& F,
-                        SolidPlanes& planes, std::span<Vec2> force);
+/// @param solid  computed here; F is the identity in the fluid
+void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
+                        std::span<Vec2> force);
 
 /// Limits that were enforced in an update; both should stay 0 in a healthy run.
 struct DensityBounds {
@@ -46,8 +51,8 @@ struct DensityBounds {
 
 /// Advances density and deviatoric stress of the solid by dt with the velocities of `ecm` (explicit Euler), using
 /// L = dF/dt F^-1 over reference neighbours.
-/// @param F  deformation gradients at the start of the step
-DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F,
+/// @param solid  F at the start of the step; v is computed here
+DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt);
 
 /// Advances density and deviatoric stress of one particle by dt under the velocity gradient L [1/s], explicit Euler.

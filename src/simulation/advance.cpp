@@ -58,7 +58,7 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w) {
 void advance_material(State& s, const Parameters& p, Workspace& w) {
   const double dt = p.run.time_step;
   const DensityBounds bounds = p.ecm.formulation == Formulation::total_lagrangian
-                                   ? advance_stress(s.ecm, p.ecm, w.reference, w.F, dt)
+                                   ? advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt)
                                    : advance_current_stress(s.ecm, p.ecm, w.neighbours.pairs(), dt);
   w.health.density_bounds = bounds.below + bounds.above;
 }

@@ -67,7 +67,7 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
   w.force.assign(w.drag.size(), Vec2::Zero());
   switch (p.ecm.formulation) {
   case Formulation::total_lagrangian:
-    add_elastic_forces(s.ecm, p.ecm, w.reference, w.F, w.planes, w.force);
+    add_elastic_forces(s.ecm, p.ecm, w.reference, w.solid, w.force);
     break;
   case Formulation::updated_lagrangian:
     add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);

@@ -49,8 +49,7 @@ struct Workspace {
   std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]
   std::vector<Vec2> v;     ///< velocities of all nodes [um/s]
   std::unique_ptr<DragSolver> solver;
-  std::vector<Mat2> F;                ///< deformation gradients [-]
-  SolidPlanes planes;                 ///< of the elastic forces
+  SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;
 };

@@ -57,10 +57,9 @@ std::pair<double, double> spurious_force(const Parameters& p) {
   const Reference ref(ecm, p.ecm);
   const double sigma = 0.1 * p.ecm.youngs_modulus;
   for (Mat2& S : ecm.S) S = sigma * (Mat2() << 1.0, 0.0, 0.0, -1.0).finished();
-  std::vector<Mat2> F;
-  SolidPlanes planes;
+  SolidFields solid;
   std::vector<Vec2> force(ecm.size(), Vec2::Zero());
-  add_elastic_forces(ecm, p.ecm, ref, F, planes, force);
+  add_elastic_forces(ecm, p.ecm, ref, solid, force);
   double inside = 0.0;
   double anywhere = 0.0;
   for (std::size_t i = 0; i < ecm.size(); ++i) {

@@ -36,15 +36,14 @@ void move_rigidly(EcmState& ecm, double angle, const Vec2& shift, double spin, c
 }
 
 struct Forces {
-  std::vector<Mat2> F;
-  SolidPlanes planes;
+  SolidFields solid;
   std::vector<Vec2> force;
 };
 
 Forces elastic_forces(const EcmState& ecm, const Parameters& p, const Reference& ref) {
   Forces a;
   a.force.assign(ecm.size(), Vec2::Zero());
-  add_elastic_forces(ecm, p.ecm, ref, a.F, a.planes, a.force);
+  add_elastic_forces(ecm, p.ecm, ref, a.solid, a.force);
   return a;
 }
 
@@ -53,11 +52,11 @@ std::pair<double, double> stress_and_force(const Parameters& p) {
   EcmState ecm = free_disc(p);
   const Reference ref(ecm, p.ecm);
   move_rigidly(ecm, std::numbers::pi / 6.0, Vec2(12.0, -7.0), 0.01, Vec2(0.3, 0.2));
-  const Forces a = elastic_forces(ecm, p, ref);
+  Forces a = elastic_forces(ecm, p, ref);
   const double force_scale = p.ecm.youngs_modulus * p.ecm.particle_spacing * p.ecm.thickness;
   double force = 0.0;
   for (const Vec2& f : a.force) force = std::max(force, f.norm() / force_scale);
-  advance_stress(ecm, p.ecm, ref, a.F, p.run.time_step);
+  advance_stress(ecm, p.ecm, ref, a.solid, p.run.time_step);
   double stress = 0.0;
   for (std::size_t i = 0; i < ecm.size(); ++i)
     stress = std::max({stress, ecm.S[i].norm() / (2.0 * moduli(p.ecm).G), std::abs(ecm.rho[i] - 1.0)});
@@ -73,7 +72,8 @@ double turned_stress_error(const Parameters& p, int n) {
   const double step = 0.5 * std::numbers::pi / n;
   for (int k = 0; k < n; ++k) {
     move_rigidly(ecm, k * step, Vec2::Zero(), step, Vec2::Zero());
-    advance_stress(ecm, p.ecm, ref, elastic_forces(ecm, p, ref).F, 1.0);
+    SolidFields solid = elastic_forces(ecm, p, ref).solid;
+    advance_stress(ecm, p.ecm, ref, solid, 1.0);
   }
   const Mat2 R = Eigen::Rotation2Dd(0.5 * std::numbers::pi).toRotationMatrix();
   double worst = 0.0;

@@ -45,18 +45,27 @@ TEST(Rows, GradientsEqualThoseOfSingleParticles) {
   u.resize(ecm.size());
   v.resize(ecm.size());
   for (std::size_t i = 0; i < ecm.size(); ++i) {
-    u.set(i, ecm.displacement(i));
-    v.set(i, ecm.v[i]);
+    u.set(i, ecm.f[i] * ecm.displacement(i));
+    v.set(i, ecm.f[i] * ecm.v[i]);
   }
-  std::vector<Mat2> H, rate;
-  gradients(ecm, ref, u, H);
-  gradients(ecm, ref, v, rate);
-  for (std::size_t i = 0; i < ecm.size(); ++i) {
-    const bool solid = ecm.f[i] > 0.0;
-    const Mat2 F = solid ? deformation_gradient(ecm, ref, i) : Mat2(Mat2::Identity());
-    EXPECT_LT((H[i] + Mat2::Identity() - F).norm(), 1e-13);
-    EXPECT_LT((rate[i] - (solid ? deformation_rate(ecm, ref, i) : Mat2(Mat2::Zero()))).norm(), 1e-13);
-  }
+  std::atomic<std::size_t> seen = 0;
+  ref.each_row([&](const RowTerms& terms) {
+    const auto equals_H = [&](std::size_t i, const Mat2& H) {
+      const Mat2 expected =
+          ecm.f[i] > 0.0 ? Mat2(deformation_gradient(ecm, ref, i) - Mat2::Identity()) : Mat2(Mat2::Zero());
+      EXPECT_LT((H - expected).norm(), 1e-13);
+      ++seen;
+    };
+    const auto equals_rate = [&](std::size_t i, const Mat2& rate) {
+      EXPECT_LT((rate - (ecm.f[i] > 0.0 ? deformation_rate(ecm, ref, i) : Mat2(Mat2::Zero()))).norm(), 1e-13);
+      ++seen;
+    };
+    row_gradients(
+        ecm, ref, terms, u, [&](std::size_t i) { return ecm.displacement(i); }, equals_H);
+    row_gradients(
+        ecm, ref, terms, v, [&](std::size_t i) { return ecm.v[i]; }, equals_rate);
+  });
+  EXPECT_EQ(seen, 2 * ecm.size());
 }
 
 TEST(Rows, ForcesEqualThoseOfSinglePairs) {
@@ -64,35 +73,40 @@ TEST(Rows, ForcesEqualThoseOfSinglePairs) {
   const EcmState ecm = deformed_body(p);
   const Reference ref(ecm, p);
   VectorPlanes u;
-  TensorPlanes F, Q;
+  TensorPlanes H, Q;
   u.resize(ecm.size());
-  F.resize(ecm.size());
+  H.resize(ecm.size());
   Q.resize(ecm.size());
-  std::vector<Mat2> gradient(ecm.size());
+  std::vector<Mat2> F(ecm.size());
   for (std::size_t i = 0; i < ecm.size(); ++i) {
-    u.set(i, ecm.displacement(i));
-    gradient[i] = deformation_gradient(ecm, ref, i);
-    F.set(i, gradient[i]);
-    Q.set(i, ecm.S[i]);
+    u.set(i, ecm.f[i] * ecm.displacement(i));
+    F[i] = deformation_gradient(ecm, ref, i);
+    H.set(i, ecm.f[i] * (F[i] - Mat2::Identity()));
+    Q.set(i, ecm.f[i] * ecm.S[i]);
   }
   std::atomic<std::size_t> seen = 0;
-  ref.each_row(ecm, [&](const RowTerms& terms) {
-    RowVectors force;
+  ref.each_row([&](const RowTerms& terms) {
+    RowVectors stress, hourglass;
     RowTensors moment;
-    sum_forces(terms, u, F, Q, 2.0, 3.0, force);
-    sum_hourglass_moment(terms, u, F, moment);
+    sum_forces(terms, u, H, Q, stress, hourglass);
+    sum_hourglass_moment(terms, u, H, moment);
     for (std::size_t t = 0; t < terms.row.count; ++t, ++seen) {
       const std::size_t i = terms.row.begin + t;
-      Vec2 expected = Vec2::Zero();
-      Mat2 expected_moment = Mat2::Zero();
+      Vec2 of_stress = Vec2::Zero(), of_hourglass = Vec2::Zero();
+      Mat2 of_moment = Mat2::Zero();
       for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k) {
-        const std::uint32_t j = ref.pairs().index[k];
-        const Vec2 e = hourglass_error(ecm, ref, gradient, i, k);
-        expected += ecm.f[j] * (2.0 * (ecm.S[i] + ecm.S[j]) * ref.grad_W(k) + 3.0 * ref.W_over_r2(k) * e);
-        expected_moment += ecm.f[j] * ref.W_over_r2(k) * e * ref.X_ij(k).transpose();
+        const double f = ecm.f[ref.pairs().index[k]];
+        const Vec2 e = hourglass_error(ecm, ref, F, i, k);
+        of_stress += f * (ecm.S[i] + ecm.S[ref.pairs().index[k]]) * ref.grad_W(k);
+        of_hourglass += f * ref.W_over_r2(k) * e;
+        of_moment += f * ref.W_over_r2(k) * e * ref.X_ij(k).transpose();
       }
-      EXPECT_LT((force[t] - expected).norm(), 1e-13);
-      EXPECT_LT((moment[t] - expected_moment).norm(), 1e-13);
+      const DegradationMoments& m = ref.moments(i);
+      const Mat2 own = 0.5 * (F[i] - Mat2::Identity());
+      const Vec2 u_i = ecm.displacement(i);
+      EXPECT_LT((stress[t] + ecm.S[i] * m.grad_W - of_stress).norm(), 1e-13);
+      EXPECT_LT((hourglass[t] + own * m.wX - u_i * m.w - of_hourglass).norm(), 1e-12);
+      EXPECT_LT((moment[t] + own * m.wXX - u_i * m.wX.transpose() - of_moment).norm(), 1e-12);
     }
   });
   EXPECT_EQ(seen, ecm.size());

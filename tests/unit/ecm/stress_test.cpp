@@ -12,15 +12,14 @@ using namespace matrigrate;
 namespace {
 
 struct Forces {
-  std::vector<Mat2> F;
-  SolidPlanes planes;
+  SolidFields solid;
   std::vector<Vec2> force;
 };
 
 Forces forces_of(const EcmState& ecm, const EcmParameters& p, const Reference& ref) {
   Forces a;
   a.force.assign(ecm.size(), Vec2::Zero());
-  add_elastic_forces(ecm, p, ref, a.F, a.planes, a.force);
+  add_elastic_forces(ecm, p, ref, a.solid, a.force);
   return a;
 }
 
@@ -68,7 +67,7 @@ TEST(ElasticForces, WorkAgainstTheRateOfDeformation) { // power balance: the for
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     force_power += a.force[i].dot(ecm.v[i]);
     if (ecm.f[i] <= 0.0) continue;
-    const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], moduli(p).K), a.F[i]);
+    const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], moduli(p).K), a.solid.F[i]);
     stress_power += p.thickness * ecm.V0 * ecm.f[i] * contraction(P, deformation_rate(ecm, ref, i));
   }
   EXPECT_GT(std::abs(stress_power), 1e-3);
@@ -126,11 +125,11 @@ TEST(StressUpdate, HoldsAndCountsTheBoundsOfDensity) {
   const EcmParameters p;
   EcmState ecm = rectangle(p, 30.0, 24.0, 0.0);
   const Reference ref(ecm, p);
-  const std::vector<Mat2> F(ecm.size(), Mat2::Identity());
+  SolidFields solid{.F = std::vector<Mat2>(ecm.size(), Mat2::Identity())};
   for (std::size_t i = 0; i < ecm.size(); ++i) ecm.v[i] = -0.5 * ecm.X[i]; // implosion
-  EXPECT_EQ(advance_stress(ecm, p, ref, F, 0.1).above, 0U);
+  EXPECT_EQ(advance_stress(ecm, p, ref, solid, 0.1).above, 0U);
   EXPECT_NEAR(ecm.rho[0], 1.1, 1e-12);
-  EXPECT_EQ(advance_stress(ecm, p, ref, F, 2.0).above, ecm.size());
+  EXPECT_EQ(advance_stress(ecm, p, ref, solid, 2.0).above, ecm.size());
   EXPECT_EQ(ecm.rho[0], p.density_max);
 }
 
@@ -139,7 +138,8 @@ TEST(StressUpdate, LeavesFluidAlone) {
   EcmState ecm = deformed_body(p);
   const Reference ref(ecm, p);
   const EcmState before = ecm;
-  advance_stress(ecm, p, ref, gradients(ecm, ref), 0.1);
+  SolidFields solid{.F = gradients(ecm, ref)};
+  advance_stress(ecm, p, ref, solid, 0.1);
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     EXPECT_EQ(ecm.f[i] == 0.0, ecm.S[i] == before.S[i]);
   }
