@@ -64,7 +64,7 @@ void forces(benchmark::State& state) {
 
 void solve(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
-  a.w->neighbours.update(a.s.ecm.x, 0.0);
+  update_neighbours(a.s, *a.w);
   assemble_drag(a.s, a.p, *a.w);
   assemble_forces(a.s, a.p, *a.w, a.load);
   int iterations = 0;

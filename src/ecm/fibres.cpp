@@ -104,16 +104,17 @@ FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const Fi
 
 namespace {
 
-/// Lets a pair resist its change with the drag g, as far as the drag system lists it.
+/// Lets a pair resist its change with the drag g. Pairs that have drifted out of each other's reach stay explicit.
 void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32_t j, double g) {
-  const auto row = A.pairs->of(i);
-  const auto found = std::lower_bound(row.begin(), row.end(), j);
-  if (found == row.end() || *found != j) return; // too far apart by now: it stays explicit
-  A.diagonal[i] += g;
-  if (ecm.clamped[j])
-    A.F[i] += g * ecm.v[j];
-  else
-    A.coupling[A.pairs->first[i] + static_cast<std::size_t>(found - row.begin())] += g;
+  const auto drag = static_cast<float>(g);
+  if (ecm.clamped[j]) {
+    A.F[i] += static_cast<double>(drag) * ecm.v[j];
+    A.diagonal[i] += static_cast<double>(drag);
+  } else if (float* G = A.pairs.find(i, j); G != nullptr) {
+    const float before = *G;
+    *G += drag;
+    A.diagonal[i] += static_cast<double>(*G) - static_cast<double>(before); // what was added after rounding
+  }
 }
 
 } // namespace

@@ -3,64 +3,126 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <span>
 
 namespace matrigrate {
 
 namespace {
 
-/// Squared distances of pairs become their G_ij.
+constexpr std::size_t lanes = RowBlocks::lanes;
+constexpr double nowhere = 1e9; // where the particles beyond the last are, out of reach of all others [um]
+
+/// What pair_drag takes, for many pairs.
+struct DragLaw {
+  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel)
+      : period_x(ecm.period_x), per_support(static_cast<float>(1.0 / kernel.support())),
+        soft(static_cast<float>(0.01 * kernel.h() * kernel.h())),
+        scale(static_cast<float>(pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {}
+  double period_x;
+  float per_support, soft, scale;
+};
+
+/// G_ij of the eight particles from row on and their partners at the distances, 0 for those out of reach; distances
+/// without any within reach are left out. Adds the sums over partners to D.
+/// @return the number of distances that remain
 MATRIGRATE_SIMD
-void become_drags(std::span<double> r2, const Kernel& kernel, double V, const EcmParameters& p) {
-  for (double& G : r2) G = pair_drag(G, kernel.W_slope(std::sqrt(G)), V, p.viscosity, p.thickness, kernel.h());
+std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law, std::span<std::int32_t> distances,
+                       float* G, double* D) {
+  const double* x_i = x.x() + row;
+  const double* y_i = x.y() + row;
+  const float per_support = law.per_support, soft = law.soft, scale = law.scale;
+  double sum[lanes] = {};
+  std::size_t count = 0;
+  for (const std::int32_t distance : distances) {
+    const double* x_j = x_i + distance;
+    const double* y_j = y_i + distance;
+    float r2[lanes];
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const double dx = x_i[l] - x_j[l];
+      const double dy = y_i[l] - y_j[l];
+      r2[l] = static_cast<float>(dx * dx + dy * dy);
+    }
+    if (law.period_x > 0.0)
+      for (std::size_t l = 0; l < lanes; ++l) {
+        const Vec2 x_ij = nearest_image(Vec2(x_i[l] - x_j[l], y_i[l] - y_j[l]), law.period_x);
+        r2[l] = static_cast<float>(x_ij.squaredNorm());
+      }
+    float g[lanes];
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const float left = 1.0F - std::sqrt(r2[l]) * per_support;
+      const float a = 0.5F * (left + std::abs(left)); // 0 beyond the support
+      g[l] = scale * (a * a * a) * (r2[l] / (r2[l] + soft));
+      sum[l] += static_cast<double>(g[l]);
+    }
+    std::uint32_t bits = 0;
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < lanes; ++l) bits |= std::bit_cast<std::uint32_t>(g[l]);
+    std::copy_n(g, lanes, G + lanes * count);
+    distances[count] = distance;
+    if (bits != 0) ++count;
+  }
+  std::copy_n(sum, lanes, D);
+  return count;
 }
 
-/// Row i from its G_ij: diagonal and right-hand side. Drag of clamped particles becomes a force; clamped particles ask
-/// for their given velocity.
-void finish_row(const EcmState& ecm, const Adjacency& pairs, std::size_t i, DragSystem& A) {
-  double* G = A.coupling.data() + pairs.first[i];
-  if (ecm.clamped[i]) {
-    A.diagonal[i] = 1.0;
-    A.F[i] = ecm.v[i];
-    std::fill_n(G, pairs.of(i).size(), 0.0);
-    return;
-  }
-  double sum = 0.0;
-  Vec2 F = Vec2::Zero();
-  for (const std::uint32_t j : pairs.of(i)) {
-    sum += *G;
-    if (ecm.clamped[j]) {
-      F += *G * ecm.v[j];
-      *G = 0.0;
+/// Takes the given particles out of the coefficients of a block: their drag becomes a force. As pair_drags.
+std::size_t separate_given(const EcmState& ecm, std::size_t row, std::span<std::int32_t> distances, DragSystem& A,
+                           float* G) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    bool any = false;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      float& g = G[lanes * count + l] = G[lanes * k + l];
+      if (g == 0.0F) continue;
+      const std::size_t i = row + l;
+      const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distances[k]);
+      if (ecm.clamped[j] && !ecm.clamped[i]) A.F[i] += static_cast<double>(g) * ecm.v[j];
+      if (ecm.clamped[i] || ecm.clamped[j]) g = 0.0F;
+      any = any || g != 0.0F;
     }
-    ++G;
+    distances[count] = distances[k];
+    if (any) ++count;
   }
-  A.diagonal[i] = sum > 0.0 ? sum : 1.0; // a particle without partners feels no force and stays
-  A.F[i] = F;
+  return count;
+}
+
+/// Positions, framed by particles that are nowhere.
+void place(const EcmState& ecm, DoubleField& x) {
+  if (x.size() != ecm.size()) {
+    x.resize(ecm.size());
+    std::ranges::fill(x.values(), nowhere);
+  }
+  parallel_for(ecm.size(), [&](std::size_t i) {
+    x.x()[i] = ecm.x[i].x();
+    x.y()[i] = ecm.x[i].y();
+  });
 }
 
 } // namespace
 
-void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, DragSystem& A) {
-  constexpr std::size_t block = 64; // particles whose entries are computed in one go
-  const Kernel kernel(p.smoothing_length);
-  A.pairs = &pairs;
-  A.coupling.resize(pairs.pairs());
+void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A) {
+  DoubleField x;
+  place(ecm, x);
+  A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
   A.diagonal.resize(ecm.size());
-  A.F.resize(ecm.size());
+  A.F.assign(ecm.size(), Vec2::Zero());
   A.position = ecm.x;
-  // Either entry of a pair is computed on its own, to the same bits: squares do not know the sign of a distance.
-  const auto of_block = [&](std::size_t b) {
-    const std::size_t end = std::min(ecm.size(), (b + 1) * block);
-    double* r2 = A.coupling.data() + pairs.first[b * block]; // squared distances first, drags in their place
-    for (std::size_t i = b * block; i < end; ++i)
-      for (const std::uint32_t j : pairs.of(i)) *r2++ = ecm.separation(i, j).squaredNorm();
-    const std::size_t count = pairs.first[end] - pairs.first[b * block];
-    become_drags({r2 - count, count}, kernel, ecm.V0, p);
-    for (std::size_t i = b * block; i < end; ++i) finish_row(ecm, pairs, i, A);
-  };
-  parallel_for((ecm.size() + block - 1) / block, of_block, 8);
+  const DragLaw law(ecm, p, Kernel(p.smoothing_length));
+  A.pairs.assign(pattern, [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
+    const std::size_t row = block * lanes;
+    double D[lanes];
+    const std::size_t count = pair_drags(x, row, law, distances, G, D);
+    std::copy_n(D, std::min(lanes, ecm.size() - row), A.diagonal.begin() + static_cast<std::ptrdiff_t>(row));
+    return pattern.meets_given(block) ? separate_given(ecm, row, distances.first(count), A, G) : count;
+  });
+  parallel_for(ecm.size(), [&](std::size_t i) {
+    if (ecm.clamped[i]) A.F[i] = ecm.v[i];
+    if (A.diagonal[i] == 0.0) A.given[i] = 1; // a particle without partners feels no force and stays
+    if (A.given[i]) A.diagonal[i] = 1.0;
+  });
 }
 
 } // namespace matrigrate

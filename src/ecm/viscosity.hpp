@@ -20,9 +20,10 @@ inline double pair_drag(double r2, double W_slope, double V, double mu, double t
   return t_z * V * V * 2.0 * mu * (-W_slope) * r2 / (r2 + 0.01 * h * h);
 }
 
-/// Fills A with the drag of all pairs at the current positions, and A.F with the drag of the clamped particles on the
-/// free ones; forces are added to A.F afterwards. Rows of clamped particles ask for their given velocity.
-/// @param pairs  valid for the positions of `ecm`; must outlive A
-void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, DragSystem& A);
+/// Fills A with the drag of all pairs at the current positions, in single precision, and A.F with the drag of the
+/// clamped particles on the free ones; forces are added to A.F afterwards. Rows of clamped particles ask for their
+/// given velocity, those of particles without partners for none.
+/// @param pattern  of a list that is valid for the positions of `ecm`, with its clamped particles
+void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A);
 
 } // namespace matrigrate

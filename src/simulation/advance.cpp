@@ -110,7 +110,7 @@ void require_inside(const State& s, const Parameters& p) {
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   // neighbours, and shape of the cell, at x(t)
-  if (w.neighbours.update(s.ecm.x, s.ecm.period_x)) ++w.health.list_builds;
+  update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);
 

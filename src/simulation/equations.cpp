@@ -40,6 +40,12 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
 
 } // namespace
 
+void update_neighbours(const State& s, Workspace& w) {
+  if (!w.neighbours.update(s.ecm.x, s.ecm.period_x)) return;
+  w.drag_pattern = RowPattern(w.neighbours.pairs(), s.ecm.clamped);
+  ++w.health.list_builds;
+}
+
 void describe_cell(const State& s, const Parameters& p, Workspace& w) {
   if (!s.has_cell()) return;
   const double reach = 2.0 * p.ecm.smoothing_length;
@@ -52,7 +58,7 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
 }
 
 void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
-  assemble_viscosity(s.ecm, p.ecm, w.neighbours.pairs(), w.drag);
+  assemble_viscosity(s.ecm, p.ecm, w.drag_pattern, w.drag);
   w.drag.links.clear();
   w.drag.directed.clear();
   if (!s.has_cell()) return;

@@ -11,6 +11,9 @@ namespace matrigrate {
 /// Forces from outside the model, added to those of the particles [nN]: loads of a test.
 using Loads = std::function<void(const State&, std::span<Vec2>)>;
 
+/// Who meets whom in the matrix at x(t).
+void update_neighbours(const State& s, Workspace& w);
+
 /// Shape, protrusions and surroundings of the cell at x(t).
 void describe_cell(const State& s, const Parameters& p, Workspace& w);
 

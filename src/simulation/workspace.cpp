@@ -20,7 +20,7 @@ std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
   const EcmState ecm = at_reference(s.ecm);
   const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, ecm.period_x);
   DragSystem reference;
-  assemble_viscosity(ecm, p.ecm, pairs, reference);
+  assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), reference);
   return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, p.solver.tolerance, p.solver.max_iterations);
 }
 

@@ -44,6 +44,7 @@ struct Workspace {
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
+  RowPattern drag_pattern; ///< of the neighbours
   CellShape cell;
   DragSystem drag;
   std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]

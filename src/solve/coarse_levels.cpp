@@ -19,12 +19,11 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 Sparse pair_drag_matrix(const DragSystem& A) {
   std::vector<Eigen::Triplet<double>> entries;
-  const auto n = static_cast<int>(A.pairs->size());
+  const auto n = static_cast<int>(A.pairs.size());
   for (int i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
     entries.emplace_back(i, i, A.diagonal[row]);
-    for (std::uint32_t k = A.pairs->first[row]; k < A.pairs->first[row + 1]; ++k)
-      if (A.coupling[k] != 0.0) entries.emplace_back(i, static_cast<int>(A.pairs->index[k]), -A.coupling[k]);
+    A.pairs.each_of_row(row, [&](std::size_t j, float G) { entries.emplace_back(i, static_cast<int>(j), -G); });
   }
   Sparse matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -58,22 +57,13 @@ struct Parts {
 
 } // namespace
 
-std::vector<std::uint8_t> free_nodes(const DragSystem& A) {
-  std::vector<std::uint8_t> free(A.pairs->size());
-  parallel_for(free.size(), [&](std::size_t i) {
-    const auto first = A.coupling.begin() + A.pairs->first[i];
-    const auto last = A.coupling.begin() + A.pairs->first[i + 1];
-    free[i] = std::any_of(first, last, [](double g) { return g != 0.0; }) ? 1 : 0;
-  });
-  return free;
-}
-
 CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
-  const std::size_t n = reference.pairs->size();
+  const std::size_t n = reference.pairs.size();
   if (n == 0 || reference.position.size() < n) return;
   Sparse A = pair_drag_matrix(reference);
   std::vector<Vec2> x(reference.position.begin(), reference.position.begin() + static_cast<std::ptrdiff_t>(n));
-  std::vector<std::uint8_t> free = free_nodes(reference);
+  std::vector<std::uint8_t> free(n);
+  for (std::size_t i = 0; i < n; ++i) free[i] = reference.given[i] == 0 ? 1 : 0;
   Grid grid(x, spacing);
   for (;;) {
     grid.locate(x, free);
@@ -89,12 +79,14 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
 
     Level& level = m_levels.emplace_back();
     level.grid = grid;
-    for (Field* field : {&level.b, &level.x, &level.r, &level.inverse_diagonal, &level.smoother})
+    level.at_links = grid.without_nodes();
+    for (Field* field : {&level.b, &level.x, &level.r, &level.diagonal, &level.inverse_diagonal, &level.smoother})
       field->resize(grid.size());
     if (grid.size() <= most_direct) break;
     const Parts parts(A);
-    level.A.assign(parts.pairs, parts.G, parts.diagonal);
+    level.pairs.assign(parts.pairs, parts.G);
     for (std::size_t q = 0; q < grid.size(); ++q) {
+      level.diagonal.x()[q] = static_cast<float>(parts.diagonal[q]);
       const double d = std::max(parts.diagonal[q], least_diagonal * parts.row_sum[q]);
       level.inverse_diagonal.x()[q] = level.inverse_diagonal.y()[q] = static_cast<float>(1.0 / d);
     }
@@ -107,15 +99,16 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
 }
 
 void CoarseLevels::locate(const DragSystem& A, const Elimination& elimination) {
-  m_located = !m_levels.empty() && A.position.size() >= A.pairs->size();
+  m_located = !m_levels.empty() && A.position.size() >= A.pairs.size();
   if (!m_located) return;
-  m_levels[0].grid.locate(std::span(A.position).first(A.pairs->size()), free_nodes(A));
+  m_free.resize(A.pairs.size());
+  parallel_for(m_free.size(), [&](std::size_t i) { m_free[i] = A.given[i] == 0 ? 1 : 0; });
+  m_levels[0].grid.locate(std::span(A.position).first(A.pairs.size()), m_free);
   elimination.lump(A, m_links);
   m_linked.resize(m_links.size());
   const std::vector<std::uint8_t> all(m_links.size(), 1);
   for (std::size_t k = 0; k < m_links.size(); ++k) m_linked.x()[k] = m_linked.y()[k] = m_links.drag(k);
   for (Level& l : m_levels) {
-    l.at_links = l.grid;
     l.at_links.locate(m_links.position(), all);
     if (&l == &m_levels.back()) break;
     l.smoother = l.inverse_diagonal;
@@ -131,7 +124,7 @@ void CoarseLevels::locate(const DragSystem& A, const Elimination& elimination) {
 
 /// r = b - (A + P^T E P) x.
 void CoarseLevels::residual(Level& level) {
-  level.A.residual(level.b, level.x, level.r);
+  level.pairs.residual(level.diagonal, level.b, level.x, level.r);
   if (m_links.size() == 0) return;
   m_linked.set_zero();
   level.at_links.interpolate(level.x, m_linked);

@@ -30,15 +30,16 @@ public:
 
 private:
   struct Level {
-    Grid grid;                                 ///< interpolates to the level before, the first one to the nodes
-    Grid at_links;                             ///< its points around the linked nodes
-    RowBlocks A;                               ///< of the reference
-    Field inverse_diagonal, smoother, b, x, r; ///< the smoother knows the links
+    Grid grid;       ///< interpolates to the level before, the first one to the nodes
+    Grid at_links;   ///< its points around the linked nodes
+    RowBlocks pairs; ///< of the reference, beside its diagonal
+    Field diagonal, inverse_diagonal, smoother, b, x, r; ///< the smoother knows the links
   };
   void cycle(std::size_t level);
   void residual(Level& level);
 
   bool m_located = false;
+  std::vector<std::uint8_t> m_free; // nodes of the matrix whose velocity is not given
   std::vector<Level> m_levels;
   Eigen::MatrixXf m_coarsest; ///< of the last level, without links
   Eigen::LLT<Eigen::MatrixXf> m_factor;
@@ -46,8 +47,5 @@ private:
   LumpedLinks m_links;
   Field m_linked;
 };
-
-/// 1 for each node of the matrix that has a coupling, 0 for those whose velocity is given.
-std::vector<std::uint8_t> free_nodes(const DragSystem& A);
 
 } // namespace matrigrate

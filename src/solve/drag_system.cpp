@@ -6,36 +6,51 @@ namespace matrigrate {
 
 namespace {
 
-void add_products(const DragTerms<double>& terms, std::span<const Vec2> x, std::span<Vec2> y) {
+/// y -= what the terms make of x.
+void subtract_products(const DragTerms<double>& terms, std::span<const Vec2> x, std::span<Vec2> y) {
   for (std::size_t m = 0; m < terms.size(); ++m) {
     Vec2 sum = Vec2::Zero();
     for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) sum += terms.weight[k] * x[terms.node[k]];
     sum *= terms.c[m];
-    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y[terms.node[k]] += terms.weight[k] * sum;
+    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y[terms.node[k]] -= terms.weight[k] * sum;
   }
 }
 
-void add_products(const DragTerms<Vec2>& terms, std::span<const Vec2> x, std::span<Vec2> y) {
+void subtract_products(const DragTerms<Vec2>& terms, std::span<const Vec2> x, std::span<Vec2> y) {
   for (std::size_t m = 0; m < terms.size(); ++m) {
     double sum = 0.0;
     for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) sum += terms.weight[k].dot(x[terms.node[k]]);
     sum *= terms.c[m];
-    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y[terms.node[k]] += sum * terms.weight[k];
+    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y[terms.node[k]] -= sum * terms.weight[k];
   }
 }
 
 } // namespace
 
-void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y) {
-  const Adjacency& pairs = *A.pairs;
-  parallel_for(A.size(), [&](std::size_t i) {
-    Vec2 sum = A.diagonal[i] * x[i];
-    if (i < pairs.size())
-      for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) sum -= A.coupling[k] * x[pairs.index[k]];
-    y[i] = sum;
+void residual(const DragSystem& A, std::span<const Vec2> F, std::span<const Vec2> x, std::span<Vec2> r,
+              ResidualFields& fields) {
+  const std::size_t matrix = A.pairs.size();
+  if (fields.x.size() != matrix)
+    for (DoubleField* field : {&fields.b, &fields.x, &fields.r}) field->resize(matrix);
+  parallel_for(matrix, [&](std::size_t i) {
+    fields.b.x()[i] = F[i].x();
+    fields.b.y()[i] = F[i].y();
+    fields.x.x()[i] = x[i].x();
+    fields.x.y()[i] = x[i].y();
   });
-  add_products(A.links, x, y);
-  add_products(A.directed, x, y);
+  A.pairs.residual(A.diagonal, fields.b, fields.x, fields.r);
+  parallel_for(A.size(), [&](std::size_t i) {
+    r[i] = i < matrix ? Vec2(fields.r.x()[i], fields.r.y()[i]) : Vec2(F[i] - A.diagonal[i] * x[i]);
+  });
+  subtract_products(A.links, x, r);
+  subtract_products(A.directed, x, r);
+}
+
+void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y) {
+  ResidualFields fields;
+  const std::vector<Vec2> zero(A.size(), Vec2::Zero());
+  residual(A, zero, x, y, fields);
+  parallel_for(A.size(), [&](std::size_t i) { y[i] = -y[i]; });
 }
 
 void diagonal_blocks(const DragSystem& A, std::vector<Mat2>& blocks) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/adjacency.hpp"
 #include "base/vector.hpp"
+#include "solve/row_blocks.hpp"
 
 #include <cstdint>
 #include <initializer_list>
@@ -49,25 +49,34 @@ struct DragTerms {
 
 /// The equation solved in every step (Heck et al. 2020, Eqs. 1-2, without inertia):
 ///   A v = F,   A = (D - G) (x) I_2 + sum over links and directed terms,
-/// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um] between the first pairs->size() nodes (the matrix), and
+/// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um] between the first pairs.size() nodes (the matrix), and
 /// a diagonal D for all nodes: D_ii = sum_j G_ij + own drag. The nodes behind them (the cell) are coupled by terms
 /// alone. A node whose velocity is given has the row D_ii = 1, no coupling, no place in any term, and its velocity as
 /// F; its drag on others stands in their F and D_ii. A is symmetric, and positive definite as soon as each group of
 /// coupled nodes has a given velocity or own drag.
 struct DragSystem {
-  const Adjacency* pairs = nullptr; ///< the pattern of G; owned elsewhere
-  std::vector<double> coupling;     ///< G_ij beside pairs->index; 0 where either node is given [nN s/um]
-  std::vector<double> diagonal;     ///< D_ii > 0, one a node; terms not included [nN s/um]
-  DragTerms<double> links;          ///< terms that treat both components alike
-  DragTerms<Vec2> directed;         ///< terms along a direction
-  std::vector<Vec2> position;       ///< where the nodes are, for solvers that use it [um]
-  std::vector<Vec2> F;              ///< right-hand side [nN]
+  RowBlocks pairs;                 ///< G_ij of the matrix [nN s/um]; 0 where either node is given
+  std::vector<std::uint8_t> given; ///< 1 for each node of the matrix whose velocity is given
+  std::vector<double> diagonal;    ///< D_ii > 0, one a node; terms not included [nN s/um]
+  DragTerms<double> links;         ///< terms that treat both components alike
+  DragTerms<Vec2> directed;        ///< terms along a direction
+  std::vector<Vec2> position;      ///< where the nodes are, for solvers that use it [um]
+  std::vector<Vec2> F;             ///< right-hand side [nN]
 
   std::size_t size() const { return diagonal.size(); }
 };
 
 /// y = A x.
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
+
+/// Workspace of residual().
+struct ResidualFields {
+  DoubleField b, x, r;
+};
+
+/// r = F - A x for any F.
+void residual(const DragSystem& A, std::span<const Vec2> F, std::span<const Vec2> x, std::span<Vec2> r,
+              ResidualFields& fields);
 
 /// The 2x2 blocks on the diagonal of A, terms included [nN s/um].
 void diagonal_blocks(const DragSystem& A, std::vector<Mat2>& blocks);

@@ -20,7 +20,7 @@ std::span<const Weight> weights(const DragTerms<Weight>& terms, std::size_t m) {
 } // namespace
 
 void Elimination::factorise(const DragSystem& A) {
-  m_matrix = A.pairs->size();
+  m_matrix = A.pairs.size();
   m_behind = A.size() - m_matrix;
   m_diagonal.assign(A.diagonal.begin(), A.diagonal.begin() + static_cast<std::ptrdiff_t>(m_matrix));
   m_linked_of.assign(m_matrix, -1);

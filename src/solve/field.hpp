@@ -10,9 +10,10 @@
 
 namespace matrigrate {
 
-/// Velocities or forces in single precision, all x components before all y components, each framed by zeros: a row of
-/// `lanes` numbers may be read from anywhere, and loops over whole fields need no special cases.
-class Field {
+/// Velocities or forces, all x components before all y components, each framed by zeros: a row of `lanes` numbers may
+/// be read from anywhere, and loops over whole fields need no special cases.
+template <class Number>
+class FieldOf {
 public:
   static constexpr std::size_t lanes = 8;
 
@@ -20,23 +21,26 @@ public:
   void resize(std::size_t n) {
     m_size = n;
     m_stride = 2 * lanes + (n + lanes - 1) / lanes * lanes;
-    m_values.assign(2 * m_stride, 0.0F);
+    m_values.assign(2 * m_stride, Number(0));
   }
   std::size_t size() const { return m_size; }
-  float* x() { return m_values.data() + lanes; }
-  float* y() { return m_values.data() + m_stride + lanes; }
-  const float* x() const { return m_values.data() + lanes; }
-  const float* y() const { return m_values.data() + m_stride + lanes; }
+  Number* x() { return m_values.data() + lanes; }
+  Number* y() { return m_values.data() + m_stride + lanes; }
+  const Number* x() const { return m_values.data() + lanes; }
+  const Number* y() const { return m_values.data() + m_stride + lanes; }
 
   /// All values, frames included; fields of one size match value by value.
-  std::vector<float>& values() { return m_values; }
-  const std::vector<float>& values() const { return m_values; }
-  void set_zero() { std::fill(m_values.begin(), m_values.end(), 0.0F); }
+  std::vector<Number>& values() { return m_values; }
+  const std::vector<Number>& values() const { return m_values; }
+  void set_zero() { std::fill(m_values.begin(), m_values.end(), Number(0)); }
 
 private:
   std::size_t m_size = 0, m_stride = 0;
-  std::vector<float> m_values;
+  std::vector<Number> m_values;
 };
+
+using Field = FieldOf<float>;        ///< of corrections
+using DoubleField = FieldOf<double>; ///< of solutions and their residuals
 
 /// a . b over both components, summed in double precision.
 inline double dot(const Field& a, const Field& b) {

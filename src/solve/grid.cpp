@@ -35,6 +35,12 @@ Grid Grid::coarser() const {
   return grid;
 }
 
+Grid Grid::without_nodes() const {
+  Grid grid = *this;
+  grid.m_around.clear();
+  return grid;
+}
+
 std::vector<Vec2> Grid::points() const {
   std::vector<Vec2> x;
   for (std::size_t q = 0; q < m_number.size(); ++q) {

@@ -30,6 +30,9 @@ public:
   /// A grid of twice the spacing over the same area.
   Grid coarser() const;
 
+  /// The same points, not located at any nodes.
+  Grid without_nodes() const;
+
   std::size_t size() const { return m_points; }
   double spacing() const { return m_spacing; }
 

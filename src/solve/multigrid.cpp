@@ -41,19 +41,23 @@ SolveReport Multigrid::solve(const DragSystem& A, std::span<Vec2> v) {
 
 double Multigrid::residual(const DragSystem& A, std::span<const Vec2> v) {
   m_residual.resize(A.size());
-  matrigrate::multiply(A, v, m_residual);
-  parallel_for(A.size(), [&](std::size_t i) { m_residual[i] = A.F[i] - m_residual[i]; });
+  matrigrate::residual(A, A.F, v, m_residual, m_fields);
   return std::sqrt(ordered_sum(A.size(), 0.0, [this](std::size_t i) { return m_residual[i].squaredNorm(); }));
 }
 
 void Multigrid::prepare(const DragSystem& A) {
-  const std::size_t n = A.pairs->size();
+  const std::size_t n = A.pairs.size();
   m_elimination.factorise(A);
-  m_pairs.assign(*A.pairs, A.coupling, m_elimination.diagonal());
+  m_pairs = &A.pairs;
   m_coarse.locate(A, m_elimination);
-  for (Field* field : {&m_smoother, &m_x, &m_r, &m_z, &m_p, &m_q}) field->resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-    m_smoother.x()[i] = m_smoother.y()[i] = static_cast<float>(1.0 / m_elimination.bound()[i]);
+  if (m_x.size() != n)
+    for (Field* field : {&m_diagonal, &m_smoother, &m_x, &m_r, &m_z, &m_p, &m_q}) field->resize(n);
+  const std::span<const double> D = m_elimination.diagonal();
+  const std::span<const double> bound = m_elimination.bound();
+  parallel_for(n, [&](std::size_t i) {
+    m_diagonal.x()[i] = static_cast<float>(D[i]);
+    m_smoother.x()[i] = m_smoother.y()[i] = static_cast<float>(1.0 / bound[i]);
+  });
 }
 
 /// Adds to v a correction that takes the residual down to `reduction` of itself, up to rounding.
@@ -96,7 +100,7 @@ void Multigrid::correct(double reduction, std::span<Vec2> v, SolveReport& report
 
 /// y = S x.
 void Multigrid::multiply(const Field& x, Field& y) {
-  m_pairs.multiply(x, y);
+  m_pairs->multiply(m_diagonal, x, y);
   m_elimination.add_product(x, y);
 }
 

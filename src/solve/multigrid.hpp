@@ -4,7 +4,6 @@
 #include "solve/drag_system.hpp"
 #include "solve/elimination.hpp"
 #include "solve/field.hpp"
-#include "solve/row_blocks.hpp"
 
 #include <vector>
 
@@ -36,9 +35,10 @@ private:
   int m_max_iterations;
   CoarseLevels m_coarse;
   Elimination m_elimination;
-  RowBlocks m_pairs;
+  ResidualFields m_fields;
+  const RowBlocks* m_pairs = nullptr; ///< of the system that is solved
   std::vector<Vec2> m_residual, m_correction;
-  Field m_smoother, m_x, m_r, m_z, m_p,
+  Field m_diagonal, m_smoother, m_x, m_r, m_z, m_p,
       m_q; // of the correction: solution, residual, the same preconditioned, direction
 };
 

@@ -1,134 +1,173 @@
 #include "solve/row_blocks.hpp"
 
-#include <array>
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
 namespace matrigrate {
 
 namespace {
 
-constexpr std::size_t lanes = Field::lanes;
+constexpr std::size_t lanes = RowBlocks::lanes;
 
-using Four = Eigen::Array4f;
-using FourAt = Eigen::Map<const Eigen::Array4f>;
-
-/// Whether the rows first[0..] all list the same distances.
-bool alike(const Adjacency& pairs, std::size_t row) {
-  const std::uint32_t* start = pairs.first.data() + row;
-  const std::uint32_t count = start[1] - start[0];
-  for (std::uint32_t l = 1; l < lanes; ++l) {
-    if (start[l + 1] - start[l] != count) return false;
-    const std::uint32_t* a = pairs.index.data() + start[0];
-    const std::uint32_t* b = pairs.index.data() + start[l];
-    std::uint32_t difference = 0;
-    for (std::uint32_t k = 0; k < count; ++k) difference |= (b[k] - l) ^ a[k];
-    if (difference != 0) return false;
+/// y = b - (D x - G x), or y = D x - G x without b, for the blocks from `block` on whose entries are given.
+MATRIGRATE_SIMD
+void products(std::span<const std::uint32_t> first, const std::int32_t* distance, const float* coefficient,
+              std::size_t block, const Field& D, const Field* b, const Field& x, Field& y) {
+  for (std::size_t n = 0; n + 1 < first.size(); ++n) {
+    const std::size_t row = (block + n) * lanes;
+    const float* at_x = x.x() + row;
+    const float* at_y = x.y() + row;
+    float sx[lanes] = {}, sy[lanes] = {}, tx[lanes] = {}, ty[lanes] = {}; // even and odd entries
+    std::uint32_t k = first[n];
+    for (; k + 1 < first[n + 1]; k += 2) {
+      const float* c = coefficient + lanes * k;
+      const float *x0 = at_x + distance[k], *x1 = at_x + distance[k + 1];
+      const float *y0 = at_y + distance[k], *y1 = at_y + distance[k + 1];
+      MATRIGRATE_LANES
+      for (std::size_t l = 0; l < lanes; ++l) {
+        sx[l] = std::fma(c[l], x0[l], sx[l]);
+        sy[l] = std::fma(c[l], y0[l], sy[l]);
+        tx[l] = std::fma(c[lanes + l], x1[l], tx[l]);
+        ty[l] = std::fma(c[lanes + l], y1[l], ty[l]);
+      }
+    }
+    if (k < first[n + 1]) {
+      const float* c = coefficient + lanes * k;
+      MATRIGRATE_LANES
+      for (std::size_t l = 0; l < lanes; ++l) {
+        sx[l] = std::fma(c[l], at_x[distance[k] + static_cast<std::ptrdiff_t>(l)], sx[l]);
+        sy[l] = std::fma(c[l], at_y[distance[k] + static_cast<std::ptrdiff_t>(l)], sy[l]);
+      }
+    }
+    const float* d = D.x() + row;
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < lanes; ++l) {
+      sx[l] = std::fma(d[l], at_x[l], -(sx[l] + tx[l]));
+      sy[l] = std::fma(d[l], at_y[l], -(sy[l] + ty[l]));
+    }
+    if (b != nullptr) {
+      const float *bx = b->x() + row, *by = b->y() + row;
+      MATRIGRATE_LANES
+      for (std::size_t l = 0; l < lanes; ++l) {
+        sx[l] = bx[l] - sx[l];
+        sy[l] = by[l] - sy[l];
+      }
+    }
+    std::copy_n(sx, lanes, y.x() + row);
+    std::copy_n(sy, lanes, y.y() + row);
   }
-  return true;
+}
+
+/// y = b - (D x - G x) in double precision; rows behind `size` are left alone.
+MATRIGRATE_SIMD
+void residuals(std::span<const std::uint32_t> first, const std::int32_t* distance, const float* coefficient,
+               std::size_t block, std::size_t size, const double* D, const DoubleField& b, const DoubleField& x,
+               DoubleField& y) {
+  for (std::size_t n = 0; n + 1 < first.size(); ++n) {
+    const std::size_t row = (block + n) * lanes;
+    const double* at_x = x.x() + row;
+    const double* at_y = x.y() + row;
+    double sx[lanes] = {}, sy[lanes] = {};
+    for (std::uint32_t k = first[n]; k < first[n + 1]; ++k) {
+      const float* c = coefficient + lanes * k;
+      const double *x0 = at_x + distance[k], *y0 = at_y + distance[k];
+      MATRIGRATE_LANES
+      for (std::size_t l = 0; l < lanes; ++l) {
+        sx[l] = std::fma(static_cast<double>(c[l]), x0[l], sx[l]);
+        sy[l] = std::fma(static_cast<double>(c[l]), y0[l], sy[l]);
+      }
+    }
+    const std::size_t count = std::min(lanes, size - row);
+    for (std::size_t l = 0; l < count; ++l) {
+      y.x()[row + l] = b.x()[row + l] - std::fma(D[row + l], at_x[l], -sx[l]);
+      y.y()[row + l] = b.y()[row + l] - std::fma(D[row + l], at_y[l], -sy[l]);
+    }
+  }
 }
 
 } // namespace
 
-struct RowBlocks::Source {
-  const Adjacency& pairs;
-  std::span<const double> G, D;
-};
-
-void RowBlocks::append_block(const Source& source, std::size_t row, Part& part) {
-  const Adjacency& pairs = source.pairs;
-  const std::size_t count = std::min(lanes, pairs.size() - row);
-  const auto append = [&part](std::int32_t distance, const std::array<float, lanes>& values) {
-    part.coefficient.resize(lanes * (part.distance.size() + 1));
-    std::ranges::copy(values, part.coefficient.end() - lanes);
-    part.distance.push_back(distance);
-  };
-  std::array<float, lanes> values{};
-  for (std::size_t l = 0; l < count; ++l) values[l] = static_cast<float>(source.D[row + l]);
-  append(0, values);
-
-  const std::uint32_t* first = pairs.first.data() + row;
-  if (count == lanes && alike(pairs, row)) {
-    for (std::uint32_t k = 0; k < first[1] - first[0]; ++k) {
-      bool any = false;
-      for (std::size_t l = 0; l < lanes; ++l) {
-        const double g = source.G[first[l] + k];
-        any = any || g != 0.0;
-        values[l] = static_cast<float>(-g);
+RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given) : m_size(pairs.size()) {
+  m_first.push_back(0);
+  const auto is_given = [given](std::size_t i) { return !given.empty() && given[i] != 0; };
+  std::vector<std::int32_t> distances;
+  for (std::size_t row = 0; row < m_size; row += lanes) {
+    distances.clear();
+    bool meets = false;
+    for (std::size_t i = row; i < std::min(m_size, row + lanes); ++i) {
+      if (is_given(i)) {
+        meets = true;
+        continue;
       }
-      if (any) append(static_cast<std::int32_t>(pairs.index[first[0] + k]) - static_cast<std::int32_t>(row), values);
+      for (const std::uint32_t j : pairs.of(i)) {
+        distances.push_back(static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i));
+        meets = meets || is_given(j);
+      }
     }
-    return;
-  }
-  constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
-  std::array<std::uint32_t, lanes> next{}; // entry of each row that comes next
-  std::array<std::int32_t, lanes> distance{};
-  const auto advance = [&](std::size_t l) {
-    while (next[l] < first[l + 1] && source.G[next[l]] == 0.0) ++next[l];
-    distance[l] = next[l] < first[l + 1]
-                      ? static_cast<std::int32_t>(pairs.index[next[l]]) - static_cast<std::int32_t>(row + l)
-                      : none;
-  };
-  distance.fill(none);
-  for (std::size_t l = 0; l < count; ++l) {
-    next[l] = first[l];
-    advance(l);
-  }
-  for (;;) {
-    const std::int32_t least = *std::min_element(distance.begin(), distance.end());
-    if (least == none) return;
-    values.fill(0.0F);
-    for (std::size_t l = 0; l < count; ++l) {
-      if (distance[l] != least) continue;
-      values[l] = static_cast<float>(-source.G[next[l]++]);
-      advance(l);
-    }
-    append(least, values);
+    std::ranges::sort(distances);
+    distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
+    m_distance.insert(m_distance.end(), distances.begin(), distances.end());
+    m_first.push_back(static_cast<std::uint32_t>(m_distance.size()));
+    m_meets_given.push_back(meets ? 1 : 0);
   }
 }
 
-void RowBlocks::assign(const Adjacency& pairs, std::span<const double> G, std::span<const double> D) {
-  const std::size_t blocks = (pairs.size() + lanes - 1) / lanes;
-  m_parts.resize((blocks + blocks_per_part - 1) / blocks_per_part);
-  const Source source{pairs, G, D};
-  tbb::parallel_for(std::size_t{0}, m_parts.size(), [&](std::size_t p) {
-    Part& part = m_parts[p];
-    part.first.assign(1, 0);
-    part.distance.clear();
-    part.coefficient.clear();
-    for (std::size_t b = p * blocks_per_part; b < std::min(blocks, (p + 1) * blocks_per_part); ++b) {
-      append_block(source, b * lanes, part);
-      part.first.push_back(static_cast<std::uint32_t>(part.distance.size()));
+void RowBlocks::assign(const Adjacency& pairs, std::span<const double> G) {
+  const auto coefficient = [&](std::size_t i, std::int32_t distance) {
+    if (i >= pairs.size()) return 0.0F;
+    const auto row = pairs.of(i);
+    const auto j = static_cast<std::int64_t>(i) + distance;
+    const auto found = std::ranges::lower_bound(row, j, {}, [](std::uint32_t k) { return std::int64_t{k}; });
+    if (found == row.end() || *found != j) return 0.0F;
+    return static_cast<float>(G[pairs.first[i] + static_cast<std::size_t>(found - row.begin())]);
+  };
+  assign(RowPattern(pairs), [&](std::size_t block, std::span<std::int32_t> distances, float* values) {
+    std::size_t count = 0;
+    for (const std::int32_t distance : distances) {
+      bool any = false;
+      for (std::size_t l = 0; l < lanes; ++l) {
+        values[lanes * count + l] = coefficient(block * lanes + l, distance);
+        any = any || values[lanes * count + l] != 0.0F;
+      }
+      distances[count] = distance;
+      if (any) ++count;
     }
+    return count;
   });
 }
 
-void RowBlocks::product(const Field& x, const Field* b, Field& y) const {
-  tbb::parallel_for(std::size_t{0}, m_parts.size(), [&](std::size_t p) {
-    const Part& part = m_parts[p];
-    for (std::size_t block = 0; block + 1 < part.first.size(); ++block) {
-      const auto row = static_cast<std::ptrdiff_t>((p * blocks_per_part + block) * lanes);
-      const float* at_x = x.x() + row;
-      const float* at_y = x.y() + row;
-      Four x0 = Four::Zero(), x1 = Four::Zero(), y0 = Four::Zero(), y1 = Four::Zero();
-      for (std::uint32_t k = part.first[block]; k < part.first[block + 1]; ++k) {
-        const std::ptrdiff_t d = part.distance[k];
-        const FourAt c0(part.coefficient.data() + lanes * k), c1(part.coefficient.data() + lanes * k + 4);
-        x0 += c0 * FourAt(at_x + d);
-        x1 += c1 * FourAt(at_x + d + 4);
-        y0 += c0 * FourAt(at_y + d);
-        y1 += c1 * FourAt(at_y + d + 4);
-      }
-      if (b != nullptr) {
-        x0 = FourAt(b->x() + row) - x0;
-        x1 = FourAt(b->x() + row + 4) - x1;
-        y0 = FourAt(b->y() + row) - y0;
-        y1 = FourAt(b->y() + row + 4) - y1;
-      }
-      Eigen::Map<Four>(y.x() + row) = x0;
-      Eigen::Map<Four>(y.x() + row + 4) = x1;
-      Eigen::Map<Four>(y.y() + row) = y0;
-      Eigen::Map<Four>(y.y() + row + 4) = y1;
-    }
+float* RowBlocks::find(std::size_t i, std::size_t j) {
+  const std::size_t block = i / lanes;
+  Part& part = m_parts[block / blocks_per_part];
+  const auto begin = part.distance.begin() + part.first[block % blocks_per_part];
+  const auto end = part.distance.begin() + part.first[block % blocks_per_part + 1];
+  const auto distance = static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i);
+  const auto found = std::lower_bound(begin, end, distance);
+  if (found == end || *found != distance) return nullptr;
+  float& G = part.coefficient[lanes * static_cast<std::size_t>(found - part.distance.begin()) + i % lanes];
+  return G != 0.0F ? &G : nullptr;
+}
+
+template <class Body>
+void RowBlocks::each_part(const Body& body) const {
+  tbb::parallel_for(std::size_t{0}, m_parts.size(), [&](std::size_t p) { body(m_parts[p], p * blocks_per_part); });
+}
+
+void RowBlocks::multiply(const Field& D, const Field& x, Field& y) const {
+  each_part([&](const Part& part, std::size_t block) {
+    products(part.first, part.distance.data(), part.coefficient.data(), block, D, nullptr, x, y);
+  });
+}
+
+void RowBlocks::residual(const Field& D, const Field& b, const Field& x, Field& y) const {
+  each_part([&](const Part& part, std::size_t block) {
+    products(part.first, part.distance.data(), part.coefficient.data(), block, D, &b, x, y);
+  });
+}
+
+void RowBlocks::residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y) const {
+  each_part([&](const Part& part, std::size_t block) {
+    residuals(part.first, part.distance.data(), part.coefficient.data(), block, m_size, D.data(), b, x, y);
   });
 }
 

@@ -9,19 +9,63 @@
 
 namespace matrigrate {
 
-/// A sparse matrix D - G in single precision whose rows are kept in blocks of eight: a block lists the distances
-/// (column minus row) that occur in it, with eight coefficients each. Neighbours on a lattice share their distances, so
-/// products run over contiguous numbers. Independent of zeros in G. Test: tests/unit/solve/row_blocks_test.cpp
+/// Who may meet whom, in blocks of eight rows: a block lists the distances (partner minus row) that occur in it.
+/// Neighbours on a lattice share their distances.
+class RowPattern {
+public:
+  RowPattern() = default;
+
+  /// @param given  1 for nodes whose velocity is given, 0 for the others; empty: none. Their rows need no partners.
+  explicit RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given = {});
+
+  std::size_t size() const { return m_size; } ///< rows
+  std::size_t blocks() const { return m_first.empty() ? 0 : m_first.size() - 1; }
+  std::span<const std::int32_t> distances(std::size_t block) const {
+    return {m_distance.data() + m_first[block], m_distance.data() + m_first[block + 1]};
+  }
+  /// Whether a row of the block, or a partner, is given.
+  bool meets_given(std::size_t block) const { return m_meets_given[block] != 0; }
+
+private:
+  std::size_t m_size = 0;
+  std::vector<std::uint32_t> m_first;
+  std::vector<std::int32_t> m_distance;
+  std::vector<std::uint8_t> m_meets_given;
+};
+
+/// A symmetric sparse matrix G without diagonal, in single precision, in blocks of eight rows: products run over
+/// contiguous numbers. Distances at which a block has no coefficient but zeros are left out, so sums have the same bits
+/// however far the pattern reaches. Test: tests/unit/solve/row_blocks_test.cpp
 class RowBlocks {
 public:
-  /// @param G  beside pairs.index   @param D  one a row
-  void assign(const Adjacency& pairs, std::span<const double> G, std::span<const double> D);
+  static constexpr std::size_t lanes = Field::lanes;
 
-  /// y = (D - G) x.
-  void multiply(const Field& x, Field& y) const { product(x, nullptr, y); }
+  std::size_t size() const { return m_size; } ///< rows
 
-  /// y = b - (D - G) x.
-  void residual(const Field& b, const Field& x, Field& y) const { product(x, &b, y); }
+  /// Fills the matrix: fill(block, distances, values) sets the coefficients of the block's eight rows, distance after
+  /// distance, zero where a row has no such partner. It leaves out distances without any other, moves the ones that
+  /// remain to the front, and returns their number.
+  template <class Fill>
+  void assign(const RowPattern& pattern, const Fill& fill);
+
+  /// From G beside pairs.index.
+  void assign(const Adjacency& pairs, std::span<const double> G);
+
+  /// The coefficient of row i and partner j, or null where there is none or it is zero.
+  float* find(std::size_t i, std::size_t j);
+
+  /// Calls visit(j, G_ij) for all coefficients of row i but zeros.
+  template <class Visit>
+  void each_of_row(std::size_t i, const Visit& visit) const;
+
+  /// y = D x - G x.   @param D  in its x components, framed as x
+  void multiply(const Field& D, const Field& x, Field& y) const;
+
+  /// y = b - (D x - G x).
+  void residual(const Field& D, const Field& b, const Field& x, Field& y) const;
+
+  /// The same in double precision, where D is one a row.
+  void residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y) const;
 
 private:
   static constexpr std::size_t blocks_per_part = 64;
@@ -32,12 +76,43 @@ private:
     std::vector<std::int32_t> distance;
     std::vector<float> coefficient; // eight an entry
   };
-  struct Source;
+  template <class Body>
+  void each_part(const Body& body) const;
 
-  static void append_block(const Source& source, std::size_t row, Part& part);
-  void product(const Field& x, const Field* b, Field& y) const;
-
+  std::size_t m_size = 0;
   std::vector<Part> m_parts;
 };
+
+template <class Fill>
+void RowBlocks::assign(const RowPattern& pattern, const Fill& fill) {
+  m_size = pattern.size();
+  m_parts.resize((pattern.blocks() + blocks_per_part - 1) / blocks_per_part);
+  tbb::parallel_for(std::size_t{0}, m_parts.size(), [&](std::size_t p) {
+    Part& part = m_parts[p];
+    const std::size_t end = std::min(pattern.blocks(), (p + 1) * blocks_per_part);
+    std::size_t most = 0;
+    for (std::size_t b = p * blocks_per_part; b < end; ++b) most += pattern.distances(b).size();
+    part.first.assign(1, 0);
+    part.distance.resize(most);
+    part.coefficient.resize(lanes * most);
+    std::uint32_t count = 0;
+    for (std::size_t b = p * blocks_per_part; b < end; ++b) {
+      const std::span<std::int32_t> distances(part.distance.data() + count, pattern.distances(b).size());
+      std::ranges::copy(pattern.distances(b), distances.begin());
+      count += static_cast<std::uint32_t>(fill(b, distances, part.coefficient.data() + lanes * count));
+      part.first.push_back(count);
+    }
+  });
+}
+
+template <class Visit>
+void RowBlocks::each_of_row(std::size_t i, const Visit& visit) const {
+  const std::size_t block = i / lanes;
+  const Part& part = m_parts[block / blocks_per_part];
+  const std::size_t b = block % blocks_per_part;
+  for (std::uint32_t k = part.first[b]; k < part.first[b + 1]; ++k)
+    if (const float G = part.coefficient[lanes * k + i % lanes]; G != 0.0F)
+      visit(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + part.distance[k]), G);
+}
 
 } // namespace matrigrate

@@ -101,7 +101,7 @@ Balance internal_balance(const Parameters& p) {
   const Forces elastic = elastic_forces(ecm, p, ref);
   const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, 0.0);
   DragSystem A;
-  assemble_viscosity(ecm, p.ecm, pairs, A);
+  assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), A);
   std::vector<Vec2> drag(ecm.size());
   multiply(A, ecm.v, drag);
   const auto balance = [&](const std::vector<Vec2>& force) {

@@ -105,7 +105,7 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
   double most = 0.0;
   for (int k = 0; k < 300; ++k) {
     advance(s, p, w);
-    w.neighbours.update(s.ecm.x, s.ecm.period_x);
+    update_neighbours(s, w);
     w.reference.update(s.ecm);
     describe_cell(s, p, w);
     assemble_drag(s, p, w);

@@ -11,20 +11,20 @@ using namespace matrigrate;
 namespace {
 
 struct Assembled {
-  explicit Assembled(const EcmState& ecm) : pairs(neighbours_within(ecm.x, 6.2, ecm.period_x)) {
-    assemble_viscosity(ecm, EcmParameters{}, pairs, A);
+  explicit Assembled(const EcmState& ecm) {
+    const Adjacency pairs = neighbours_within(ecm.x, 6.2, ecm.period_x);
+    assemble_viscosity(ecm, EcmParameters{}, RowPattern(pairs, ecm.clamped), A);
   }
   Eigen::MatrixXd dense() const {
     const auto n = static_cast<Eigen::Index>(A.size());
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t i = 0; i < A.size(); ++i) {
       M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) = A.diagonal[i];
-      for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k)
-        M(static_cast<Eigen::Index>(i), pairs.index[k]) = -A.coupling[k];
+      A.pairs.each_of_row(
+          i, [&](std::size_t j, float G) { M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = -G; });
     }
     return M;
   }
-  Adjacency pairs;
   DragSystem A;
 };
 

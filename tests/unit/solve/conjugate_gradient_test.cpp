@@ -18,13 +18,15 @@ struct Ring {
         const bool given = i == 0 || j == 0;
         const double G = 1.0 + static_cast<double>(std::min(i, j) % 5);
         pairs.index.push_back(static_cast<std::uint32_t>(j));
-        A.coupling.push_back(given ? 0.0 : G);
+        coupling.push_back(given ? 0.0 : G);
         if (i > 0) diagonal_of(i) += G;
       }
       pairs.first.push_back(static_cast<std::uint32_t>(pairs.index.size()));
     }
     diagonal_of(0) = 1.0;
-    A.pairs = &pairs;
+    A.pairs.assign(pairs, coupling);
+    A.given.assign(n, 0);
+    A.given[0] = 1;
     for (std::size_t i = 0; i < n; ++i)
       A.F.emplace_back(std::sin(1.0 + static_cast<double>(i)), std::cos(3.0 * static_cast<double>(i)));
   }
@@ -38,11 +40,12 @@ struct Ring {
     for (std::size_t i = 0; i < A.size(); ++i) {
       M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) = A.diagonal[i];
       for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k)
-        M(static_cast<Eigen::Index>(i), pairs.index[k]) -= A.coupling[k];
+        M(static_cast<Eigen::Index>(i), pairs.index[k]) -= coupling[k];
     }
     return M;
   }
   Adjacency pairs;
+  std::vector<double> coupling; // beside pairs.index
   DragSystem A;
 };
 

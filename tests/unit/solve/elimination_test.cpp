@@ -61,10 +61,7 @@ TEST(Elimination, GivesTheSchurComplement) {
   s.elimination.add_product(from, to);
   for (std::size_t i = 0; i < from.size(); ++i) {
     Vec2 y = s.elimination.diagonal()[i] * Vec2(from.x()[i], from.y()[i]) + Vec2(to.x()[i], to.y()[i]);
-    for (std::uint32_t k = s.body.pairs.first[i]; k < s.body.pairs.first[i + 1]; ++k) {
-      const std::uint32_t j = s.body.pairs.index[k];
-      y -= s.body.A.coupling[k] * Vec2(from.x()[j], from.y()[j]);
-    }
+    s.body.A.pairs.each_of_row(i, [&](std::size_t j, float G) { y -= G * Vec2(from.x()[j], from.y()[j]); });
     EXPECT_NEAR((y - expected.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-5);
   }
 }

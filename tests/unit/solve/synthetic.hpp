@@ -56,13 +56,6 @@ struct Body {
   Adjacency pairs;
   DragSystem A;
 
-  Body() = default;
-  Body(Body&& other) noexcept
-      : x(std::move(other.x)), given(std::move(other.given)), volume(other.volume), pairs(std::move(other.pairs)),
-        A(std::move(other.A)) {
-    A.pairs = &pairs;
-  }
-
   /// Lists neighbours within `skin` more than the kernel and sets all drag; no terms, random forces.
   void assemble(double skin = 1.0) {
     pairs = {};
@@ -74,9 +67,9 @@ struct Body {
     });
     for (std::size_t i = 0; i < x.size(); ++i) pairs.first[i + 1] += pairs.first[i];
     A = {};
-    A.pairs = &pairs;
     A.position = x;
-    A.coupling.assign(pairs.pairs(), 0.0);
+    A.given.assign(given.begin(), given.end());
+    std::vector<double> coupling(pairs.pairs(), 0.0);
     A.diagonal.assign(x.size(), 1.0);
     A.F.assign(x.size(), Vec2::Zero());
     std::mt19937 random(7);
@@ -86,13 +79,14 @@ struct Body {
       double sum = 0.0;
       for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
         const std::uint32_t j = pairs.index[k];
-        const double G = drag((x[i] - x[j]).norm(), volume * volume);
+        const double G = static_cast<float>(drag((x[i] - x[j]).norm(), volume * volume));
         sum += G;
-        if (!given[j]) A.coupling[k] = G;
+        if (!given[j]) coupling[k] = G;
       }
       A.diagonal[i] = sum > 0.0 ? sum : 1.0;
       A.F[i] = Vec2(force(random), force(random)) * 0.01;
     }
+    A.pairs.assign(pairs, coupling);
   }
 };
 
