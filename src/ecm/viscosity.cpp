@@ -15,10 +15,11 @@ constexpr double nowhere = 1e9; // where the particles beyond the last are, out 
 
 /// What pair_drag takes, for many pairs.
 struct DragLaw {
-  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel)
+  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel, double factor)
       : period_x(ecm.period_x), per_support(static_cast<float>(1.0 / kernel.support())),
         soft(static_cast<float>(0.01 * kernel.h() * kernel.h())),
-        scale(static_cast<float>(pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {}
+        scale(static_cast<float>(factor * pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {
+  }
   double period_x;
   float per_support, soft, scale;
 };
@@ -103,14 +104,15 @@ void place(const EcmState& ecm, DoubleField& x) {
 
 } // namespace
 
-void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A) {
+void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,
+                        double share) {
   DoubleField x;
   place(ecm, x);
   A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
   A.diagonal.resize(ecm.size());
   A.F.assign(ecm.size(), Vec2::Zero());
   A.position = ecm.x;
-  const DragLaw law(ecm, p, Kernel(p.smoothing_length));
+  const DragLaw law(ecm, p, Kernel(p.smoothing_length), 1.0 + share);
   A.pairs.assign(pattern, [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
     const std::size_t row = block * lanes;
     double D[lanes];
@@ -122,6 +124,13 @@ void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPa
     if (ecm.clamped[i]) A.F[i] = ecm.v[i];
     if (A.diagonal[i] == 0.0) A.given[i] = 1; // a particle without partners feels no force and stays
     if (A.given[i]) A.diagonal[i] = 1.0;
+  });
+  if (share == 0.0) return;
+  std::vector<Vec2> r(ecm.size()); // minus the drag at the velocities of ecm
+  ResidualFields fields;
+  residual(A, A.F, ecm.v, r, fields);
+  parallel_for(ecm.size(), [&](std::size_t i) {
+    if (!A.given[i]) A.F[i] -= share / (1.0 + share) * r[i];
   });
 }
 

@@ -24,6 +24,8 @@ inline double pair_drag(double r2, double W_slope, double V, double mu, double t
 /// clamped particles on the free ones; forces are added to A.F afterwards. Rows of clamped particles ask for their
 /// given velocity, those of particles without partners for none.
 /// @param pattern  of a list that is valid for the positions of `ecm`, with its clamped particles
-void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A);
+/// @param share    of the drag that resists changes of the velocities of `ecm`, beside the drag itself; theta >= 0
+void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,
+                        double share = 0.0);
 
 } // namespace matrigrate

@@ -13,9 +13,13 @@ enum class Lattice { square, hexagonal };
 /// Where the sums of the solid stress are taken: over reference neighbours, or over current ones.
 enum class Formulation { total_lagrangian, updated_lagrangian };
 
+/// How a step is taken: as it is, or halved where something moves far, with an elasticity that bears longer steps.
+enum class Integrator { reference, adaptive };
+
 struct RunParameters {
   double duration = 6.0 * 3600.0; ///< [s]
   double time_step = 0.4;         ///< [s]
+  Integrator integrator = Integrator::reference;
   std::uint64_t seed = 1;
   int threads = 1; ///< 0: as many as the machine has; never changes a result
 };

@@ -29,6 +29,7 @@ constexpr Choice choice(Access, std::span<const std::string_view> names) {
           }};
 }
 
+constexpr std::array<std::string_view, 2> integrators{"reference", "adaptive"};
 constexpr std::array<std::string_view, 2> lattices{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> fibre_arrangements{"none", "isotropic", "uniaxial"};
 constexpr std::array<std::string_view, 2> fibre_laws{"tangent", "secant"};
@@ -59,6 +60,8 @@ constexpr std::array rows{
         "", methods, "Simulated time"},
     Row{"run.time_step", [](Parameters& p) -> double& { return p.run.time_step; }, "s", above(0, 60),
         "dt", table_1, "Time step"},
+    Row{"run.integrator", choice([](Parameters& p) -> Integrator& { return p.run.integrator; }, integrators), "", none,
+        "", "MODEL.md, D29", "Steps of time_step throughout, or steps of up to time_step, halved where anything moves far"},
     Row{"run.seed", [](Parameters& p) -> std::uint64_t& { return p.run.seed; }, "1", closed(0, most_seeds),
         "", chosen, "Seed of the random numbers: the same seed gives the same bits"},
     Row{"run.threads", [](Parameters& p) -> int& { return p.run.threads; }, "1", closed(0, 1024),

@@ -18,7 +18,9 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <variant>
 
 namespace matrigrate {
@@ -31,7 +33,7 @@ const Vec2& position(const State& s, std::size_t node) {
 }
 
 /// Solves A v = F into the velocities of matrix and cortex, starting from those of the last step.
-void solve_velocities(State& s, const Parameters& p, Workspace& w) {
+void solve_velocities(State& s, const Parameters& p, Workspace& w, double furthest_move) {
   std::vector<Vec2>& v = w.v;
   v = s.ecm.v;
   v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
@@ -41,14 +43,14 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w) {
                                        "{:.3g} after {} iterations, wanted {:.3g}",
                                        s.step + 1, s.t, w.health.solve.residual, w.health.solve.iterations,
                                        p.solver.tolerance));
-  const double furthest = 0.5 * p.ecm.particle_spacing / p.run.time_step;
+  const double furthest = furthest_move / p.run.time_step;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].allFinite() && v[i].norm() <= furthest) continue;
-    throw NumericalFailure(fmt::format(
+    throw StepTooLong(fmt::format(
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
-        "more than half a particle spacing; {}",
+        "beyond the limit of {:.3g} um; {}",
         s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
-        v[i].norm() * p.run.time_step, p.run.time_step, describe(step_limits(p))));
+        v[i].norm() * p.run.time_step, p.run.time_step, furthest_move, describe(step_limits(p))));
   }
   const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
   s.ecm.v.assign(v.begin(), cell);
@@ -109,6 +111,10 @@ void require_inside(const State& s, const Parameters& p) {
 } // namespace
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+  advance(s, p, w, loads, 0.5 * p.ecm.particle_spacing);
+}
+
+void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, double furthest_move) {
   // neighbours, and shape of the cell, at x(t)
   update_neighbours(s, w);
   w.reference.update(s.ecm);
@@ -117,13 +123,13 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   // momentum balances, Eqs. 1 and 2: A v = F
   assemble_drag(s, p, w);
   assemble_forces(s, p, w, loads);
-  solve_velocities(s, p, w);
+  solve_velocities(s, p, w, furthest_move);
 
   // density, stress, positions
   advance_material(s, p, w);
   advance_positions(s, p, w);
   ++s.step;
-  s.t = static_cast<double>(s.step) * p.run.time_step;
+  s.t = (std::round(s.t / p.run.time_step) + 1.0) * p.run.time_step;
 
   // events
   if (s.has_cell()) {
@@ -135,11 +141,41 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
 }
 
+namespace {
+
+constexpr int halvings = 4; // of a step, at most
+
+double shortest_step(const Parameters& p) { return p.run.time_step / (1 << halvings); }
+
+/// The next step of the adaptive integrator: as long as s.t, a multiple of it, allows, and halved until nothing moves
+/// further than a step of the paper lets it at a recoil.
+void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+  const double shortest = shortest_step(p);
+  const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << halvings);
+  Parameters now = p;
+  now.run.time_step =
+      at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
+  for (;; now.run.time_step *= 0.5) {
+    const bool last = now.run.time_step < 1.5 * shortest;
+    try {
+      return advance(s, now, w, loads, (last ? 0.5 : 0.2) * p.ecm.particle_spacing);
+    } catch (const StepTooLong&) {
+      if (last) throw;
+    }
+  }
+}
+
+} // namespace
+
 void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads,
            const std::function<bool(const State&)>& each_step) {
   require_stable_step(p);
-  while (s.t < t_end - 0.5 * p.run.time_step) {
-    advance(s, p, w, loads);
+  const double slack = 0.5 * (p.run.integrator == Integrator::adaptive ? shortest_step(p) : p.run.time_step);
+  while (s.t < t_end - slack) {
+    if (p.run.integrator == Integrator::adaptive)
+      advance_adaptively(s, p, w, loads);
+    else
+      advance(s, p, w, loads);
     if (each_step && !each_step(s)) return;
   }
 }

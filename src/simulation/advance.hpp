@@ -12,6 +12,10 @@ namespace matrigrate {
 ///         step; the state is then still that before the step
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {});
 
+/// The same with another limit to what may move how far [um].
+/// @throws StepTooLong if it is broken; the state is then still that before the step
+void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, double furthest_move);
+
 /// Advances until s.t has reached t_end [s] (to within half a step), after a check of the step against step_limits().
 /// @param each_step  called after every step; returning false ends the march
 /// @throws NumericalFailure, also if run.time_step is beyond a limit

@@ -58,9 +58,9 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
 }
 
 void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
-  assemble_viscosity(s.ecm, p.ecm, w.drag_pattern, w.drag);
   w.drag.links.clear();
   w.drag.directed.clear();
+  assemble_viscosity(s.ecm, p.ecm, w.drag_pattern, w.drag, w.elastic_share);
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());

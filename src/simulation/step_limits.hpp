@@ -25,6 +25,19 @@ struct StepLimits {
 /// d(k).
 StepLimits step_limits(const Parameters& p);
 
+/// The adaptive integrator lets the matrix resist a change of its velocities with theta times its own drag, so that the
+/// explicit forces bear longer steps: a mode of rate lambda then obeys
+///   (1 + theta) z^2 - (1 + 2 theta - dt lambda) z + theta = 0,
+/// which is stable for dt lambda < 2 + 4 theta. Of first order in dt, like the step itself; nothing changes at a
+/// constant velocity (MODEL.md, D29).
+/// @return theta = max(0, dt/(2 dt_0) - 0.4) with 1/dt_0 = 1/elastic_s + 1/fluid_s, a tenth more than stability asks
+/// for;
+///         0 for the reference integrator
+double elastic_share(const Parameters& p);
+
+/// The largest step that p.run.integrator takes [s].
+double largest_step(const Parameters& p);
+
 /// @throws NumericalFailure naming the limit that run.time_step breaks, if it breaks one
 void require_stable_step(const Parameters& p);
 

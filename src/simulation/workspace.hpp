@@ -50,6 +50,7 @@ struct Workspace {
   std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]
   std::vector<Vec2> v;     ///< velocities of all nodes [um/s]
   std::unique_ptr<DragSolver> solver;
+  double elastic_share;               ///< of the drag, against changes of velocity; see step_limits.hpp [-]
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -167,4 +168,81 @@ TEST(StepLimits, AreSetByTheModuliOverTheViscosity) {
   p.ecm.particle_spacing = 1.0;
   p.ecm.smoothing_length = 1.3;
   EXPECT_NEAR(step_limits(p).elastic_s, at_200.elastic_s, 1e-9); // not by the spacing itself
+}
+
+TEST(ElasticShare, BearsStepsBeyondTheLimitOfTheExplicitStep) {
+  Parameters p = small();
+  p.run.time_step = 1.7 * step_limits(p).smallest();
+  EXPECT_EQ(elastic_share(p), 0.0);
+  EXPECT_EQ(largest_step(p), step_limits(p).smallest());
+  p.run.integrator = Integrator::adaptive;
+  const StepLimits limits = step_limits(p);
+  EXPECT_NEAR(elastic_share(p), 0.5 * p.run.time_step * (1.0 / limits.elastic_s + 1.0 / limits.fluid_s) - 0.4, 1e-12);
+  EXPECT_GT(largest_step(p), p.run.time_step);
+
+  const auto energy_left = [](const Parameters& q) { // of waves of all lengths, after 40 steps
+    State s = start(q);
+    for (std::size_t i = 0; i < s.ecm.size(); ++i) {
+      const double phase = static_cast<double>(i);
+      if (!s.ecm.clamped[i]) s.ecm.v[i] = 1e-6 * Vec2(std::sin(12.9898 * phase), std::sin(78.233 * phase));
+      s.ecm.x[i] += s.ecm.v[i];
+    }
+    Workspace w(s, q);
+    SolidFields at_rest{.F = std::vector<Mat2>(s.ecm.size(), Mat2::Identity())};
+    advance_stress(s.ecm, q.ecm, w.reference, at_rest, 1.0); // the stress of the displacement
+    double before = 0.0, after = 0.0;
+    for (const Mat2& S : s.ecm.S) before += S.squaredNorm();
+    for (Vec2& v : s.ecm.v) v.setZero();
+    for (int k = 0; k < 40 && after < 1e6 * before; ++k) {
+      advance(s, q, w);
+      after = 0.0;
+      for (const Mat2& S : s.ecm.S) after += S.squaredNorm();
+    }
+    return after / before;
+  };
+  EXPECT_LT(energy_left(p), 1e-3);
+  p.run.integrator = Integrator::reference;
+  EXPECT_GT(energy_left(p), 1e3);
+}
+
+TEST(AdaptiveStep, MeetsTheMultiplesOfTheLongestStepAndHalvesWhereThingsMoveFar) {
+  Parameters p = small();
+  p.run.integrator = Integrator::adaptive;
+  p.run.time_step = 2.0;
+  State s = start(p);
+  Workspace w(s, p);
+  const Loads load = [](const State& at, std::span<Vec2> force) { // strong for a while
+    const double pull = at.t > 9.0 && at.t < 11.0 ? 3.0 : 0.01;
+    spread(solid_weights(at.ecm, Kernel(2.6), Vec2(25.0, 0.0)), Vec2(pull, 0.0), force);
+  };
+  std::vector<double> times;
+  double longest_move = 0.0;
+  double shortest = p.run.time_step;
+  std::vector<Vec2> x = s.ecm.x;
+  march(s, p, w, 40.0, load, [&](const State& now) {
+    shortest = std::min(shortest, now.t - (times.empty() ? 0.0 : times.back()));
+    times.push_back(now.t);
+    for (std::size_t i = 0; i < x.size(); ++i) longest_move = std::max(longest_move, (now.ecm.x[i] - x[i]).norm());
+    x = now.ecm.x;
+    return true;
+  });
+  for (int k = 1; k <= 20; ++k) EXPECT_TRUE(std::ranges::count(times, 2.0 * k) == 1) << k;
+  EXPECT_GT(times.size(), 20U);
+  EXPECT_LT(times.size(), 40U);
+  EXPECT_LT(shortest, 1.5);
+  EXPECT_LE(longest_move, 0.2 * p.ecm.particle_spacing * (1.0 + 1e-9));
+}
+
+TEST(AdaptiveStep, IsNotTakenAtAllWhereItWouldBeTooLong) {
+  const Parameters p = small();
+  State s = start(p);
+  Workspace w(s, p);
+  const Loads load = [](const State& at, std::span<Vec2> force) {
+    spread(solid_weights(at.ecm, Kernel(2.6), Vec2(25.0, 0.0)), Vec2(1.0, 0.0), force);
+  };
+  advance(s, p, w, load);
+  const State before = s;
+  EXPECT_THROW(advance(s, p, w, load, 1e-6), StepTooLong);
+  EXPECT_TRUE(same_bits(s, before));
+  EXPECT_EQ(s.t, before.t);
 }

@@ -92,6 +92,24 @@ TEST(Migration, GivesTheSameBitsWithFreshWorkspaces) { // what a restart does
   EXPECT_TRUE(same_bits(migrated(hasty(), 200), migrated(hasty(), 200, true)));
 }
 
+TEST(Migration, AdaptiveStepsGiveTheSameBitsWithFreshWorkspaces) {
+  Parameters p = hasty();
+  p.run.integrator = Integrator::adaptive;
+  p.run.time_step = 2.0;
+  const auto marched = [&p](double pause) {
+    State s = initial_state(p);
+    for (double t = pause; t < 240.0 + 1e-9; t += pause) {
+      Workspace w(s, p);
+      march(s, p, w, t);
+    }
+    return s;
+  };
+  const State s = marched(240.0);
+  EXPECT_GT(s.initiated, 0U);
+  EXPECT_GT(s.step, 120U); // some were halved
+  EXPECT_TRUE(same_bits(s, marched(60.0)));
+}
+
 TEST(Migration, SeedsGiveDifferentRuns) {
   Parameters other = hasty();
   other.run.seed = 2;

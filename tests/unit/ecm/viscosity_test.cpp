@@ -86,3 +86,20 @@ TEST(DragMatrix, ALonelyParticleStays) {
   EXPECT_EQ(a.A.diagonal[0], 1.0);
   EXPECT_EQ(a.A.F[0].norm(), 0.0);
 }
+
+TEST(DragMatrix, AShareAgainstChangesOfVelocityChangesNothingAtThePresentOnes) {
+  EcmState ecm = deformed_body(EcmParameters{});
+  for (std::size_t i = 0; i < 30; ++i) ecm.clamped[i] = 1;
+  const Assembled a(ecm);
+  DragSystem B;
+  const Adjacency pairs = neighbours_within(ecm.x, 6.2, ecm.period_x);
+  assemble_viscosity(ecm, EcmParameters{}, RowPattern(pairs, ecm.clamped), B, 0.5);
+  std::vector<Vec2> r(ecm.size()), r_B(ecm.size());
+  ResidualFields fields;
+  residual(a.A, a.A.F, ecm.v, r, fields);
+  residual(B, B.F, ecm.v, r_B, fields);
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    EXPECT_LT((r[i] - r_B[i]).norm(), 1e-5);
+    EXPECT_NEAR(B.diagonal[i], (ecm.clamped[i] ? 1.0 : 1.5) * a.A.diagonal[i], 1e-5 * a.A.diagonal[i]);
+  }
+}
