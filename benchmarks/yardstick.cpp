@@ -1,0 +1,179 @@
+// The same step done plainly and as the program does it, on a migrating cell, one thread. Plainly: scalar loops over
+// neighbours, the matrix of the drag system made anew from triplets, conjugate gradients with the diagonal as
+// preconditioner (Eigen), started from the velocities of the last step. Prints milliseconds at several times of a run.
+//   matrigrate_yardstick [key=value...]
+
+#include "ecm/deformation.hpp"
+#include "ecm/material.hpp"
+#include "ecm/viscosity.hpp"
+#include "parameters/read.hpp"
+#include "simulation/advance.hpp"
+#include "simulation/start.hpp"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+
+namespace {
+
+using namespace matrigrate;
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add(Triplets& entries, std::size_t i, std::size_t j, const Mat2& block) {
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      if (block(a, b) != 0.0)
+        entries.emplace_back(static_cast<int>(2 * i) + a, static_cast<int>(2 * j) + b, block(a, b));
+}
+
+/// The entries of a term c w w^T.
+template <class Weight, class Product>
+void add_terms(Triplets& entries, const DragTerms<Weight>& terms, const Product& product) {
+  for (std::size_t m = 0; m < terms.size(); ++m)
+    for (std::uint32_t p = terms.first[m]; p < terms.first[m + 1]; ++p)
+      for (std::uint32_t q = terms.first[m]; q < terms.first[m + 1]; ++q)
+        add(entries, terms.node[p], terms.node[q], terms.c[m] * product(terms.weight[p], terms.weight[q]));
+}
+
+/// A v = F with the drag of the matrix summed pair by pair.
+int solve_plainly(const State& s, const Parameters& p, const Workspace& w, std::vector<Vec2>& v) {
+  const DragSystem& A = w.drag;
+  const Kernel kernel(p.ecm.smoothing_length);
+  const Adjacency& pairs = w.neighbours.pairs();
+  Triplets entries;
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) {
+    double sum = 0.0;
+    if (!s.ecm.clamped[i])
+      for (const std::uint32_t j : pairs.of(i)) {
+        const double r2 = s.ecm.separation(i, j).squaredNorm();
+        const double G =
+            pair_drag(r2, kernel.W_slope(std::sqrt(r2)), s.ecm.V0, p.ecm.viscosity, p.ecm.thickness, kernel.h());
+        sum += G;
+        if (!s.ecm.clamped[j] && G > 0.0) add(entries, i, j, -G * Mat2::Identity());
+      }
+    add(entries, i, i, (sum > 0.0 ? sum : 1.0) * Mat2::Identity());
+  }
+  for (std::size_t i = s.ecm.size(); i < A.size(); ++i) add(entries, i, i, A.diagonal[i] * Mat2::Identity());
+  add_terms(entries, A.links, [](double a, double b) { return Mat2(a * b * Mat2::Identity()); });
+  add_terms(entries, A.directed, [](const Vec2& a, const Vec2& b) { return Mat2(a * b.transpose()); });
+  const auto n = static_cast<Eigen::Index>(2 * A.size());
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+  solver.setTolerance(p.solver.tolerance);
+  solver.compute(matrix);
+  const Eigen::Map<const Eigen::VectorXd> F(A.F[0].data(), n);
+  Eigen::Map<Eigen::VectorXd> result(v[0].data(), n);
+  result = solver.solveWithGuess(F, result.eval()).eval();
+  return static_cast<int>(solver.iterations());
+}
+
+/// Elastic forces and the rates of the stress, particle by particle.
+Vec2 solid_plainly(const State& s, const Parameters& p, const Reference& ref) {
+  const EcmState& ecm = s.ecm;
+  const Moduli m = moduli(p.ecm);
+  const double scale = p.ecm.hourglass_weight * p.ecm.youngs_modulus * ecm.V0 * ecm.V0;
+  std::vector<Mat2> F(ecm.size(), Mat2::Identity()), PB(ecm.size(), Mat2::Zero()), S(ecm.S);
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if (ecm.f[i] > 0.0) F[i] = deformation_gradient(ecm, ref, i);
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] <= 0.0) continue;
+    Mat2 moment = Mat2::Zero();
+    for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k)
+      moment +=
+          ecm.f[ref.pairs().index[k]] * ref.W_over_r2(k) * hourglass_error(ecm, ref, F, i, k) * ref.X_ij(k).transpose();
+    PB[i] =
+        (piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], m.K), F[i]) + 0.5 * scale / ecm.V0 * moment) * ref.B(i);
+  }
+  std::vector<Vec2> force(ecm.size(), Vec2::Zero());
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] <= 0.0) continue;
+    for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k) {
+      const std::uint32_t j = ref.pairs().index[k];
+      force[i] += p.ecm.thickness * ecm.f[i] * ecm.f[j]
+                  * (ecm.V0 * ecm.V0 * (PB[i] + PB[j]) * ref.grad_W(k)
+                     + scale * ref.W_over_r2(k) * hourglass_error(ecm, ref, F, i, k));
+    }
+  }
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if (ecm.f[i] > 0.0)
+      S[i] += p.run.time_step * jaumann_rate(S[i], deformation_rate(ecm, ref, i) * F[i].inverse(), m.G);
+  return force[ecm.size() / 3] + S[ecm.size() / 3].col(0);
+}
+
+void compare(const Parameters& p, State s) {
+  constexpr int steps = 40;
+  constexpr int each = 8; // steps from one plain step to the next
+  Workspace w(s, p);
+  double step = 0.0, drag = 0.0, plain_drag = 0.0, solid = 0.0, plain_solid = 0.0;
+  int iterations = 0, plain_iterations = 0;
+  double difference = 0.0, size = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    const State before = s;
+    double start = now_ms();
+    advance(s, p, w);
+    step += (now_ms() - start) / steps;
+    iterations += w.health.solve.iterations;
+    if (k % each != each - 1) continue;
+    constexpr double share = static_cast<double>(each) / steps;
+    // the parts that are done in two ways, at the start of the same step
+    std::vector<Vec2> v = before.ecm.v;
+    v.insert(v.end(), before.cortex.v.begin(), before.cortex.v.end());
+    start = now_ms();
+    plain_iterations += solve_plainly(before, p, w, v);
+    plain_drag += share * (now_ms() - start);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      difference += (v[i] - w.v[i]).squaredNorm();
+      size += v[i].squaredNorm();
+    }
+    v = before.ecm.v;
+    v.insert(v.end(), before.cortex.v.begin(), before.cortex.v.end());
+    DragSystem A;
+    start = now_ms();
+    assemble_viscosity(before.ecm, p.ecm, w.drag_pattern, A);
+    w.solver->solve(w.drag, v);
+    drag += share * (now_ms() - start);
+    start = now_ms();
+    if (!solid_plainly(before, p, w.reference).allFinite()) fmt::print("not finite\n");
+    plain_solid += share * (now_ms() - start);
+    EcmState ecm = before.ecm;
+    std::vector<Vec2> force(w.drag.size(), Vec2::Zero());
+    start = now_ms();
+    add_elastic_forces(ecm, p.ecm, w.reference, w.solid, force);
+    advance_stress(ecm, p.ecm, w.reference, w.solid, p.run.time_step);
+    solid += share * (now_ms() - start);
+  }
+  const double plain = step - drag - solid + plain_drag + plain_solid;
+  fmt::print("{:8.0f} {:8.2f} {:8.2f} {:8.2f} {:8.1f} {:10.1f} {:8.2f} {:8.0f} {:9.1f} {:8.1f} {:10.1e}\n", s.t, step,
+             drag, solid, static_cast<double>(iterations) / steps, plain_drag, plain_solid,
+             static_cast<double>(plain_iterations) * each / steps, plain, plain / step, std::sqrt(difference / size));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const Parameters p = apply_overrides({}, std::vector<std::string>(argv + 1, argv + argc));
+  Parameters quick = p; // from one time to the next
+  quick.run.integrator = Integrator::adaptive;
+  quick.run.time_step = 2.0;
+  fmt::print(
+      "                    as it is, ms           |          plainly, ms\n"
+      "     t_s     step     drag    solid   iter. |     drag    solid    iter.     step    ratio  difference\n");
+  State s = initial_state(p);
+  Workspace w(s, quick);
+  for (const double t : {600.0, 3600.0, 10800.0, 18000.0}) {
+    if (t > p.run.duration) break;
+    march(s, quick, w, t);
+    State at = s;
+    compare(p, at);
+  }
+}
