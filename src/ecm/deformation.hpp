@@ -25,8 +25,13 @@ void row_gradients(const EcmState& ecm, const Reference& ref, const RowTerms& te
                    const Own& own, const Use& use) {
   RowTensors sum;
   sum_gradient(terms, fa, sum);
+  const double lattice = ecm.V0 * ref.lattice_B();
   for (std::size_t t = 0; t < terms.row.count; ++t) {
     const std::size_t i = terms.row.begin + t;
+    if (ref.whole(i) && ecm.f[i] == 1.0) {
+      use(i, Mat2(lattice * sum[t]));
+      continue;
+    }
     const Mat2 gradient = sum[t] - own(i) * ref.moments(i).grad_W.transpose();
     use(i, ecm.f[i] > 0.0 ? Mat2(ecm.V0 * gradient * ref.B(i)) : Mat2(Mat2::Zero()));
   }

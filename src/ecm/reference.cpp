@@ -24,6 +24,20 @@ Mat2 lattice_support(const EcmParameters& p) {
   return A;
 }
 
+/// The moments of such a particle; wXX is a multiple of the identity on both lattices.
+DegradationMoments full_moments(const EcmParameters& p) {
+  const Kernel kernel(p.smoothing_length);
+  DegradationMoments m;
+  for (const Vec2& X : lattice_patch(p, kernel.support())) {
+    if (X.squaredNorm() == 0.0) continue;
+    const double w = kernel.W(X.norm()) / X.squaredNorm();
+    m.w += w;
+    m.wXX += w * X * X.transpose();
+  }
+  m.wXX = 0.5 * m.wXX.trace() * Mat2::Identity();
+  return m;
+}
+
 } // namespace
 
 Reference::Reference(const EcmState& ecm, const EcmParameters& p)
@@ -34,9 +48,11 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
   m_W_over_r2.resize(m_pairs.pairs());
   m_B.resize(ecm.size());
   m_moments.resize(ecm.size());
+  m_whole.resize(ecm.size());
   m_support.resize(ecm.size());
   m_intact.resize(ecm.size());
   m_B_lattice = lattice_support(p).inverse();
+  m_lattice_moments = full_moments(p);
   const std::vector<double> intact(ecm.size(), 1.0);
   parallel_for(ecm.size(), [&](std::size_t i) {
     for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k) {
@@ -70,13 +86,17 @@ void Reference::correct(std::size_t i, const EcmState& ecm) {
     m_B[i] = eigen.eigenvectors() * bounded.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
   }
   m_moments[i] = {};
+  bool intact = true;
   for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k) {
     const double f = ecm.f[m_pairs.index[k]];
+    intact = intact && f == 1.0;
     m_moments[i].grad_W += f * m_grad_W[k];
     m_moments[i].w += f * m_W_over_r2[k];
     m_moments[i].wX += f * m_W_over_r2[k] * m_X_ij[k];
     m_moments[i].wXX += f * m_W_over_r2[k] * m_X_ij[k] * m_X_ij[k].transpose();
   }
+  const double full = m_lattice_moments.w;
+  m_whole[i] = intact && !ecm.clamped[i] && std::abs(m_moments[i].w - full) < 1e-9 * full ? 1 : 0; // none is missing
 }
 
 void Reference::update(const EcmState& ecm) {

@@ -46,6 +46,11 @@ public:
   /// Sums over the neighbours of particle i as degraded as they are.
   const DegradationMoments& moments(std::size_t i) const { return m_moments[i]; }
 
+  /// Whether B and the moments of particle i are those of an intact lattice: multiples of the identity, or 0.
+  bool whole(std::size_t i) const { return m_whole[i] != 0; }
+  double lattice_B() const { return m_B_lattice(0, 0); }
+  const DegradationMoments& lattice_moments() const { return m_lattice_moments; }
+
   /// Smallest eigenvalue of A_i, over that of the intact particle where it is below 1 [-].
   double relative_support(std::size_t i) const { return m_support[i] / m_intact[i]; }
 
@@ -62,6 +67,8 @@ private:
   Mat2 m_B_lattice;
   std::vector<Mat2> m_B;
   std::vector<DegradationMoments> m_moments;
+  DegradationMoments m_lattice_moments;
+  std::vector<std::uint8_t> m_whole;
   std::vector<double> m_intact;  // min(1, smallest eigenvalue of A_i with all f = 1)
   std::vector<double> m_support; // smallest eigenvalue of A_i
   std::vector<double> m_f_seen;  // the f for which m_B and m_moments hold

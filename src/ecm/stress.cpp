@@ -51,6 +51,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
   const std::size_t n = ecm.size();
   const double K = moduli(p).K;
   const double scale = hourglass_scale(ecm, p);
+  const DegradationMoments& lattice = ref.lattice_moments();
   solid.u.resize(n);
   solid.H.resize(n);
   solid.PB.resize(n);
@@ -73,11 +74,16 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
         solid.PB.set(i, Mat2::Zero());
         continue;
       }
+      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
+      const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
+      if (ref.whole(i) && ecm.f[i] == 1.0) {
+        const Mat2 own = (0.5 * lattice.wXX(0, 0)) * (F[i] - Mat2::Identity());
+        solid.PB.set(i, ref.lattice_B() * (P + per_own * (own + sum[t])));
+        continue;
+      }
       const DegradationMoments& m = ref.moments(i);
       const Mat2 own = 0.5 * (F[i] - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
-      const Mat2 conjugate = (0.5 * scale / ecm.V0) * (own + sum[t]); // to the pair errors, through F_i
-      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
-      solid.PB.set(i, ecm.f[i] * (P + conjugate) * ref.B(i));
+      solid.PB.set(i, ecm.f[i] * (P + per_own * (own + sum[t])) * ref.B(i));
     }
   });
   ref.each_row([&](const RowTerms& terms) {
@@ -87,6 +93,11 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
       const std::size_t i = terms.row.begin + t;
       const double f = ecm.f[i];
       if (f <= 0.0) continue;
+      if (ref.whole(i) && f == 1.0) {
+        const Vec2 of_hourglass = hourglass[t] - lattice.w * ecm.displacement(i);
+        force[i] += p.thickness * (ecm.V0 * ecm.V0 * stress[t] + scale * of_hourglass);
+        continue;
+      }
       const DegradationMoments& m = ref.moments(i);
       const Vec2 of_stress = stress[t] + (solid.PB[i] / f) * m.grad_W;
       const Vec2 of_hourglass = hourglass[t] + 0.5 * (F[i] - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
