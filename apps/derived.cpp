@@ -73,14 +73,14 @@ std::string wall_time_basis() {
 
 std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
   std::vector<std::string> found;
-  const double limit = d.limits.smallest();
+  const double limit = largest_step(p);
   if (p.run.time_step > limit)
     found.push_back(
         fmt::format("the time step of {:.3g} s is beyond the largest stable one, {:.3g} s, set by the {}. Errors would "
                     "grow from step to "
                     "step until particles fly apart, so such a computation is refused. Take a smaller run.time_step.",
                     p.run.time_step, limit, d.limits.binding()));
-  else if (p.run.time_step > 0.5 * limit)
+  else if (p.run.integrator == Integrator::reference && p.run.time_step > 0.5 * limit)
     found.push_back(
         fmt::format("the time step of {:.3g} s is more than half of the largest stable one, {:.3g} s: stable, but "
                     "the fastest relaxation is resolved by a few steps only.",

@@ -94,6 +94,6 @@ BENCHMARK(assembly)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(forces)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(solve)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(stress)->Arg(150)->Unit(benchmark::kMillisecond);
-BENCHMARK(whole_step)->Arg(72)->Arg(150)->Unit(benchmark::kMillisecond)->Iterations(40);
+BENCHMARK(whole_step)->Arg(72)->Arg(150)->Arg(300)->Arg(600)->Unit(benchmark::kMillisecond)->Iterations(40);
 
 } // namespace

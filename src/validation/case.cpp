@@ -46,6 +46,7 @@ const std::vector<Case>& cases() {
       {"fibres-uniaxial", "A gel of parallel fibres, pulled along and across them.", fibres_uniaxial},
       {"protrusion", "Length of a single protrusion over time, as E and direction vary.", protrusion},
       {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
+      {"time-step", "One protrusion followed with shorter and shorter steps, and with adaptive ones.", time_step},
       {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly},
       {"initiation", "Waiting times and places of protrusions of a polarized cell.", initiation},
   };

@@ -21,6 +21,7 @@ Result fibres(const Parameters& p);
 Result fibres_uniaxial(const Parameters& p);
 Result protrusion(const Parameters& p);
 Result maturation(const Parameters& p);
+Result time_step(const Parameters& p);
 Result disassembly(const Parameters& p);
 Result initiation(const Parameters& p);
 

@@ -1,0 +1,89 @@
+#include "validation/cases.hpp"
+#include "validation/single_protrusion.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace matrigrate::validation {
+
+namespace {
+
+constexpr std::array<double, 5> steps{0.1, 0.2, 0.4, 0.8, 1.6}; // of the reference integrator [s]
+constexpr std::array<double, 3> adaptive_steps{0.5, 1.0, 2.0};  // the longest of the adaptive one [s]
+constexpr double paper_step = 0.4;                              // [s]
+constexpr std::array<double, 3> times{32.0, 64.0, 96.0};        // [s]
+
+using Tips = std::array<Vec2, times.size()>; ///< of the protrusion at the times [um]
+
+Tips follow(Parameters p, Integrator integrator, double dt) {
+  p.run.integrator = integrator;
+  p.run.time_step = dt;
+  SingleProtrusion one(p, 0.3);
+  Tips tips;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    one.march_for(times[k] - one.state().t);
+    tips[k] = one.state().cortex.x[one.protrusion().centre];
+  }
+  return tips;
+}
+
+/// Largest distance over the times [um].
+double distance(const Tips& a, const Tips& b) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, (a[k] - b[k]).norm());
+  return largest;
+}
+
+/// Slope of the logarithms, by least squares.
+double order(const io::Series& errors) {
+  double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  for (std::size_t k = 0; k < errors.x.size(); ++k) {
+    const double x = std::log(errors.x[k]);
+    const double y = std::log(errors.y[k]);
+    n += 1.0, sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+} // namespace
+
+Result time_step(const Parameters& p) {
+  Result result;
+  result.table.columns = {"adaptive", "time_step_s", "error_um"};
+  const Tips finest = follow(p, Integrator::reference, steps.front());
+  const auto errors = [&](Integrator integrator, std::span<const double> all, const std::string& label) {
+    io::Series series{.label = label};
+    for (const double dt : all) {
+      series.x.push_back(dt);
+      series.y.push_back(distance(follow(p, integrator, dt), finest));
+      result.table.add({integrator == Integrator::adaptive ? 1.0 : 0.0, dt, series.y.back()});
+    }
+    return series;
+  };
+  const io::Series reference = errors(Integrator::reference, std::span(steps).subspan(1), "reference");
+  const io::Series adaptive = errors(Integrator::adaptive, adaptive_steps, "adaptive");
+  const double quarter = 0.25 * p.ecm.particle_spacing;
+  result.checks.push_back({"order in the time step, reference [-]", order(reference), 0.7, 0.0,
+                           "first order, less what rules with thresholds scatter", Sense::at_least});
+  for (std::size_t k = 0; k < reference.x.size(); ++k)
+    if (reference.x[k] <= paper_step)
+      result.checks.push_back({fmt::format("tip, reference steps of {} s [um]", reference.x[k]), reference.y[k], 0.0,
+                               quarter, "a quarter of a spacing, of the way of 23 um"});
+  for (std::size_t k = 0; k < adaptive.x.size(); ++k)
+    result.checks.push_back({fmt::format("tip, adaptive steps of up to {} s [um]", adaptive.x[k]), adaptive.y[k], 0.0,
+                             quarter, "a quarter of a spacing, of the way of 23 um"});
+  result.remarks.push_back(
+      fmt::format("Errors are distances of the tip from that with steps of {} s, the largest at {:.0f}, {:.0f} and "
+                  "{:.0f} s. Later the direction of growth decides, which is unstable.",
+                  steps.front(), times[0], times[1], times[2]));
+  result.figures.push_back({"time-step", "Distance of the tip from where the shortest steps bring it.",
+                            io::to_svg({.title = "A protrusion with longer steps",
+                                        .x_label = "time step [s]",
+                                        .y_label = "distance of the tip [um]",
+                                        .series = {reference, adaptive}})});
+  return result;
+}
+
+} // namespace matrigrate::validation
