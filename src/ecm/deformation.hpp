@@ -25,7 +25,7 @@ void row_gradients(const EcmState& ecm, const Reference& ref, const RowTerms& te
                    const Own& own, const Use& use) {
   RowTensors sum;
   sum_gradient(terms, fa, sum);
-  const double lattice = ecm.V0 * ref.lattice_B();
+  const double lattice = ecm.V0 * ref.lattice_correction();
   for (std::size_t t = 0; t < terms.row.count; ++t) {
     const std::size_t i = terms.row.begin + t;
     if (ref.whole(i) && ecm.f[i] == 1.0) {

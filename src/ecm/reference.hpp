@@ -48,7 +48,7 @@ public:
 
   /// Whether B and the moments of particle i are those of an intact lattice: multiples of the identity, or 0.
   bool whole(std::size_t i) const { return m_whole[i] != 0; }
-  double lattice_B() const { return m_B_lattice(0, 0); }
+  double lattice_correction() const { return m_B_lattice(0, 0); }
   const DegradationMoments& lattice_moments() const { return m_lattice_moments; }
 
   /// Smallest eigenvalue of A_i, over that of the intact particle where it is below 1 [-].

@@ -78,7 +78,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
       const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
       if (ref.whole(i) && ecm.f[i] == 1.0) {
         const Mat2 own = (0.5 * lattice.wXX(0, 0)) * (F[i] - Mat2::Identity());
-        solid.PB.set(i, ref.lattice_B() * (P + per_own * (own + sum[t])));
+        solid.PB.set(i, ref.lattice_correction() * (P + per_own * (own + sum[t])));
         continue;
       }
       const DegradationMoments& m = ref.moments(i);
