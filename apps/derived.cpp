@@ -17,8 +17,8 @@ namespace {
 // Measured with one thread on a server (AMD EPYC), release build, the baseline's first minutes: 7.9 ms a step for
 // 17,665 particles of radius 150 um, 23.2 ms for 49,077 of 250 um, 16.3 ms with h = 4 um; 50, 128 and 91 MB. A decade
 // of the tolerance costs 0.55 ms at 150 um. Conjugate gradients took 3.4 R/h iterations to 1e-6.
-constexpr double seconds_a_pair = 13.4e-9;
-constexpr double seconds_a_pair_and_decade = 1.27e-9;
+constexpr double seconds_a_pair = 9.1e-9;
+constexpr double seconds_a_pair_and_decade = 1.08e-9;
 constexpr double seconds_a_pair_and_iteration = 1.0e-9;
 constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
 constexpr double bytes_alone = 6e6;
@@ -65,8 +65,8 @@ Derived derived(const Parameters& p) {
 }
 
 std::string wall_time_basis() {
-  return "The wall time rests on the measured cost of the baseline on one core of a server: 13.4 ns a step for each\n"
-         "listed pair of particles, and 1.3 ns for each decade of solver.tolerance. A machine with other work to do "
+  return "The wall time rests on the measured cost of the baseline on one core of a server: 9.1 ns a step for each\n"
+         "listed pair of particles, and 1.1 ns for each decade of solver.tolerance. A machine with other work to do "
          "takes\n"
          "longer.";
 }

@@ -69,25 +69,36 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law
   return count;
 }
 
-/// Takes the given particles out of the coefficients of a block: their drag becomes a force. As pair_drags.
-std::size_t separate_given(const EcmState& ecm, std::size_t row, std::span<std::int32_t> distances, DragSystem& A,
-                           float* G) {
+/// Takes the given particles out of the coefficients of a block, as pair_drags.   @param free  1, or 0 for given ones
+MATRIGRATE_SIMD
+std::size_t leave_out_given(const Field& free, std::size_t row, std::span<std::int32_t> distances, float* G) {
+  const float* free_i = free.x() + row;
   std::size_t count = 0;
   for (std::size_t k = 0; k < distances.size(); ++k) {
-    bool any = false;
-    for (std::size_t l = 0; l < lanes; ++l) {
-      float& g = G[lanes * count + l] = G[lanes * k + l];
-      if (g == 0.0F) continue;
-      const std::size_t i = row + l;
-      const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distances[k]);
-      if (ecm.clamped[j] && !ecm.clamped[i]) A.F[i] += static_cast<double>(g) * ecm.v[j];
-      if (ecm.clamped[i] || ecm.clamped[j]) g = 0.0F;
-      any = any || g != 0.0F;
-    }
+    const float* free_j = free_i + distances[k];
+    float g[lanes];
+    std::uint32_t bits = 0;
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < lanes; ++l) g[l] = G[lanes * k + l] * free_i[l] * free_j[l];
+    MATRIGRATE_LANES
+    for (std::size_t l = 0; l < lanes; ++l) bits |= std::bit_cast<std::uint32_t>(g[l]);
+    std::copy_n(g, lanes, G + lanes * count);
     distances[count] = distances[k];
-    if (any) ++count;
+    if (bits != 0) ++count;
   }
   return count;
+}
+
+/// Adds the drag of the given particles on the others to their forces.
+void add_drag_of_given(const EcmState& ecm, std::size_t row, std::span<const std::int32_t> distances, const float* G,
+                       std::span<Vec2> F) {
+  for (std::size_t k = 0; k < distances.size(); ++k)
+    for (std::size_t l = 0; l < lanes; ++l) {
+      if (G[lanes * k + l] == 0.0F) continue;
+      const std::size_t i = row + l;
+      const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distances[k]);
+      if (ecm.clamped[j] && !ecm.clamped[i]) F[i] += static_cast<double>(G[lanes * k + l]) * ecm.v[j];
+    }
 }
 
 /// Positions, framed by particles that are nowhere.
@@ -112,13 +123,22 @@ void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPa
   A.diagonal.resize(ecm.size());
   A.F.assign(ecm.size(), Vec2::Zero());
   A.position = ecm.x;
+  Field free;
+  free.resize(ecm.size());
+  bool given_move = false;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
+    given_move = given_move || (ecm.clamped[i] && ecm.v[i] != Vec2(0.0, 0.0));
+  }
   const DragLaw law(ecm, p, Kernel(p.smoothing_length), 1.0 + share);
   A.pairs.assign(pattern, [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
     const std::size_t row = block * lanes;
     double D[lanes];
     const std::size_t count = pair_drags(x, row, law, distances, G, D);
     std::copy_n(D, std::min(lanes, ecm.size() - row), A.diagonal.begin() + static_cast<std::ptrdiff_t>(row));
-    return pattern.meets_given(block) ? separate_given(ecm, row, distances.first(count), A, G) : count;
+    if (!pattern.meets_given(block)) return count;
+    if (given_move) add_drag_of_given(ecm, row, distances.first(count), G, A.F);
+    return leave_out_given(free, row, distances.first(count), G);
   });
   parallel_for(ecm.size(), [&](std::size_t i) {
     if (ecm.clamped[i]) A.F[i] = ecm.v[i];

@@ -77,8 +77,15 @@ void residuals(std::span<const std::uint32_t> first, const std::int32_t* distanc
         sy[l] = std::fma(static_cast<double>(c[l]), y0[l], sy[l]);
       }
     }
-    const std::size_t count = std::min(lanes, size - row);
-    for (std::size_t l = 0; l < count; ++l) {
+    if (row + lanes <= size) {
+      MATRIGRATE_LANES
+      for (std::size_t l = 0; l < lanes; ++l) {
+        y.x()[row + l] = b.x()[row + l] - std::fma(D[row + l], at_x[l], -sx[l]);
+        y.y()[row + l] = b.y()[row + l] - std::fma(D[row + l], at_y[l], -sy[l]);
+      }
+      continue;
+    }
+    for (std::size_t l = 0; row + l < size; ++l) {
       y.x()[row + l] = b.x()[row + l] - std::fma(D[row + l], at_x[l], -sx[l]);
       y.y()[row + l] = b.y()[row + l] - std::fma(D[row + l], at_y[l], -sy[l]);
     }
