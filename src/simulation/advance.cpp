@@ -50,7 +50,7 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, double furthe
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
         "beyond the limit of {:.3g} um; {}",
         s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
-        v[i].norm() * p.run.time_step, p.run.time_step, furthest_move, describe(step_limits(p))));
+        v[i].norm() * p.run.time_step, p.run.time_step, furthest_move, describe(w.limits)));
   }
   const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
   s.ecm.v.assign(v.begin(), cell);

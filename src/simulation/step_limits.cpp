@@ -111,9 +111,8 @@ StepLimits step_limits(const Parameters& p) {
   return {.elastic_s = 2.0 / elastic, .fluid_s = 2.0 / fluid};
 }
 
-double elastic_share(const Parameters& p) {
+double elastic_share(const Parameters& p, const StepLimits& limits) {
   if (p.run.integrator == Integrator::reference) return 0.0;
-  const StepLimits limits = step_limits(p);
   const double both = 1.0 / limits.elastic_s + 1.0 / limits.fluid_s; // where solid and fluid meet, their rates add up
   return std::max(0.0, 0.5 * p.run.time_step * both - 0.4);
 }

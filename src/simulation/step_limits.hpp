@@ -33,7 +33,7 @@ StepLimits step_limits(const Parameters& p);
 /// @return theta = max(0, dt/(2 dt_0) - 0.4) with 1/dt_0 = 1/elastic_s + 1/fluid_s, a tenth more than stability asks
 /// for;
 ///         0 for the reference integrator
-double elastic_share(const Parameters& p);
+double elastic_share(const Parameters& p, const StepLimits& limits);
 
 /// The largest step that p.run.integrator takes [s].
 double largest_step(const Parameters& p);

@@ -1,7 +1,6 @@
 #include "simulation/workspace.hpp"
 
 #include "ecm/viscosity.hpp"
-#include "simulation/step_limits.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "solve/multigrid.hpp"
 
@@ -34,7 +33,7 @@ FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Referen
 
 Workspace::Workspace(const State& s, const Parameters& p)
     : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
-      neighbours(2.0 * p.ecm.smoothing_length, p.ecm.verlet_skin), solver(make_solver(s, p)),
-      elastic_share(matrigrate::elastic_share(p)) {}
+      neighbours(2.0 * p.ecm.smoothing_length, p.ecm.verlet_skin), solver(make_solver(s, p)), limits(step_limits(p)),
+      elastic_share(matrigrate::elastic_share(p, limits)) {}
 
 } // namespace matrigrate

@@ -6,6 +6,7 @@
 #include "ecm/stress.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
+#include "simulation/step_limits.hpp"
 #include "solve/drag_system.hpp"
 #include "sph/interpolate.hpp"
 #include "sph/neighbours.hpp"
@@ -50,6 +51,7 @@ struct Workspace {
   std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]
   std::vector<Vec2> v;     ///< velocities of all nodes [um/s]
   std::unique_ptr<DragSolver> solver;
+  StepLimits limits;                  ///< of the explicit step
   double elastic_share;               ///< of the drag, against changes of velocity; see step_limits.hpp [-]
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]

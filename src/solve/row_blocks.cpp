@@ -97,7 +97,7 @@ void residuals(std::span<const std::uint32_t> first, const std::int32_t* distanc
 RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given) : m_size(pairs.size()) {
   m_first.push_back(0);
   const auto is_given = [given](std::size_t i) { return !given.empty() && given[i] != 0; };
-  std::vector<std::int32_t> distances;
+  std::vector<std::int32_t> distances, of_row;
   for (std::size_t row = 0; row < m_size; row += lanes) {
     distances.clear();
     bool meets = false;
@@ -106,10 +106,12 @@ RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> giv
         meets = true;
         continue;
       }
+      of_row.clear();
       for (const std::uint32_t j : pairs.of(i)) {
-        distances.push_back(static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i));
+        of_row.push_back(static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i));
         meets = meets || is_given(j);
       }
+      if (of_row != distances) distances.insert(distances.end(), of_row.begin(), of_row.end());
     }
     std::ranges::sort(distances);
     distances.erase(std::unique(distances.begin(), distances.end()), distances.end());

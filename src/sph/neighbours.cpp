@@ -93,18 +93,20 @@ Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period
   list.first.assign(x.size() + 1, 0);
   if (x.empty()) return list;
   const Grid g = make_grid(x, reach, period_x);
-  parallel_for(x.size(), [&](std::size_t i) {
-    std::uint32_t count = 0;
-    each_partner(g, x, i, reach, period_x, [&](std::uint32_t) { ++count; });
-    list.first[i + 1] = count;
-  });
+  std::vector<std::vector<std::uint32_t>> partners((x.size() + parallel_block - 1) / parallel_block); // of each block
+  const auto of_block = [&](std::size_t b) {
+    const std::size_t end = std::min(x.size(), (b + 1) * parallel_block);
+    for (std::size_t i = b * parallel_block; i < end; ++i) {
+      const std::size_t before = partners[b].size();
+      each_partner(g, x, i, reach, period_x, [&](std::uint32_t j) { partners[b].push_back(j); });
+      std::sort(partners[b].begin() + static_cast<std::ptrdiff_t>(before), partners[b].end());
+      list.first[i + 1] = static_cast<std::uint32_t>(partners[b].size() - before);
+    }
+  };
+  parallel_for(partners.size(), of_block, 1);
   for (std::size_t i = 0; i < x.size(); ++i) list.first[i + 1] += list.first[i];
-  list.index.resize(list.first.back());
-  parallel_for(x.size(), [&](std::size_t i) {
-    std::uint32_t* next = list.index.data() + list.first[i];
-    each_partner(g, x, i, reach, period_x, [&](std::uint32_t j) { *next++ = j; });
-    std::sort(list.index.data() + list.first[i], next);
-  });
+  list.index.reserve(list.first.back());
+  for (const auto& block : partners) list.index.insert(list.index.end(), block.begin(), block.end());
   return list;
 }
 
