@@ -73,7 +73,7 @@ std::string wall_time_basis() {
 
 std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
   std::vector<std::string> found;
-  const double limit = largest_step(p);
+  const double limit = largest_step(p, d.limits);
   if (p.run.time_step > limit)
     found.push_back(
         fmt::format("the time step of {:.3g} s is beyond the largest stable one, {:.3g} s, set by the {}. Errors would "

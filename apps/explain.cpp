@@ -53,7 +53,7 @@ std::string description(const Parameters& p, const Derived& d) {
   add("first protrusion", duration_text(d.first_wait),
       fmt::format("on average; later {} a free front", duration_text(d.wait)));
   add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
-  add("largest stable step", fmt::format("{:.3g} s", largest_step(p)), "set by the " + d.limits.binding());
+  add("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)), "set by the " + d.limits.binding());
   add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");
   add("wall time", duration_text(d.wall_time), "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;

@@ -35,6 +35,16 @@ template <class Packed, class Single>
   if (n % lanes != 0) packed(n - lanes);
 }
 
+/// The sums of `width` particles from t on.
+template <std::size_t width>
+[[gnu::always_inline]] inline void keep(const double (&xx)[width], const double (&xy)[width], const double (&yx)[width],
+                                        const double (&yy)[width], std::size_t t, RowTensors& sum) {
+  std::copy_n(xx, width, sum.xx + t);
+  std::copy_n(xy, width, sum.xy + t);
+  std::copy_n(yx, width, sum.yx + t);
+  std::copy_n(yy, width, sum.yy + t);
+}
+
 /// sum_gradient of `width` particles from t on.
 template <std::size_t width>
 [[gnu::always_inline]] inline void gradient_of(const RowTerms& terms, const VectorPlanes& a, std::size_t t,
@@ -53,10 +63,7 @@ template <std::size_t width>
       yy[l] = std::fma(ay[l], gy, yy[l]);
     }
   }
-  std::copy_n(xx, width, sum.xx + t);
-  std::copy_n(xy, width, sum.xy + t);
-  std::copy_n(yx, width, sum.yx + t);
-  std::copy_n(yy, width, sum.yy + t);
+  keep(xx, xy, yx, yy, t, sum);
 }
 
 /// sum_hourglass_moment of `width` particles from t on.
@@ -81,10 +88,7 @@ template <std::size_t width>
       yy[l] = std::fma(y, wy, yy[l]);
     }
   }
-  std::copy_n(xx, width, sum.xx + t);
-  std::copy_n(xy, width, sum.xy + t);
-  std::copy_n(yx, width, sum.yx + t);
-  std::copy_n(yy, width, sum.yy + t);
+  keep(xx, xy, yx, yy, t, sum);
 }
 
 /// sum_forces of `width` particles from t on.

@@ -117,16 +117,18 @@ double elastic_share(const Parameters& p, const StepLimits& limits) {
   return std::max(0.0, 0.5 * p.run.time_step * both - 0.4);
 }
 
-double largest_step(const Parameters& p) {
+double largest_step(const Parameters& p, const StepLimits& limits) {
   constexpr double beyond = 2.0; // with elastic_share; further out it would govern the motion
-  return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * step_limits(p).smallest();
+  return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * limits.smallest();
 }
 
 void require_stable_step(const Parameters& p) {
   const StepLimits limits = step_limits(p);
-  if (p.run.time_step > largest_step(p))
-    throw NumericalFailure(fmt::format("run.time_step = {:.4g} s is beyond the limit of the explicit step: {}",
-                                       p.run.time_step, describe(limits)));
+  const double largest = largest_step(p, limits);
+  if (p.run.time_step > largest)
+    throw NumericalFailure(
+        fmt::format("run.time_step = {:.4g} s is beyond the longest step of this integrator, {:.3g} s: {}",
+                    p.run.time_step, largest, describe(limits)));
 }
 
 std::string describe(const StepLimits& limits) {

@@ -36,7 +36,7 @@ StepLimits step_limits(const Parameters& p);
 double elastic_share(const Parameters& p, const StepLimits& limits);
 
 /// The largest step that p.run.integrator takes [s].
-double largest_step(const Parameters& p);
+double largest_step(const Parameters& p, const StepLimits& limits);
 
 /// @throws NumericalFailure naming the limit that run.time_step breaks, if it breaks one
 void require_stable_step(const Parameters& p);
