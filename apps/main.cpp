@@ -38,7 +38,9 @@ int run(int argc, char** argv) {
   add_check(app, chosen);
   add_explain(app, chosen);
   add_run(app, chosen, {argv, argv + argc});
+  add_resume(app, chosen, {argv, argv + argc});
   add_validate(app, chosen);
+  add_selftest(app, chosen);
   add_info(app, chosen);
   check_verb(app, argc, argv);
   try {

@@ -1,76 +1,133 @@
 #include "apps/run_folder.hpp"
 
 #include "apps/provenance.hpp"
-#include "base/file.hpp"
+#include "base/failure.hpp"
 #include "io/cell_picture.hpp"
+#include "io/checkpoint.hpp"
 #include "io/layer_picture.hpp"
 #include "io/run_files.hpp"
 #include "io/run_page.hpp"
+#include "io/trajectory_hash.hpp"
 #include "parameters/write.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace matrigrate::apps {
 
 namespace {
 
-/// "t_01800s.svg"; times between full seconds keep their fraction: "t_00000.4s.svg".
-std::string snapshot_name(double t, std::string_view layer = "") {
+/// "t_01800s"; times between full seconds keep their fraction: "t_00000.4s".
+std::string time_name(double t) {
   const double rounded = std::round(1e3 * t) / 1e3;
   const double whole = std::floor(rounded);
   const std::string fraction = rounded > whole ? fmt::format("{:.3g}", rounded - whole).substr(1) : std::string();
-  return fmt::format("t_{:05.0f}{}s{}.svg", whole, fraction, layer);
+  return fmt::format("t_{:05.0f}{}s", whole, fraction);
+}
+
+template <class Row>
+std::vector<std::vector<io::Field>> fields_of(const std::vector<Row>& rows) {
+  std::vector<std::vector<io::Field>> all;
+  all.reserve(rows.size());
+  for (const Row& row : rows) all.push_back(io::fields(row));
+  return all;
+}
+
+std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord>& records, const Parameters& p) {
+  std::vector<std::vector<io::Field>> all;
+  all.reserve(records.size());
+  for (const ProtrusionRecord& record : records) all.push_back(io::fields(record, p.actomyosin));
+  return all;
 }
 
 } // namespace
 
-bool Cadence::due(double t) {
-  if (t < m_next - m_slack) return false;
-  m_next = m_interval * (std::floor((t + m_slack) / m_interval) + 1.0);
-  return true;
-}
-
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
-                     const Workspace& w)
-    : m_folder(std::move(folder)), m_p(p), m_tracks(m_folder / "tracks.csv", io::track_columns()),
-      m_protrusions(m_folder / "protrusions.csv", io::protrusion_columns()),
-      m_health(m_folder / "health.csv", io::health_columns()), m_row_cadence(p.output.track_interval, p.run.time_step),
-      m_snapshot_cadence(p.output.snapshot_interval, p.run.time_step) {
+                     io::RunMemory memory)
+    : m_folder(std::move(folder)), m_lock(m_folder), m_p(p), m_memory(std::move(memory)), m_ended(s.ended.size()),
+      m_tracks(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows)),
+      m_protrusions(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p)),
+      m_health(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health)),
+      m_row_cadence(p.output.track_interval, p.run.time_step),
+      m_snapshot_cadence(p.output.snapshot_interval, p.run.time_step),
+      m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
+      m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   make_output_folder(m_folder / "snapshots", true);
   write_record(record);
+  if (m_memory.rows.empty()) return;
+  for (Cadence* cadence : {&m_row_cadence, &m_snapshot_cadence, &m_checkpoint_cadence, &m_kept_cadence})
+    cadence->due(s.t); // what was due is done
+  m_safe_until = s.t;
+}
+
+void RunFolder::begin(const State& s, const Workspace& w) {
   if (m_row_cadence.due(s.t)) add_row(s, w);
   if (m_snapshot_cadence.due(s.t)) add_snapshot(s, w);
+  m_kept_cadence.due(s.t);
+  m_checkpoint_cadence.due(s.t);
+  write_checkpoint(s, w, 0.0);
 }
 
 void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record) {
-  m_watch.see(w.health);
+  m_memory.watch.see(w.health);
   add_ended(s);
-  if (m_row_cadence.due(s.t)) add_row(s, w);
-  if (!m_snapshot_cadence.due(s.t)) return;
-  add_snapshot(s, w);
-  write_record(record);
+  if (m_row_cadence.due(s.t)) {
+    add_row(s, w);
+    if (const std::string why = alarm(s, m_p, m_memory.health.back()); !why.empty())
+      throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, why));
+  }
+  const bool snapshot = m_snapshot_cadence.due(s.t);
+  if (snapshot) add_snapshot(s, w);
+  const bool keep = m_kept_cadence.due(s.t);
+  const bool due = m_checkpoint_cadence.due(s.t) || keep;
+  if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time);
+  if (keep && m_keeps_checkpoints) keep_checkpoint(s.t);
+  if (snapshot) write_record(record);
 }
 
-void RunFolder::finish(const State& s, const Workspace& w, const std::string& status) {
+void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time) {
+  m_memory.counts = w.health;
+  m_memory.march_wall_time = march_wall_time;
+  io::write_checkpoint(m_folder, {.state = s,
+                                  .scenario = to_toml(m_p),
+                                  .configuration_hash = configuration_hash(m_p),
+                                  .program = version_line(),
+                                  .memory = io::to_text(m_memory)});
+  m_safe_until = s.t;
+}
+
+/// Keeps the checkpoint just written under its time.
+void RunFolder::keep_checkpoint(double t) const {
+  make_output_folder(m_folder / "checkpoints", true);
+  write_file(m_folder / "checkpoints" / (time_name(t) + ".h5"),
+             read_file(m_folder / io::checkpoint_name, std::size_t{1} << 40U));
+}
+
+void RunFolder::finish(const State& s, const Workspace& w, const std::string& status, bool failed) {
   add_ended(s);
-  if (m_rows.empty() || m_rows.back().step != s.step) add_row(s, w);
-  if (m_scenes.empty() || m_scenes.back().t != s.t) add_snapshot(s, w);
+  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) add_row(s, w);
+  if (m_memory.scenes.empty() || m_memory.scenes.back().t != s.t) add_snapshot(s, w);
+  if (failed) {
+    const io::CellScene scene = io::cell_scene(s, m_p, {});
+    write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
+  }
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
-  m_readouts = matrigrate::readouts(m_rows, records, m_p);
+  m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
   write_file(m_folder / "protrusions.csv", io::protrusions_csv(records, m_p.actomyosin)); // with those still alive
-  write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_rows, 600.0)));
+  write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
-  const std::string sheet = io::contact_sheet(m_scenes);
+  const std::string sheet = io::contact_sheet(m_memory.scenes);
   write_file(m_folder / "snapshots.svg", sheet);
   write_file(m_folder / "report.html", io::run_page({.title = fmt::format("Migration run, seed {}", m_p.run.seed),
                                                      .status = status,
                                                      .readouts = m_readouts,
-                                                     .rows = m_rows,
+                                                     .rows = m_memory.rows,
                                                      .contact_sheet = sheet,
                                                      .provenance = provenance_text()}));
 }
@@ -80,11 +137,18 @@ void RunFolder::write_record(const RunRecord& record) const {
   write_file(m_folder / "run.json", to_json(record, m_p).dump(2, ' ', false, handler) + "\n");
 }
 
+std::string RunFolder::trajectory_hash() const { return io::TrajectoryHash(m_memory.trajectory).text(); }
+
 void RunFolder::add_row(const State& s, const Workspace& w) {
-  m_trajectory.add(s);
-  m_rows.push_back(track_row(s));
-  m_tracks.add(io::fields(m_rows.back()));
-  m_health.add(io::fields(m_watch.row(s, m_p, w.health)));
+  io::TrajectoryHash trajectory(m_memory.trajectory);
+  trajectory.add(s);
+  m_memory.trajectory = trajectory.value();
+  m_memory.rows.push_back(track_row(s));
+  m_tracks.add(io::fields(m_memory.rows.back()));
+  HealthRow health = m_memory.watch.row(s, m_p, w.health);
+  health.force_imbalance = force_imbalance(w);
+  m_memory.health.push_back(health);
+  m_health.add(io::fields(health));
 }
 
 void RunFolder::add_ended(const State& s) {
@@ -93,18 +157,18 @@ void RunFolder::add_ended(const State& s) {
 
 void RunFolder::add_snapshot(const State& s, const Workspace& w) {
   std::vector<Vec2> path;
-  path.reserve(m_rows.size() + 1);
-  for (const TrackRow& row : m_rows) path.push_back(row.centre);
-  if (m_rows.empty() || m_rows.back().step != s.step) path.push_back(track_row(s).centre);
+  path.reserve(m_memory.rows.size() + 1);
+  for (const TrackRow& row : m_memory.rows) path.push_back(row.centre);
+  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(track_row(s).centre);
   io::CellScene scene = io::cell_scene(s, m_p, std::move(path));
-  write_file(m_folder / "snapshots" / snapshot_name(s.t), io::cell_picture(scene, io::whole_disc(scene)));
-  if (m_p.output.displacement_layer)
-    write_file(m_folder / "snapshots" / snapshot_name(s.t, "_displacement"), io::displacement_picture(s, m_p));
+  const std::filesystem::path file = m_folder / "snapshots" / time_name(s.t);
+  const auto layer = [&file](std::string_view name) { return file.string() + std::string(name) + ".svg"; };
+  write_file(layer(""), io::cell_picture(scene, io::whole_disc(scene)));
+  if (m_p.output.displacement_layer) write_file(layer("_displacement"), io::displacement_picture(s, m_p));
   if (m_p.output.fibre_stress_layer && !w.fibres.empty())
-    write_file(m_folder / "snapshots" / snapshot_name(s.t, "_fibre_stress"),
-               io::fibre_stress_picture(s, m_p, w.fibres));
+    write_file(layer("_fibre_stress"), io::fibre_stress_picture(s, m_p, w.fibres));
   scene.matrix.front() = {}; // the contact sheet draws the intact matrix as one area
-  m_scenes.push_back(std::move(scene));
+  m_memory.scenes.push_back(std::move(scene));
 }
 
 } // namespace matrigrate::apps

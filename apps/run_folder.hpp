@@ -1,76 +1,77 @@
 #pragma once
 
+#include "apps/cadence.hpp"
 #include "apps/run_record.hpp"
-#include "io/cell_scene.hpp"
+#include "base/file.hpp"
 #include "io/row_file.hpp"
-#include "io/trajectory_hash.hpp"
-#include "observe/health.hpp"
+#include "io/run_memory.hpp"
 #include "observe/readouts.hpp"
-#include "observe/tracks.hpp"
 #include "parameters/parameters.hpp"
 #include "simulation/workspace.hpp"
 #include "state/state.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace matrigrate::apps {
 
-/// Tells when the next of a regular event is due. The first one is due at 0.
-class Cadence {
-public:
-  /// @param interval  [s]   @param step  the time step, which decides how exactly times agree [s]
-  Cadence(double interval, double step) : m_interval(interval), m_slack(1e-6 * step) {}
-
-  /// Whether one is due at t; if so, the next one is due at the next multiple of the interval.
-  bool due(double t);
-
-private:
-  double m_interval;
-  double m_slack;
-  double m_next = 0.0;
-};
-
-/// The files of a run. Rows reach the disk as they come, so that a run that is killed keeps what it has computed.
+/// The files of a run. Rows reach the disk as they come, and checkpoints at intervals, so that a run that is ended at
+/// any moment goes on with what it has computed.
 class RunFolder {
 public:
-  /// Writes scenario.resolved.toml, run.json, the headers of the tables and what is there at the start.
-  /// @param folder  exists
+  /// Writes scenario.resolved.toml, run.json and the tables with the rows that there are already.
+  /// @param folder  exists; it is locked against other processes
+  /// @param memory  of a run that goes on; a new one has none
   RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
-            const Workspace& w);
+            io::RunMemory memory);
+
+  /// Writes what is due at the start of a new run.
+  void begin(const State& s, const Workspace& w);
 
   /// Writes what is due after a step.
+  /// @throws NumericalFailure if the run must not go on (observe/health.hpp, alarm)
   void see(const State& s, const Workspace& w, const RunRecord& record);
+
+  /// Writes checkpoint.h5.
+  void write_checkpoint(const State& s, const Workspace& w, double march_wall_time);
+
+  /// Whether checkpoints are written at their intervals; they are, unless told otherwise.
+  void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
 
   /// Writes the rows and the snapshot of the last state, read-outs, contact sheet and report.
   /// @param status  a sentence on how the run ended, for the report
-  void finish(const State& s, const Workspace& w, const std::string& status);
+  /// @param failed  whether a picture of the moment is wanted
+  void finish(const State& s, const Workspace& w, const std::string& status, bool failed);
 
   /// Writes run.json.
   void write_record(const RunRecord& record) const;
 
-  const ReadOuts& readouts() const { return m_readouts; }             ///< after finish()
-  std::string trajectory_hash() const { return m_trajectory.text(); } ///< so far
+  const ReadOuts& readouts() const { return m_readouts; }           ///< after finish()
+  std::string trajectory_hash() const;                              ///< so far
+  std::optional<double> safe_until() const { return m_safe_until; } ///< time of the last checkpoint [s]
 
 private:
+  void keep_checkpoint(double t) const;
   void add_row(const State& s, const Workspace& w);
   void add_ended(const State& s);
   void add_snapshot(const State& s, const Workspace& w);
 
   std::filesystem::path m_folder;
+  FolderLock m_lock;
   Parameters m_p;
+  io::RunMemory m_memory;
+  std::size_t m_ended; ///< protrusions written so far
   io::RowFile m_tracks;
   io::RowFile m_protrusions;
   io::RowFile m_health;
-  io::TrajectoryHash m_trajectory;
-  HealthWatch m_watch;
-  std::vector<TrackRow> m_rows;
-  std::size_t m_ended = 0; ///< protrusions written so far
-  std::vector<io::CellScene> m_scenes;
   Cadence m_row_cadence;
   Cadence m_snapshot_cadence;
+  Cadence m_checkpoint_cadence;
+  Cadence m_kept_cadence;
+  bool m_keeps_checkpoints = true;
+  std::optional<double> m_safe_until;
   ReadOuts m_readouts;
 };
 

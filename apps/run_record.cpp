@@ -36,7 +36,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
             {"steps", record.steps},
             {"t_s", record.t},
             {"duration_s", p.run.duration},
-            {"wall_time_s", std::chrono::duration<double>(now - record.start).count()},
+            {"wall_time_s", record.earlier_wall_time + std::chrono::duration<double>(now - record.start).count()},
             {"ms_per_step",
              record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
             {"trajectory_hash", record.trajectory_hash},
@@ -44,7 +44,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
             {"command_line", record.command_line},
             {"start", utc(record.start)},
             {"end", record.end ? Json(utc(*record.end)) : Json()},
-            {"lineage", Json::array()}};
+            {"lineage", record.lineage}};
   json.update(provenance());
   return json;
 }

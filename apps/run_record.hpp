@@ -18,11 +18,13 @@ struct RunRecord {
   std::optional<int> exit_code;   ///< none while it runs
   std::string reason;             ///< why it ended early; empty if it did not
   std::uint64_t steps = 0;
-  double t = 0.0;               ///< simulated time reached [s]
-  double march_wall_time = 0.0; ///< spent in the steps [s]
+  double t = 0.0;                 ///< simulated time reached [s]
+  double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
+  double earlier_wall_time = 0.0; ///< of this run before it was resumed [s]
   std::string trajectory_hash;
   std::string configuration_hash;
   std::vector<std::string> command_line;
+  std::vector<nlohmann::ordered_json> lineage; ///< restarts and branches, oldest first
   std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
   std::optional<std::chrono::system_clock::time_point> end;
 };

@@ -16,17 +16,17 @@ void handle(int number) { note() = number; }
 
 StopSignal::StopSignal() {
   note() = 0;
-  struct sigaction action {};
-  action.sa_handler = handle;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  ::sigemptyset(&action.sa_mask);
-  ::sigaction(SIGINT, &action, &m_old_interrupt);
-  ::sigaction(SIGTERM, &action, &m_old_terminate);
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    struct sigaction action {};
+    action.sa_handler = signals[k] == SIGXFSZ ? SIG_IGN : handle;
+    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
+    ::sigaction(signals[k], &action, &m_old[k]);
+  }
 }
 
 StopSignal::~StopSignal() {
-  ::sigaction(SIGINT, &m_old_interrupt, nullptr);
-  ::sigaction(SIGTERM, &m_old_terminate, nullptr);
+  for (std::size_t k = 0; k < signals.size(); ++k) ::sigaction(signals[k], &m_old[k], nullptr);
 }
 
 int StopSignal::received() { return note(); }

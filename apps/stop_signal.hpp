@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <csignal>
+#include <cstddef>
 
 namespace matrigrate::apps {
 
-/// While it lives, the first SIGINT or SIGTERM is noted instead of ending the program; a second one ends it at once.
-/// One at a time.
+/// While it lives, the first SIGINT, SIGTERM, SIGUSR1 (which Slurm sends ahead of a time limit) or SIGHUP is noted
+/// instead of ending the program, and a second one ends it at once. A file that passes a size limit gives an error
+/// rather than a signal. One at a time.
 class StopSignal {
 public:
   StopSignal();
@@ -13,12 +16,12 @@ public:
   StopSignal& operator=(const StopSignal&) = delete;
   ~StopSignal();
 
-  /// SIGINT, SIGTERM, or 0 if none has come.
+  /// The signal that has come, or 0.
   static int received();
 
 private:
-  struct sigaction m_old_interrupt {};
-  struct sigaction m_old_terminate {};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGUSR1, SIGHUP, SIGXFSZ};
+  std::array<struct sigaction, signals.size()> m_old{};
 };
 
 } // namespace matrigrate::apps

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -88,6 +89,13 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   temporary.kept = true;
 }
 
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0) fail_with(to, "cannot be written", errno);
+  const std::filesystem::path folder = to.has_parent_path() ? to.parent_path() : std::filesystem::path(".");
+  const Descriptor entries(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (entries.number() >= 0) ::fsync(entries.number()); // some file systems cannot, and need not
+}
+
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   // Without O_NONBLOCK, opening a named pipe would wait for its writer.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -128,5 +136,17 @@ void make_output_folder(const std::filesystem::path& path, bool force) {
   std::filesystem::create_directories(path, error);
   if (error) fail(path, "cannot be made: " + error.message());
 }
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : m_descriptor(::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (m_descriptor < 0) fail_with(folder / ".lock", "cannot be written", errno);
+  if (::flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) return;
+  const int error = errno;
+  ::close(m_descriptor);
+  if (error == EWOULDBLOCK) fail(folder, "another process is working in this folder");
+  fail_with(folder / ".lock", "cannot be locked", error);
+}
+
+FolderLock::~FolderLock() { ::close(m_descriptor); }
 
 } // namespace matrigrate

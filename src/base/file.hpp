@@ -11,6 +11,10 @@ namespace matrigrate {
 /// @throws InputOutputError naming the path and the reason
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Renames a file, replacing one of the new name, so that there is one or the other at any time, also after a crash.
+/// @throws InputOutputError naming the path and the reason
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Reads the whole file.
 /// @throws InputOutputError if it cannot be read, is no regular file, or is larger than max_bytes
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
@@ -19,5 +23,20 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 /// deleted.
 /// @throws InputOutputError naming the path and the reason
 void make_output_folder(const std::filesystem::path& path, bool force);
+
+/// Keeps a folder for one process: a second one that wants it is refused until the first one lets it go or ends,
+/// however it ends.
+class FolderLock {
+public:
+  /// Makes folder/.lock, which stays.
+  /// @throws InputOutputError if another process has it, or the file cannot be made
+  explicit FolderLock(const std::filesystem::path& folder);
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock();
+
+private:
+  int m_descriptor;
+};
 
 } // namespace matrigrate

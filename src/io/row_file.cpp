@@ -1,6 +1,7 @@
 #include "io/row_file.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "io/table.hpp"
 
 #include <fmt/format.h>
@@ -40,21 +41,27 @@ std::string csv_line(const std::vector<Field>& fields) {
   return line + '\n';
 }
 
-RowFile::RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns)
-    : m_path(std::move(path)), m_columns(columns.size()),
-      m_descriptor(::open(m_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+RowFile::RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns,
+                 const std::vector<std::vector<Field>>& rows)
+    : m_path(std::move(path)), m_columns(columns.size()) {
+  std::string content = csv_line({columns.begin(), columns.end()});
+  for (const std::vector<Field>& fields : rows) content += line_of(fields);
+  write_file(m_path, content);
+  m_size = static_cast<std::int64_t>(content.size());
+  m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (m_descriptor < 0) fail(m_path, errno);
-  append(csv_line({columns.begin(), columns.end()}));
 }
 
 RowFile::~RowFile() { ::close(m_descriptor); }
 
-void RowFile::add(const std::vector<Field>& fields) {
+std::string RowFile::line_of(const std::vector<Field>& fields) const {
   if (fields.size() != m_columns)
     throw std::invalid_argument(
         fmt::format("{}: a row of {} fields for {} columns", m_path.string(), fields.size(), m_columns));
-  append(csv_line(fields));
+  return csv_line(fields);
 }
+
+void RowFile::add(const std::vector<Field>& fields) { append(line_of(fields)); }
 
 void RowFile::append(std::string_view line) {
   std::string_view left = line;
@@ -64,7 +71,7 @@ void RowFile::append(std::string_view line) {
     if (written < 0) {
       const int error = errno;
       // Where the part of a line cannot be taken back either, the first error is the one to tell.
-      if (::ftruncate(m_descriptor, m_size) == 0) ::lseek(m_descriptor, m_size, SEEK_SET);
+      [[maybe_unused]] const int second = ::ftruncate(m_descriptor, m_size);
       fail(m_path, error);
     }
     left.remove_prefix(static_cast<std::size_t>(written));

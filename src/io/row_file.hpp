@@ -21,10 +21,12 @@ std::string csv_line(const std::vector<Field>& fields);
 
 class RowFile {
 public:
-  /// Makes the file anew, with its header.
+  /// Makes the file anew, with its header and the rows there are already; it is replaced as a whole or not at all.
   /// @param columns  names ending in their unit
   /// @throws InputOutputError naming the path and the reason
-  RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns);
+  /// @throws std::invalid_argument if the number of fields of a row is not that of the columns
+  RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns,
+          const std::vector<std::vector<Field>>& rows = {});
   RowFile(const RowFile&) = delete;
   RowFile& operator=(const RowFile&) = delete;
   ~RowFile();
@@ -36,11 +38,12 @@ public:
   void add(const std::vector<Field>& fields);
 
 private:
+  std::string line_of(const std::vector<Field>& fields) const;
   void append(std::string_view line);
 
   std::filesystem::path m_path;
   std::size_t m_columns;
-  int m_descriptor;
+  int m_descriptor = -1;
   std::int64_t m_size = 0; ///< of the whole lines [bytes]
 };
 

@@ -53,7 +53,8 @@ std::vector<std::string_view> health_columns() {
           "n_solid_inside",
           "deepest_solid_um",
           "crosses_itself",
-          "fastest_um_per_s"};
+          "fastest_um_per_s",
+          "force_imbalance"};
 }
 
 std::vector<Field> fields(const HealthRow& row) {
@@ -73,7 +74,8 @@ std::vector<Field> fields(const HealthRow& row) {
           count(row.solid_inside),
           row.deepest_solid,
           count(row.crosses_itself ? 1 : 0),
-          row.fastest};
+          row.fastest,
+          row.force_imbalance};
 }
 
 std::vector<std::string_view> protrusion_columns() {

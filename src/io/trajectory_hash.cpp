@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include <cstdint>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -22,22 +22,23 @@ void update(XXH3_state_t* state, const std::vector<Vec2>& points) {
   if (!points.empty()) update(state, points.data(), points.size() * sizeof(Vec2));
 }
 
+struct Free {
+  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+};
+
 } // namespace
 
-void TrajectoryHash::Free::operator()(XXH3_state_s* state) const { XXH3_freeState(state); }
-
-TrajectoryHash::TrajectoryHash() : m_state(XXH3_createState()) {
-  if (!m_state) throw std::bad_alloc();
-  XXH3_64bits_reset(m_state.get());
-}
-
 void TrajectoryHash::add(const State& s) {
-  update(m_state.get(), &s.step, sizeof(s.step));
-  update(m_state.get(), s.cortex.x);
-  update(m_state.get(), s.ecm.x);
+  const std::unique_ptr<XXH3_state_t, Free> state(XXH3_createState());
+  if (!state) throw std::bad_alloc();
+  XXH3_64bits_reset_withSeed(state.get(), m_hash);
+  update(state.get(), &s.step, sizeof(s.step));
+  update(state.get(), s.cortex.x);
+  update(state.get(), s.ecm.x);
+  m_hash = XXH3_64bits_digest(state.get());
 }
 
-std::string TrajectoryHash::text() const { return digits(XXH3_64bits_digest(m_state.get())); }
+std::string TrajectoryHash::text() const { return digits(m_hash); }
 
 std::string text_hash(std::string_view text) { return digits(XXH3_64bits(text.data(), text.size())); }
 

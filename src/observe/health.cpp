@@ -2,6 +2,8 @@
 
 #include "cell/geometry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,6 +26,9 @@ double fastest(std::span<const Vec2> velocities) {
   for (const Vec2& v : velocities) largest = std::max(largest, v.squaredNorm());
   return std::sqrt(largest);
 }
+
+constexpr double least_area = 0.05;     // of the initial one; negative inside out
+constexpr double most_imbalance = 1e-6; // rounding leaves less than 1e-9
 
 void add_densities(HealthRow& row, const EcmState& ecm) {
   for (std::size_t i = 0; i < ecm.size(); ++i) {
@@ -55,17 +60,27 @@ SolidInside solid_inside(const State& s) {
 }
 
 void HealthWatch::see(const StepHealth& step) {
-  m_most_iterations = std::max(m_most_iterations, step.solve.iterations);
-  m_largest_residual = std::max(m_largest_residual, step.solve.residual);
+  most_iterations = std::max(most_iterations, step.solve.iterations);
+  largest_residual = std::max(largest_residual, step.solve.residual);
+}
+
+double force_imbalance(const Workspace& w) {
+  Vec2 sum = -w.outer_force;
+  double magnitudes = 0.0;
+  for (const Vec2& force : w.force) {
+    sum += force;
+    magnitudes += force.norm();
+  }
+  return magnitudes > 0.0 ? sum.norm() / magnitudes : never;
 }
 
 HealthRow HealthWatch::row(const State& s, const Parameters& p, const StepHealth& last) {
   HealthRow row{.t = s.t,
                 .step = s.step,
                 .iterations = last.solve.iterations,
-                .most_iterations = m_most_iterations,
+                .most_iterations = most_iterations,
                 .residual = last.solve.residual,
-                .largest_residual = m_largest_residual,
+                .largest_residual = largest_residual,
                 .density_bounds = last.density_bounds,
                 .orphans = last.orphans,
                 .torn = last.torn,
@@ -81,6 +96,25 @@ HealthRow HealthWatch::row(const State& s, const Parameters& p, const StepHealth
   }
   *this = HealthWatch{};
   return row;
+}
+
+std::string alarm(const State& s, const Parameters& p, const HealthRow& row) {
+  for (std::size_t i = 0; i < s.ecm.size(); ++i)
+    if (!s.ecm.x[i].allFinite() || !s.ecm.S[i].allFinite() || !std::isfinite(s.ecm.rho[i]))
+      return fmt::format("matrix particle {}, at the start at ({:.4g}, {:.4g}) um, has a value that is not finite", i,
+                         s.ecm.X[i].x(), s.ecm.X[i].y());
+  if (!s.has_cell()) return {};
+  for (const Vec2& x : s.cortex.x)
+    if (!x.allFinite()) return "a particle of the cortex has a position that is not finite";
+  const Vec2 centre = centroid(s.cortex);
+  const std::string place = fmt::format("the cell at ({:.4g}, {:.4g}) um", centre.x(), centre.y());
+  if (row.area_ratio < least_area) return fmt::format("{} has {:.2g} of its area left", place, row.area_ratio);
+  if (row.crosses_itself) return fmt::format("{} crosses itself", place);
+  if (row.deepest_solid > p.ecm.particle_spacing)
+    return fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid, place);
+  if (row.force_imbalance > most_imbalance)
+    return fmt::format("inner forces do not balance: their sum is {:.2g} of their magnitudes", row.force_imbalance);
+  return {};
 }
 
 } // namespace matrigrate

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 /// Signs that a computation goes well or badly. Read-only. Test: tests/unit/observe/health_test.cpp
 namespace matrigrate {
@@ -27,6 +28,7 @@ struct HealthRow {
   double deepest_solid = 0.0;     ///< their largest distance from the cortex [um]
   bool crosses_itself = false;    ///< whether the cortex does
   double fastest = 0.0;           ///< speed of the fastest particle of matrix or cortex [um/s]
+  double force_imbalance = never; ///< of the last step; see below [-]
 };
 
 /// Solid particles inside the cell.
@@ -36,18 +38,24 @@ struct SolidInside {
 };
 SolidInside solid_inside(const State& s);
 
+/// Sum of all inner forces of the last step over the sum of their magnitudes: rounding alone; NaN before the first
+/// step.
+double force_imbalance(const Workspace& w);
+
+/// Why a computation must not go on: something is not finite, the cell has turned inside out, collapsed or crossed
+/// itself, solid matrix lies deep inside it, inner forces do not balance. Says what and where; empty if all is well.
+std::string alarm(const State& s, const Parameters& p, const HealthRow& row);
+
 /// Gathers the extremes of the steps between two rows.
-class HealthWatch {
-public:
+struct HealthWatch {
+  int most_iterations = 0;
+  double largest_residual = 0.0;
+
   /// To be called after each step.
   void see(const StepHealth& step);
 
   /// The row of now; the next one gathers anew.
   HealthRow row(const State& s, const Parameters& p, const StepHealth& last);
-
-private:
-  int m_most_iterations = 0;
-  double m_largest_residual = 0.0;
 };
 
 } // namespace matrigrate

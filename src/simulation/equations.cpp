@@ -17,9 +17,13 @@
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"
 
+#include <numeric>
+
 namespace matrigrate {
 
 namespace {
+
+Vec2 sum(std::span<const Vec2> forces) { return std::accumulate(forces.begin(), forces.end(), Vec2(0.0, 0.0)); }
 
 /// Right side of Eq. (1), in the paper's order.
 void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
@@ -33,8 +37,10 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
   add_elastic_contact(s.ecm, c, p, w.cell.met, dt, w.force, w.drag);
   add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
+  const Vec2 inner = sum(std::span(w.force).subspan(first));
   add_growth(s, p.protrusion, area(c) / initial_area(p.cell), w.cell.normals, w.force);
   add_maturation(s, p, w.force, w.drag);
+  w.outer_force += sum(std::span(w.force).subspan(first)) - inner;
   add_adhesions(s, p.adhesion, w.cell.anchor_weights, dt, w.force, w.drag);
 }
 
@@ -71,6 +77,7 @@ void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
 void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   const Adjacency& pairs = w.neighbours.pairs();
   w.force.assign(w.drag.size(), Vec2::Zero());
+  w.outer_force = Vec2::Zero();
   switch (p.ecm.formulation) {
   case Formulation::total_lagrangian:
     add_elastic_forces(s.ecm, p.ecm, w.reference, w.solid, w.force);
@@ -82,7 +89,11 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, p.run.time_step, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   if (s.has_cell()) assemble_cell_forces(s, p, w);
-  if (loads) loads(s, w.force);
+  if (loads) {
+    const Vec2 inner = sum(w.force);
+    loads(s, w.force);
+    w.outer_force += sum(w.force) - inner;
+  }
   for (std::size_t i = 0; i < w.force.size(); ++i)
     if (i >= s.ecm.size() || !s.ecm.clamped[i]) w.drag.F[i] += w.force[i];
 }

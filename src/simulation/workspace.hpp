@@ -48,8 +48,9 @@ struct Workspace {
   RowPattern drag_pattern; ///< of the neighbours
   CellShape cell;
   DragSystem drag;
-  std::vector<Vec2> force; ///< all but drag, on all nodes, clamped ones included [nN]
-  std::vector<Vec2> v;     ///< velocities of all nodes [um/s]
+  std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]
+  Vec2 outer_force = Vec2::Zero(); ///< their part from outside: growth, and loads [nN]
+  std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
   std::unique_ptr<DragSolver> solver;
   StepLimits limits;                  ///< of the explicit step
   double elastic_share;               ///< of the drag, against changes of velocity; see step_limits.hpp [-]

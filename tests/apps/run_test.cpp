@@ -120,7 +120,7 @@ TEST_F(Run, StopsAtASignal) {
     EXPECT_EQ(record(signal).at("status"), "interrupted");
     EXPECT_EQ(record(signal).at("exit_code"), code);
     EXPECT_GT(record(signal).at("steps"), 0);
-    EXPECT_TRUE(contains(record(signal).at("reason"), "without a checkpoint"));
+    EXPECT_TRUE(contains(record(signal).at("reason"), "is safe in checkpoint.h5"));
     EXPECT_TRUE(exists(signal + "/report.html"));
   }
 }

@@ -101,5 +101,23 @@ TEST_F(File, MakesOutputFolders) {
   EXPECT_TRUE(contains(reason([&] { make_output_folder(folder / "a" / "b" / "f", true); }), "not a folder"));
 }
 
+TEST_F(File, RenamesOverAnother) {
+  write_file(folder / "a", "new");
+  write_file(folder / "b", "old");
+  rename_file(folder / "a", folder / "b");
+  EXPECT_EQ(read_file(folder / "b", 10), "new");
+  EXPECT_EQ(entries(), 1u);
+  EXPECT_TRUE(contains(reason([&] { rename_file(folder / "none", folder / "b"); }), "No such file"));
+}
+
+TEST_F(File, KeepsAFolderForOne) {
+  {
+    const FolderLock lock(folder);
+    EXPECT_TRUE(contains(reason([&] { FolderLock second(folder); }), "another process")); // also within one process
+  }
+  const FolderLock again(folder);
+  EXPECT_TRUE(contains(reason([&] { FolderLock none(folder / "none"); }), "No such file"));
+}
+
 } // namespace
 } // namespace matrigrate

@@ -37,6 +37,14 @@ TEST(RowFile, ReachesTheDiskRowByRow) {
   EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n0.4,lost\n0.8,\n");
 }
 
+TEST(RowFile, BeginsWithTheRowsThereAre) {
+  const Scratch scratch;
+  { RowFile(scratch.path, {"t_s"}).add({7.0}); }
+  RowFile file(scratch.path, {"t_s"}, {{0.4}, {0.8}});
+  file.add({1.2});
+  EXPECT_EQ(read_file(scratch.path, 1000), "t_s\n0.4\n0.8\n1.2\n") << "in place of what there was";
+}
+
 TEST(RowFile, SaysWhenItCannotBeWritten) {
   EXPECT_THROW(RowFile("/nonexistent/folder/t.csv", {"t_s"}), InputOutputError);
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <string>
 
 using namespace matrigrate;
 
@@ -16,6 +18,7 @@ State square_cell(const std::vector<Vec2>& particles) {
   s.ecm.X = s.ecm.x = particles;
   s.ecm.v.assign(particles.size(), Vec2::Zero());
   s.ecm.rho.assign(particles.size(), 1.0);
+  s.ecm.S.assign(particles.size(), Mat2::Zero());
   s.ecm.f.assign(particles.size(), 1.0);
   return s;
 }
@@ -52,6 +55,25 @@ TEST(HealthRow, TellsExtremesOfTheState) {
   EXPECT_FALSE(row.crosses_itself);
   std::swap(s.cortex.x[1], s.cortex.x[2]);
   EXPECT_TRUE(watch.row(s, p, {}).crosses_itself);
+}
+
+TEST(Alarm, SaysWhatIsWrongAndWhere) {
+  State s = square_cell({{20, 0}, {30, 0}});
+  const Parameters p;
+  const auto alarm_of = [&](HealthRow row) {
+    if (std::isnan(row.area_ratio)) row.area_ratio = 1.0;
+    return alarm(s, p, row);
+  };
+  EXPECT_EQ(alarm_of({}), "");
+  EXPECT_NE(alarm_of({.crosses_itself = true}).find("crosses itself"), std::string::npos);
+  EXPECT_NE(alarm_of({.area_ratio = -1.0}).find("of its area left"), std::string::npos);
+  EXPECT_NE(alarm_of({.deepest_solid = 5.0}).find("5 um deep"), std::string::npos);
+  EXPECT_NE(alarm_of({.force_imbalance = 0.1}).find("do not balance"), std::string::npos);
+  s.ecm.x[1].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(alarm_of({}).find("matrix particle 1"), std::string::npos);
+  s.ecm.x[1] = {30, 0};
+  s.cortex.x[1].x() = std::numeric_limits<double>::infinity();
+  EXPECT_NE(alarm_of({}).find("cortex"), std::string::npos);
 }
 
 TEST(HealthWatch, GathersTheStepsSinceTheLastRow) {

@@ -1,0 +1,148 @@
+#include "apps/provenance.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "io/checkpoint.hpp"
+#include "io/trajectory_hash.hpp"
+#include "parameters/write.hpp"
+#include "simulation/advance.hpp"
+#include "simulation/start.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view known_hash = "dd2c566726de5020"; // of a release build with g++ 12 on x86-64
+
+/// A short migration with every part of the model at work: fibres, growing and maturing protrusions, degradation.
+Parameters short_migration(Integrator integrator) {
+  Parameters p;
+  p.run.integrator = integrator;
+  p.run.time_step = integrator == Integrator::adaptive ? 1.2 : 0.4;
+  p.run.duration = 96.0;
+  p.ecm.radius = 60.0;
+  p.fibres.arrangement = FibreArrangement::isotropic;
+  p.protrusion.initiation_rate = 1e-3;
+  p.protrusion.growth_time = 24.0;
+  p.adhesion.maturation_time = 36.0;
+  return p;
+}
+
+/// Goes on until t_end, and adds each step to the hash.
+void go(State& s, const Parameters& p, double t_end, io::TrajectoryHash& hash) {
+  Workspace w(s, p);
+  march(s, p, w, t_end, {}, [&](const State& now) {
+    hash.add(now);
+    return true;
+  });
+}
+
+std::string hash_with_threads(const Parameters& p, std::size_t threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  State s = initial_state(p);
+  io::TrajectoryHash hash;
+  go(s, p, p.run.duration, hash);
+  return hash.text();
+}
+
+/// The same with a break at two thirds: the state goes through a checkpoint.
+std::string hash_with_break(const Parameters& p) {
+  State s = initial_state(p);
+  io::TrajectoryHash hash;
+  go(s, p, std::round(2.0 / 3.0 * p.run.duration / p.run.time_step) * p.run.time_step, hash);
+  const std::string image = io::checkpoint_image(
+      {.state = s, .scenario = to_toml(p), .configuration_hash = {}, .program = version_line(), .memory = {}});
+  State read = io::parse_checkpoint(image, "checkpoint").state;
+  io::TrajectoryHash later(hash.value());
+  go(read, p, p.run.duration, later);
+  return later.text();
+}
+
+/// What another build of the program finds. @throws InputOutputError if it does not tell
+Json found_by(const std::string& program) {
+  std::string name = (std::filesystem::temp_directory_path() / "matrigrate-selftest-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw InputOutputError(name + ": cannot be made");
+  const std::filesystem::path folder = name;
+  const std::filesystem::path file = folder / "other.json";
+  const int status = std::system(fmt::format("'{}' selftest --json >'{}'", program, file.string()).c_str());
+  const std::string text = status == 0 ? read_file(file, 1U << 20U) : std::string();
+  std::filesystem::remove_all(folder);
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("hash")) throw InputOutputError(program + ": its self-test failed");
+  return json;
+}
+
+struct Check {
+  std::string what;
+  bool holds;
+};
+
+struct Options {
+  std::string other;
+  bool json = false;
+};
+
+int selftest(const Options& options) {
+  std::vector<Check> checks;
+  std::vector<std::string> hashes;
+  const auto most = static_cast<std::size_t>(std::max(4, tbb::info::default_concurrency()));
+  for (const Integrator integrator : {Integrator::reference, Integrator::adaptive}) {
+    const Parameters p = short_migration(integrator);
+    const std::string name = integrator == Integrator::reference ? "reference integrator" : "adaptive integrator";
+    const std::string whole = hash_with_threads(p, 1);
+    hashes.push_back(whole);
+    checks.push_back({fmt::format("{}: 1 and 2 threads, the same bits", name), hash_with_threads(p, 2) == whole});
+    checks.push_back(
+        {fmt::format("{}: 1 and {} threads, the same bits", name, most), hash_with_threads(p, most) == whole});
+    checks.push_back({fmt::format("{}: stopped and resumed, the same bits", name), hash_with_break(p) == whole});
+  }
+  const std::string hash = io::text_hash(hashes[0] + hashes[1]);
+  if (!options.other.empty())
+    checks.push_back({fmt::format("{}: the same bits", options.other), found_by(options.other).at("hash") == hash});
+  const bool all = std::ranges::all_of(checks, &Check::holds);
+  if (options.json) {
+    Json list = Json::array();
+    for (const Check& check : checks) list.push_back({{"what", check.what}, {"holds", check.holds}});
+    print(Json{{"hash", hash}, {"known_hash", known_hash}, {"checks", list}, {"holds", all}}.dump(2) + "\n");
+    return all ? done : numerical;
+  }
+  for (const Check& check : checks)
+    print(fmt::format("{:<6}{}\n",
+                      coloured(check.holds ? "ok" : "FAILS", check.holds ? Colour::good : Colour::bad, Stream::out),
+                      check.what));
+  print(fmt::format("\nhash {}: {}\n", hash,
+                    hash == known_hash
+                        ? "that of the release build with g++ 12 on x86-64, so runs agree with it to the last bit"
+                        : "not that of the release build with g++ 12 on x86-64. With another compiler, processor\n"
+                          "family or library of mathematical functions this is no fault: the same bits are promised\n"
+                          "for one program on one machine, and results of others agree in their statistics only."));
+  return all ? done : numerical;
+}
+
+} // namespace
+
+void add_selftest(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("selftest", "Prove on this machine that runs are reproducible to the last bit");
+  verb->footer("Simulates a short migration among fibres several times, with both integrators: with 1, 2 and all "
+               "threads, and\nwith a break. Exit code 0 if all bits are the same, 4 if not.");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("--with", options->other,
+                   "Compare with another build of the program, which must give the same bits");
+  verb->add_flag("--json", options->json, "Print one JSON object");
+  verb->callback([options, &chosen] { chosen = [options] { return selftest(*options); }; });
+}
+
+} // namespace matrigrate::apps

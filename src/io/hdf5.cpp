@@ -1,0 +1,171 @@
+#include "io/hdf5.hpp"
+
+#include "base/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace matrigrate::io {
+
+namespace {
+
+[[noreturn]] void fail(std::string_view what) { throw InputOutputError(fmt::format("HDF5: {}", what)); }
+
+void require(herr_t status, std::string_view what) {
+  if (status < 0) fail(what);
+}
+
+/// HDF5 would print its own errors; here they become exceptions.
+void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Handle access_in_memory() {
+  be_silent();
+  constexpr std::size_t grow_by = 1U << 20U;
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "no access list");
+  require(H5Pset_fapl_core(access.id(), grow_by, 0), "no file in memory");
+  return access;
+}
+
+/// HDF5 takes files in memory of one name for one file, so each has one of its own.
+std::string name_of(const void* owner) { return fmt::format("memory-{}", owner); }
+
+Handle new_file(const void* owner) {
+  const Handle access = access_in_memory();
+  return {H5Fcreate(name_of(owner).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
+          "no file could be made"};
+}
+
+Handle file_of(const void* owner, std::string& image) {
+  const Handle access = access_in_memory();
+  require(H5Pset_file_image(access.id(), image.data(), image.size()), "the image could not be taken");
+  return {H5Fopen(name_of(owner).c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "not an HDF5 file"};
+}
+
+void add_unit(const Handle& data, std::string_view unit) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "no type");
+  require(H5Tset_size(type.id(), unit.size()), "no type for a unit");
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "no space");
+  const Handle attribute(H5Acreate2(data.id(), "units", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         "no attribute could be made");
+  require(H5Awrite(attribute.id(), type.id(), unit.data()), "an attribute could not be written");
+}
+
+} // namespace
+
+Handle::Handle(hid_t id, Close close, std::string_view what) : m_id(id), m_close(close) {
+  if (id < 0) fail(what);
+}
+Handle::Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
+Handle& Handle::operator=(Handle&& other) noexcept {
+  std::swap(m_id, other.m_id);
+  std::swap(m_close, other.m_close);
+  return *this;
+}
+Handle::~Handle() {
+  if (m_id >= 0) m_close(m_id);
+}
+
+MemoryFile::MemoryFile() : m_file(new_file(this)) {}
+
+MemoryFile::MemoryFile(std::string_view image) : m_image(image), m_file(file_of(this, m_image)) {}
+
+std::string MemoryFile::image() const {
+  require(H5Fflush(m_file.id(), H5F_SCOPE_GLOBAL), "the file could not be flushed");
+  const ssize_t size = H5Fget_file_image(m_file.id(), nullptr, 0);
+  if (size < 0) fail("the file has no image");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(m_file.id(), image.data(), image.size()) != size) fail("the image could not be read");
+  return image;
+}
+
+void MemoryFile::write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,
+                       std::string_view unit) {
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "no link list");
+  require(H5Pset_create_intermediate_group(links.id(), 1), "no groups");
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
+  const Handle data(H5Dcreate2(m_file.id(), name.c_str(), type, space.id(), links.id(), H5P_DEFAULT, H5P_DEFAULT),
+                    H5Dclose, fmt::format("{} could not be made", name));
+  require(H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), fmt::format("{} not written", name));
+  if (!unit.empty()) add_unit(data, unit);
+}
+
+void MemoryFile::write(const std::string& name, std::span<const double> values, std::string_view unit) {
+  write(name, values.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 1>{values.size()}, unit);
+}
+
+void MemoryFile::write(const std::string& name, std::span<const Vec2> values, std::string_view unit) {
+  static_assert(sizeof(Vec2) == 2 * sizeof(double));
+  write(name, values.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 2>{values.size(), 2}, unit);
+}
+
+void MemoryFile::write(const std::string& name, std::span<const Mat2> values, std::string_view unit) {
+  std::vector<double> rows;
+  rows.reserve(4 * values.size());
+  for (const Mat2& A : values) rows.insert(rows.end(), {A(0, 0), A(0, 1), A(1, 0), A(1, 1)});
+  write(name, rows.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 2>{values.size(), 4}, unit);
+}
+
+void MemoryFile::write(const std::string& name, std::span<const std::uint8_t> values) {
+  write(name, values.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{values.size()}, "");
+}
+
+void MemoryFile::write_text(const std::string& name, std::string_view text) {
+  write(name, text.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{text.size()}, "");
+}
+
+/// The array of that name. @param columns  1 for a 1-d array   @param rows  its length out
+Handle MemoryFile::open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const {
+  Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle stored(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
+  if (H5Tequal(stored.id(), type) <= 0) fail(fmt::format("{} has another type", name));
+  const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
+  std::array<hsize_t, 2> shape{0, 1};
+  const int dimensions = columns == 1 ? 1 : 2;
+  if (H5Sget_simple_extent_ndims(space.id()) != dimensions) fail(fmt::format("{} has another shape", name));
+  H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
+  if (shape[1] != columns) fail(fmt::format("{} has another shape", name));
+  rows = shape[0];
+  return data;
+}
+
+template <class Number>
+std::vector<Number> MemoryFile::read(const std::string& name, hid_t type, std::size_t columns) const {
+  std::size_t rows = 0;
+  const Handle data = open(name, type, columns, rows);
+  if (rows * columns * sizeof(Number) > m_image.size()) fail(fmt::format("{} is longer than the file", name));
+  std::vector<Number> values(rows * columns);
+  require(H5Dread(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), fmt::format("{} not read", name));
+  return values;
+}
+
+std::vector<double> MemoryFile::doubles(const std::string& name) const {
+  return read<double>(name, H5T_NATIVE_DOUBLE, 1);
+}
+
+std::vector<Vec2> MemoryFile::vectors(const std::string& name) const {
+  const std::vector<double> values = read<double>(name, H5T_NATIVE_DOUBLE, 2);
+  std::vector<Vec2> result(values.size() / 2);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = {values[2 * i], values[2 * i + 1]};
+  return result;
+}
+
+std::vector<Mat2> MemoryFile::matrices(const std::string& name) const {
+  const std::vector<double> values = read<double>(name, H5T_NATIVE_DOUBLE, 4);
+  std::vector<Mat2> result(values.size() / 4);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] << values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3];
+  return result;
+}
+
+std::vector<std::uint8_t> MemoryFile::bytes(const std::string& name) const {
+  return read<std::uint8_t>(name, H5T_NATIVE_UINT8, 1);
+}
+
+std::string MemoryFile::text(const std::string& name) const {
+  const std::vector<std::uint8_t> values = bytes(name);
+  return {values.begin(), values.end()};
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "io/cell_scene.hpp"
+#include "observe/health.hpp"
+#include "observe/tracks.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What the writer of a run's files has to remember, so that a run that goes on writes what one without a break would
+/// have written. Test: tests/unit/io/run_memory_test.cpp
+namespace matrigrate::io {
+
+struct RunMemory {
+  std::vector<TrackRow> rows;    ///< of tracks.csv
+  std::vector<HealthRow> health; ///< of health.csv
+  HealthWatch watch;             ///< since the last row
+  StepHealth counts;             ///< since the start
+  std::vector<CellScene> scenes; ///< of the contact sheet
+  std::uint64_t trajectory = 0;  ///< fingerprint of the rows so far
+  double march_wall_time = 0.0;  ///< spent in the steps [s]
+};
+
+/// As JSON text; parse_memory gives the same bits back.
+std::string to_text(const RunMemory& memory);
+
+/// @throws InputOutputError saying what is wrong
+RunMemory parse_memory(const std::string& text);
+
+} // namespace matrigrate::io

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "state/protrusion.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+/// Parts of the state as JSON, to be read back to the same bits; what is not defined (NaN) is null. Reading throws
+/// nlohmann::json::exception where something is missing or of another type.
+/// Test: tests/unit/io/checkpoint_test.cpp
+namespace matrigrate::io {
+
+using Json = nlohmann::ordered_json;
+
+double number(const Json& json); ///< NaN for null
+Vec2 vector(const Json& json);   ///< [x, y]
+Json to_json(const Vec2& x);     ///< [x, y]
+Json to_json(const std::vector<Vec2>& points);
+std::vector<Vec2> vectors(const Json& json);
+
+Json to_json(const ProtrusionRecord& record);
+ProtrusionRecord record_of(const Json& json);
+
+Json to_json(const Protrusion& protrusion);
+Protrusion protrusion_of(const Json& json);
+
+} // namespace matrigrate::io

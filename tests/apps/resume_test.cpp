@@ -1,0 +1,204 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+
+namespace matrigrate {
+namespace {
+
+using nlohmann::json;
+
+/// A small migration of some 150 steps, with rows, snapshots and checkpoints at times that do not coincide.
+class Resume : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[protrusion]\ninitiation_rate = \"0.001 1/s\"\n[output]\n"
+                    "track_interval = \"4 s\"\nsnapshot_interval = \"10 s\"\ncheckpoint_interval = \"7 s\"\n"
+                    "kept_checkpoint_interval = \"12 s\"\n[run]\nduration = \"60 s\"\n");
+  }
+  json record(const std::string& of) const { return json::parse(text_of(folder / of / "run.json")); }
+
+  /// Starts a run in `into`, waits for one of its files and a little longer, ends it with a signal.
+  /// @return  its exit code
+  int stop(const std::string& into, const std::string& signal, const std::string& options = "",
+           const std::string& file = "checkpoint.h5", double later = 0.0) const {
+    const std::string script =
+        fmt::format("cd '{}'; '" MATRIGRATE_PROGRAM
+                    "' run s.toml -o {} {} --quiet >/dev/null 2>&1 & p=$!; for i in $(seq 2000); do "
+                    "[ -e '{}/{}/{}' ] && break; sleep 0.01; done; sleep {}; kill -s {} $p; wait $p",
+                    folder.string(), into, options, folder.string(), into, file, later, signal);
+    std::ofstream(base / "stop.sh") << script;
+    return WEXITSTATUS(std::system(("bash '" + (base / "stop.sh").string() + "' 2>/dev/null").c_str()));
+  }
+
+  void expect_same_files(const std::string& a, const std::string& b) const {
+    EXPECT_EQ(record(a).at("trajectory_hash"), record(b).at("trajectory_hash"));
+    for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json", "msd.csv", "snapshots.svg",
+                             "snapshots/t_00060s.svg", "scenario.resolved.toml"})
+      EXPECT_EQ(text_of(folder / a / file), text_of(folder / b / file)) << file;
+  }
+};
+
+TEST_F(Resume, GoesOnToTheSameBits) {
+  ASSERT_EQ(run("run s.toml -o whole --quiet").code, 0);
+  for (const auto& [signal, code] : {std::pair<std::string, int>{"TERM", 75}, {"USR1", 75}, {"INT", 130}}) {
+    ASSERT_EQ(stop(signal, signal), code) << signal;
+    EXPECT_EQ(record(signal).at("status"), "interrupted");
+    EXPECT_TRUE(contains(record(signal).at("reason"), "matrigrate resume " + signal)) << record(signal).at("reason");
+    const Ended ended = run("resume " + signal);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(record(signal).at("status"), "done");
+    EXPECT_EQ(record(signal).at("lineage").size(), 1U);
+    EXPECT_EQ(record(signal).at("lineage").at(0).at("event"), "resumed");
+    expect_same_files(signal, "whole");
+  }
+}
+
+TEST_F(Resume, GoesOnAfterBeingKilled) {
+  ASSERT_EQ(run("run s.toml -o whole --quiet").code, 0);
+  for (const double later : {0.0, 0.1, 0.2}) {
+    const std::string here = fmt::format("killed-{}", later);
+    stop(here, "KILL", "", "tracks.csv", later);
+    const Ended ended = run("run s.toml --quiet -o " + here); // `run` into its own folder resumes as well
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    expect_same_files(here, "whole");
+  }
+}
+
+TEST_F(Resume, StopsAtTheLimitOfWallTime) {
+  ASSERT_EQ(run("run s.toml -o here --hours 24 --wall-time '0.2 s' --quiet").code, 75);
+  EXPECT_TRUE(contains(record("here").at("reason"), "limit of wall time"));
+  EXPECT_EQ(run("run s.toml --wall-time '2 um'").code, 2);
+  EXPECT_EQ(run("run s.toml --wall-time soon").code, 2);
+}
+
+TEST_F(Resume, LeavesWhatIsDone) {
+  ASSERT_EQ(run("run s.toml -o here --quiet").code, 0);
+  const std::string before = text_of(folder / "here/run.json");
+  for (const char* again : {"run s.toml -o here", "run s.toml -o here --threads 2", "resume here"}) {
+    const Ended ended = run(again);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(contains(ended.out, "done already")) << ended.out;
+    EXPECT_TRUE(contains(ended.out, "open here/report.html")) << ended.out;
+  }
+  EXPECT_EQ(json::parse(run("resume here --json").out).at("status"), "done");
+  EXPECT_EQ(text_of(folder / "here/run.json"), before);
+  EXPECT_EQ(run("run s.toml -o here --seed 2").code, 5) << "another run";
+}
+
+TEST_F(Resume, RefusesDamagedCheckpointsAndOffersTheOneBefore) {
+  stop("here", "KILL", "", "checkpoint_prev.h5");
+  const std::string whole = text_of(folder / "here/checkpoint.h5");
+  const auto refused = [&](const std::string& bytes, const std::string& why) {
+    std::ofstream(folder / "here/checkpoint.h5", std::ios::binary) << bytes;
+    const Ended ended = run("resume here");
+    EXPECT_EQ(ended.code, 5);
+    EXPECT_TRUE(contains(ended.err, why)) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "--previous")) << ended.err;
+  };
+  std::string changed = whole;
+  changed[whole.size() / 2] = static_cast<char>(changed[whole.size() / 2] ^ 1);
+  refused(changed, "has been changed");
+  refused(whole.substr(0, whole.size() / 3), "is cut short");
+  refused("nonsense", "is no checkpoint");
+  std::string other = whole;
+  other[22] = '9';
+  refused(other, "format 9");
+  EXPECT_EQ(run("resume here --previous --quiet").code, 0);
+  EXPECT_EQ(record("here").at("status"), "done");
+}
+
+TEST_F(Resume, RefusesTheCheckpointOfAnotherScenario) {
+  ASSERT_EQ(run("run s.toml -o a --quiet").code, 0);
+  stop("b", "TERM", "--seed 2");
+  std::filesystem::copy_file(folder / "a/checkpoint.h5", folder / "b/checkpoint.h5",
+                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::remove(folder / "b/checkpoint_prev.h5");
+  const Ended ended = run("resume b");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "another scenario")) << ended.err;
+}
+
+TEST_F(Resume, SaysWhatThereIsNot) {
+  EXPECT_EQ(run("resume nowhere").code, 5);
+  std::filesystem::create_directory(folder / "empty");
+  const Ended ended = run("resume empty");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "no checkpoint")) << ended.err;
+  EXPECT_EQ(run("resume empty -o other").code, 2);
+}
+
+TEST_F(Resume, Branches) {
+  ASSERT_EQ(run("run s.toml -o trunk --quiet").code, 0);
+  const std::string trunk = text_of(folder / "trunk/run.json");
+  const Ended stiff = run("resume trunk --at '12 s' --set ecm.youngs_modulus='400 Pa' -o stiff --quiet");
+  ASSERT_EQ(stiff.code, 0) << stiff.err;
+  EXPECT_EQ(text_of(folder / "trunk/run.json"), trunk);
+  const json lineage = record("stiff").at("lineage");
+  ASSERT_EQ(lineage.size(), 1U);
+  EXPECT_EQ(lineage.at(0).at("event"), "branched");
+  EXPECT_EQ(lineage.at(0).at("at_s"), 12.0);
+  EXPECT_EQ(lineage.at(0).at("set").at(0), "ecm.youngs_modulus=400 Pa");
+  EXPECT_TRUE(contains(text_of(folder / "stiff/scenario.resolved.toml"), "youngs_modulus = \"400 Pa\""));
+  const std::string with = text_of(folder / "stiff/tracks.csv");
+  const std::string without = text_of(folder / "trunk/tracks.csv");
+  const std::size_t common = without.find(",12,") == std::string::npos ? 0 : without.find("\n1,16,");
+  EXPECT_EQ(with.substr(0, common), without.substr(0, common)) << "the history is the trunk's";
+  EXPECT_NE(with, without);
+}
+
+TEST_F(Resume, BranchesBetweenCheckpointsAsIfOneStoodThere) {
+  ASSERT_EQ(run("run s.toml -o trunk --quiet").code, 0);
+  ASSERT_EQ(run("resume trunk --at '10 s' --seed 5 -o a --quiet").code, 0);
+  std::filesystem::remove_all(folder / "trunk/checkpoints");
+  std::filesystem::remove(folder / "trunk/checkpoint_prev.h5");
+  ASSERT_EQ(run("resume trunk --at '10 s' --seed 5 -o b --quiet").code, 0) << "from the start";
+  expect_same_files("a", "b");
+  ASSERT_EQ(run("resume trunk --hours 0.02 -o longer --quiet").code, 0);
+  ASSERT_EQ(run("run s.toml --hours 0.02 -o whole --quiet").code, 0);
+  EXPECT_EQ(text_of(folder / "longer/tracks.csv"), text_of(folder / "whole/tracks.csv"));
+}
+
+TEST_F(Resume, RefusesBranchesThatCannotBe) {
+  ASSERT_EQ(run("run s.toml -o trunk --quiet").code, 0);
+  const Ended ended = run("resume trunk --set ecm.radius=60 --set cell.particles=200");
+  EXPECT_EQ(ended.code, 3);
+  for (const char* key : {"ecm.radius", "cell.particles"}) EXPECT_TRUE(contains(ended.err, key)) << ended.err;
+  EXPECT_EQ(run("resume trunk --at '70 s'").code, 3) << "beyond the end";
+  EXPECT_EQ(run("resume trunk --at '10.1 s'").code, 3) << "between steps";
+  EXPECT_EQ(run("resume trunk --set run.sed=1").code, 3);
+  EXPECT_FALSE(exists("trunk-branch"));
+}
+
+TEST_F(Resume, WorksAloneInItsFolder) {
+  const std::string command = fmt::format("cd '{}' && '" MATRIGRATE_PROGRAM
+                                          "' run s.toml -o here --hours 24 --wall-time '2 s' --quiet >/dev/null 2>&1 &",
+                                          folder.string());
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  for (int i = 0; i < 100 && !exists("here/checkpoint.h5"); ++i) ::usleep(20000);
+  const Ended ended = run("resume here");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "another process")) << ended.err;
+  ::sleep(2);
+}
+
+TEST_F(Resume, KeepsWhatIsSafeWhereAFileMayNotGrow) {
+  // A limit of 150 kB a file: checkpoints of this run are larger.
+  const std::string command = fmt::format("cd '{}' && bash -c 'ulimit -f 150; exec \"$0\" \"$@\"' '" MATRIGRATE_PROGRAM
+                                          "' run s.toml -o here --quiet >/dev/null 2>'{}'",
+                                          folder.string(), (base / "err").string());
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 5);
+  const std::string said = text_of(base / "err");
+  EXPECT_TRUE(contains(said, "checkpoint")) << said;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "here"))
+    EXPECT_FALSE(contains(entry.path().filename().string(), "checkpoint_next")) << entry.path();
+  EXPECT_EQ(run("run s.toml -o here --quiet").code, 0) << "with room again";
+}
+
+} // namespace
+} // namespace matrigrate
