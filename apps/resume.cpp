@@ -131,13 +131,6 @@ void tell_other_program(const Found& found) {
                           found.checkpoint.program, version_line()));
 }
 
-/// Leftovers of writers that were killed.
-void remove_unfinished(const fs::path& folder) {
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().filename().string().starts_with("checkpoint_next.h5")) fs::remove(entry.path(), error);
-}
-
 int say_done(const Manner& manner, const Json& record) {
   const std::string report = (manner.folder / "report.html").string();
   if (manner.json) {
@@ -157,7 +150,6 @@ int resume_from(const Found& found, const Manner& manner, const Json& record, st
   Beginning beginning = beginning_of(found, record);
   if (threads) beginning.p.run.threads = *threads;
   beginning.lineage.push_back(event("resumed", found));
-  remove_unfinished(manner.folder);
   return simulate(std::move(beginning), manner);
 }
 

@@ -29,6 +29,16 @@ std::string time_name(double t) {
   return fmt::format("t_{:05.0f}{}s", whole, fraction);
 }
 
+/// Takes away what writers that were killed have left.
+void remove_unfinished(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("checkpoint_next.h5") || name.starts_with(".checkpoint_next.h5."))
+      std::filesystem::remove(entry.path(), error);
+  }
+}
+
 template <class Row>
 std::vector<std::vector<io::Field>> fields_of(const std::vector<Row>& rows) {
   std::vector<std::vector<io::Field>> all;
@@ -49,16 +59,17 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
                      io::RunMemory memory)
     : m_folder(std::move(folder)), m_lock(m_folder), m_p(p), m_memory(std::move(memory)), m_ended(s.ended.size()),
-      m_tracks(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows)),
-      m_protrusions(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p)),
-      m_health(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health)),
       m_row_cadence(p.output.track_interval, p.run.time_step),
       m_snapshot_cadence(p.output.snapshot_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
+  remove_unfinished(m_folder);
+  write_record(record); // first: it tells whose folder this is
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   make_output_folder(m_folder / "snapshots", true);
-  write_record(record);
+  m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
+  m_protrusions.emplace(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p));
+  m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
   if (m_memory.rows.empty()) return;
   for (Cadence* cadence : {&m_row_cadence, &m_snapshot_cadence, &m_checkpoint_cadence, &m_kept_cadence})
     cadence->due(s.t); // what was due is done
@@ -144,15 +155,15 @@ void RunFolder::add_row(const State& s, const Workspace& w) {
   trajectory.add(s);
   m_memory.trajectory = trajectory.value();
   m_memory.rows.push_back(track_row(s));
-  m_tracks.add(io::fields(m_memory.rows.back()));
+  m_tracks->add(io::fields(m_memory.rows.back()));
   HealthRow health = m_memory.watch.row(s, m_p, w.health);
   health.force_imbalance = force_imbalance(w);
   m_memory.health.push_back(health);
-  m_health.add(io::fields(health));
+  m_health->add(io::fields(health));
 }
 
 void RunFolder::add_ended(const State& s) {
-  for (; m_ended < s.ended.size(); ++m_ended) m_protrusions.add(io::fields(s.ended[m_ended], m_p.actomyosin));
+  for (; m_ended < s.ended.size(); ++m_ended) m_protrusions->add(io::fields(s.ended[m_ended], m_p.actomyosin));
 }
 
 void RunFolder::add_snapshot(const State& s, const Workspace& w) {

@@ -63,9 +63,9 @@ private:
   Parameters m_p;
   io::RunMemory m_memory;
   std::size_t m_ended; ///< protrusions written so far
-  io::RowFile m_tracks;
-  io::RowFile m_protrusions;
-  io::RowFile m_health;
+  std::optional<io::RowFile> m_tracks;
+  std::optional<io::RowFile> m_protrusions;
+  std::optional<io::RowFile> m_health;
   Cadence m_row_cadence;
   Cadence m_snapshot_cadence;
   Cadence m_checkpoint_cadence;

@@ -73,7 +73,7 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) fail(path, "is a folder, not a file");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) fail(path, "is not a regular file");
-  Temporary temporary{path.string() + ".XXXXXX"};
+  Temporary temporary{path.parent_path() / ("." + path.filename().string() + ".XXXXXX")};
   Descriptor file(::mkstemp(temporary.path.data()));
   if (file.number() < 0) {
     temporary.kept = true; // nothing was made
@@ -122,12 +122,20 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
   return content;
 }
 
+namespace {
+
+/// Locks, and what a killed writer has left.
+bool is_hidden(const std::filesystem::path& path) { return path.filename().string().starts_with('.'); }
+
+} // namespace
+
 void make_output_folder(const std::filesystem::path& path, bool force) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status)) {
     if (!std::filesystem::is_directory(status)) fail(path, "exists and is not a folder");
-    const bool empty = std::filesystem::is_empty(path, error);
+    const std::filesystem::directory_iterator entries(path, error);
+    const bool empty = std::ranges::all_of(entries, [](const auto& entry) { return is_hidden(entry.path()); });
     if (error) fail(path, "cannot be read: " + error.message());
     if (!empty && !force)
       fail(path, "exists and is not empty; choose another folder, or pass --force to write into it");

@@ -7,7 +7,8 @@
 
 namespace matrigrate {
 
-/// Writes the file whole or not at all: temporary file beside it, flushed to disk, renamed. Each step is checked.
+/// Writes the file whole or not at all: hidden temporary file beside it, flushed to disk, renamed. Each step is
+/// checked.
 /// @throws InputOutputError naming the path and the reason
 void write_file(const std::filesystem::path& path, std::string_view content);
 
@@ -19,8 +20,8 @@ void rename_file(const std::filesystem::path& from, const std::filesystem::path&
 /// @throws InputOutputError if it cannot be read, is no regular file, or is larger than max_bytes
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// Makes a new folder for results. An existing one that is not empty is refused unless `force`; nothing is ever
-/// deleted.
+/// Makes a new folder for results. An existing one that is not empty, hidden files aside, is refused unless `force`;
+/// nothing is ever deleted.
 /// @throws InputOutputError naming the path and the reason
 void make_output_folder(const std::filesystem::path& path, bool force);
 

@@ -58,11 +58,6 @@ Handle::Handle(hid_t id, Close close, std::string_view what) : m_id(id), m_close
   if (id < 0) fail(what);
 }
 Handle::Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
-Handle& Handle::operator=(Handle&& other) noexcept {
-  std::swap(m_id, other.m_id);
-  std::swap(m_close, other.m_close);
-  return *this;
-}
 Handle::~Handle() {
   if (m_id >= 0) m_close(m_id);
 }

@@ -25,7 +25,7 @@ public:
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   Handle(Handle&& other) noexcept;
-  Handle& operator=(Handle&& other) noexcept;
+  Handle& operator=(Handle&& other) = delete;
   ~Handle();
 
   hid_t id() const { return m_id; }

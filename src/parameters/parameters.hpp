@@ -149,12 +149,12 @@ struct DegradationParameters {
 };
 
 struct OutputParameters {
-  double track_interval = 60.0;      ///< [s]
-  double snapshot_interval = 1800.0; ///< [s]
+  double track_interval = 60.0;             ///< [s]
+  double snapshot_interval = 1800.0;        ///< [s]
   double checkpoint_interval = 600.0;       ///< of the checkpoint to resume from; 0: only when the run stops [s]
   double kept_checkpoint_interval = 3600.0; ///< of checkpoints that are kept, to branch from; 0: none [s]
-  bool displacement_layer = false;   ///< snapshots of the displacement of the matrix
-  bool fibre_stress_layer = true;    ///< snapshots of the von Mises stress of the fibres, where there are any
+  bool displacement_layer = false;          ///< snapshots of the displacement of the matrix
+  bool fibre_stress_layer = true;           ///< snapshots of the von Mises stress of the fibres, where there are any
 };
 
 struct SolverParameters {

@@ -92,7 +92,7 @@ TEST_F(Resume, LeavesWhatIsDone) {
 }
 
 TEST_F(Resume, RefusesDamagedCheckpointsAndOffersTheOneBefore) {
-  stop("here", "KILL", "", "checkpoint_prev.h5");
+  stop("here", "KILL", "", "checkpoints/t_00012s.h5");
   const std::string whole = text_of(folder / "here/checkpoint.h5");
   const auto refused = [&](const std::string& bytes, const std::string& why) {
     std::ofstream(folder / "here/checkpoint.h5", std::ios::binary) << bytes;
