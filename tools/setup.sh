@@ -16,6 +16,7 @@ libcli11-dev: the command line
 nlohmann-json3-dev: JSON
 librandom123-dev: counter-based random numbers
 libxxhash-dev: fingerprints of trajectories
+libboost-math-dev: distributions behind the p-values of studies
 "
 packages_to_test="
 libgtest-dev: the tests
