@@ -10,13 +10,6 @@ namespace matrigrate::statistics {
 
 namespace {
 
-/// Standard deviation common to two samples, with n_a + n_b - 2 degrees of freedom.
-double pooled_sd(const Moments& a, const Moments& b) {
-  const auto squares = [](const Moments& m) { return m.n < 2 ? 0.0 : static_cast<double>(m.n - 1) * m.sd * m.sd; };
-  if (a.n < 1 || b.n < 1 || a.n + b.n < 3) return undefined;
-  return std::sqrt((squares(a) + squares(b)) / static_cast<double>(a.n + b.n - 2));
-}
-
 /// What t, its degrees of freedom and the standard error of a difference are.
 struct Student {
   double difference, error, df;
@@ -44,6 +37,12 @@ Student student(Values a, Values b, bool pooled) {
 double bias(double m) { return std::exp(std::lgamma(0.5 * m) - std::lgamma(0.5 * (m - 1.0))) / std::sqrt(0.5 * m); }
 
 } // namespace
+
+double pooled_sd(const Moments& a, const Moments& b) {
+  const auto squares = [](const Moments& m) { return m.n < 2 ? 0.0 : static_cast<double>(m.n - 1) * m.sd * m.sd; };
+  if (a.n < 1 || b.n < 1 || a.n + b.n < 3) return undefined;
+  return std::sqrt((squares(a) + squares(b)) / static_cast<double>(a.n + b.n - 2));
+}
 
 TestResult t_test(Values a, Values b) { return student(a, b, true).test(); }
 

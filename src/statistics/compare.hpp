@@ -16,6 +16,9 @@ struct TestResult {
   double p;
 };
 
+/// Standard deviation common to two samples, s of t_test; NaN with fewer than three values in all.
+double pooled_sd(const Moments& a, const Moments& b);
+
 /// Unpaired two-sample t-test with pooled variance (Student 1908), the one of Heck et al. 2020:
 ///   t = (mean_b - mean_a) / (s sqrt(1/n_a + 1/n_b)),  s^2 = ((n_a - 1) s_a^2 + (n_b - 1) s_b^2) / (n_a + n_b - 2)
 TestResult t_test(Values a, Values b);

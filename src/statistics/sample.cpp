@@ -10,7 +10,6 @@ namespace matrigrate::statistics {
 
 namespace {
 
-
 double quantile_of_sorted(Values x, double share) {
   if (x.empty()) return undefined;
   const double place = share * static_cast<double>(x.size() - 1);
