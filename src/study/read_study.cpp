@@ -106,12 +106,14 @@ private:
       m_faults.add(preset == nullptr ? Place{} : place_of(*preset), "scenario",
                    fmt::format("{}; a study has one of scenario = \"FILE.toml\" and preset = \"NAME\"",
                                preset == nullptr ? "is missing" : "stands beside a preset"));
+    if (preset != nullptr) read_preset(*preset);
     try {
-      if (scenario != nullptr)
-        read_scenario(*scenario);
-      else if (preset != nullptr)
-        read_preset(*preset);
-      fix_parameters();
+      if (scenario != nullptr) read_scenario(*scenario);
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    }
+    fix_parameters();
+    try {
       if (m_faults.empty()) m_study.base = apply_overrides(m_study.base, m_changes.overrides);
     } catch (const ConfigurationError& error) {
       m_faults.add(error.faults());
@@ -158,14 +160,14 @@ private:
   }
 
   void check_points(const std::vector<Draft>& drafts) {
-    const bool good = m_faults.empty();                    // otherwise a rule would judge a default that nobody chose
+    if (!m_faults.empty()) return;                         // a rule would judge a default that nobody chose
     std::vector<std::pair<std::string, std::string>> seen; // settings and labels
     for (const Draft& draft : drafts) {
       std::string settings = sorted_text(draft.point.settings);
       seen.emplace_back(std::move(settings), draft.point.label);
       auto places = draft.settings;
       places.insert(places.end(), m_fixed.begin(), m_fixed.end());
-      if (good) check_rules(draft.point.parameters, places, m_faults);
+      check_rules(draft.point.parameters, places, m_faults);
     }
     const auto twice = [&](auto part, std::string_view what) {
       std::vector<std::size_t> order(seen.size());
@@ -177,7 +179,7 @@ private:
                        fmt::format("\"{}\": {}", excerpt(seen[order[k]].second), what));
     };
     twice(&std::pair<std::string, std::string>::first, "is the same as another point");
-    if (good) twice(&std::pair<std::string, std::string>::second, "is the label of two points");
+    twice(&std::pair<std::string, std::string>::second, "is the label of two points");
   }
 
   static std::string sorted_text(std::vector<Setting> settings) {

@@ -9,7 +9,7 @@ using nlohmann::json;
 
 TEST_F(Program, HelpOfEveryVerb) {
   EXPECT_EQ(run("-h").code, 0);
-  for (const std::string verb : {"new", "list", "check", "explain", "run", "validate", "info"}) {
+  for (const std::string verb : {"new", "list", "check", "explain", "run", "validate", "study", "info"}) {
     const Ended ended = run(verb + " -h");
     EXPECT_EQ(ended.code, 0) << verb;
     EXPECT_TRUE(contains(ended.out, "Usage: matrigrate " + verb)) << ended.out;
