@@ -118,7 +118,7 @@ ReproducedRow verified(const VerificationRow& row, const Options& options) {
                        : *code == numerical ? study::Verdict::does_not_hold
                                             : study::Verdict::undecided;
   const std::string where = fmt::format("see {}", (folder / "report.html").string());
-  return {std::string(row.id), std::string(row.sentence), "", {verdict, where, ""}};
+  return {std::string(row.id), std::string(row.sentence), "", {verdict, {where}, {}}};
 }
 
 /// Runs the studies that the claims need. @return what they have come to
@@ -139,13 +139,17 @@ study::Evidence evidence_for(const std::vector<const study::Claim*>& claims, con
   return evidence;
 }
 
+/// Whether the studies are run as the paper ran them.
+bool as_published(const Options& options) { return !options.replicates && options.overrides.empty(); }
+
 std::string setting_text(const Options& options) {
   std::string text = options.integrator == "adaptive"
                          ? "Integrator: adaptive, steps of up to 2.4 s (the paper's reference is 0.4 s throughout: "
                            "--integrator reference)."
                          : "Integrator: reference, 0.4 s throughout, as in the paper.";
-  if (options.replicates) text += fmt::format(" Replicates: {}, not the paper's.", *options.replicates);
+  if (options.replicates) text += fmt::format(" Replicates: {}.", *options.replicates);
   if (!options.overrides.empty()) text += fmt::format(" Changed: {}.", fmt::join(options.overrides, ", "));
+  if (!as_published(options)) text += " Not run as the paper ran it, so these are no verdicts on the paper.";
   return text;
 }
 
@@ -172,9 +176,10 @@ int reproduce(const Options& options) {
         {std::string(claim->id), std::string(claim->sentence), std::string(claim->published), claim->judge(evidence)});
   write_reproduction(options.folder, options.id, rows, evidence, setting);
   if (options.json)
-    print(reproduction_json(rows, setting));
+    print(reproduction_json(rows, setting, as_published(options)));
   else
-    print(reproduction_text(rows) + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
+    print(reproduction_text(rows) + setting + "\n"
+          + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   const auto holds = [](const ReproducedRow& row) { return row.finding.verdict == study::Verdict::holds; };
   return std::ranges::all_of(rows, holds) ? done : numerical;
 }

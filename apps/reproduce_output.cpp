@@ -15,14 +15,18 @@ namespace matrigrate::apps {
 
 namespace {
 
+std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
+
 std::string claims_csv(const std::vector<ReproducedRow>& rows) {
   using View = std::string_view;
   std::string text =
       io::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"), View("verdict")});
   for (const ReproducedRow& row : rows) {
     const std::string verdict = to_string(row.finding.verdict);
-    text += io::csv_line({View(row.id), View(row.sentence), View(row.published), View(row.finding.ours),
-                          View(row.finding.statistic), View(verdict)});
+    const std::string ours = joined(row.finding.ours);
+    const std::string statistic = joined(row.finding.conditions);
+    text += io::csv_line(
+        {View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic), View(verdict)});
   }
   return text;
 }
@@ -32,7 +36,8 @@ io::PageSection section(const ReproducedRow& row) {
   return {.title = row.id,
           .summary = row.sentence,
           .holds = row.finding.verdict == study::Verdict::holds,
-          .check_rows = {{row.sentence, row.finding.ours, row.published, "", row.finding.statistic, verdict}},
+          .check_rows = {{row.sentence, joined(row.finding.ours), row.published, "", joined(row.finding.conditions),
+                          verdict}},
           .remarks = {},
           .figures = {}};
 }
@@ -74,13 +79,13 @@ std::string reproduction_text(const std::vector<ReproducedRow>& rows) {
                         coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
                         row.sentence);
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
-    if (!row.finding.ours.empty()) text += fmt::format("    ours: {}\n", row.finding.ours);
-    if (!row.finding.statistic.empty()) text += fmt::format("    {}\n", row.finding.statistic);
+    for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
+    for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
   }
   return text;
 }
 
-std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting) {
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const ReproducedRow& row : rows)
@@ -88,9 +93,11 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std:
                     {"sentence", row.sentence},
                     {"published", row.published},
                     {"ours", row.finding.ours},
-                    {"statistic", row.finding.statistic},
+                    {"statistic", row.finding.conditions},
                     {"verdict", to_string(row.finding.verdict)}});
-  return Json{{"setting", setting}, {"rows", list}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
+                                                                                         Json::error_handler_t::replace)
+         + "\n";
 }
 
 } // namespace matrigrate::apps

@@ -24,7 +24,8 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
 /// The table for people.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows);
 
-/// The table as JSON text: {setting, rows: [{id, sentence, published, ours, statistic, verdict}]}.
-std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting);
+/// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict}]}.
+/// @param as_published  whether replicates and parameters are the paper's; otherwise these are no verdicts on it
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published);
 
 } // namespace matrigrate::apps

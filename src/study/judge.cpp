@@ -177,7 +177,7 @@ Finding Judge::finding() const {
   const Verdict verdict = !m_defined || m_conditions.empty() ? Verdict::undecided
                           : m_met                            ? Verdict::holds
                                                              : Verdict::does_not_hold;
-  return {verdict, fmt::format("{}", fmt::join(m_ours, "; ")), fmt::format("{}", fmt::join(m_conditions, "; "))};
+  return {verdict, m_ours, m_conditions};
 }
 
 std::string to_string(Verdict verdict) {

@@ -33,8 +33,8 @@ enum class Verdict { holds, does_not_hold, undecided };
 /// What became of a claim.
 struct Finding {
   Verdict verdict = Verdict::undecided;
-  std::string ours;      ///< means with their 95 % intervals
-  std::string statistic; ///< each condition with its test and whether it is met
+  std::vector<std::string> ours;       ///< means with their 95 % intervals
+  std::vector<std::string> conditions; ///< each with its statistic, and whether it is met
 };
 
 enum class Sign { up, down };

@@ -13,9 +13,9 @@ namespace matrigrate::study {
 
 /// One run.
 struct Run {
-  std::size_t point;     ///< index into Study::points
-  std::size_t replicate; ///< from 1
-  std::uint64_t seed;
+  std::size_t point = 0;     ///< index into Study::points
+  std::size_t replicate = 1; ///< from 1
+  std::uint64_t seed = 0;
   std::string hash; ///< of all that decides on its results; the name of its folder
 };
 

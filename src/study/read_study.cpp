@@ -114,7 +114,8 @@ private:
     }
     fix_parameters();
     try {
-      if (m_faults.empty()) m_study.base = apply_overrides(m_study.base, m_changes.overrides);
+      if (m_faults.empty() && !m_changes.overrides.empty())
+        m_study.base = apply_overrides(m_study.base, m_changes.overrides);
     } catch (const ConfigurationError& error) {
       m_faults.add(error.faults());
     }
@@ -179,7 +180,7 @@ private:
                        fmt::format("\"{}\": {}", excerpt(seen[order[k]].second), what));
     };
     twice(&std::pair<std::string, std::string>::first, "is the same as another point");
-    twice(&std::pair<std::string, std::string>::second, "is the label of two points");
+    if (m_faults.empty()) twice(&std::pair<std::string, std::string>::second, "is the label of two points");
   }
 
   static std::string sorted_text(std::vector<Setting> settings) {

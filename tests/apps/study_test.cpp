@@ -139,9 +139,11 @@ TEST_F(Study, StopsAtASignal) {
   write("e.toml", "scenario = \"s.toml\"\nreplicates = 4\n[set]\nrun.duration = \"1000 h\"\nprotrusion.initiation_rate "
                   "= 1e-12\n");
   for (const auto& [signal, code] : {std::pair<std::string, int>{"INT", 130}, {"TERM", 75}}) {
-    const std::string command = "cd '" + folder.string() + "' && timeout --preserve-status -s " + signal
-                                + " 1 '" MATRIGRATE_PROGRAM "' study run e.toml --jobs 2 -o " + signal + " >'"
-                                + (base / "out").string() + "' 2>&1";
+    // As a terminal and Slurm do: the signal goes to the whole group, the runs among it. The pool must not tell them
+    // a second time, which would end them at once.
+    const std::string command =
+        "cd '" + folder.string() + "' && { setsid '" MATRIGRATE_PROGRAM "' study run e.toml --jobs 2 -o " + signal
+        + " >'" + (base / "out").string() + "' 2>&1 & p=$! ; sleep 1.5 ; kill -s " + signal + " -- -$p ; wait $p ; }";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), code);
     EXPECT_TRUE(contains(text_of(base / "out"), "0 of 4 runs done")) << text_of(base / "out");
     const json status = json::parse(run("study status " + signal + " --json").out);
@@ -209,6 +211,24 @@ TEST_F(Study, WithoutSlurmTheScriptIsKept) {
   const std::string script = file("e-study/submit.sh");
   for (const char* line : {"#SBATCH --array=0-3%2", "#SBATCH --requeue", "#SBATCH --time=1:00:00"})
     EXPECT_TRUE(contains(script, line)) << script;
+}
+
+TEST_F(Study, ReproduceRunsAndJudges) {
+  const std::string tiny = " --set 'ecm.radius=40 um' --set 'run.duration=0.002 h' --replicates 2";
+  const Ended ended = run("reproduce A5" + tiny);
+  EXPECT_EQ(ended.code, 4) << ended.out << ended.err;
+  EXPECT_TRUE(contains(ended.out, "A5  undecided")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "Not run as the paper ran it")) << ended.out;
+  for (const char* name : {"claims-A5.csv", "boxes-A5.svg", "report-A5.html", "stiffness/results.csv"})
+    EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
+  const std::string results = file("reproduce/stiffness/results.csv");
+  const json again = json::parse(run("reproduce A2 --json" + tiny).out);
+  EXPECT_FALSE(again.at("as_published").get<bool>());
+  EXPECT_EQ(again.at("rows").at(0).at("id"), "A2");
+  EXPECT_EQ(file("reproduce/stiffness/results.csv"), results) << "rows share their runs";
+  EXPECT_EQ(run("reproduce A9").code, 2);
+  EXPECT_EQ(run("reproduce A --set ecm.radius=1 -o elsewhere").code, 3);
+  EXPECT_FALSE(exists("elsewhere"));
 }
 
 } // namespace
