@@ -7,6 +7,7 @@
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/scan.hpp"
+#include "study/read_comparisons.hpp"
 #include "study/sweep.hpp"
 
 #include <fmt/format.h>
@@ -191,53 +192,8 @@ private:
   }
 
   void read_statistics() {
-    const toml::table* table = section("statistics");
-    if (table == nullptr) return;
-    Comparisons& c = m_study.comparisons;
-    for (const auto& [name, node] : *table) {
-      const std::string key = fmt::format("statistics.{}", name.str());
-      if (key == "statistics.compare")
-        c.pairs = static_cast<Pairs>(m_faults.choice(node, key, {"none", "adjacent", "all", "control"}));
-      else if (key == "statistics.test")
-        c.test = static_cast<TestKind>(m_faults.choice(node, key, {"t", "welch", "mann_whitney"}));
-      else if (key == "statistics.control")
-        c.control = m_faults.text(node, key);
-      else if (key == "statistics.alpha")
-        read_alpha(node, key);
-      else
-        m_faults.add(place_of(name), key,
-                     fmt::format("there is no such key{}",
-                                 did_you_mean(nearest(name.str(), {"compare", "test", "control", "alpha"}))));
-    }
-    check_control(*table);
-  }
-
-  void read_alpha(const toml::node& node, const std::string& key) {
-    const auto value = node.value<double>();
-    if (value && *value > 0.0 && *value <= 0.5) {
-      m_study.comparisons.alpha = *value;
-      return;
-    }
-    m_faults.add(place_of(node), key,
-                 value ? fmt::format("{} is out of range; allowed is > 0 and <= 0.5", *value)
-                       : fmt::format("is {}, but a number without quotes is expected, such as 0.05", type_of(node)));
-  }
-
-  void check_control(const toml::table& table) {
-    const Comparisons& c = m_study.comparisons;
-    if (c.pairs != Pairs::control) return;
-    const toml::node* node = table.get("control");
-    std::vector<std::string> labels;
-    for (const Point& point : m_study.points) labels.push_back(point.label);
-    if (std::ranges::find(labels, c.control) != labels.end()) return;
-    const std::size_t most = 20;
-    const std::size_t shown = std::min(labels.size(), most);
-    m_faults.add(place_of(node == nullptr ? *table.get("compare") : *node), "statistics.control",
-                 fmt::format("{} of a point; the labels are \"{}\"{}{}",
-                             node == nullptr ? "is missing: the label"
-                                             : fmt::format("\"{}\" is not the label", excerpt(c.control)),
-                             fmt::join(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(shown), "\", \""),
-                             labels.size() > most ? ", ..." : "", did_you_mean(nearest(c.control, labels))));
+    if (const toml::table* table = section("statistics"))
+      m_study.comparisons = read_comparisons(*table, m_study.points, m_faults);
   }
 
   FaultList m_faults;

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # A study of six short runs as a Slurm job array, on a Slurm of its own on this machine: munged, slurmctld and slurmd on
 # loopback, one node, no accounting, everything in a temporary folder. One task is told to stop and must queue itself
-# again; the results must be those of the local pool, to the bit. Then two tasks are cancelled, and must stay so. Needs root. Takes about four minutes: Slurm lets a
-# requeued job wait for two.
+# again; the results must be those of the local pool, to the bit. Then two tasks are cancelled, and must stay so. Needs
+# root. Takes about four minutes: Slurm lets a requeued job wait for two.
 #   tests/long/slurm.sh PROGRAM
 set -euo pipefail
 program=$(realpath "$1")
