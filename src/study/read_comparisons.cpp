@@ -33,6 +33,7 @@ void check_control(const Comparisons& c, const toml::table& table, const std::ve
   if (c.pairs != Pairs::control) return;
   const toml::node* node = table.get("control");
   std::vector<std::string> labels;
+  labels.reserve(points.size());
   for (const Point& point : points) labels.push_back(point.label);
   if (std::ranges::find(labels, c.control) != labels.end()) return;
   const std::string what = node == nullptr ? std::string("is missing: the label")

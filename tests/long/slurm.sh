@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # A study of six short runs as a Slurm job array, on a Slurm of its own on this machine: munged, slurmctld and slurmd on
 # loopback, one node, no accounting, everything in a temporary folder. One task is told to stop and must queue itself
-# again; the results must be those of the local pool, to the bit. Then two tasks are cancelled, and must stay so. Needs
-# root. Takes about four minutes: Slurm lets a requeued job wait for two.
+# again; the results must be those of the local pool, to the bit. Then one of two tasks nears its time limit, and both
+# are cancelled. Needs root. Takes about four minutes: Slurm lets a requeued job wait for two.
 #   tests/long/slurm.sh PROGRAM
 set -euo pipefail
 program=$(realpath "$1")
@@ -105,15 +105,18 @@ cmp slurm/statistics.csv local/statistics.csv
 "$program" study submit study.toml -o slurm | grep -q "nothing to submit"
 echo "the same results from Slurm and from the local pool"
 
-# What is cancelled stays cancelled: it writes its files and is not queued again.
+# A task that nears its time limit is queued again. What is cancelled stays cancelled.
 sed 's/^replicates.*/replicates = 1/; s/^\[sweep\]/[set]\nrun.duration = "1000 h"\nprotrusion.initiation_rate = 0\n[sweep]/' study.toml >long.toml
 job=$("$program" study submit long.toml -o cancelled --json | sed -n 's/.*"job": "\([0-9]*\)".*/\1/p')
 for _ in $(seq 100); do [ "$(squeue -h -r -t R | wc -l)" -eq 2 ] && break || sleep 0.2; done
 sleep 1
+scancel --batch --signal=USR1 "${job}_0" # what Slurm sends before the time limit
+for _ in $(seq 60); do grep -q "queued again" cancelled/slurm/*_0.out && break || sleep 0.5; done
+grep -q "queued again" cancelled/slurm/*_0.out || { echo "a task at its time limit did not queue itself again" >&2; exit 1; }
 scancel "$job"
 for _ in $(seq 60); do [ -z "$(squeue -h -r)" ] && break || sleep 1; done
 [ -z "$(squeue -h -r)" ] || { echo "a cancelled job is still there" >&2; squeue -r; exit 1; }
 "$program" study status cancelled
-! grep -q "queued again" cancelled/slurm/*.out
+! grep -q "queued again" cancelled/slurm/*_1.out
 grep -l '"interrupted"' cancelled/runs/*/run.json | wc -l | grep -qx 2
-echo "cancelled tasks ended in good order and were not queued again"
+echo "a task was queued again before its time limit; a cancelled one was not"
