@@ -149,6 +149,7 @@ std::string results_csv(const Study& study, const std::vector<Result>& results) 
   for (const Result& r : results) {
     const Point& point = study.points[r.run.point];
     std::vector<std::string> swept;
+    swept.reserve(keys.size());
     for (const std::string& key : keys) swept.push_back(swept_text(point, key));
     std::vector<io::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
     for (const std::string& value : swept) row.emplace_back(std::string_view(value));
