@@ -41,6 +41,8 @@ int run(int argc, char** argv) {
   add_resume(app, chosen, {argv, argv + argc});
   add_validate(app, chosen);
   add_selftest(app, chosen);
+  add_study(app, chosen);
+  add_reproduce(app, chosen);
   add_info(app, chosen);
   check_verb(app, argc, argv);
   try {

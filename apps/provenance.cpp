@@ -4,6 +4,7 @@
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
+#include <boost/version.hpp>
 #include <fmt/format.h>
 #include <tbb/version.h>
 #include <toml++/toml.h>
@@ -23,6 +24,7 @@ std::string joined(int major, int minor, int patch) { return fmt::format("{}.{}.
 
 Json libraries() {
   return {
+      {"Boost", joined(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
       {"CLI11", CLI11_VERSION},
       {"Eigen", joined(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"fmt", joined(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},

@@ -103,6 +103,17 @@ Found last_checkpoint(const fs::path& folder, bool previous) {
   }
 }
 
+/// The last checkpoint that is whole: nobody may be there to choose.
+Found whole_checkpoint(const fs::path& folder) {
+  try {
+    return last_checkpoint(folder, false);
+  } catch (const InputOutputError& trouble) {
+    Found found = last_checkpoint(folder, true);
+    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), trouble.what()));
+    return found;
+  }
+}
+
 Beginning beginning_of(const Found& found, const Json& record) {
   Beginning beginning{.s = found.checkpoint.state,
                       .p = found.p,
@@ -278,7 +289,7 @@ int go_on(const Manner& manner, const Parameters& p) {
   std::error_code error;
   const bool any = std::filesystem::exists(manner.folder / io::checkpoint_name, error)
                    || std::filesystem::exists(manner.folder / io::previous_checkpoint_name, error);
-  if (any) return resume_from(last_checkpoint(manner.folder, false), manner, record, p.run.threads);
+  if (any) return resume_from(whole_checkpoint(manner.folder), manner, record, p.run.threads);
   return simulate({.s = initial_state(p), .p = p}, manner); // it was ended before its first checkpoint
 }
 

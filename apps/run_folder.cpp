@@ -2,6 +2,7 @@
 
 #include "apps/provenance.hpp"
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "io/cell_picture.hpp"
 #include "io/checkpoint.hpp"
 #include "io/layer_picture.hpp"
@@ -58,8 +59,8 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
 
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
                      io::RunMemory memory)
-    : m_folder(std::move(folder)), m_lock(m_folder), m_p(p), m_memory(std::move(memory)), m_ended(s.ended.size()),
-      m_row_cadence(p.output.track_interval, p.run.time_step),
+    : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
+      m_memory(std::move(memory)), m_ended(s.ended.size()), m_row_cadence(p.output.track_interval, p.run.time_step),
       m_snapshot_cadence(p.output.snapshot_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {

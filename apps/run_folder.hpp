@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/cadence.hpp"
+#include "apps/folder_lock.hpp"
 #include "apps/run_record.hpp"
-#include "base/file.hpp"
 #include "io/row_file.hpp"
 #include "io/run_memory.hpp"
 #include "observe/readouts.hpp"

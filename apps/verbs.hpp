@@ -39,6 +39,8 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
 void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_validate(CLI::App& app, Action& chosen);
 void add_selftest(CLI::App& app, Action& chosen);
+void add_study(CLI::App& app, Action& chosen);
+void add_reproduce(CLI::App& app, Action& chosen);
 void add_info(CLI::App& app, Action& chosen);
 
 } // namespace matrigrate::apps

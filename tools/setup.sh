@@ -17,6 +17,7 @@ nlohmann-json3-dev: JSON
 librandom123-dev: counter-based random numbers
 libxxhash-dev: fingerprints of trajectories
 libhdf5-dev: checkpoints
+libboost-math-dev: distributions behind the p-values of studies
 "
 packages_to_test="
 libgtest-dev: the tests

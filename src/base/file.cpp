@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -144,17 +143,5 @@ void make_output_folder(const std::filesystem::path& path, bool force) {
   std::filesystem::create_directories(path, error);
   if (error) fail(path, "cannot be made: " + error.message());
 }
-
-FolderLock::FolderLock(const std::filesystem::path& folder)
-    : m_descriptor(::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (m_descriptor < 0) fail_with(folder / ".lock", "cannot be written", errno);
-  if (::flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) return;
-  const int error = errno;
-  ::close(m_descriptor);
-  if (error == EWOULDBLOCK) fail(folder, "another process is working in this folder");
-  fail_with(folder / ".lock", "cannot be locked", error);
-}
-
-FolderLock::~FolderLock() { ::close(m_descriptor); }
 
 } // namespace matrigrate

@@ -25,19 +25,4 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 /// @throws InputOutputError naming the path and the reason
 void make_output_folder(const std::filesystem::path& path, bool force);
 
-/// Keeps a folder for one process: a second one that wants it is refused until the first one lets it go or ends,
-/// however it ends.
-class FolderLock {
-public:
-  /// Makes folder/.lock, which stays.
-  /// @throws InputOutputError if another process has it, or the file cannot be made
-  explicit FolderLock(const std::filesystem::path& folder);
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock();
-
-private:
-  int m_descriptor;
-};
-
 } // namespace matrigrate

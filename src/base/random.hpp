@@ -7,7 +7,7 @@
 namespace matrigrate {
 
 /// What a number is drawn for; each purpose has its own stream.
-enum class Purpose : std::uint32_t { initiation = 1, disassembly = 2, test = 99 };
+enum class Purpose : std::uint32_t { initiation = 1, disassembly = 2, sampling = 3, test = 99 };
 
 /// Uniform draw in (0, 1), never 0 or 1.
 /// @param seed    of the run

@@ -177,14 +177,14 @@ TEST_F(Resume, RefusesBranchesThatCannotBe) {
 
 TEST_F(Resume, WorksAloneInItsFolder) {
   const std::string command = fmt::format("cd '{}' && '" MATRIGRATE_PROGRAM
-                                          "' run s.toml -o here --hours 24 --wall-time '2 s' --quiet >/dev/null 2>&1 &",
+                                          "' run s.toml -o here --hours 24 --wall-time '4 s' --quiet >/dev/null 2>&1 &",
                                           folder.string());
   ASSERT_EQ(std::system(command.c_str()), 0);
   for (int i = 0; i < 100 && !exists("here/checkpoint.h5"); ++i) ::usleep(20000);
   const Ended ended = run("resume here");
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "another process")) << ended.err;
-  ::sleep(2);
+  ::sleep(4);
 }
 
 TEST_F(Resume, KeepsWhatIsSafeWhereAFileMayNotGrow) {

@@ -9,7 +9,7 @@ using nlohmann::json;
 
 TEST_F(Program, HelpOfEveryVerb) {
   EXPECT_EQ(run("-h").code, 0);
-  for (const std::string verb : {"new", "list", "check", "explain", "run", "validate", "info"}) {
+  for (const std::string verb : {"new", "list", "check", "explain", "run", "validate", "study", "reproduce", "info"}) {
     const Ended ended = run(verb + " -h");
     EXPECT_EQ(ended.code, 0) << verb;
     EXPECT_TRUE(contains(ended.out, "Usage: matrigrate " + verb)) << ended.out;
@@ -81,7 +81,7 @@ TEST_F(Program, CheckSpeaksJson) {
 TEST_F(Program, ListShowsWhatShips) {
   const Ended ended = run("list");
   EXPECT_EQ(ended.code, 0);
-  for (const char* name : {"\n  baseline ", "\n  soft ", "\n  stiff ", "\n  patch ", "\n  creep "})
+  for (const char* name : {"\n  baseline ", "\n  soft ", "\n  stiff ", "\n  patch ", "\n  creep ", "\n  stiffness "})
     EXPECT_TRUE(contains(ended.out, name)) << name;
   EXPECT_TRUE(contains(run("list --parameters").out, "| `youngs_modulus` | `\"200 Pa\"` |"));
   EXPECT_TRUE(json::parse(run("list --schema-json").out).contains("properties"));

@@ -110,14 +110,5 @@ TEST_F(File, RenamesOverAnother) {
   EXPECT_TRUE(contains(reason([&] { rename_file(folder / "none", folder / "b"); }), "No such file"));
 }
 
-TEST_F(File, KeepsAFolderForOne) {
-  {
-    const FolderLock lock(folder);
-    EXPECT_TRUE(contains(reason([&] { FolderLock second(folder); }), "another process")); // also within one process
-  }
-  const FolderLock again(folder);
-  EXPECT_TRUE(contains(reason([&] { FolderLock none(folder / "none"); }), "No such file"));
-}
-
 } // namespace
 } // namespace matrigrate

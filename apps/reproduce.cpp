@@ -1,0 +1,213 @@
+#include "apps/child.hpp"
+#include "apps/folder_lock.hpp"
+#include "apps/reproduce_output.hpp"
+#include "apps/shipped_studies.hpp"
+#include "apps/stop_signal.hpp"
+#include "apps/study_files.hpp"
+#include "apps/study_verbs.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <thread>
+
+namespace matrigrate::apps {
+
+namespace {
+
+struct Options {
+  std::string id;
+  std::string folder = "reproduce";
+  std::optional<std::size_t> replicates;
+  std::string integrator = "adaptive";
+  std::vector<std::string> overrides;
+  int jobs = 0;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A signal ended the work.
+struct Stopped {
+  int signal;
+};
+
+/// The verification cases behind rows V1 to V3.
+struct VerificationRow {
+  std::string_view id, verification, sentence;
+};
+constexpr VerificationRow verification_rows[] = {
+    {"V1", "fibres", "stress-strain curves of isotropic fibres agree with the collagen of Steinwachs et al. 2016"},
+    {"V2", "fibres-uniaxial", "uniaxial fibres: somewhat stiffer along, very soft across"},
+    {"V3", "disassembly", "rate of disassembly and lifetime against the force, Eq. 7"}};
+
+bool chosen_by(std::string_view row, const std::string& id) { return id == "all" || row.starts_with(id); }
+
+std::vector<const study::Claim*> chosen_claims(const std::string& id) {
+  std::vector<const study::Claim*> chosen;
+  for (const study::Claim& claim : study::claims())
+    if (chosen_by(claim.id, id)) chosen.push_back(&claim);
+  return chosen;
+}
+
+/// @throws UsageError if there is no such row
+void check_id(const std::string& id) {
+  std::vector<std::string> ids{"A", "B", "C", "D", "E", "V", "all"};
+  for (const study::Claim& claim : study::claims()) ids.emplace_back(claim.id);
+  for (const VerificationRow& row : verification_rows) ids.emplace_back(row.id);
+  if (std::ranges::find(ids, id) != ids.end()) return;
+  throw UsageError(fmt::format("there is no row \"{}\"{}\nThe rows are: {}", id, did_you_mean(nearest(id, ids)),
+                               fmt::join(ids, ", ")));
+}
+
+study::Study shipped(std::string_view name, const Options& options) {
+  study::Changes changes{options.overrides, options.replicates};
+  if (options.integrator == "adaptive") {
+    const std::vector<std::string> adaptive{"run.integrator=adaptive", "run.time_step=2.4 s"};
+    changes.overrides.insert(changes.overrides.begin(), adaptive.begin(), adaptive.end());
+  }
+  const auto all = shipped_studies();
+  const auto found = std::ranges::find(all, name, &ShippedStudy::name);
+  return study::parse_study(found->text, fmt::format("studies/{}.toml", name), ".", changes);
+}
+
+/// The runs of one study, computed as far as they are missing.
+PoolOutcome computed(const StudyFolder& study, const Options& options) {
+  make_study_folder(study.folder);
+  const FolderLock lock(study.folder, FolderLock::Kind::alone);
+  write_study(study);
+  std::vector<std::size_t> all(study.runs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const bool quiet = options.quiet || options.json;
+  if (!quiet)
+    print_error(fmt::format("{}: {} points x {} replicates\n", study.study.title, study.study.points.size(),
+                            study.study.replicates));
+  PoolOutcome outcome = compute(study, all, {.jobs = job_count(options.jobs), .quiet = quiet});
+  const std::string troubles = troubles_text(study, outcome.troubles);
+  if (!troubles.empty()) print_error(troubles);
+  return outcome;
+}
+
+/// A verification case, as a process of its own; its files go beside the studies.
+ReproducedRow verified(const VerificationRow& row, const Options& options) {
+  const std::filesystem::path folder =
+      std::filesystem::path(options.folder) / fmt::format("validate-{}", row.verification);
+  const std::filesystem::path log =
+      std::filesystem::path(options.folder) / fmt::format("validate-{}.log", row.verification);
+  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  Child child({this_program(), "validate", std::string(row.verification), "-o", folder.string(), "--force"}, output);
+  ::close(output);
+  const StopSignal stop; // a second one ends this program, and with it the case
+  std::optional<int> code;
+  while (!(code = child.ended())) {
+    if (StopSignal::received() != 0) throw Stopped{StopSignal::received()};
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  const auto verdict = *code == done        ? study::Verdict::holds
+                       : *code == numerical ? study::Verdict::does_not_hold
+                                            : study::Verdict::undecided;
+  const std::string where = fmt::format("see {}", (folder / "report.html").string());
+  return {std::string(row.id), std::string(row.sentence), "", {verdict, {where}, {}}};
+}
+
+/// Runs the studies that the claims need. @return what they have come to
+study::Evidence evidence_for(const std::vector<const study::Claim*>& claims, const Options& options) {
+  std::vector<std::string_view> names;
+  for (const study::Claim* claim : claims)
+    for (const std::string_view name : claim->studies)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  study::Evidence evidence;
+  for (const std::string_view name : names) {
+    const StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
+    const PoolOutcome outcome = computed(study, options);
+    if (outcome.signal != 0) throw Stopped{outcome.signal};
+    if (outcome.cannot_write)
+      throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
+    evidence.emplace(name, study::Ensemble{study.study, collect(study).results});
+  }
+  return evidence;
+}
+
+/// Whether the studies are run as the paper ran them.
+bool as_published(const Options& options) { return !options.replicates && options.overrides.empty(); }
+
+std::string setting_text(const Options& options) {
+  std::string text = options.integrator == "adaptive"
+                         ? "Integrator: adaptive, steps of up to 2.4 s (the paper's reference is 0.4 s throughout: "
+                           "--integrator reference)."
+                         : "Integrator: reference, 0.4 s throughout, as in the paper.";
+  if (options.replicates) text += fmt::format(" Replicates: {}.", *options.replicates);
+  if (!options.overrides.empty()) text += fmt::format(" Changed: {}.", fmt::join(options.overrides, ", "));
+  if (!as_published(options)) text += " Not run as the paper ran it, so these are no verdicts on the paper.";
+  return text;
+}
+
+int reproduce(const Options& options) {
+  check_id(options.id);
+  const std::vector<const study::Claim*> claims = chosen_claims(options.id);
+  for (const study::Claim* claim : claims) // faults of overrides before anything is written
+    for (const std::string_view name : claim->studies) shipped(name, options);
+  make_output_folder(options.folder, true);
+  const std::string setting = setting_text(options);
+  if (!options.quiet && !options.json) print_error(setting + "\n");
+  std::vector<ReproducedRow> rows;
+  study::Evidence evidence;
+  try {
+    for (const VerificationRow& row : verification_rows)
+      if (chosen_by(row.id, options.id)) rows.push_back(verified(row, options));
+    evidence = evidence_for(claims, options);
+  } catch (const Stopped& stopped) {
+    print("stopped; the same command goes on\n");
+    return stopped.signal == SIGINT ? interrupted : requeue;
+  }
+  for (const study::Claim* claim : claims)
+    rows.push_back(
+        {std::string(claim->id), std::string(claim->sentence), std::string(claim->published), claim->judge(evidence)});
+  write_reproduction(options.folder, options.id, rows, evidence, setting);
+  if (options.json)
+    print(reproduction_json(rows, setting, as_published(options)));
+  else
+    print(reproduction_text(rows) + setting + "\n"
+          + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
+  const auto holds = [](const ReproducedRow& row) { return row.finding.verdict == study::Verdict::holds; };
+  return std::ranges::all_of(rows, holds) ? done : numerical;
+}
+
+} // namespace
+
+void add_reproduce(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("reproduce", "Run the paper's ensembles and judge its claims by them");
+  verb->footer(
+      "Computes what is missing of the studies that the rows need (each in its own folder below DIR, so that rows\n"
+      "share runs), then prints for each claim the published value, ours, the statistic and whether it holds, and\n"
+      "writes claims-<ID>.csv, boxes-<ID>.svg and report-<ID>.html. Runs use the adaptive integrator with steps of up\n"
+      "to 2.4 s unless --integrator reference is given: 0.4 s throughout, as in the paper, and 3.7 times slower.\n"
+      "Exit code 4 if a claim does not hold or is undecided. V rows are verification cases: matrigrate validate.");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("ID", options->id, "A, B, C, D, E, V, all, or one row such as A2")->required();
+  verb->add_option("-o,--output", options->folder, "Folder for studies and verdicts (default: reproduce)");
+  verb->add_option("--replicates", options->replicates, "Runs at each point (default: as many as the paper)")
+      ->check(CLI::Range(1, 100000));
+  verb->add_option("--jobs", options->jobs, "Runs at a time, one thread each (default: the number of cores)")
+      ->check(CLI::Range(1, 4096));
+  verb->add_option("--integrator", options->integrator, "adaptive (default) or reference")
+      ->check(CLI::IsMember({"adaptive", "reference"}));
+  verb->add_option("--set", options->overrides, "key=value, over all studies; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_flag("--json", options->json, "Print the table as JSON");
+  verb->add_flag("--quiet", options->quiet, "Show no progress");
+  verb->callback([options, &chosen] { chosen = [options] { return reproduce(*options); }; });
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,103 @@
+#include "apps/reproduce_output.hpp"
+
+#include "apps/provenance.hpp"
+#include "apps/terminal.hpp"
+#include "base/file.hpp"
+#include "io/page.hpp"
+#include "io/row_file.hpp"
+#include "study/box_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace matrigrate::apps {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
+
+std::string claims_csv(const std::vector<ReproducedRow>& rows) {
+  using View = std::string_view;
+  std::string text =
+      io::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"), View("verdict")});
+  for (const ReproducedRow& row : rows) {
+    const std::string verdict = to_string(row.finding.verdict);
+    const std::string ours = joined(row.finding.ours);
+    const std::string statistic = joined(row.finding.conditions);
+    text += io::csv_line(
+        {View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic), View(verdict)});
+  }
+  return text;
+}
+
+io::PageSection section(const ReproducedRow& row) {
+  const std::string verdict = to_string(row.finding.verdict);
+  return {.title = row.id,
+          .summary = row.sentence,
+          .holds = row.finding.verdict == study::Verdict::holds,
+          .check_rows = {{row.sentence, joined(row.finding.ours), row.published, "", joined(row.finding.conditions),
+                          verdict}},
+          .remarks = {},
+          .figures = {}};
+}
+
+Colour colour_of(study::Verdict verdict) {
+  return verdict == study::Verdict::holds       ? Colour::good
+         : verdict == study::Verdict::undecided ? Colour::warning
+                                                : Colour::bad;
+}
+
+} // namespace
+
+void write_reproduction(const std::filesystem::path& folder, const std::string& id,
+                        const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
+                        const std::string& setting) {
+  write_file(folder / fmt::format("claims-{}.csv", id), claims_csv(rows));
+  std::vector<io::PageSection> sections;
+  for (const ReproducedRow& row : rows) sections.push_back(section(row));
+  std::vector<study::BoxPlot> all_plots;
+  for (const auto& [name, ensemble] : evidence) {
+    std::vector<study::BoxPlot> plots = box_plots(ensemble.study, ensemble.results);
+    if (!sections.empty())
+      sections.back().figures.push_back({name, ensemble.study.title, to_svg(plots, ensemble.study.title)});
+    for (study::BoxPlot& plot : plots) {
+      plot.title = fmt::format("{}: {}", name, plot.title);
+      all_plots.push_back(std::move(plot));
+    }
+  }
+  if (!all_plots.empty())
+    write_file(folder / fmt::format("boxes-{}.svg", id), to_svg(all_plots, fmt::format("Studies of row {}", id)));
+  write_file(folder / fmt::format("report-{}.html", id),
+             io::page(fmt::format("Claims of Heck et al. 2020: {}", id), sections, setting + "\n" + provenance_text()));
+}
+
+std::string reproduction_text(const std::vector<ReproducedRow>& rows) {
+  std::string text;
+  for (const ReproducedRow& row : rows) {
+    text += fmt::format("{:<4}{}\n    {}\n", row.id,
+                        coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
+                        row.sentence);
+    if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
+    for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
+    for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
+  }
+  return text;
+}
+
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const ReproducedRow& row : rows)
+    list.push_back({{"id", row.id},
+                    {"sentence", row.sentence},
+                    {"published", row.published},
+                    {"ours", row.finding.ours},
+                    {"statistic", row.finding.conditions},
+                    {"verdict", to_string(row.finding.verdict)}});
+  return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
+                                                                                         Json::error_handler_t::replace)
+         + "\n";
+}
+
+} // namespace matrigrate::apps

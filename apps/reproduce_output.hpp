@@ -1,0 +1,31 @@
+#pragma once
+
+#include "study/claims.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace matrigrate::apps {
+
+/// What became of a row of the table of claims.
+struct ReproducedRow {
+  std::string id;
+  std::string sentence;
+  std::string published;
+  study::Finding finding;
+};
+
+/// Writes claims-<id>.csv, boxes-<id>.svg and report-<id>.html into the folder.
+void write_reproduction(const std::filesystem::path& folder, const std::string& id,
+                        const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
+                        const std::string& setting);
+
+/// The table for people.
+std::string reproduction_text(const std::vector<ReproducedRow>& rows);
+
+/// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict}]}.
+/// @param as_published  whether replicates and parameters are the paper's; otherwise these are no verdicts on it
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "apps/study_folder.hpp"
+#include "study/comparison.hpp"
+
+#include <string>
+#include <vector>
+
+namespace matrigrate::apps {
+
+/// What a study has come to so far.
+struct Collected {
+  std::vector<study::Result> results;
+  std::vector<study::Comparison> comparisons;
+};
+
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and boxes.svg.
+Collected collect(const StudyFolder& study);
+
+/// Means of all points and what differs, for people.
+std::string collected_text(const StudyFolder& study, const Collected& collected);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,133 @@
+#include "apps/folder_lock.hpp"
+#include "apps/study_files.hpp"
+#include "apps/study_verbs.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <thread>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_json(const Json& json) { print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
+
+Json to_json(const StudyFolder& study, const std::vector<Trouble>& troubles) {
+  Json list = Json::array();
+  for (const Trouble& t : troubles) {
+    const study::Run& run = study.runs[t.run];
+    list.push_back({{"run", run.hash},
+                    {"label", study.study.points[run.point].label},
+                    {"replicate", run.replicate},
+                    {"status", t.status},
+                    {"reason", t.reason}});
+  }
+  return list;
+}
+
+std::vector<std::size_t> all_runs(const StudyFolder& study) {
+  std::vector<std::size_t> all(study.runs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+void print_outcome(const StudyOptions& options, const StudyFolder& study, const PoolOutcome& outcome) {
+  if (options.json)
+    return print_json({{"folder", study.folder.string()},
+                       {"runs", study.runs.size()},
+                       {"done", outcome.done_before + outcome.done_now},
+                       {"done_now", outcome.done_now},
+                       {"exit_code", outcome.exit_code()},
+                       {"not_done", to_json(study, outcome.troubles)}});
+  const std::string list = troubles_text(study, outcome.troubles);
+  if (!list.empty()) options.quiet ? print_error(list) : print(list);
+  print(fmt::format("{} of {} runs done, {} of them now; results: {}\n", outcome.done_before + outcome.done_now,
+                    study.runs.size(), outcome.done_now, (study.folder / "results.csv").string()));
+}
+
+} // namespace
+
+int job_count(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+StudyFolder read_study_file(const StudyOptions& options) {
+  study::Study study = study::read_study(options.file);
+  return planned(std::move(study),
+                 options.folder.empty() ? default_study_folder(options.file) : std::filesystem::path(options.folder));
+}
+
+std::string troubles_text(const StudyFolder& study, const std::vector<Trouble>& troubles) {
+  constexpr std::size_t most = 100;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, troubles.size()); ++i) {
+    const Trouble& t = troubles[i];
+    text += fmt::format("{:<12}{} ({}): {}\n", t.status, title_of(study, study.runs[t.run]), study.runs[t.run].hash,
+                        t.reason);
+  }
+  if (troubles.size() > most) text += fmt::format("... and {} more\n", troubles.size() - most);
+  return text;
+}
+
+int run_study(const StudyOptions& options) {
+  const StudyFolder study = read_study_file(options);
+  make_study_folder(study.folder);
+  const FolderLock lock(study.folder, FolderLock::Kind::alone);
+  write_study(study);
+  const PoolOutcome outcome = compute(
+      study, all_runs(study),
+      {.jobs = job_count(options.jobs), .retry_failed = options.retry_failed, .quiet = options.quiet || options.json});
+  if (!outcome.cannot_write) collect(study);
+  print_outcome(options, study, outcome);
+  return outcome.exit_code();
+}
+
+int show_status(const StudyOptions& options) {
+  const StudyFolder study = open_study(options.folder);
+  std::map<std::string, std::size_t> count;
+  std::vector<Trouble> troubles;
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    const study::Standing s = study::standing(study.folder, study.runs[i]);
+    ++count[s.status];
+    if (s.status == "failed" || s.status == "interrupted") troubles.push_back({i, s.status, s.reason});
+  }
+  if (options.json) {
+    print_json({{"folder", options.folder},
+                {"runs", study.runs.size()},
+                {"count", count},
+                {"not_done", to_json(study, troubles)}});
+    return done;
+  }
+  print(fmt::format("{} runs:", study.runs.size()));
+  for (const auto& [status, n] : count) print(fmt::format(" {} {}", n, status));
+  print("\n" + troubles_text(study, troubles));
+  return done;
+}
+
+int collect_study(const StudyOptions& options) {
+  const StudyFolder study = open_study(options.folder);
+  const Collected collected = collect(study);
+  const auto finished = std::ranges::count_if(collected.results, [](const auto& r) { return r.standing.done(); });
+  if (options.json) {
+    print_json({{"folder", options.folder},
+                {"runs", study.runs.size()},
+                {"done", finished},
+                {"files", {"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "boxes.svg"}}});
+    return done;
+  }
+  if (!options.quiet) print(collected_text(study, collected));
+  print(fmt::format("{} of {} runs done; results: {}\n", finished, study.runs.size(),
+                    (study.folder / "results.csv").string()));
+  return done;
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "apps/study_folder.hpp"
+#include "apps/study_pool.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The verbs of `matrigrate study`, and what `matrigrate reproduce` shares with them.
+namespace matrigrate::apps {
+
+struct StudyOptions {
+  std::string file;   ///< of the study
+  std::string folder; ///< of its runs
+  int jobs = 0;       ///< runs at a time; 0: as many as the machine has cores
+  bool retry_failed = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// The number of runs at a time that an option asks for.
+int job_count(int wanted);
+
+/// Reads the study of a file and names its runs; nothing is written.
+StudyFolder read_study_file(const StudyOptions& options);
+
+int run_study(const StudyOptions& options);
+int show_status(const StudyOptions& options);
+int collect_study(const StudyOptions& options);
+
+struct SubmitOptions {
+  StudyOptions study;
+  std::size_t throttle = 0; ///< tasks at a time; 0: no limit
+  std::size_t chunk = 0;    ///< runs a task; 0: as few as fit into 1000 tasks
+  int cpus = 1;             ///< a task
+  std::string partition;
+  std::string time;
+};
+int submit_study(const SubmitOptions& options);
+
+struct TaskOptions {
+  std::string folder;
+  std::size_t index = 0;
+  std::string list; ///< file in the folder: a line "task hash" for each run
+};
+int compute_task(const TaskOptions& options);
+
+/// Every run that is not done, with its reason: "failed  50 Pa, replicate 3 (0123...): reason".
+std::string troubles_text(const StudyFolder& study, const std::vector<Trouble>& troubles);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "statistics/sample.hpp"
+
+#include <cstddef>
+#include <vector>
+
+/// How two quantities go together. Test: tests/unit/statistics/correlation_test.cpp
+namespace matrigrate::statistics {
+
+/// Pearson's r of those pairs in which both values are finite.
+struct Correlation {
+  std::size_t n;
+  double r; ///< NaN for n < 2 or where either quantity has no spread
+  double p; ///< two-sided, of t = r sqrt((n - 2) / (1 - r^2)) with n - 2 degrees of freedom; NaN for n < 3
+};
+
+/// @param x, y  of one length
+/// @throws std::invalid_argument if they are not
+Correlation pearson(Values x, Values y);
+
+/// Of each quantity with each: symmetric.
+std::vector<std::vector<Correlation>> correlation_matrix(const std::vector<std::vector<double>>& quantities);
+
+} // namespace matrigrate::statistics

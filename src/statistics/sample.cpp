@@ -1,0 +1,66 @@
+#include "statistics/sample.hpp"
+
+#include "statistics/distributions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace matrigrate::statistics {
+
+namespace {
+
+double quantile_of_sorted(Values x, double share) {
+  if (x.empty()) return undefined;
+  const double place = share * static_cast<double>(x.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, x.size() - 1);
+  return x[below] + (place - static_cast<double>(below)) * (x[above] - x[below]);
+}
+
+std::vector<double> sorted(Values x) {
+  std::vector<double> y(x.begin(), x.end());
+  std::ranges::sort(y);
+  return y;
+}
+
+} // namespace
+
+std::vector<double> finite(Values x) {
+  std::vector<double> y;
+  std::ranges::copy_if(x, std::back_inserter(y), [](double value) { return std::isfinite(value); });
+  return y;
+}
+
+Moments moments(Values x) {
+  Moments m{x.size(), undefined, undefined};
+  if (x.empty()) return m;
+  const auto n = static_cast<double>(x.size());
+  double sum = 0.0;
+  for (const double value : x) sum += value;
+  m.mean = sum / n;
+  if (x.size() < 2) return m;
+  double squares = 0.0;
+  for (const double value : x) squares += (value - m.mean) * (value - m.mean);
+  m.sd = std::sqrt(squares / (n - 1.0));
+  return m;
+}
+
+double quantile(Values x, double share) { return quantile_of_sorted(sorted(x), share); }
+
+Box box(Values x) {
+  const std::vector<double> y = sorted(x);
+  Box b{undefined, quantile_of_sorted(y, 0.25), quantile_of_sorted(y, 0.5), quantile_of_sorted(y, 0.75), undefined, {}};
+  const double reach = 1.5 * (b.high_quartile - b.low_quartile);
+  for (const double value : y) {
+    if (value < b.low_quartile - reach || value > b.high_quartile + reach) {
+      b.outliers.push_back(value);
+      continue;
+    }
+    if (std::isnan(b.low_whisker)) b.low_whisker = value;
+    b.high_whisker = value;
+  }
+  return b;
+}
+
+} // namespace matrigrate::statistics

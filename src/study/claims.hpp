@@ -1,0 +1,51 @@
+#pragma once
+
+#include "study/judge.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// The claims of Heck et al. 2020 that ensembles of runs can bear out, one entry a row of the table to reproduce. The
+/// rule of a claim follows from its sentence, was written before the runs were made, and is not changed after them.
+///
+/// How sentences are read: "rises" and "falls" compare the lowest with the highest value of the parameter,
+/// significantly; "unaffected" and "no significant change" mean no significant difference there; "slightly" asks for
+/// the sign only; a published mean agrees if it could be the mean of as many more runs of ours (published_mean_test);
+/// "a low f_adh_rel" is one below table_readouts.hpp's low_relative_force; "near 1" is within 0.25. Speeds along the
+/// path are sampled every 60 s, since the paper names no interval.
+/// Test: tests/unit/study/claims_test.cpp
+namespace matrigrate::study {
+
+struct Claim {
+  std::string_view id;                   ///< "A1"
+  std::vector<std::string_view> studies; ///< files of studies/ that it needs
+  std::string_view sentence;             ///< what the paper says
+  std::string_view published;            ///< its numbers
+  Finding (*judge)(const Evidence&);
+};
+
+/// Rows A to E, in their order.
+std::span<const Claim> claims();
+
+/// The parts of the table: rows on stiffness and force (A), rates and times (B), adhesion laws (C), kept numbers of
+/// protrusions without and with fibres (D, E).
+std::vector<Claim> migration_claims();
+std::vector<Claim> rate_claims();
+std::vector<Claim> adhesion_claims();
+std::vector<Claim> kept_claims();
+
+/// Names of the read-outs that claims speak of.
+namespace readout {
+inline constexpr std::string_view v_abs = "v_migr_abs_um_per_h";
+inline constexpr std::string_view v_path = "v_migr_path_60s_um_per_h";
+inline constexpr std::string_view n = "n_protrusions";
+inline constexpr std::string_view tau = "tau_prot_min";
+inline constexpr std::string_view length = "l_prot_um";
+inline constexpr std::string_view f_mat = "f_mat";
+inline constexpr std::string_view low_share = "share_f_adh_rel_low";
+inline constexpr std::string_view slope = "msd_slope";
+inline constexpr std::string_view angle = "path_angle_deg";
+} // namespace readout
+
+} // namespace matrigrate::study

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "statistics/compare.hpp"
+#include "study/results.hpp"
+#include "study/study.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What the points of a study differ in. Test: tests/unit/study/comparison_test.cpp
+namespace matrigrate::study {
+
+/// Points that are compared, as indices, first the one that is subtracted. Adjacent ones differ in one parameter only,
+/// and there in neighbouring values, in the order in which the study names them.
+std::vector<std::pair<std::size_t, std::size_t>> compared_pairs(const Study& study);
+
+/// Two points in one read-out, b against a.
+struct Comparison {
+  std::string readout;
+  std::size_t a = 0;
+  std::size_t b = 0;
+  statistics::Moments sample_a, sample_b;
+  statistics::Interval difference; ///< of the means, b minus a, in the unit of the read-out
+  statistics::TestResult test;     ///< the one that the study names
+  double p_holm = 0.0;             ///< corrected over all pairs of this read-out
+  statistics::Interval g;          ///< effect size of Hedges, with its interval
+  double detectable = 0.0;         ///< smallest difference that t_test finds with a power of 80 %, in the unit
+};
+
+inline constexpr double wanted_power = 0.8;
+
+/// All pairs in all read-outs of the study.
+std::vector<Comparison> comparisons(const Study& study, const std::vector<Result>& results);
+
+/// statistics.csv: a row for each comparison. Means, standard deviations, differences and their bounds are in the unit
+/// that ends the name of the read-out.
+std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons);
+
+/// groups.csv: a row for each point and read-out: size, mean with interval, standard deviation, quartiles, whiskers.
+std::string groups_csv(const Study& study, const std::vector<Result>& results);
+
+/// correlations.csv: Pearson's r and p of each read-out of the study with each, over all runs that are done.
+std::string correlations_csv(const Study& study, const std::vector<Result>& results);
+
+/// "n = 12 and 12 detect a difference of 1.9 at 80 %"
+std::string power_text(const Comparison& comparison);
+
+std::string name(TestKind test);
+
+} // namespace matrigrate::study

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "base/failure.hpp"
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Faults of one file while it is read. Test: tests/unit/study/read_study_test.cpp
+namespace matrigrate::study {
+
+/// Where something stands.
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+Place place_of(const toml::node& node);
+Place place_of(const toml::key& key);
+
+class FaultList {
+public:
+  explicit FaultList(std::string file) : m_file(std::move(file)) {}
+
+  const std::string& file() const { return m_file; }
+  bool empty() const { return m_faults.empty(); }
+
+  /// Notes a fault, once.
+  void add(Place place, std::string_view key, std::string message);
+  void add(std::vector<Fault> faults);
+
+  /// The value if it is of its type and range; otherwise a fault and the default.
+  std::string text(const toml::node& node, std::string_view key);
+  bool flag(const toml::node& node, std::string_view key);
+  std::uint64_t whole(const toml::node& node, std::string_view key, std::uint64_t low, std::uint64_t high);
+  /// Which of `names`; 0 with a fault.
+  std::size_t choice(const toml::node& node, std::string_view key, const std::vector<std::string>& names);
+
+  /// @throws ConfigurationError if there is any fault, those of this file by line, others behind
+  void raise();
+
+private:
+  std::string m_file;
+  std::vector<Fault> m_faults;
+};
+
+} // namespace matrigrate::study

@@ -1,0 +1,69 @@
+#include "study/read_comparisons.hpp"
+
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace matrigrate::study {
+
+namespace {
+
+double alpha_of(const toml::node& node, const std::string& key, FaultList& faults) {
+  const auto value = node.value<double>();
+  if (value && *value > 0.0 && *value <= 0.5) return *value;
+  faults.add(place_of(node), key,
+             value ? fmt::format("{} is out of range; allowed is > 0 and <= 0.5", *value)
+                   : fmt::format("is {}, but a number without quotes is expected, such as 0.05", type_of(node)));
+  return Comparisons{}.alpha;
+}
+
+/// "a", "b", ...: the first of many labels.
+std::string listed(const std::vector<std::string>& labels) {
+  constexpr std::size_t most = 20;
+  const auto end = labels.begin() + static_cast<std::ptrdiff_t>(std::min(labels.size(), most));
+  return fmt::format("\"{}\"{}", fmt::join(labels.begin(), end, "\", \""), labels.size() > most ? ", ..." : "");
+}
+
+void check_control(const Comparisons& c, const toml::table& table, const std::vector<Point>& points,
+                   FaultList& faults) {
+  if (c.pairs != Pairs::control) return;
+  const toml::node* node = table.get("control");
+  std::vector<std::string> labels;
+  labels.reserve(points.size());
+  for (const Point& point : points) labels.push_back(point.label);
+  if (std::ranges::find(labels, c.control) != labels.end()) return;
+  const std::string what = node == nullptr ? std::string("is missing: the label")
+                                           : fmt::format("\"{}\" is not the label", excerpt(c.control));
+  faults.add(place_of(node == nullptr ? *table.get("compare") : *node), "statistics.control",
+             fmt::format("{} of a point; the labels are {}{}", what, listed(labels),
+                         did_you_mean(nearest(c.control, labels))));
+}
+
+} // namespace
+
+Comparisons read_comparisons(const toml::table& table, const std::vector<Point>& points, FaultList& faults) {
+  Comparisons c;
+  for (const auto& [name, node] : table) {
+    const std::string key = fmt::format("statistics.{}", name.str());
+    if (key == "statistics.compare")
+      c.pairs = static_cast<Pairs>(faults.choice(node, key, {"none", "adjacent", "all", "control"}));
+    else if (key == "statistics.test")
+      c.test = static_cast<TestKind>(faults.choice(node, key, {"t", "welch", "mann_whitney"}));
+    else if (key == "statistics.control")
+      c.control = faults.text(node, key);
+    else if (key == "statistics.alpha")
+      c.alpha = alpha_of(node, key, faults);
+    else
+      faults.add(place_of(name), key,
+                 fmt::format("there is no such key{}",
+                             did_you_mean(nearest(name.str(), {"compare", "test", "control", "alpha"}))));
+  }
+  check_control(c, table, points, faults);
+  return c;
+}
+
+} // namespace matrigrate::study

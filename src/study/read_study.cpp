@@ -1,0 +1,227 @@
+#include "study/read_study.hpp"
+
+#include "base/file.hpp"
+#include "parameters/document.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/presets.hpp"
+#include "parameters/read.hpp"
+#include "parameters/scan.hpp"
+#include "study/read_comparisons.hpp"
+#include "study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 25; // the resolved form of 100,000 points
+constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
+constexpr std::size_t most_replicates = 100'000;
+
+const std::vector<std::string>& known_keys() {
+  static const std::vector<std::string> keys{
+      "title", "scenario", "preset", "replicates",      "seed",      "common_random_numbers", "readouts",
+      "set",   "sweep",    "points", "latin_hypercube", "statistics"};
+  return keys;
+}
+
+class Reader {
+public:
+  Reader(std::string name, std::filesystem::path folder, const Changes& changes)
+      : m_faults(std::move(name)), m_folder(std::move(folder)), m_changes(changes) {}
+
+  Study read(std::string_view text) {
+    if (const auto finding = unreadable(text)) {
+      m_faults.add({finding->line, finding->column}, "", finding->message);
+      m_faults.raise();
+    }
+    Document document = parse_document(text, m_faults.file());
+    m_faults.add(std::move(document.faults));
+    m_table = std::move(document.table);
+    check_keys();
+    read_head();
+    read_base();
+    read_points();
+    read_statistics();
+    m_faults.raise();
+    return std::move(m_study);
+  }
+
+  FaultList& faults() { return m_faults; }
+
+private:
+  const toml::node* get(std::string_view key) const { return m_table.get(key); }
+
+  /// The table of that name; null, and a fault if something else stands there.
+  const toml::table* section(std::string_view key) {
+    const toml::node* node = get(key);
+    if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+    m_faults.add(place_of(*node), key, fmt::format("is {}, but a section [{}] is expected", type_of(*node), key));
+    return nullptr;
+  }
+
+  void check_keys() {
+    for (const auto& [name, node] : m_table) {
+      const std::string key(name.str());
+      if (key.starts_with(repeated_section) || key.starts_with(unread_section)) continue;
+      if (std::ranges::find(known_keys(), key) != known_keys().end()) continue;
+      m_faults.add(place_of(name), key,
+                   fmt::format("a study has no such {}{}", node.is_table() ? "section" : "key",
+                               did_you_mean(nearest(key, known_keys()))));
+    }
+  }
+
+  void read_head() {
+    if (const auto* node = get("title")) m_study.title = m_faults.text(*node, "title");
+    if (const auto* node = get("seed")) m_study.seed = m_faults.whole(*node, "seed", 0, largest_seed);
+    if (const auto* node = get("common_random_numbers"))
+      m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");
+    if (const auto* node = get("replicates"))
+      m_study.replicates = m_faults.whole(*node, "replicates", 1, most_replicates);
+    else
+      m_faults.add({}, "replicates", "is missing; write replicates = 12, the runs at each point");
+    if (m_changes.replicates) m_study.replicates = *m_changes.replicates;
+    read_readouts();
+  }
+
+  void read_readouts() {
+    const toml::node* node = get("readouts");
+    m_study.readouts = default_readouts();
+    if (node == nullptr) return;
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->empty())
+      return m_faults.add(place_of(*node), "readouts", "is no list of names, such as [\"n_protrusions\"]");
+    m_study.readouts.clear();
+    const std::vector<std::string> names = all_readouts();
+    for (const toml::node& entry : *list) m_study.readouts.push_back(names[m_faults.choice(entry, "readouts", names)]);
+  }
+
+  void read_base() {
+    const toml::node* scenario = get("scenario");
+    const toml::node* preset = get("preset");
+    if ((scenario == nullptr) == (preset == nullptr))
+      m_faults.add(preset == nullptr ? Place{} : place_of(*preset), "scenario",
+                   fmt::format("{}; a study has one of scenario = \"FILE.toml\" and preset = \"NAME\"",
+                               preset == nullptr ? "is missing" : "stands beside a preset"));
+    if (preset != nullptr) read_preset(*preset);
+    try {
+      if (scenario != nullptr) read_scenario(*scenario);
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    }
+    fix_parameters();
+    try {
+      if (m_faults.empty() && !m_changes.overrides.empty())
+        m_study.base = apply_overrides(m_study.base, m_changes.overrides);
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    }
+  }
+
+  void read_scenario(const toml::node& node) {
+    const std::string name = m_faults.text(node, "scenario");
+    if (name.empty()) return;
+    const std::filesystem::path file(name);
+    m_study.base = read_parameters(file.is_absolute() ? file : m_folder / file);
+  }
+
+  void read_preset(const toml::node& node) {
+    std::vector<std::string> names;
+    for (const Preset& preset : presets()) names.emplace_back(preset.name);
+    m_study.base = parameters_of(presets()[m_faults.choice(node, "preset", names)]);
+  }
+
+  void fix_parameters() {
+    const toml::table* fixed = section("set");
+    if (fixed == nullptr) return;
+    for (const Named& named : named_parameters(*fixed, "set", {}, m_faults)) {
+      assigned(*named.row, *named.node, m_study.base, m_faults);
+      m_fixed.emplace_back(named.row->path, place_of(*named.node));
+    }
+  }
+
+  void read_points() {
+    std::vector<Draft> drafts;
+    const auto take = [&](std::vector<Draft> more) { std::ranges::move(more, std::back_inserter(drafts)); };
+    if (const auto* sweep = section("sweep")) take(grid_points(*sweep, m_study.base, m_faults));
+    if (const auto* node = get("points")) {
+      if (const auto* list = node->as_array())
+        take(listed_points(*list, m_study.base, m_faults));
+      else
+        m_faults.add(place_of(*node), "points", "is no list of points; write [[points]] and its parameters below");
+    }
+    if (const auto* hypercube = section("latin_hypercube"))
+      take(hypercube_points(*hypercube, m_study.base, m_study.seed, m_faults));
+    if (drafts.empty()) drafts.push_back({{label_of({}), {}, m_study.base}, {}, {}});
+    check_points(drafts);
+    for (Draft& draft : drafts) m_study.points.push_back(std::move(draft.point));
+  }
+
+  void check_points(const std::vector<Draft>& drafts) {
+    if (!m_faults.empty()) return;                         // a rule would judge a default that nobody chose
+    std::vector<std::pair<std::string, std::string>> seen; // settings and labels
+    for (const Draft& draft : drafts) {
+      std::string settings = sorted_text(draft.point.settings);
+      seen.emplace_back(std::move(settings), draft.point.label);
+      auto places = draft.settings;
+      places.insert(places.end(), m_fixed.begin(), m_fixed.end());
+      check_rules(draft.point.parameters, places, m_faults);
+    }
+    const auto twice = [&](auto part, std::string_view what) {
+      std::vector<std::size_t> order(seen.size());
+      for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+      std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen[i].*part; });
+      for (std::size_t k = 1; k < order.size(); ++k)
+        if (seen[order[k]].*part == seen[order[k - 1]].*part)
+          m_faults.add(drafts[order[k]].place, "points",
+                       fmt::format("\"{}\": {}", excerpt(seen[order[k]].second), what));
+    };
+    twice(&std::pair<std::string, std::string>::first, "is the same as another point");
+    if (m_faults.empty()) twice(&std::pair<std::string, std::string>::second, "is the label of two points");
+  }
+
+  static std::string sorted_text(std::vector<Setting> settings) {
+    std::ranges::sort(settings, {}, &Setting::key);
+    std::string text;
+    for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, s.value);
+    return text;
+  }
+
+  void read_statistics() {
+    if (const toml::table* table = section("statistics"))
+      m_study.comparisons = read_comparisons(*table, m_study.points, m_faults);
+  }
+
+  FaultList m_faults;
+  std::filesystem::path m_folder;
+  Changes m_changes;
+  toml::table m_table;
+  Study m_study;
+  std::vector<std::pair<std::string, Place>> m_fixed; ///< parameters of [set]
+};
+
+} // namespace
+
+Study parse_study(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                  const Changes& changes) {
+  return Reader(name, folder, changes).read(text);
+}
+
+Study read_study(const std::filesystem::path& file, const Changes& changes) {
+  std::string text;
+  try {
+    text = read_file(file, largest_file);
+  } catch (const InputOutputError& error) {
+    const std::string name = file.string();
+    const std::string_view what = error.what();
+    const bool names_itself = what.starts_with(name + ": ");
+    throw ConfigurationError({{name, 0, 0, "", std::string(names_itself ? what.substr(name.size() + 2) : what)}});
+  }
+  return parse_study(text, file.string(), file.parent_path(), changes);
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,164 @@
+#include "study/results.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "io/row_file.hpp"
+#include "parameters/schema.hpp"
+#include "study/table_readouts.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace matrigrate::study {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t largest_json = std::size_t{1} << 24;
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+template <class T>
+T value_or(const json& object, const char* key, T otherwise) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return otherwise;
+  try {
+    return found->get<T>();
+  } catch (const json::exception&) {
+    return otherwise;
+  }
+}
+
+/// The last line of a text that says something.
+std::string last_line(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  const std::size_t start = text.rfind('\n');
+  return start == std::string::npos ? text : text.substr(start + 1);
+}
+
+Standing from_log(const std::filesystem::path& log) {
+  Standing s;
+  if (!std::filesystem::exists(log)) return s;
+  s.status = "failed";
+  s.reason = last_line(read_file(log, largest_json));
+  if (s.reason.empty()) s.status = "unfinished";
+  return s;
+}
+
+/// The number of a swept parameter in the unit of its row, or the word of a choice.
+std::string swept_text(const Point& point, const std::string& key) {
+  const Row& row = *find_row(key);
+  std::string text = value_text(row, point.parameters);
+  std::erase(text, '"');
+  if (kind(row) != Kind::quantity) return text;
+  const auto quantity = units::parse_quantity(text);
+  if (quantity.unit == row.unit) return quantity.number;
+  const double internal = units::to_internal(quantity.number, units::parse_unit(quantity.unit));
+  return units::from_internal(internal, units::parse_unit(row.unit));
+}
+
+std::vector<double> readouts_of(const std::filesystem::path& folder) {
+  const json summary = json::parse(read_file(folder / "summary.json", largest_json), nullptr, false);
+  if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
+  std::vector<double> values;
+  for (const std::string& name : all_readouts()) values.push_back(value_or(summary, name.c_str(), undefined));
+  const auto more = table_readouts(folder);
+  std::ranges::copy(more, values.end() - static_cast<std::ptrdiff_t>(more.size()));
+  return values;
+}
+
+} // namespace
+
+std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run) {
+  return study_folder / "runs" / run.hash;
+}
+
+std::filesystem::path run_log(const std::filesystem::path& study_folder, const Run& run) {
+  return study_folder / "runs" / (run.hash + ".log");
+}
+
+Standing standing(const std::filesystem::path& study_folder, const Run& run) {
+  const std::filesystem::path file = run_folder(study_folder, run) / "run.json";
+  if (!std::filesystem::exists(file)) return from_log(run_log(study_folder, run));
+  const json record = json::parse(read_file(file, largest_json), nullptr, false);
+  Standing s;
+  if (record.is_discarded() || !record.is_object()) {
+    s.status = "unfinished";
+    s.reason = "run.json is no JSON";
+    return s;
+  }
+  s.status = value_or(record, "status", std::string("unfinished"));
+  if (s.status == "running") s.status = "unfinished";
+  if (const int code = value_or(record, "exit_code", -1); code >= 0) s.exit_code = code;
+  s.reason = value_or(record, "reason", std::string());
+  s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
+  s.wall_time = value_or(record, "wall_time_s", 0.0);
+  s.steps_done = value_or(record, "steps", 0.0);
+  return s;
+}
+
+std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
+                            const std::filesystem::path& study_folder) {
+  std::vector<Result> all;
+  all.reserve(study.runs());
+  const std::size_t columns = all_readouts().size();
+  for (const Run& run : runs) {
+    Result result{run, standing(study_folder, run), std::vector<double>(columns, undefined)};
+    if (result.standing.done()) result.readouts = readouts_of(run_folder(study_folder, run));
+    all.push_back(std::move(result));
+  }
+  std::ranges::stable_sort(all, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
+  return all;
+}
+
+std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {
+  const std::vector<std::string> names = all_readouts();
+  const auto column = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
+  if (column == names.size()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
+  std::vector<double> values;
+  for (const Result& r : results)
+    if (r.run.point == point && std::isfinite(r.readouts[column])) values.push_back(r.readouts[column]);
+  return values;
+}
+
+std::string unit_suffix(std::string_view unit) {
+  if (unit.empty() || unit == "1") return {};
+  std::string text(unit.starts_with("1/") ? unit.substr(1) : unit);
+  std::string suffix = "_";
+  for (const char c : text) {
+    if (c == '/')
+      suffix += suffix == "_" ? "per_" : "_per_";
+    else if (c != '^')
+      suffix += c == ' ' ? '_' : c;
+  }
+  return suffix;
+}
+
+std::string results_csv(const Study& study, const std::vector<Result>& results) {
+  const std::vector<std::string> keys = swept_keys(study);
+  std::vector<std::string> names{"run", "label"};
+  for (const std::string& key : keys) names.push_back(key + unit_suffix(find_row(key)->unit));
+  for (const char* name : {"replicate", "seed", "status", "reason", "trajectory_hash"}) names.emplace_back(name);
+  for (const std::string& name : all_readouts()) names.push_back(name);
+  std::string text = io::csv_line({names.begin(), names.end()});
+  for (const Result& r : results) {
+    const Point& point = study.points[r.run.point];
+    std::vector<std::string> swept;
+    swept.reserve(keys.size());
+    for (const std::string& key : keys) swept.push_back(swept_text(point, key));
+    std::vector<io::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
+    for (const std::string& value : swept) row.emplace_back(std::string_view(value));
+    row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, std::string_view(r.standing.status),
+                           std::string_view(r.standing.reason), std::string_view(r.standing.trajectory_hash)});
+    row.insert(row.end(), r.readouts.begin(), r.readouts.end());
+    text += io::csv_line(row);
+  }
+  return text;
+}
+
+} // namespace matrigrate::study

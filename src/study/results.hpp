@@ -1,0 +1,59 @@
+#pragma once
+
+#include "study/plan.hpp"
+#include "study/study.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the runs of a study have come to, from the files of a study folder. May be read at any time.
+/// Test: tests/unit/study/results_test.cpp, tests/apps/study_test.cpp
+namespace matrigrate::study {
+
+/// The folder of a run, and the file that its output goes to while it is computed.
+std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run);
+std::filesystem::path run_log(const std::filesystem::path& study_folder, const Run& run);
+
+/// How a run stands.
+struct Standing {
+  std::string status = "missing"; ///< missing, unfinished, done, failed, interrupted
+  std::optional<int> exit_code;
+  std::string reason; ///< why it is not done
+  std::string trajectory_hash;
+  double wall_time = 0.0; ///< [s]
+  double steps_done = 0.0;
+
+  bool done() const { return status == "done"; }
+  /// It would fail again: a numerical failure is the same on every machine.
+  bool failed_for_good() const { return status == "failed" && exit_code == 4; }
+};
+
+Standing standing(const std::filesystem::path& study_folder, const Run& run);
+
+/// A run with its read-outs.
+struct Result {
+  Run run;
+  Standing standing;
+  std::vector<double> readouts; ///< in the order of all_readouts(); NaN where not defined or the run is not done
+};
+
+/// All runs, point by point.
+/// @throws InputOutputError if a table of a run that is done cannot be read
+std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
+                            const std::filesystem::path& study_folder);
+
+/// The defined values of a read-out over the runs of a point that are done.
+/// @throws std::invalid_argument if there is no such read-out
+std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout);
+
+/// results.csv: a row a run. Swept parameters in the unit that ends their column's name; nothing that depends on the
+/// machine, so that two computations of a study can be compared byte by byte.
+std::string results_csv(const Study& study, const std::vector<Result>& results);
+
+/// "Pa" -> "_Pa", "1/s" -> "_per_s", "nN s/um" -> "_nN_s_per_um"; nothing for a ratio.
+std::string unit_suffix(std::string_view unit);
+
+} // namespace matrigrate::study

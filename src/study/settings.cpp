@@ -1,0 +1,76 @@
+#include "study/settings.hpp"
+
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace matrigrate::study {
+
+namespace {
+
+bool is_section(std::string_view path) {
+  return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == path; });
+}
+
+void gather(const toml::table& table, const std::string& prefix, std::string_view section,
+            const std::vector<std::string>& own, FaultList& faults, std::vector<Named>& found) {
+  for (const auto& [name, node] : table) {
+    const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
+    if (prefix.empty() && std::ranges::find(own, path) != own.end()) continue;
+    const std::string shown = fmt::format("{}.{}", section, path);
+    const Row* row = find_row(path);
+    if (path == "run.seed" || path == "run.threads")
+      faults.add(place_of(name), shown,
+                 path == "run.seed" ? "the seeds of the runs follow from the study's own `seed`"
+                                    : "the runs of a study take one thread each, or what Slurm gives them");
+    else if (row != nullptr)
+      found.push_back({row, &node});
+    else if (node.is_table() && is_section(path))
+      gather(*node.as_table(), path, section, own, faults, found);
+    else
+      faults.add(place_of(name), shown,
+                 fmt::format("there is no such parameter{}", did_you_mean(nearest_parameter(path))));
+  }
+}
+
+} // namespace
+
+std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
+                                    const std::vector<std::string>& own, FaultList& faults) {
+  std::vector<Named> found;
+  gather(table, "", section, own, faults, found);
+  std::ranges::sort(found, {}, [](const Named& n) {
+    const Place place = place_of(*n.node);
+    return std::pair(place.line, place.column);
+  });
+  return found;
+}
+
+std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
+  const std::string fault = assign(row, given_by(node), p);
+  if (!fault.empty()) {
+    faults.add(place_of(node), row.path, fault);
+    return std::nullopt;
+  }
+  return Setting{std::string(row.path), value_text(row, p)};
+}
+
+void check_rules(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
+  for (const Rule& rule : rules()) {
+    const std::string broken = rule.broken(p);
+    if (broken.empty()) continue;
+    const auto blamed = std::ranges::find_if(
+        places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
+    if (blamed == places.end())
+      faults.add({}, rule.keys.front(), broken);
+    else
+      faults.add(blamed->second, blamed->first, broken);
+  }
+}
+
+} // namespace matrigrate::study

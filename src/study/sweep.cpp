@@ -1,0 +1,109 @@
+#include "study/sweep.hpp"
+
+#include "parameters/node.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace matrigrate::study {
+
+namespace {
+
+/// A list of a grid.
+struct Axis {
+  const Row* row;
+  std::vector<const toml::node*> nodes;
+  std::vector<Setting> settings;
+};
+
+std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultList& faults) {
+  std::vector<Axis> all;
+  for (const Named& named : named_parameters(sweep, "sweep", {}, faults)) {
+    const toml::array* list = named.node->as_array();
+    if (list == nullptr || list->empty()) {
+      faults.add(place_of(*named.node), named.row->path,
+                 fmt::format("is {}, but a list of values is expected, such as [{}]",
+                             list == nullptr ? type_of(*named.node) : "empty", value_text(*named.row, base)));
+      continue;
+    }
+    Axis& axis = all.emplace_back(Axis{named.row, {}, {}});
+    for (const toml::node& value : *list) {
+      Parameters scratch = base;
+      const auto setting = assigned(*named.row, value, scratch, faults);
+      if (!setting) continue;
+      if (std::ranges::find(axis.settings, *setting) != axis.settings.end())
+        faults.add(place_of(value), named.row->path, fmt::format("{} is listed twice", setting->value));
+      axis.nodes.push_back(&value);
+      axis.settings.push_back(*setting);
+    }
+    if (axis.settings.empty()) all.pop_back(); // all of them at fault
+  }
+  return all;
+}
+
+} // namespace
+
+std::string label_of(const std::vector<Setting>& settings) {
+  if (settings.empty()) return "all";
+  std::string label;
+  for (const Setting& s : settings) {
+    std::string value = s.value;
+    std::erase(value, '"');
+    label += fmt::format("{}{} {}", label.empty() ? "" : ", ", key_of(*find_row(s.key)), value);
+  }
+  return label;
+}
+
+std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, FaultList& faults) {
+  const std::vector<Axis> all = axes(sweep, base, faults);
+  if (all.empty()) return {};
+  std::size_t count = 1;
+  for (const Axis& axis : all) {
+    count *= axis.nodes.size();
+    if (count <= most_points) continue;
+    faults.add(place_of(sweep), "sweep", fmt::format("has more than {} points", most_points));
+    return {};
+  }
+  std::vector<Draft> drafts(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Draft& draft = drafts[i];
+    draft.point.parameters = base;
+    std::size_t block = count;
+    for (const Axis& axis : all) {
+      block /= axis.nodes.size();
+      const std::size_t k = i / block % axis.nodes.size();
+      assign(*axis.row, given_by(*axis.nodes[k]), draft.point.parameters);
+      draft.point.settings.push_back(axis.settings[k]);
+      draft.settings.emplace_back(axis.row->path, place_of(*axis.nodes[k]));
+    }
+    draft.place = draft.settings.front().second;
+    draft.point.label = label_of(draft.point.settings);
+  }
+  return drafts;
+}
+
+std::vector<Draft> listed_points(const toml::array& points, const Parameters& base, FaultList& faults) {
+  std::vector<Draft> drafts;
+  for (const toml::node& node : points) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      faults.add(place_of(node), "points", fmt::format("is {}, but a table of parameters is expected", type_of(node)));
+      continue;
+    }
+    Draft draft;
+    draft.place = place_of(node);
+    draft.point.parameters = base;
+    for (const Named& named : named_parameters(*table, "points", {"label"}, faults))
+      if (auto setting = assigned(*named.row, *named.node, draft.point.parameters, faults)) {
+        draft.point.settings.push_back(std::move(*setting));
+        draft.settings.emplace_back(named.row->path, place_of(*named.node));
+      }
+    const toml::node* label = table->get("label");
+    draft.point.label = label != nullptr ? faults.text(*label, "points.label") : label_of(draft.point.settings);
+    drafts.push_back(std::move(draft));
+  }
+  return drafts;
+}
+
+} // namespace matrigrate::study

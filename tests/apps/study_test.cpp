@@ -1,0 +1,235 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace matrigrate {
+namespace {
+
+using nlohmann::json;
+
+/// Studies of a cell in a small disc, followed for a few steps.
+class Study : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"0.002 h\"\n[protrusion]\ninitiation_rate = \"0.01 "
+                    "1/s\"\n[output]\ntrack_interval = \"2 s\"\nsnapshot_interval = \"16 s\"\n");
+    write_study("\"50 Pa\", \"100 Pa\"");
+  }
+
+  void write_study(const std::string& values, int replicates = 2, const std::string& more = "") const {
+    write("e.toml", "title = \"Stiffness\"\nscenario = \"s.toml\"\nreplicates = " + std::to_string(replicates)
+                        + "\nreadouts = [\"v_migr_abs_um_per_h\", \"n_protrusions\"]\n[sweep]\necm.youngs_modulus = ["
+                        + values + "]\n" + more);
+  }
+
+  std::string file(const std::string& name) const { return text_of(folder / name); }
+
+  /// Fingerprint of the trajectory of each run, by its folder.
+  std::map<std::string, std::string> hashes(const std::string& study) const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / study / "runs"))
+      if (std::filesystem::exists(entry.path() / "run.json"))
+        found[entry.path().filename()] = json::parse(text_of(entry.path() / "run.json")).at("trajectory_hash");
+    return found;
+  }
+};
+
+TEST_F(Study, PlanWritesNothing) {
+  const Ended plain = run("study plan e.toml");
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_TRUE(contains(plain.out, "2 points x 2 replicates = 4 runs, into e-study")) << plain.out;
+  const json plan = json::parse(run("study plan e.toml --json --jobs 2").out);
+  EXPECT_EQ(plan.at("runs").size(), 4U);
+  EXPECT_EQ(plan.at("points").at(1).at("settings").at("ecm.youngs_modulus"), "100 Pa");
+  for (const char* key : {"wall_time_estimate_s", "memory_estimate_bytes", "disk_estimate_bytes"})
+    EXPECT_GT(plan.at(key), 0.0) << key;
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(Study, RunsOnceAndAddsWhatIsNew) {
+  const Ended first = run("study run e.toml --jobs 2");
+  ASSERT_EQ(first.code, 0) << first.out << first.err;
+  EXPECT_TRUE(contains(first.out, "4 of 4 runs done, 4 of them now")) << first.out;
+  for (const char* name : {"study.resolved.toml", "scenario.resolved.toml", "results.csv", "groups.csv",
+                           "statistics.csv", "correlations.csv", "boxes.svg"})
+    EXPECT_TRUE(exists(std::string("e-study/") + name)) << name;
+  const auto before = hashes("e-study");
+  EXPECT_EQ(before.size(), 4U);
+  for (const auto& [hash, trajectory] : before)
+    EXPECT_EQ(json::parse(file("e-study/runs/" + hash + "/run.json")).at("configuration_hash"), hash);
+  const std::string results = file("e-study/results.csv");
+  EXPECT_TRUE(results.starts_with("run,label,ecm.youngs_modulus_Pa,replicate,seed,status,")) << results;
+
+  const auto written = std::filesystem::last_write_time(folder / "e-study/study.resolved.toml");
+  EXPECT_TRUE(contains(run("study run e.toml").out, "4 of 4 runs done, 0 of them now"));
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "e-study/study.resolved.toml"), written);
+  EXPECT_EQ(file("e-study/results.csv"), results);
+  EXPECT_TRUE(contains(run("study run e-study/study.resolved.toml").out, "0 of them now"));
+
+  write_study("\"100 Pa\", \"200 Pa\", \"50 Pa\"", 3);
+  const json more = json::parse(run("study run e.toml --json").out);
+  EXPECT_EQ(more.at("runs"), 9);
+  EXPECT_EQ(more.at("done_now"), 5) << "a point of three, and a third replicate of the two others";
+  const auto after = hashes("e-study");
+  for (const auto& [hash, trajectory] : before) EXPECT_EQ(after.at(hash), trajectory);
+}
+
+TEST_F(Study, OrderDoesNotMatter) {
+  ASSERT_EQ(run("study run e.toml -o there --jobs 1 --quiet").code, 0);
+  write_study("\"0.1 kPa\", \"50 Pa\"");
+  ASSERT_EQ(run("study run e.toml -o back --jobs 3 --quiet").code, 0);
+  EXPECT_EQ(hashes("there"), hashes("back"));
+}
+
+TEST_F(Study, AFailingRunIsListedAndTheOthersGoOn) {
+  write("e.toml", "scenario = \"s.toml\"\nreplicates = 1\n[[points]]\nlabel = \"good\"\n[[points]]\nlabel = \"bad\"\n"
+                  "solver.max_iterations = 1\nsolver.tolerance = 1e-12\n[[points]]\nlabel = \"long\"\nrun.time_step = "
+                  "\"3 s\"\n");
+  const Ended ended = run("study run e.toml");
+  EXPECT_EQ(ended.code, 4) << ended.out << ended.err;
+  EXPECT_TRUE(contains(ended.out, "1 of 3 runs done")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "bad, replicate 1")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "was not solved")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "long, replicate 1")) << ended.out;
+  const json status = json::parse(run("study status e-study --json").out);
+  EXPECT_EQ(status.at("count").at("done"), 1);
+  EXPECT_EQ(status.at("count").at("failed"), 2);
+  EXPECT_TRUE(contains(file("e-study/results.csv"), ",failed,"));
+  const json again = json::parse(run("study run e.toml --json").out);
+  EXPECT_EQ(again.at("done_now"), 0);
+  EXPECT_EQ(again.at("not_done").size(), 2U);
+}
+
+TEST_F(Study, CollectsAtAnyTime) {
+  EXPECT_EQ(run("study collect e-study").code, 5);
+  EXPECT_EQ(run("study status .").code, 5);
+  ASSERT_EQ(run("study run e.toml --quiet").code, 0);
+  const std::string victim = hashes("e-study").begin()->first;
+  std::filesystem::remove_all(folder / "e-study/runs" / victim);
+  const Ended ended = run("study collect e-study");
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_TRUE(contains(ended.out, "3 of 4 runs done")) << ended.out;
+  EXPECT_TRUE(contains(file("e-study/results.csv"), victim + ",")) << "with the status missing";
+  write("e-study/runs/" + hashes("e-study").begin()->first + "/run.json", "{ half");
+  EXPECT_TRUE(contains(run("study collect e-study").out, "2 of 4 runs done"));
+}
+
+TEST_F(Study, IsGoneOnWithAfterAKill) {
+  ASSERT_EQ(run("study run e.toml -o whole --quiet").code, 0);
+  write_study("\"50 Pa\", \"100 Pa\"", 6);
+  ASSERT_EQ(run("study run e.toml -o reference --jobs 2 --quiet").code, 0);
+  for (const char* moment : {"0.05", "0.15", "0.3"}) { // -s KILL: no chance to say goodbye
+    const std::string command = "cd '" + folder.string() + "' && timeout -s KILL " + moment
+                                + " '" MATRIGRATE_PROGRAM
+                                  "' study run e.toml -o whole --jobs 2 --quiet >/dev/null 2>&1";
+    EXPECT_NE(std::system(command.c_str()), -1);
+  }
+  const Ended ended = run("study run e.toml -o whole --jobs 2");
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_TRUE(contains(ended.out, "12 of 12 runs done")) << ended.out;
+  EXPECT_EQ(file("whole/results.csv"), file("reference/results.csv"));
+}
+
+TEST_F(Study, StopsAtASignal) {
+  write("e.toml", "scenario = \"s.toml\"\nreplicates = 4\n[set]\nrun.duration = \"1000 h\"\nprotrusion.initiation_rate "
+                  "= 1e-12\n");
+  for (const auto& [signal, code] : {std::pair<std::string, int>{"INT", 130}, {"TERM", 75}}) {
+    // As a terminal and Slurm do: the signal goes to the whole group, the runs among it. The pool must not tell them
+    // a second time, which would end them at once.
+    const std::string command =
+        "cd '" + folder.string() + "' && { setsid '" MATRIGRATE_PROGRAM "' study run e.toml --jobs 2 -o " + signal
+        + " >'" + (base / "out").string() + "' 2>&1 & p=$! ; sleep 1.5 ; kill -s " + signal + " -- -$p ; wait $p ; }";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), code);
+    EXPECT_TRUE(contains(text_of(base / "out"), "0 of 4 runs done")) << text_of(base / "out");
+    const json status = json::parse(run("study status " + signal + " --json").out);
+    EXPECT_EQ(status.at("count").at("interrupted"), 2);
+    EXPECT_EQ(status.at("count").at("missing"), 2);
+  }
+}
+
+TEST_F(Study, OneRunnerAtATime) {
+  write(
+      "long.toml",
+      "scenario = \"s.toml\"\nreplicates = 1\n[set]\nrun.duration = \"1000 h\"\nprotrusion.initiation_rate = 1e-12\n");
+  const std::string start = "cd '" + folder.string()
+                            + "' && { timeout -s TERM 7 '" MATRIGRATE_PROGRAM
+                              "' study run long.toml -o here >/dev/null 2>&1 & } ; sleep 0.5";
+  ASSERT_EQ(std::system(start.c_str()), 0);
+  const Ended second = run("study run long.toml -o here");
+  EXPECT_EQ(second.code, 5);
+  EXPECT_TRUE(contains(second.err, "another matrigrate computes runs in this folder")) << second.err;
+  EXPECT_EQ(run("study status here").code, 0) << "reading is always allowed";
+  EXPECT_EQ(std::system("sleep 3"), 0); // until the first has ended, which is told to after 7 s
+}
+
+TEST_F(Study, AFullDiskStopsThePool) {
+  ASSERT_EQ(run("study run e.toml -o here --quiet").code, 0);
+  write_study("\"50 Pa\", \"100 Pa\"", 4);
+  const json plan = json::parse(run("study plan e.toml -o here --json").out);
+  for (const json& planned : plan.at("runs")) { // a file where a run's folder should be made
+    const std::string hash = planned.at("run");
+    if (!exists("here/runs/" + hash)) write("here/runs/" + hash, "in the way");
+  }
+  const Ended ended = run("study run e.toml -o here --jobs 1");
+  EXPECT_EQ(ended.code, 5) << ended.out << ended.err;
+  EXPECT_TRUE(contains(ended.out, "not started")) << ended.out;
+}
+
+TEST_F(Study, WritesNothingOnAFault) {
+  write_study("\"50 um\"", 0, "[set]\necm.radius = \"1 um\"\n");
+  const Ended ended = run("study run e.toml");
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_TRUE(contains(ended.err, "e.toml:3:14: replicates: 0 is out of range")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "e.toml:6:23: ecm.youngs_modulus: \"50 um\" is a length")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "e.toml:8:14: ecm.radius: \"1 um\" is out of range")) << ended.err;
+  EXPECT_EQ(run("study run none.toml").code, 3);
+  EXPECT_EQ(entries(), 2U);
+  EXPECT_EQ(run("study").code, 2);
+  EXPECT_EQ(run("study nonsense e.toml").code, 2);
+}
+
+TEST_F(Study, RefusesAFolderOfSomethingElse) {
+  std::filesystem::create_directory(folder / "mine");
+  write("mine/letter", "dear");
+  const Ended ended = run("study run e.toml -o mine");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "holds other files")) << ended.err;
+}
+
+TEST_F(Study, WithoutSlurmTheScriptIsKept) {
+  const std::string command = "cd '" + folder.string()
+                              + "' && PATH=/nowhere '" MATRIGRATE_PROGRAM
+                                "' study submit e.toml --throttle 2 --time 1:00:00 2>'"
+                              + (base / "err").string() + "'";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 5);
+  EXPECT_TRUE(contains(text_of(base / "err"), "sbatch is not there")) << text_of(base / "err");
+  const std::string script = file("e-study/submit.sh");
+  for (const char* line : {"#SBATCH --array=0-3%2", "#SBATCH --requeue", "#SBATCH --time=1:00:00"})
+    EXPECT_TRUE(contains(script, line)) << script;
+}
+
+TEST_F(Study, ReproduceRunsAndJudges) {
+  const std::string tiny = " --set 'ecm.radius=40 um' --set 'run.duration=0.002 h' --replicates 2";
+  const Ended ended = run("reproduce A5" + tiny);
+  EXPECT_EQ(ended.code, 4) << ended.out << ended.err;
+  EXPECT_TRUE(contains(ended.out, "A5  undecided")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "Not run as the paper ran it")) << ended.out;
+  for (const char* name : {"claims-A5.csv", "boxes-A5.svg", "report-A5.html", "stiffness/results.csv"})
+    EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
+  const std::string results = file("reproduce/stiffness/results.csv");
+  const json again = json::parse(run("reproduce A2 --json" + tiny).out);
+  EXPECT_FALSE(again.at("as_published").get<bool>());
+  EXPECT_EQ(again.at("rows").at(0).at("id"), "A2");
+  EXPECT_EQ(file("reproduce/stiffness/results.csv"), results) << "rows share their runs";
+  EXPECT_EQ(run("reproduce A9").code, 2);
+  EXPECT_EQ(run("reproduce A --set ecm.radius=1 -o elsewhere").code, 3);
+  EXPECT_FALSE(exists("elsewhere"));
+}
+
+} // namespace
+} // namespace matrigrate

@@ -1,0 +1,47 @@
+#include "statistics/correlation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace matrigrate::statistics {
+namespace {
+
+// Hollander and Wolfe 1973, p. 187, as in R's help of cor.test.
+const std::vector<double> x{44.4, 45.9, 41.9, 53.3, 44.7, 44.1, 50.7, 45.2, 60.1};
+const std::vector<double> y{2.6, 3.1, 2.5, 5.0, 3.6, 4.0, 5.2, 2.8, 3.8};
+
+TEST(Correlation, AsInR) { // R: cor.test(x, y)
+  const Correlation c = pearson(x, y);
+  EXPECT_EQ(c.n, 9U);
+  EXPECT_NEAR(c.r, 0.5711816, 1e-7);
+  EXPECT_NEAR(c.p, 0.1082, 5e-5);
+}
+
+TEST(Correlation, LeavesOutPairsWithAGap) {
+  std::vector<double> longer_x = x;
+  std::vector<double> longer_y = y;
+  longer_x.push_back(1.0);
+  longer_y.push_back(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(pearson(longer_x, longer_y).r, pearson(x, y).r);
+  EXPECT_EQ(pearson(longer_x, longer_y).n, 9U);
+}
+
+TEST(Correlation, WhatIsNotDefinedIsNaN) {
+  EXPECT_TRUE(std::isnan(pearson({}, {}).r));
+  EXPECT_TRUE(std::isnan(pearson(std::vector{1.0, 1.0, 1.0}, std::vector{1.0, 2.0, 3.0}).r));
+  EXPECT_TRUE(std::isnan(pearson(std::vector{1.0, 2.0}, std::vector{1.0, 2.0}).p));
+  EXPECT_EQ(pearson(std::vector{1.0, 2.0, 3.0}, std::vector{2.0, 4.0, 6.0}).p, 0.0);
+  EXPECT_THROW(pearson(x, std::vector{1.0}), std::invalid_argument);
+}
+
+TEST(Correlation, TheMatrixIsSymmetric) {
+  const auto matrix = correlation_matrix({x, y});
+  EXPECT_NEAR(matrix[0][0].r, 1.0, 1e-15);
+  EXPECT_EQ(matrix[0][1].r, matrix[1][0].r);
+}
+
+} // namespace
+} // namespace matrigrate::statistics

@@ -1,0 +1,103 @@
+#include "studies.hpp"
+
+#include "study/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+namespace matrigrate::study {
+namespace {
+
+/// Made-up results in one read-out.
+Evidence evidence(std::string_view readout, const std::vector<std::vector<double>>& samples) {
+  std::string numbers = "1";
+  for (std::size_t i = 2; i <= samples.size(); ++i) numbers += fmt::format(", {}", i);
+  Evidence e;
+  e.emplace("s", Ensemble{read("[sweep]\nprotrusion.number = [" + numbers + "]\n"), results_of(readout, samples)});
+  return e;
+}
+
+const std::vector<std::vector<double>> apart{{1.0, 1.1, 1.2, 1.3}, {2.0, 2.1, 2.2, 2.3}, {2.05, 2.1, 2.2, 2.4}};
+constexpr std::string_view f = "f_mat";
+
+Verdict verdict(Judge& judge) { return judge.finding().verdict; }
+
+TEST(Judge, EachCondition) {
+  const Evidence e = evidence(f, apart);
+  const Group a{"s", 0};
+  const Group b{"s", 1};
+  const Group c{"s", 2};
+  const auto holds = [&](auto condition) {
+    Judge judge(e);
+    condition(judge);
+    return verdict(judge) == Verdict::holds;
+  };
+  EXPECT_TRUE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::down); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.differs(b, c, f, Sign::up); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.same(b, c, f); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.same(a, c, f); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.leans(b, c, f, Sign::up); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.not_beyond(b, c, f, Sign::up); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.not_beyond(a, b, f, Sign::up); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.agrees(a, f, 1.2, 12); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.agrees(a, f, 3.0, 12); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.extreme_agrees("s", 3, f, Sign::up, 2.2, 12); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.within(a, f, 1.0, 1.2); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.below(a, f, 1.5); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.below(a, f, 1.2); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.ratio_below(a, b, f, 2.0); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.correlates("s", f, f, Sign::up); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.uncorrelated("s", f, f); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.mean_above("s", f, 1.0); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.none_above("s", f, 2.0); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up).same(a, b, f); })) << "all must be met";
+}
+
+TEST(Judge, IsUndecidedWithoutRuns) {
+  const Evidence e = evidence(f, {{1.0}, {2.0, 3.0}});
+  Judge few(e);
+  EXPECT_EQ(verdict(few.differs({"s", 0}, {"s", 1}, f, Sign::up)), Verdict::undecided);
+  Judge nowhere(e);
+  EXPECT_EQ(verdict(nowhere.same({"t", 0}, {"t", 1}, f)), Verdict::undecided);
+  Judge nothing(e);
+  EXPECT_EQ(verdict(nothing), Verdict::undecided);
+}
+
+TEST(Claims, AreComplete) {
+  std::set<std::string> ids;
+  for (const Claim& claim : claims()) {
+    ids.emplace(claim.id);
+    EXPECT_EQ(claim.judge({}).verdict, Verdict::undecided) << claim.id;
+    for (const std::string_view name : claim.studies)
+      EXPECT_TRUE(std::filesystem::exists(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name))) << name;
+  }
+  EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2", "B3", "B4", "C1",
+                                        "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1", "E2", "E3", "E4"}));
+}
+
+TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
+  for (const Claim& claim : claims()) {
+    Evidence e;
+    for (const std::string_view name : claim.studies) {
+      const Study s = read_study(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name));
+      std::vector<Result> results;
+      for (std::size_t i = 0; i < s.points.size(); ++i)
+        for (std::size_t k = 1; k <= 3; ++k) { // any numbers, so that nothing is undecided
+          std::vector<double> values(all_readouts().size());
+          for (std::size_t v = 0; v < values.size(); ++v)
+            values[v] = static_cast<double>(1 + (i * 7 + k * k * 3 + v * k) % 11);
+          Result& r = results.emplace_back();
+          r.run.point = i;
+          r.readouts = values;
+        }
+      e.emplace(name, Ensemble{s, results});
+    }
+    EXPECT_NE(claim.judge(e).verdict, Verdict::undecided) << claim.id;
+  }
+}
+
+} // namespace
+} // namespace matrigrate::study

@@ -1,0 +1,82 @@
+#include "studies.hpp"
+
+#include "study/box_plot.hpp"
+#include "study/comparison.hpp"
+#include "study/table_readouts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace matrigrate::study {
+namespace {
+
+using PairList = std::vector<std::pair<std::size_t, std::size_t>>;
+
+TEST(Comparison, PairsOfAGrid) {
+  const std::string grid = "[sweep]\necm.youngs_modulus = [50, 100, 200]\nprotrusion.number = [1, 2]\n[statistics]\n";
+  EXPECT_EQ(compared_pairs(read(grid)), (PairList{{0, 1}, {0, 2}, {1, 3}, {2, 3}, {2, 4}, {3, 5}, {4, 5}}));
+  EXPECT_EQ(compared_pairs(read(grid + "compare = \"all\"\n")).size(), 15U);
+  EXPECT_TRUE(compared_pairs(read(grid + "compare = \"none\"\n")).empty());
+  EXPECT_EQ(
+      compared_pairs(read("[sweep]\nprotrusion.number = [1, 2, 3]\n[statistics]\ncompare = \"control\"\ncontrol = "
+                          "\"number 2\"\n")),
+      (PairList{{1, 0}, {1, 2}}));
+}
+
+TEST(Comparison, DifferencesAndTheirCorrection) {
+  const Study s = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2, 3]\n");
+  const auto results = results_of("f_mat", {{0.1, 0.2, 0.3}, {0.6, 0.7, 0.8}, {0.65, 0.7, 0.85}});
+  const std::vector<Comparison> c = comparisons(s, results);
+  ASSERT_EQ(c.size(), 2U);
+  EXPECT_NEAR(c[0].difference.value, 0.5, 1e-12);
+  EXPECT_LT(c[0].test.p, 0.01);
+  EXPECT_NEAR(c[0].p_holm, 2.0 * c[0].test.p, 1e-15);
+  EXPECT_EQ(c[1].p_holm, c[1].test.p);
+  EXPECT_TRUE(power_text(c[0]).starts_with("n = 3 and 3 detect a difference of 0.3")) << power_text(c[0]);
+  const std::string csv = statistics_csv(s, c);
+  EXPECT_TRUE(csv.starts_with("readout,point_a,point_b,n_a,")) << csv;
+  EXPECT_NE(csv.find("\nf_mat,number 1,number 2,3,3,"), std::string::npos) << csv;
+  EXPECT_NE(groups_csv(s, results).find("\nf_mat,number 3,3,"), std::string::npos);
+  EXPECT_NE(correlations_csv(s, results).find("\nf_mat,f_mat,9,1,0"), std::string::npos);
+}
+
+TEST(Comparison, TooFewRunsGiveEmptyFields) {
+  const Study s = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
+  const std::string csv = statistics_csv(s, comparisons(s, results_of("f_mat", {{0.1}, {}})));
+  EXPECT_NE(csv.find("\nf_mat,number 1,number 2,1,0,0.1,,,,,,,t,,,,,,,,\n"), std::string::npos) << csv;
+}
+
+TEST(Results, ColumnsCarryUnits) {
+  EXPECT_EQ(unit_suffix("Pa"), "_Pa");
+  EXPECT_EQ(unit_suffix("1/s"), "_per_s");
+  EXPECT_EQ(unit_suffix("nN s/um"), "_nN_s_per_um");
+  EXPECT_EQ(unit_suffix("1"), "");
+  const Study s = read("[sweep]\necm.youngs_modulus = [\"0.05 kPa\"]\nfibres.arrangement = [\"none\"]\n");
+  const std::string csv = results_csv(s, results_of("f_mat", {{0.5}}));
+  EXPECT_TRUE(csv.starts_with("run,label,ecm.youngs_modulus_Pa,fibres.arrangement,replicate,seed,status,")) << csv;
+  EXPECT_NE(csv.find(",50,none,1,0,done,"), std::string::npos) << csv;
+}
+
+TEST(Results, NumbersOfAColumn) {
+  const std::string csv = "a,b_um,c\n1,2.5,x\n,,y\n3,-1e-3,z\n";
+  const auto b = csv_column(csv, "b_um");
+  ASSERT_EQ(b.size(), 3U);
+  EXPECT_EQ(b[0], 2.5);
+  EXPECT_TRUE(std::isnan(b[1]));
+  EXPECT_EQ(b[2], -1e-3);
+  EXPECT_TRUE(csv_column(csv, "d").empty());
+  EXPECT_TRUE(csv_column("", "a").empty());
+}
+
+TEST(BoxPlot, DrawsEachSample) {
+  const std::string svg = to_svg({{"f_mat", {"one", "none"}, {{1.0, 2.0, 3.0, 4.0}, {}}}}, "A <title>");
+  EXPECT_NE(svg.find("one (n = 4)"), std::string::npos);
+  EXPECT_NE(svg.find("none (n = 0)"), std::string::npos);
+  EXPECT_NE(svg.find("A &lt;title&gt;"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_THROW(to_svg({{"f_mat", {"one"}, {}}}, ""), std::invalid_argument);
+}
+
+} // namespace
+} // namespace matrigrate::study
