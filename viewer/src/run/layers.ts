@@ -38,10 +38,10 @@ export function layers(film: Film): Layer[] {
     { key: "pressure", name: "Pressure", unit: "Pa", ends: ["pulled", "pressed"],
       note: "In the matrix; positive where it is pressed.", field: film.pressure, low: -largest, high: largest,
       map: () => blueWhiteOrange, solidOnly: false },
-    stress("von_mises", "Von Mises stress", "In the solid matrix: how much it is sheared.", film.vonMises),
+    stress("von_mises", "Von Mises", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
   ];
   if (film.fibreVonMises)
-    out.push(stress("fibre_von_mises", "Von Mises, fibres", "The part that the fibres carry (Eq. 11).", film.fibreVonMises));
+    out.push(stress("fibre_von_mises", "Fibre von Mises", "The part of the von Mises stress that the fibres carry (Eq. 11).", film.fibreVonMises));
   return out;
 }
 
@@ -51,7 +51,7 @@ export const overlays = [
   { key: "protrusions", name: "Protrusions", on: true },
   { key: "adhesions", name: "Adhesions", on: true },
   { key: "path", name: "Path so far", on: true },
-  { key: "arrows", name: "Displacement arrows", on: false },
+  { key: "arrows", name: "Arrows", on: false },
 ] as const;
 export type OverlayKey = (typeof overlays)[number]["key"];
 export type Shown = Record<OverlayKey, boolean>;

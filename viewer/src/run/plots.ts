@@ -2,11 +2,11 @@
 import { palette } from "../colour";
 import type { Tracks } from "../contract";
 import { h, s } from "../dom";
-import { readable, ticks } from "../numbers";
+import { readable, roundStep, ticks } from "../numbers";
 import type { Clock } from "./clock";
 
 /** Drawn once in these units and scaled by the browser only down, so that text keeps a readable size. */
-const margin = { left: 52, right: 14, top: 12, bottom: 40 };
+const margin = { left: 60, right: 14, top: 12, bottom: 40 };
 
 export interface Axis {
   low: number;
@@ -133,7 +133,7 @@ function path(clock: Clock, width: number, tracks: Tracks): SVGSVGElement {
   const made = frame(width, height, axis(xs, w, "x [\u00b5m]"), axis(ys, k, "y [\u00b5m]"), "Path of the centre of mass");
   const soFar = s("path", { class: "curve" });
   const here = s("circle", { class: "here", r: 5 });
-  const bar = ticks(0, scale * w * 0.3, 1).at(-1) ?? 10;
+  const bar = 0.4 * roundStep(0.5 * scale * w);
   made.svg.append(s("path", { class: "curve faint", d: line(made, xs, ys) }), soFar,
     s("circle", { class: "start", cx: made.x(xs[0]), cy: made.y(ys[0]), r: 4.5 }, s("title", {}, "start")), here,
     s("path", { class: "scale-bar", d: `M${margin.left + 14} ${height - margin.bottom - 14}h${bar / scale}` }),
