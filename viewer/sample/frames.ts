@@ -2,12 +2,15 @@
 import type { FrameProtrusion, Frames, PhaseNumber, ProtrusionRow, Tracks } from "../src/contract";
 import { outlinePoints as n } from "./life";
 import { pack } from "./pack";
+import { random } from "./random";
 
 export interface FilmOptions {
   radius: number;
   spacing: number;
   interval: number;
   fibres: boolean;
+  /** Random shifts of particles [um], so that the data compress no better than real ones. */
+  noise: number;
 }
 
 type Point = [number, number];
@@ -73,6 +76,7 @@ export function sampleFrames(tracks: Tracks, rows: ProtrusionRow[], end: number,
     o: [] as Float64Array[], front: [] as Float64Array[], slot: [] as Float64Array[], fMat: [] as Float64Array[], force: [] as Float64Array[] };
   const protrusions: FrameProtrusion[][] = [];
   let f = new Float64Array(particles).fill(1);
+  const u = random(5);
   for (const t of times) {
     const centre: Point = [interpolated(tracks, tracks.x_um, t), interpolated(tracks, tracks.y_um, t)];
     const alive = arms(rows, tracks, t);
@@ -92,6 +96,9 @@ export function sampleFrames(tracks: Tracks, rows: ProtrusionRow[], end: number,
         p[i] += (12 * pull * ((a - arm.tip[0]) * dx + (b - arm.tip[1]) * dy)) / (away + 2);
         m[i] += 22 * pull;
       }
+      x[2 * i] += options.noise * (u() - 0.5);
+      x[2 * i + 1] += options.noise * (u() - 0.5);
+      p[i] += 40 * options.noise * (u() - 0.5);
       const deep = Math.min(Math.hypot(a - centre[0], b - centre[1]) - 13, ...alive.map((arm) => toSegment(a, b, centre, arm.tip)));
       if (deep < 4) f[i] = Math.min(f[i], t === 0 ? 0 : Math.max(0, (deep - 3) * 0.8));
     }

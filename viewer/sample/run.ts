@@ -15,6 +15,7 @@ export interface RunOptions {
   interval?: number;
   end?: number;
   fibres?: boolean;
+  noise?: number;
   /** Without frames: as a run whose fields were turned off. */
   still?: boolean;
 }
@@ -22,7 +23,7 @@ export interface RunOptions {
 function page(options: RunOptions, tracks: Tracks, protrusions: ProtrusionRow[], end: number): RunPage {
   const [radius, spacing] = [options.radius ?? 150, 2];
   const made = options.still ? null
-    : sampleFrames(tracks, protrusions, end, { radius, spacing, interval: options.interval ?? 300, fibres: options.fibres ?? true });
+    : sampleFrames(tracks, protrusions, end, { radius, spacing, interval: options.interval ?? 300, fibres: options.fibres ?? true, noise: options.noise ?? 0 });
   return {
     format: "matrigrate-run", version: 1, title: `Migration run, seed ${options.seed ?? 1}`, status: `Done: ${end / 3600} h, 54000 steps.`, t_end_s: end,
     geometry: { radius_um: radius, spacing_um: spacing, n_particles: made?.particles ?? 17665, n_outline: outlinePoints },

@@ -1,30 +1,9 @@
 /** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
-import type { StudyPage, StudyReadout, StudyTest } from "../contract";
+import type { StudyPage, StudyReadout } from "../contract";
 import { pText, readable, stars } from "../numbers";
+import { brackets, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, type Json } from "./figure";
 import { groupAt, seriesColour, values, withUnit, type Grid } from "./groups";
-
-interface Bracket {
-  from: number;
-  to: number;
-  level: number;
-  test: StudyTest;
-}
-
-/** Brackets that cross along x are put on different levels, short ones lowest. */
-export function brackets(tests: StudyTest[], made: Grid, readout: string, all: boolean): Bracket[] {
-  const out: Bracket[] = [];
-  const wanted = tests.filter((t) => t.readout === readout && (all || (t.p !== null && t.p < 0.05))).flatMap((test) => {
-    const [a, b] = [groupAt(made, test.a), groupAt(made, test.b)];
-    return a && b ? [{ from: Math.min(a.x, b.x), to: Math.max(a.x, b.x), test }] : [];
-  }).sort((a, b) => a.to - a.from - (b.to - b.from) || a.from - b.from);
-  for (const one of wanted) {
-    let level = 0;
-    while (out.some((o) => o.level === level && o.from < one.to + 0.05 && one.from < o.to + 0.05)) ++level;
-    out.push({ ...one, level });
-  }
-  return out;
-}
 
 function story(made: Grid, { test }: Bracket, unit: string): string {
   const lines = [`${groupAt(made, test.a)?.label ?? ""} against ${groupAt(made, test.b)?.label ?? ""}`,
@@ -34,8 +13,8 @@ function story(made: Grid, { test }: Bracket, unit: string): string {
   return lines.join("<br>");
 }
 
-export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, all: boolean): HTMLElement {
-  const bars = brackets(study.tests, made, readout.name, all);
+export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
+  const bars = brackets(study.tests, made, readout.name, show);
   const levels = Math.max(0, ...bars.map((b) => b.level + 1));
   const plotHeight = 270 + 17 * levels;
   return figure(`${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`, plotHeight + 60, () => {
@@ -61,15 +40,20 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, all: 
         text: groups.map((g, i) => `${g.label}<br>mean ${readable(means[i])} ${readout.unit}, n = ${values(g, readout.name).length}`), hoverinfo: "text" });
     });
     const at = (b: Bracket) => high + 0.05 * span + (17 * b.level + 5) * pixel;
+    // A comparison within a series has its colour; one between series is grey.
+    const lineColour = (b: Bracket) => {
+      const [ka, kb] = [groupAt(made, b.test.a)?.series ?? 0, groupAt(made, b.test.b)?.series ?? 0];
+      return made.series.length > 1 && ka === kb ? seriesColour(ka) : colours.soft;
+    };
     for (const b of bars)
-      data.push({ type: "scatter", mode: "lines", x: [b.from + 0.04, b.to - 0.04], y: [at(b), at(b)], line: { color: colours.soft, width: 1.3 }, hoverinfo: "skip" });
+      data.push({ type: "scatter", mode: "lines", x: [b.from + 0.04, b.to - 0.04], y: [at(b), at(b)], line: { color: lineColour(b), width: 1.4 }, hoverinfo: "skip" });
     data.push({ type: "scatter", mode: "text", x: bars.map((b) => 0.5 * (b.from + b.to)), y: bars.map((b) => at(b) + 5 * pixel), text: bars.map((b) => stars(b.test.p)),
       hovertext: bars.map((b) => story(made, b, readout.unit)), hoverinfo: "text", textfont: { size: 13, color: colours.text } });
     return { data, layout: {
       xaxis: axis(made.axisTitle, { tickvals: made.columns.map((_, i) => i), ticktext: made.columns, range: [-0.6, made.columns.length - 0.4], showgrid: false, fixedrange: true }),
       yaxis: axis(withUnit(readout.label, readout.unit), { range: [bottom, top] }),
       annotations: made.groups.map((g) => ({ x: g.x, y: 0, yref: "paper", yanchor: "bottom", showarrow: false, font: { size: 12, color: colours.soft },
-        text: made.series.length > 1 ? String(values(g, readout.name).length) : `n = ${values(g, readout.name).length}` })),
+        text: made.series.length > 1 ? String(values(g, readout.name).length) : `n\u00a0=\u00a0${values(g, readout.name).length}` })),
     } };
   });
 }

@@ -29,6 +29,10 @@ export interface Grid {
 
 const key = (point: GridPoint): string => point.join(",");
 
+/** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough. */
+export const multiplesStyle = (made: Grid): string => `--columns:${Math.min(6, made.columns.length)}`;
+export const inRows = (groups: Group[]): Group[] => [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
+
 /** @param main  index of the axis along x */
 export function grid(study: StudyPage, main: number): Grid {
   const axis = study.axes[main];

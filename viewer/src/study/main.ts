@@ -4,6 +4,7 @@ import { fault, h, section } from "../dom";
 import { embeddedStudy } from "../embedded";
 import "../page.css";
 import { boxes } from "./boxes";
+import type { Shown } from "./brackets";
 import { grid, seriesColour, type Grid } from "./groups";
 import { claims, runs } from "./lists";
 import { adhesionForces, correlation, msd } from "./statistics";
@@ -22,7 +23,7 @@ function part(id: string, title: string, content: HTMLElement | null, ...before:
 function show(study: StudyPage, page: HTMLElement): void {
   document.title = study.title;
   let main = 0;
-  let all = false;
+  let comparisons: Shown = "significant";
   const body = h("div", {});
   const draw = () => {
     const made = grid(study, main);
@@ -30,7 +31,7 @@ function show(study: StudyPage, page: HTMLElement): void {
       part("claims", "Claims and verdicts", claims(study)),
       study.readouts.length > 0 ? section("readouts", "Read-outs by parameter", seriesKey(made),
         h("p", { class: "note" }, "Boxes: median and quartiles; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001; hover for the test."),
-        h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, all)))) : null,
+        h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, comparisons)))) : null,
       part("paths", "Paths from a common origin", paths(made), seriesKey(made)),
       part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
       part("msd", "Mean square displacement", msd(study, made)),
@@ -44,11 +45,11 @@ function show(study: StudyPage, page: HTMLElement): void {
   };
   const choice = h("select", {}, ...study.axes.map((a, i) => h("option", { value: i }, `${a.label}: ${a.meaning}`)));
   choice.addEventListener("change", () => { main = Number(choice.value); draw(); });
-  const nonsignificant = h("input", { type: "checkbox" });
-  nonsignificant.addEventListener("change", () => { all = nonsignificant.checked; draw(); });
+  const which = h("select", {}, h("option", { value: "significant" }, "significant ones"), h("option", { value: "all" }, "all"), h("option", { value: "none" }, "none"));
+  which.addEventListener("change", () => { comparisons = which.value as Shown; draw(); });
   page.replaceChildren(h("header", {}, h("h1", {}, study.title), h("p", { class: "status" }, study.status)),
     h("div", { class: "study-controls" }, study.axes.length > 1 ? h("label", {}, "Along the axis: ", choice) : null,
-      study.tests.length > 0 ? h("label", {}, nonsignificant, "Show comparisons that are not significant, too") : null), body);
+      study.tests.length > 0 ? h("label", {}, "Comparisons: ", which) : null), body);
   draw();
 }
 

@@ -4,7 +4,7 @@ import type { StudyPage } from "../contract";
 import { h } from "../dom";
 import { pText, readable, stars } from "../numbers";
 import { axis, figure, ink, type Json } from "./figure";
-import { columnColour, groupAt, seriesColour, type Grid } from "./groups";
+import { columnColour, groupAt, multiplesStyle, seriesColour, type Grid } from "./groups";
 
 const dashes = ["solid", "dash", "dot", "dashdot"];
 const symbols = ["circle", "square", "diamond", "triangle-up"];
@@ -26,7 +26,7 @@ export function msd(study: StudyPage, made: Grid): HTMLElement | null {
     const low = 0.7 * Math.min(...study.msd.map((m) => m.msd_um2[0]));
     data.push({ type: "scatter", mode: "lines", x: [a, b], y: [low, (low * b) / a], line: { color: ink().soft, width: 1 }, name: "slope 1", hoverinfo: "skip" });
     return { data, layout: { showlegend: true, legend: width > 700 ? { x: 1.02, y: 1 } : { orientation: "h", y: -0.25 },
-      xaxis: axis("lag [min]", { type: "log", dtick: "D2" }), yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", dtick: 1 }) } };
+      xaxis: axis("lag [min]", { type: "log", tickvals: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000] }), yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", dtick: 1 }) } };
   });
 }
 
@@ -39,10 +39,12 @@ export function adhesionForces(made: Grid): HTMLElement | null {
   const share = (v: number[]): number[] => Array.from({ length: count }, (_, i) =>
     v.filter((x) => Math.min(count - 1, Math.max(0, Math.floor(x / bin))) === i).length / Math.max(1, v.length));
   const top = 1.1 * Math.max(...made.series.flatMap((_, k) => made.columns.flatMap((__, c) => share(of(k, c)))));
-  return h("div", { class: "multiples" }, ...made.columns.map((name, c) => figure(
+  return h("div", { class: "multiples", style: multiplesStyle(made) }, ...made.columns.map((name, c) => figure(
     `${made.axisTitle.replace(/ \[.*/, "")} ${name}: n = ${made.series.map((_, k) => of(k, c).length).join(" and ")} adhesions`, 230, () => ({
-      data: made.series.map((series, k) => ({ type: "bar", name: series, x: Array.from({ length: count }, (_, i) => (i + 0.5) * bin), y: share(of(k, c)), width: bin,
-        marker: { color: seriesColour(k), opacity: made.series.length > 1 ? 0.55 : 0.85, line: { color: seriesColour(k), width: 1 } },
+      // Several series as outlines: bars over bars would mix their colours.
+      data: made.series.map((series, k) => ({ name: series, x: Array.from({ length: count }, (_, i) => (i + 0.5) * bin), y: share(of(k, c)),
+        ...(made.series.length > 1 ? { type: "scatter", mode: "lines", line: { shape: "hvh", color: seriesColour(k), width: 2.2, dash: dashes[k % 4] } }
+          : { type: "bar", width: bin, marker: { color: seriesColour(k) } }),
         hovertemplate: `${series}<br>f_adh_rel around %{x:.2f}<br>share %{y:.2f}<extra></extra>` })),
       layout: { barmode: "overlay", margin: { l: 50, r: 8, t: 6, b: 40 }, xaxis: axis("f_adh_rel", { range: [0, count * bin] }), yaxis: axis("share", { range: [0, top], nticks: 5 }) },
     }))));

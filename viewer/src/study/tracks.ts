@@ -2,9 +2,9 @@
 import { h, s } from "../dom";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "./figure";
-import { seriesColour, type Grid, type Group } from "./groups";
+import { inRows, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
-const withPath = (made: Grid): Group[] => made.groups.filter((g) => g.runs.some((r) => r.path && r.path.x_um.length > 1));
+const withPath = (made: Grid): Group[] => inRows(made.groups.filter((g) => g.runs.some((r) => r.path && r.path.x_um.length > 1)));
 
 export function paths(made: Grid): HTMLElement | null {
   const groups = withPath(made);
@@ -13,7 +13,7 @@ export function paths(made: Grid): HTMLElement | null {
   for (const g of groups) for (const r of g.runs)
     r.path?.x_um.forEach((x, i) => { if (r.path) reach = Math.max(reach, Math.abs(x - r.path.x_um[0]), Math.abs(r.path.y_um[i] - r.path.y_um[0])); });
   reach *= 1.08;
-  return h("div", { class: "multiples" }, ...groups.map((g) => figure(`${g.label}, n = ${g.runs.filter((r) => r.path).length}`, 250, () => ({
+  return h("div", { class: "multiples", style: multiplesStyle(made) }, ...groups.map((g) => figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, 250, () => ({
     data: g.runs.flatMap((r) => {
       if (!r.path) return [];
       const { x_um: x, y_um: y } = r.path;
@@ -29,14 +29,14 @@ export function paths(made: Grid): HTMLElement | null {
 
 /** Cells side by side, as they lie, none turned. */
 export function shapes(made: Grid): HTMLElement | null {
-  const groups = made.groups.filter((g) => g.runs.some((r) => r.outline));
+  const groups = inRows(made.groups.filter((g) => g.runs.some((r) => r.outline)));
   if (groups.length === 0) return null;
   let side = 1;
   const sides = (v: number[]) => Math.max(...v) - Math.min(...v);
   for (const g of groups) for (const r of g.runs) if (r.outline) side = Math.max(side, sides(r.outline.x_um), sides(r.outline.y_um));
   side *= 1.06;
   const bar = roundStep(0.2 * side);
-  return h("div", { class: "multiples" }, ...groups.map((g) => {
+  return h("div", { class: "multiples", style: multiplesStyle(made) }, ...groups.map((g) => {
     const cells = g.runs.filter((r) => r.outline);
     const across = 4;
     const down = Math.ceil(cells.length / across);
