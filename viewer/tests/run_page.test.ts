@@ -94,6 +94,8 @@ test("plays, pauses, scrubs and steps", async () => {
 test("zooms, pans, follows and comes back", async () => {
   const { page } = await open(browser, "run", json(small));
   const home = await picture(page);
+  const view = () => page.locator(".stage").getAttribute("data-view");
+  const homeView = await view();
   await page.locator(".stage").hover();
   await page.mouse.wheel(0, -400);
   const near = await picture(page);
@@ -107,9 +109,7 @@ test("zooms, pans, follows and comes back", async () => {
   assert.ok(await page.locator("input[name=follow]").isChecked());
   await page.keyboard.press("0");
   assert.ok(!(await page.locator("input[name=follow]").isChecked()));
-  // The ring around what has the focus is no part of the picture.
-  await page.evaluate(() => { if (document.activeElement instanceof HTMLElement) document.activeElement.blur(); });
-  assert.ok((await picture(page)) === home, "is not back");
+  assert.equal(await view(), homeView);
   await page.context().close();
 });
 

@@ -73,6 +73,8 @@ export class Stage {
   }
 
   viewChanged(): void {
+    const { x, y, scale } = this.camera;
+    this.element.dataset["view"] = [x, y, scale].map((v) => v.toFixed(3)).join(" ");
     for (const listener of this.viewListeners) listener();
     this.draw();
   }

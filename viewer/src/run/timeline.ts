@@ -57,6 +57,7 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HT
   const made = frame(width, height, hours(clock), { low: 0, high: n, label: "", ticks: [] }, "Phases of each protrusion over time; the table below has the numbers");
   const wide = width > 700;
   const right = made.x(clock.end / 3600);
+  const remarks = s("g", { class: "remarks" });
   rows.forEach((row, k) => {
     const y = top + pitch * k;
     const all = bars(row, clock.end);
@@ -73,12 +74,12 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HT
         width: Math.max(1, made.x(bar.to / 3600) - made.x(bar.from / 3600)) }));
     // Where there is room on neither side, the tooltip and the table still say it.
     if (after || before)
-      group.append(s("text", { class: "remark", x: after ? last + 6 : first - 6, y: y + 15.5, "text-anchor": after ? "start" : "end" }, text));
+      remarks.append(s("text", { class: "remark", x: after ? last + 6 : first - 6, y: y + 15.5, "text-anchor": after ? "start" : "end" }, text));
     made.svg.append(group);
   });
   made.svg.append(s("text", { transform: `translate(13 ${0.5 * (top + height - bottom)}) rotate(-90)`, "text-anchor": "middle" }, "protrusion"));
   const cursor = s("path", { class: "cursor" });
-  made.svg.append(cursor);
+  made.svg.append(cursor, remarks);
   const update = () => cursor.setAttribute("d", `M${made.x(clock.time / 3600)} ${top}V${height - bottom}`);
   clock.onChange(update);
   update();
