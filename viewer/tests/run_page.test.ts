@@ -56,6 +56,13 @@ for (const card of [true, false]) {
       assert.ok(!seen.has(now), `${overlay} changes nothing`);
       seen.add(now);
     }
+    await page.locator("input[name=cell]").check();
+    for (const edge of ["f_mat", "force"]) {
+      await page.locator("select[name=edge]").selectOption(edge);
+      const now = await picture(page);
+      assert.ok(!seen.has(now), `the edge by ${edge} changes nothing`);
+      seen.add(now);
+    }
     assert.deepEqual(errors, []);
     await page.context().close();
   });

@@ -4,6 +4,7 @@ import type { FrameProtrusion, Tracks } from "../contract";
 import { roundStep } from "../numbers";
 import { valueAt } from "../unpack";
 import type { Camera } from "./camera";
+import { paintEdge, type Edge } from "./edge";
 import { between, outlineAt, type Film, type Place } from "./frames";
 import type { Shown } from "./layers";
 
@@ -14,6 +15,7 @@ export interface CellScene {
   camera: Camera;
   tracks: Tracks;
   shown: Shown;
+  edge: Edge;
   spacing: number;
   /** Times the displacement that an arrow is long. */
   arrowScale: number;
@@ -179,6 +181,8 @@ export function paintCell(canvas: HTMLCanvasElement, scene: CellScene, pixels: n
   if (shown.cell) paintBody(c, scene, outline);
   const alive = film.protrusions[place.frame];
   if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
+  // Over the protrusions: whoever chose a colour for the edge wants to see it there above all.
+  if (shown.cell) paintEdge(c, camera, outline, scene.edge, place);
   if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
   if (shown.path) paintPath(c, scene);
   paintScaleBar(c, scene);

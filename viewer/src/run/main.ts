@@ -12,7 +12,7 @@ import { plots } from "./plots";
 import { protrusionTable, timeline } from "./timeline";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
-  return table(["", "value", "name in files"], values.map((v) => [v.meaning, readable(v.value), h("code", {}, v.name)]), { numeric: [1], caption });
+  return table(["what", "value", "name in files"], values.map((v) => [v.meaning, readable(v.value), h("code", {}, v.name)]), { numeric: [1], caption });
 }
 
 function parameters(run: RunPage): Node {

@@ -66,7 +66,7 @@ function upload(gl: WebGL2RenderingContext, data: ArrayBufferView): WebGLBuffer 
 
 /** null where there is no WebGL2. */
 export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: number, lost: () => void): ParticlePainter | null {
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, premultipliedAlpha: false });
+  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true });
   if (!gl) return null;
   const used = program(gl);
   if (!used) return null;

@@ -4,6 +4,7 @@ import { phaseNames } from "../contract";
 import { h, onDarkMode, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
 import type { Clock } from "./clock";
+import { edgeChoice, edges } from "./edge";
 import { placeAt, type Film } from "./frames";
 import { attachKeys } from "./keys";
 import { layers, overlays } from "./layers";
@@ -24,7 +25,7 @@ function viewButtons(stage: Stage): HTMLElement {
 }
 
 /** Radios for the matrix, boxes for what lies over it, and the legend of both. */
-function panel(stage: Stage, all: ReturnType<typeof layers>): HTMLElement {
+function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLElement {
   const bar = h("div", {});
   const legend = h("div", {});
   const arrowNote = h("p", { class: "note", "aria-live": "polite" });
@@ -61,7 +62,8 @@ function panel(stage: Stage, all: ReturnType<typeof layers>): HTMLElement {
   refreshArrows();
   return h("div", { class: "panel" },
     h("fieldset", {}, h("legend", {}, "Colour the matrix by"), h("div", { class: "choices" }, ...radios), bar),
-    h("fieldset", {}, h("legend", {}, "Draw"), h("div", { class: "choices" }, ...boxes), arrowNote, legend));
+    h("fieldset", {}, h("legend", {}, "Draw"), h("div", { class: "choices" }, ...boxes),
+      edgeChoice(edges(film), (edge) => { stage.edge = edge; stage.draw(); }), arrowNote, legend));
 }
 
 /** Protrusions alive at the time shown. */
@@ -99,5 +101,5 @@ export function player(run: RunPage, film: Film, clock: Clock): HTMLElement {
   else queueMicrotask(() => { if (!clock.playing && clock.time === 0) clock.toggle(); });
   return h("section", { id: "player", "aria-label": "Player" },
     h("div", { class: "player" }, h("div", { class: "screen" }, stage.element, transport(clock, stage)),
-      h("div", { class: "aside" }, panel(stage, all), present(film, clock))));
+      h("div", { class: "aside" }, panel(stage, film, all), present(film, clock))));
 }

@@ -6,6 +6,7 @@ import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
 import { paintCell } from "./cell_painter";
 import type { Clock } from "./clock";
+import { edges, type Edge } from "./edge";
 import { outlineAt, placeAt, type Film } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
@@ -31,6 +32,7 @@ export class Stage {
   readonly shown = Object.fromEntries(overlays.map((o) => [o.key, o.on])) as Shown;
   readonly camera: Camera;
   follow = false;
+  edge: Edge;
   private queued = false;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
@@ -43,6 +45,7 @@ export class Stage {
     const bottom = h("canvas", { class: "matrix" });
     this.element = h("div", { class: "stage", tabindex: 0, role: "img",
       "aria-label": "The cell in the matrix. Space plays, arrow keys step, plus and minus zoom, F follows the cell, 0 shows it all." }, bottom, this.top);
+    this.edge = edges(film)[0];
     const r = run.geometry.radius_um + run.geometry.spacing_um;
     this.camera = new Camera({ left: -r, right: r, bottom: -r, top: r });
     this.home = haunts(film);
@@ -139,7 +142,7 @@ export class Stage {
     }
     const dark = isDark();
     this.painter.paint({ place, layer: this.layer, camera, dark });
-    paintCell(this.top, { film, place, time: clock.time, camera, tracks: this.run.tracks, shown: this.shown,
+    paintCell(this.top, { film, place, time: clock.time, camera, tracks: this.run.tracks, shown: this.shown, edge: this.edge,
       spacing: this.run.geometry.spacing_um, arrowScale: this.arrowScale(), dark }, this.pixels);
   }
 }

@@ -22,8 +22,8 @@ export function bars(row: ProtrusionRow, end: number): Bar[] {
 }
 
 const causes: Record<string, string> = {
-  disassembly: "adhesion disassembled",
-  rupture: "adhesion ruptured",
+  disassembly: "disassembled",
+  rupture: "ruptured",
   unadhered: "never adhered",
 };
 const causeText = (row: ProtrusionRow): string =>

@@ -24,8 +24,8 @@ export function axis(title: string, more: Json = {}): Json {
 const config: Json = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
   toImageButtonOptions: { format: "svg" } };
 
-export function figure(caption: string, height: number, make: (width: number) => Drawing): HTMLElement {
-  const plot = h("div", { class: "plotly-figure", style: `height:${height}px` });
+export function figure(caption: string, height: number | ((width: number) => number), make: (width: number) => Drawing): HTMLElement {
+  const plot = h("div", { class: "plotly-figure", style: `height:${typeof height === "number" ? height : height(innerWidth)}px` });
   plot.setAttribute("role", "img");
   plot.setAttribute("aria-label", caption);
   const element = h("figure", {}, plot, h("figcaption", {}, caption));

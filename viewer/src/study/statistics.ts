@@ -11,7 +11,7 @@ const symbols = ["circle", "square", "diamond", "triangle-up"];
 
 export function msd(study: StudyPage, made: Grid): HTMLElement | null {
   if (study.msd.length === 0) return null;
-  return figure("Mean square displacement over runs, with standard error; the thin line has slope 1 (random walk).", 460, (width) => {
+  return figure("Mean square displacement over runs, with standard error; the thin line has slope 1 (random walk).", (window) => (window > 760 ? 460 : 380 + 19 * study.msd.length), (width) => {
     const data: Json[] = study.msd.flatMap((m) => {
       const g = groupAt(made, m.point);
       if (!g) return [];
@@ -25,7 +25,7 @@ export function msd(study: StudyPage, made: Grid): HTMLElement | null {
     const [a, b] = [Math.min(...lags), Math.max(...lags)];
     const low = 0.7 * Math.min(...study.msd.map((m) => m.msd_um2[0]));
     data.push({ type: "scatter", mode: "lines", x: [a, b], y: [low, (low * b) / a], line: { color: ink().soft, width: 1 }, name: "slope 1", hoverinfo: "skip" });
-    return { data, layout: { showlegend: true, legend: width > 700 ? { x: 1.02, y: 1 } : { orientation: "h", y: -0.25 },
+    return { data, layout: { showlegend: true, legend: width > 700 ? { x: 1.02, y: 1 } : { orientation: "h", y: -0.18, yanchor: "top", font: { size: 12 } },
       xaxis: axis("lag [min]", { type: "log", tickvals: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000] }), yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", dtick: 1 }) } };
   });
 }
@@ -55,14 +55,14 @@ export function correlation(study: StudyPage): HTMLElement | null {
   if (!c || c.names.length === 0) return null;
   const label = (name: string) => study.readouts.find((r) => r.name === name)?.label ?? name;
   const labels = c.names.map(label);
-  return figure("Correlation of read-outs across all runs: Pearson's r, stars for p < 0.05, 0.01, 0.001; more on hover.", 90 + 68 * labels.length, () => ({
+  return figure("Correlation of read-outs across all runs: Pearson's r, stars for p < 0.05, 0.01, 0.001; more on hover.", 90 + 68 * labels.length, (width) => ({
     data: [{ type: "heatmap", x: labels, y: labels, z: c.r, zmin: -1, zmax: 1, xgap: 2, ygap: 2,
       colorscale: blueWhiteOrange.map((rgb, i) => [i / (blueWhiteOrange.length - 1), `rgb(${rgb.join(",")})`]),
-      colorbar: { title: { text: "r" }, thickness: 14, outlinewidth: 0 },
+      showscale: width > 520, colorbar: { title: { text: "r" }, thickness: 14, outlinewidth: 0 },
       text: c.r.map((row, i) => row.map((r, j) => `${labels[i]} with ${labels[j]}<br>r = ${readable(r, 3)}${i === j ? "" : `, ${pText(c.p[i][j])}`}<br>n = ${c.n[i][j]}`)), hoverinfo: "text" }],
     layout: { xaxis: axis("", { showgrid: false, showline: false, ticks: "" }), yaxis: axis("", { autorange: "reversed", showgrid: false, showline: false, ticks: "" }),
       annotations: c.r.flatMap((row, i) => row.map((r, j) => ({ x: labels[j], y: labels[i], showarrow: false,
         text: r === null ? "\u2013" : i === j ? "1" : `${r.toFixed(2).replace("-", "\u2212")}${(c.p[i][j] ?? 1) < 0.05 ? `<br>${stars(c.p[i][j])}` : ""}`,
-        font: { size: 13, color: r !== null && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" } }))) },
+        font: { size: width > 520 ? 13 : 11, color: r !== null && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" } }))) },
   }));
 }

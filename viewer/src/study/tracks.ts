@@ -13,7 +13,7 @@ export function paths(made: Grid): HTMLElement | null {
   for (const g of groups) for (const r of g.runs)
     r.path?.x_um.forEach((x, i) => { if (r.path) reach = Math.max(reach, Math.abs(x - r.path.x_um[0]), Math.abs(r.path.y_um[i] - r.path.y_um[0])); });
   reach *= 1.08;
-  return h("div", { class: "multiples", style: multiplesStyle(made) }, ...groups.map((g) => figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, 250, () => ({
+  return h("div", { class: "multiples", style: multiplesStyle(made) }, ...groups.map((g) => figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, 225, () => ({
     data: g.runs.flatMap((r) => {
       if (!r.path) return [];
       const { x_um: x, y_um: y } = r.path;
