@@ -28,7 +28,7 @@ const folder = join(tmpdir(), `matrigrate-viewer-${process.pid}`);
 let count = 0;
 
 /** @param json  what the program would write; null: the bare template */
-export async function open(browser: Browser, template: "run" | "study", json: string | null, options: BrowserContextOptions = {}): Promise<Opened> {
+export async function open(browser: Browser, template: "run" | "study", json: string | null, options: BrowserContextOptions = {}, query = ""): Promise<Opened> {
   mkdirSync(folder, { recursive: true });
   const file = join(folder, `${template}-${++count}.html`);
   writeFileSync(file, embed(`dist/${template}.html`, json ?? "null"));
@@ -37,9 +37,9 @@ export async function open(browser: Browser, template: "run" | "study", json: st
   const [errors, requests]: [string[], string[]] = [[], []];
   page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
   page.on("pageerror", (error) => errors.push(String(error)));
-  page.on("request", (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().endsWith(file)) requests.push(request.url()); });
+  page.on("request", (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().endsWith(file + query)) requests.push(request.url()); });
   const begin = performance.now();
-  await page.goto(`file://${file}`);
+  await page.goto(`file://${file}${query}`);
   await page.waitForSelector("html[data-ready=true]");
   // Until the first picture has really been painted.
   await page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");

@@ -64,9 +64,9 @@ function upload(gl: WebGL2RenderingContext, data: ArrayBufferView): WebGLBuffer 
   return buffer;
 }
 
-/** null where there is no WebGL2. */
-export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: number, lost: () => void): ParticlePainter | null {
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true });
+/** null where there is no WebGL2, or only one computed by the processor (unless that is asked for): a plain canvas is faster. */
+export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: number, lost: () => void, anyhow: boolean): ParticlePainter | null {
+  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, failIfMajorPerformanceCaveat: !anyhow });
   if (!gl) return null;
   const used = program(gl);
   if (!used) return null;
