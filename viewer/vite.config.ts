@@ -22,15 +22,21 @@ function inlineEverything(): Plugin {
         const name = file.fileName.replace(/[.]/g, "\\.");
         // Replacements are functions: a `$&` in minified code must stay as it is.
         if (file.type === "chunk") {
-          const library = file.imports.includes(plotly) ? script(readFileSync(createRequire(import.meta.url).resolve(plotly), "utf8")) : "";
+          const library = file.imports.includes(plotly)
+            ? script(readFileSync(createRequire(import.meta.url).resolve(plotly), "utf8"))
+            : "";
           html = html.replace(new RegExp(`<script[^>]*src="[^"]*${name}"[^>]*></script>`), () => "");
           html = html.replace("</body>", () => `${library}${script(file.code)}</body>`);
         } else if (file.fileName.endsWith(".css")) {
-          html = html.replace(new RegExp(`<link[^>]*href="[^"]*${name}"[^>]*>`), () => `<style>${String(file.source)}</style>`);
+          html = html.replace(
+            new RegExp(`<link[^>]*href="[^"]*${name}"[^>]*>`),
+            () => `<style>${String(file.source)}</style>`,
+          );
         } else continue;
         delete bundle[file.fileName];
       }
-      if (/<script[^>]* src=|<link[^>]* href="(?!data:)/.test(html)) throw new Error("the page still refers to another file");
+      if (/<script[^>]* src=|<link[^>]* href="(?!data:)/.test(html))
+        throw new Error("the page still refers to another file");
       page.source = html;
     },
   };
@@ -44,6 +50,10 @@ export default defineConfig(({ mode }) => ({
     emptyOutDir: mode === "run",
     modulePreload: false,
     chunkSizeWarningLimit: 2000,
-    rollupOptions: { input: `${mode}.html`, external: [plotly], output: { format: "iife", globals: { [plotly]: "Plotly" } } },
+    rollupOptions: {
+      input: `${mode}.html`,
+      external: [plotly],
+      output: { format: "iife", globals: { [plotly]: "Plotly" } },
+    },
   },
 }));

@@ -31,7 +31,13 @@ interface Arm {
 }
 
 const interpolated = (tracks: Tracks, column: number[], t: number): number => {
-  const i = Math.min(column.length - 2, Math.max(0, tracks.t_s.findLastIndex((v) => v <= t)));
+  const i = Math.min(
+    column.length - 2,
+    Math.max(
+      0,
+      tracks.t_s.findLastIndex((v) => v <= t),
+    ),
+  );
   const share = Math.min(1, (t - tracks.t_s[i]) / (tracks.t_s[i + 1] - tracks.t_s[i]));
   return column[i] + share * (column[i + 1] - column[i]);
 };
@@ -41,7 +47,10 @@ function arms(rows: ProtrusionRow[], tracks: Tracks, t: number): Arm[] {
   for (const row of rows) {
     if (t < row.t_initiation_s || t > (row.t_end_s ?? Infinity)) continue;
     const angle = (2 * Math.PI * row.centre_particle) / n + 0.4 * Math.sin(row.id);
-    const at = (time: number): Point => [interpolated(tracks, tracks.x_um, time), interpolated(tracks, tracks.y_um, time)];
+    const at = (time: number): Point => [
+      interpolated(tracks, tracks.x_um, time),
+      interpolated(tracks, tracks.y_um, time),
+    ];
     const adhered = row.t_adhesion_s ?? Infinity;
     const gone = row.t_disassembly_s ?? Infinity;
     const full = 15 + (row.length_um ?? 28);
@@ -67,13 +76,27 @@ function toSegment(x: number, y: number, a: Point, b: Point): number {
   return Math.hypot(x - a[0] - s * dx, y - a[1] - s * dy);
 }
 
-export function sampleFrames(tracks: Tracks, rows: ProtrusionRow[], end: number, options: FilmOptions): { frames: Frames; particles: number } {
+export function sampleFrames(
+  tracks: Tracks,
+  rows: ProtrusionRow[],
+  end: number,
+  options: FilmOptions,
+): { frames: Frames; particles: number } {
   const X = lattice(options.radius, options.spacing);
   const particles = X.length / 2;
   const times: number[] = [];
   for (let t = 0; t <= end + 1e-6; t += options.interval) times.push(t);
-  const columns = { x: [] as Float64Array[], f: [] as Float64Array[], p: [] as Float64Array[], m: [] as Float64Array[],
-    o: [] as Float64Array[], front: [] as Float64Array[], slot: [] as Float64Array[], fMat: [] as Float64Array[], force: [] as Float64Array[] };
+  const columns = {
+    x: [] as Float64Array[],
+    f: [] as Float64Array[],
+    p: [] as Float64Array[],
+    m: [] as Float64Array[],
+    o: [] as Float64Array[],
+    front: [] as Float64Array[],
+    slot: [] as Float64Array[],
+    fMat: [] as Float64Array[],
+    force: [] as Float64Array[],
+  };
   const protrusions: FrameProtrusion[][] = [];
   let f = new Float64Array(particles).fill(1);
   const u = random(5);
@@ -99,12 +122,24 @@ export function sampleFrames(tracks: Tracks, rows: ProtrusionRow[], end: number,
       x[2 * i] += options.noise * (u() - 0.5);
       x[2 * i + 1] += options.noise * (u() - 0.5);
       p[i] += 40 * options.noise * (u() - 0.5);
-      const deep = Math.min(Math.hypot(a - centre[0], b - centre[1]) - 13, ...alive.map((arm) => toSegment(a, b, centre, arm.tip)));
+      const deep = Math.min(
+        Math.hypot(a - centre[0], b - centre[1]) - 13,
+        ...alive.map((arm) => toSegment(a, b, centre, arm.tip)),
+      );
       if (deep < 4) f[i] = Math.min(f[i], t === 0 ? 0 : Math.max(0, (deep - 3) * 0.8));
     }
     const o = new Float64Array(2 * n);
-    const [front, slot, fMat, force] = [new Float64Array(n), new Float64Array(n).fill(255), new Float64Array(n).fill(0.05), new Float64Array(n).fill(0.02)];
-    const polar = interpolated(tracks, tracks.polarization_rad.map((v) => v ?? 0), t);
+    const [front, slot, fMat, force] = [
+      new Float64Array(n),
+      new Float64Array(n).fill(255),
+      new Float64Array(n).fill(0.05),
+      new Float64Array(n).fill(0.02),
+    ];
+    const polar = interpolated(
+      tracks,
+      tracks.polarization_rad.map((v) => v ?? 0),
+      t,
+    );
     for (let i = 0; i < n; ++i) {
       const angle = (2 * Math.PI * i) / n;
       const r = 15 * (1 + 0.05 * Math.cos(2 * angle + t / 2000));
@@ -119,34 +154,62 @@ export function sampleFrames(tracks: Tracks, rows: ProtrusionRow[], end: number,
         o[2 * i + 1] += share * (arm.tip[1] - oy);
         if (d <= 20) {
           slot[i] = k;
-          fMat[i] = arm.phase > 1 ? arm.row.f_mat ?? 0.2 : 0.1;
+          fMat[i] = arm.phase > 1 ? (arm.row.f_mat ?? 0.2) : 0.1;
           force[i] = 0.3 * fMat[i];
         }
       });
     }
-    columns.x.push(x); columns.f.push(f); columns.p.push(p); columns.m.push(m);
-    columns.o.push(o); columns.front.push(front); columns.slot.push(slot); columns.fMat.push(fMat); columns.force.push(force);
-    protrusions.push(alive.map((arm) => ({
-      id: arm.row.id, phase: arm.phase, centre: arm.row.centre_particle,
-      anchor: arm.anchored ? [arm.tip[0] + 3 * Math.cos(arm.row.id), arm.tip[1] + 3 * Math.sin(arm.row.id)] : null,
-      f_mat: arm.phase === 0 ? 0 : arm.row.f_mat ?? 0.2, force_nN: arm.anchored ? 0.3 * (arm.row.f_mat ?? 0.2) : 0,
-    })));
+    columns.x.push(x);
+    columns.f.push(f);
+    columns.p.push(p);
+    columns.m.push(m);
+    columns.o.push(o);
+    columns.front.push(front);
+    columns.slot.push(slot);
+    columns.fMat.push(fMat);
+    columns.force.push(force);
+    protrusions.push(
+      alive.map((arm) => ({
+        id: arm.row.id,
+        phase: arm.phase,
+        centre: arm.row.centre_particle,
+        anchor: arm.anchored ? [arm.tip[0] + 3 * Math.cos(arm.row.id), arm.tip[1] + 3 * Math.sin(arm.row.id)] : null,
+        f_mat: arm.phase === 0 ? 0 : (arm.row.f_mat ?? 0.2),
+        force_nN: arm.anchored ? 0.3 * (arm.row.f_mat ?? 0.2) : 0,
+      })),
+    );
   }
   const place = { type: "int16", components: 2, scale: 0.005, offset: 0, delta: true } as const;
   const share = { type: "uint8", components: 1, scale: 1 / 255, offset: 0, delta: true } as const;
   const index = { type: "uint8", components: 1, scale: 1, offset: 0, delta: false } as const;
   const mises = { type: "uint8", components: 1, scale: 120 / 255, offset: 0, delta: true } as const;
-  return { particles, frames: {
-    times_s: times,
-    reference: pack([X], { ...place, delta: false }),
-    particles: {
-      x: pack(columns.x, place), f: pack(columns.f, share),
-      pressure: pack(columns.p, { type: "uint8", components: 1, scale: 120 / 255, offset: -60, delta: true }),
-      von_mises: pack(columns.m, mises),
-      ...(options.fibres ? { fibre_von_mises: pack(columns.m.map((v) => v.map((w) => 0.7 * w)), mises) } : {}),
+  return {
+    particles,
+    frames: {
+      times_s: times,
+      reference: pack([X], { ...place, delta: false }),
+      particles: {
+        x: pack(columns.x, place),
+        f: pack(columns.f, share),
+        pressure: pack(columns.p, { type: "uint8", components: 1, scale: 120 / 255, offset: -60, delta: true }),
+        von_mises: pack(columns.m, mises),
+        ...(options.fibres
+          ? {
+              fibre_von_mises: pack(
+                columns.m.map((v) => v.map((w) => 0.7 * w)),
+                mises,
+              ),
+            }
+          : {}),
+      },
+      outline: {
+        x: pack(columns.o, place),
+        front: pack(columns.front, index),
+        protrusion: pack(columns.slot, index),
+        f_mat: pack(columns.fMat, share),
+        force: pack(columns.force, share),
+      },
+      protrusions,
     },
-    outline: { x: pack(columns.o, place), front: pack(columns.front, index), protrusion: pack(columns.slot, index),
-      f_mat: pack(columns.fMat, share), force: pack(columns.force, share) },
-    protrusions,
-  } };
+  };
 }

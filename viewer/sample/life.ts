@@ -17,11 +17,17 @@ export function protrusionRows(u: Random, end: number): ProtrusionRow[] {
     const force = 0.05 + 0.6 * u();
     const until = <T>(time: number, value: T): T | null => (time <= end ? value : null);
     rows.push({
-      id, centre_particle: Math.floor(outlinePoints * u()), t_initiation_s: start,
-      t_adhesion_s: unadhered ? null : until(adhesion, adhesion), t_mature_s: unadhered ? null : until(mature, mature),
-      t_disassembly_s: unadhered ? until(adhesion, adhesion) : until(gone, gone), t_end_s: until(end_, end_),
-      length_um: until(adhesion, 26 + 6 * u()), f_mat: unadhered ? null : until(mature, fMat),
-      force_nN: unadhered ? null : until(gone, force), f_adh_rel: unadhered ? null : until(gone, force / (0.6 * fMat)),
+      id,
+      centre_particle: Math.floor(outlinePoints * u()),
+      t_initiation_s: start,
+      t_adhesion_s: unadhered ? null : until(adhesion, adhesion),
+      t_mature_s: unadhered ? null : until(mature, mature),
+      t_disassembly_s: unadhered ? until(adhesion, adhesion) : until(gone, gone),
+      t_end_s: until(end_, end_),
+      length_um: until(adhesion, 26 + 6 * u()),
+      f_mat: unadhered ? null : until(mature, fMat),
+      force_nN: unadhered ? null : until(gone, force),
+      f_adh_rel: unadhered ? null : until(gone, force / (0.6 * fMat)),
       cause: unadhered ? "unadhered" : until(gone, "disassembly"),
     });
   }
@@ -29,7 +35,15 @@ export function protrusionRows(u: Random, end: number): ProtrusionRow[] {
 }
 
 export function tracks(u: Random, end: number, rows: ProtrusionRow[]): Tracks {
-  const out: Tracks = { t_s: [], x_um: [], y_um: [], area_um2: [], perimeter_um: [], polarization_rad: [], n_simultaneous: [] };
+  const out: Tracks = {
+    t_s: [],
+    x_um: [],
+    y_um: [],
+    area_um2: [],
+    perimeter_um: [],
+    polarization_rad: [],
+    n_simultaneous: [],
+  };
   let [x, y] = [0, 0];
   for (let t = 0; t <= end; t += 60) {
     const alive = rows.filter((r) => r.t_initiation_s <= t && (r.t_end_s ?? end) >= t);

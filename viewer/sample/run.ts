@@ -6,8 +6,9 @@ import { sampleFrames } from "./frames";
 import { outlinePoints, protrusionRows, tracks as madeTracks } from "./life";
 import { random } from "./random";
 
-const citation = "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) The role of actin protrusion dynamics in cell "
-  + "migration through a degradable viscoelastic extracellular matrix. PLoS Comput Biol 16(1): e1007250.";
+const citation =
+  "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) The role of actin protrusion dynamics in cell " +
+  "migration through a degradable viscoelastic extracellular matrix. PLoS Comput Biol 16(1): e1007250.";
 
 export interface RunOptions {
   seed?: number;
@@ -22,13 +23,35 @@ export interface RunOptions {
 
 function page(options: RunOptions, tracks: Tracks, protrusions: ProtrusionRow[], end: number): RunPage {
   const [radius, spacing] = [options.radius ?? 150, 2];
-  const made = options.still ? null
-    : sampleFrames(tracks, protrusions, end, { radius, spacing, interval: options.interval ?? 300, fibres: options.fibres ?? true, noise: options.noise ?? 0 });
+  const made = options.still
+    ? null
+    : sampleFrames(tracks, protrusions, end, {
+        radius,
+        spacing,
+        interval: options.interval ?? 300,
+        fibres: options.fibres ?? true,
+        noise: options.noise ?? 0,
+      });
   return {
-    format: "matrigrate-run", version: 1, title: `Migration run, seed ${options.seed ?? 1}`, status: `Done: ${end / 3600} h, 54000 steps.`, t_end_s: end,
-    geometry: { radius_um: radius, spacing_um: spacing, n_particles: made?.particles ?? 17665, n_outline: outlinePoints },
-    frames: made?.frames ?? null, tracks, protrusions, readouts: [], parameters: [], health: [],
-    provenance: "matrigrate 0.1.0\nbuild          Release: -O3 -DNDEBUG\nthreads        2", citation,
+    format: "matrigrate-run",
+    version: 1,
+    title: `Migration run, seed ${options.seed ?? 1}`,
+    status: `Done: ${end / 3600} h, 54000 steps.`,
+    t_end_s: end,
+    geometry: {
+      radius_um: radius,
+      spacing_um: spacing,
+      n_particles: made?.particles ?? 17665,
+      n_outline: outlinePoints,
+    },
+    frames: made?.frames ?? null,
+    tracks,
+    protrusions,
+    readouts: [],
+    parameters: [],
+    health: [],
+    provenance: "matrigrate 0.1.0\nbuild          Release: -O3 -DNDEBUG\nthreads        2",
+    citation,
   };
 }
 
@@ -42,16 +65,23 @@ export function sampleRun(options: RunOptions = {}): RunPage {
     { name: "n_protrusions", meaning: "protrusions initiated", value: rows.length },
     { name: "path_angle_deg", meaning: "mean angle of the path to uniaxial fibres [degrees]", value: null },
   ];
-  run.parameters = [{ name: "ecm.youngs_modulus", value: "100 Pa", default: "200 Pa", meaning: "Young's modulus of the intact matrix" }];
-  run.health = [{ name: "solver_iterations_max", meaning: "most iterations of the solver in a step", value: 17 },
-    { name: "solver_residual_max", meaning: "largest relative residual", value: 9.9e-5 }];
+  run.parameters = [
+    { name: "ecm.youngs_modulus", value: "100 Pa", default: "200 Pa", meaning: "Young's modulus of the intact matrix" },
+  ];
+  run.health = [
+    { name: "solver_iterations_max", meaning: "most iterations of the solver in a step", value: 17 },
+    { name: "solver_residual_max", meaning: "largest relative residual", value: 9.9e-5 },
+  ];
   return run;
 }
 
 type Table = Record<string, string[]>;
 
 function csv(file: string): Table {
-  const [head, ...lines] = readFileSync(file, "utf8").trim().split("\n").map((line) => line.split(","));
+  const [head, ...lines] = readFileSync(file, "utf8")
+    .trim()
+    .split("\n")
+    .map((line) => line.split(","));
   return Object.fromEntries(head.map((name, i) => [name, lines.map((line) => line[i])]));
 }
 
@@ -74,7 +104,12 @@ function changed(folder: string): ChangedParameter[] {
     const [key, value] = line.split(" = ");
     const known = defaults.get(`${group}.${key}`);
     if (known && value !== known.value && `${group}.${key}` !== "run.seed")
-      out.push({ name: `${group}.${key}`, value: value.replace(/"/g, ""), default: known.value.replace(/"/g, ""), meaning: known.meaning });
+      out.push({
+        name: `${group}.${key}`,
+        value: value.replace(/"/g, ""),
+        default: known.value.replace(/"/g, ""),
+        meaning: known.meaning,
+      });
   }
   return out;
 }
@@ -83,10 +118,21 @@ export function runFromFolder(folder: string): RunPage {
   const t = csv(join(folder, "tracks.csv"));
   const p = csv(join(folder, "protrusions.csv"));
   const health = csv(join(folder, "health.csv"));
-  const tracks: Tracks = { t_s: numbers(t["t_s"]), x_um: numbers(t["x_um"]), y_um: numbers(t["y_um"]), area_um2: numbers(t["area_um2"]),
-    perimeter_um: numbers(t["perimeter_um"]), polarization_rad: t["polarization_rad"].map(numberOrNull), n_simultaneous: numbers(t["n_simultaneous"]) };
-  const rows = p["id"].map((_, i) => Object.fromEntries(Object.entries(p).map(([key, column]) =>
-    [key, key === "cause" ? column[i] || null : numberOrNull(column[i])])) as unknown as ProtrusionRow);
+  const tracks: Tracks = {
+    t_s: numbers(t["t_s"]),
+    x_um: numbers(t["x_um"]),
+    y_um: numbers(t["y_um"]),
+    area_um2: numbers(t["area_um2"]),
+    perimeter_um: numbers(t["perimeter_um"]),
+    polarization_rad: t["polarization_rad"].map(numberOrNull),
+    n_simultaneous: numbers(t["n_simultaneous"]),
+  };
+  const rows = p["id"].map(
+    (_, i) =>
+      Object.fromEntries(
+        Object.entries(p).map(([key, column]) => [key, key === "cause" ? column[i] || null : numberOrNull(column[i])]),
+      ) as unknown as ProtrusionRow,
+  );
   const run = page({}, tracks, rows, tracks.t_s[tracks.t_s.length - 1]);
   const summary = JSON.parse(readFileSync(join(folder, "summary.json"), "utf8")) as Record<string, number | null>;
   const meta = JSON.parse(readFileSync(join(folder, "run.json"), "utf8")) as Record<string, unknown>;
@@ -94,10 +140,23 @@ export function runFromFolder(folder: string): RunPage {
   run.status = `Done: 6 h, ${String(meta["steps"])} steps. The film on this page is made up; the tables and plots are real.`;
   run.readouts = Object.entries(summary).map(([name, value]) => ({ name, meaning: name.replace(/_/g, " "), value }));
   run.parameters = changed(folder);
-  const most = (name: string, meaning: string): NamedValue => ({ name, meaning, value: Math.max(...numbers(health[name])) });
-  run.health = [most("solver_iterations_max", "most iterations of the solver in a step"), most("solver_residual_max", "largest relative residual"),
-    most("n_orphans", "particles that became fluid for want of neighbours"), most("n_torn", "particles torn"), most("n_solid_inside", "solid particles inside the cell"),
-    most("deepest_solid_um", "deepest of them [um]"), most("crosses_itself", "cortex crosses itself (1: yes)")];
-  run.provenance = JSON.stringify(meta, null, 1).replace(/[{}",[\]]/g, "").replace(/\n\s*\n/g, "\n").trim();
+  const most = (name: string, meaning: string): NamedValue => ({
+    name,
+    meaning,
+    value: Math.max(...numbers(health[name])),
+  });
+  run.health = [
+    most("solver_iterations_max", "most iterations of the solver in a step"),
+    most("solver_residual_max", "largest relative residual"),
+    most("n_orphans", "particles that became fluid for want of neighbours"),
+    most("n_torn", "particles torn"),
+    most("n_solid_inside", "solid particles inside the cell"),
+    most("deepest_solid_um", "deepest of them [um]"),
+    most("crosses_itself", "cortex crosses itself (1: yes)"),
+  ];
+  run.provenance = JSON.stringify(meta, null, 1)
+    .replace(/[{}",[\]]/g, "")
+    .replace(/\n\s*\n/g, "\n")
+    .trim();
   return run;
 }

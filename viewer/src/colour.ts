@@ -14,15 +14,35 @@ export const frontColour = "#45c4b8";
 export const rearColour = "#0072b2";
 
 export const viridis: Rgb[] = [
-  [68, 1, 84], [72, 40, 120], [62, 73, 137], [49, 104, 142], [38, 130, 142],
-  [31, 158, 137], [53, 183, 121], [110, 206, 88], [181, 222, 43], [253, 231, 37],
+  [68, 1, 84],
+  [72, 40, 120],
+  [62, 73, 137],
+  [49, 104, 142],
+  [38, 130, 142],
+  [31, 158, 137],
+  [53, 183, 121],
+  [110, 206, 88],
+  [181, 222, 43],
+  [253, 231, 37],
 ];
 export const blueWhiteOrange: Rgb[] = [
-  [16, 66, 128], [66, 130, 190], [158, 197, 228], [240, 240, 240], [247, 190, 127], [217, 119, 30], [140, 62, 0],
+  [16, 66, 128],
+  [66, 130, 190],
+  [158, 197, 228],
+  [240, 240, 240],
+  [247, 190, 127],
+  [217, 119, 30],
+  [140, 62, 0],
 ];
 /** Fluid to solid on a light and on a dark page: degraded matrix is what looks empty. */
-export const gelOnLight: Rgb[] = [[248, 246, 241], [203, 185, 148]];
-export const gelOnDark: Rgb[] = [[27, 27, 26], [138, 122, 88]];
+export const gelOnLight: Rgb[] = [
+  [248, 246, 241],
+  [203, 185, 148],
+];
+export const gelOnDark: Rgb[] = [
+  [27, 27, 26],
+  [138, 122, 88],
+];
 
 /** @param fraction  place on the map, clamped to [0, 1] */
 export function mapped(map: readonly Rgb[], fraction: number): Rgb {

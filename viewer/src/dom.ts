@@ -9,13 +9,21 @@ function fill(element: Element, attributes: Attributes, children: Child[]): void
   for (const child of children) if (child) element.append(child);
 }
 
-export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   fill(element, attributes, children);
   return element;
 }
 
-export function s<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[K] {
+export function s<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
   fill(element, attributes, children);
   return element;
@@ -26,14 +34,27 @@ export function section(id: string, title: string, ...children: Child[]): HTMLEl
 }
 
 /** A table that scrolls sideways where it does not fit. Columns of numbers are set to the right. */
-export function table(heads: string[], rows: Child[][], options: { numeric?: number[]; caption?: string } = {}): HTMLElement {
+export function table(
+  heads: string[],
+  rows: Child[][],
+  options: { numeric?: number[]; caption?: string } = {},
+): HTMLElement {
   const kind = (column: number) => (options.numeric?.includes(column) ? "number" : undefined);
   const head = h("tr", {}, ...heads.map((text, i) => h("th", { scope: "col", class: kind(i) }, text)));
   const body = rows.map((row) =>
-    h("tr", {}, ...row.map((cell, i) => h("td", { class: kind(i), "data-label": heads[i] }, cell))));
-  return h("div", { class: "table", tabindex: 0, role: "region", "aria-label": options.caption ?? heads.join(", ") },
-    h("table", {}, options.caption ? h("caption", { class: "unseen" }, options.caption) : null,
-      h("thead", {}, head), h("tbody", {}, ...body)));
+    h("tr", {}, ...row.map((cell, i) => h("td", { class: kind(i), "data-label": heads[i] }, cell))),
+  );
+  return h(
+    "div",
+    { class: "table", tabindex: 0, role: "region", "aria-label": options.caption ?? heads.join(", ") },
+    h(
+      "table",
+      {},
+      options.caption ? h("caption", { class: "unseen" }, options.caption) : null,
+      h("thead", {}, head),
+      h("tbody", {}, ...body),
+    ),
+  );
 }
 
 /** Shown instead of a page that cannot be made. */

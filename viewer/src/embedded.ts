@@ -14,7 +14,9 @@ function embedded(format: string, lists: string[]): Record<string, unknown> {
   try {
     data = JSON.parse(text);
   } catch (fault) {
-    throw new Error(`The data in this page is not valid JSON: ${fault instanceof Error ? fault.message : String(fault)}.`);
+    throw new Error(
+      `The data in this page is not valid JSON: ${fault instanceof Error ? fault.message : String(fault)}.`,
+    );
   }
   if (data === null) throw new Error("This page is an empty template: no data has been put into it.");
   if (!isRecord(data)) throw new Error("The data in this page is not an object.");

@@ -9,7 +9,11 @@ export function readable(value: number | string | null | undefined, digits = 4):
   if (!Number.isFinite(value)) return "\u2013";
   const size = Math.abs(value);
   if (Number.isInteger(value) && size < 1e7) return value.toString().replace("-", minus);
-  if (size >= 1e5 || size < 1e-3) return value.toExponential(Math.min(2, digits - 1)).replace(/-/g, minus).replace("e+", "e");
+  if (size >= 1e5 || size < 1e-3)
+    return value
+      .toExponential(Math.min(2, digits - 1))
+      .replace(/-/g, minus)
+      .replace("e+", "e");
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   return Number(value.toFixed(decimals)).toString().replace("-", minus);
 }

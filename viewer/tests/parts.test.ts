@@ -46,7 +46,9 @@ test("phases of a protrusion join without gaps, and go on to the end of the run"
   const end = 21600;
   for (const row of protrusionRows(random(3), end)) {
     const all = bars(row, end);
-    all.forEach((bar, i) => { if (i > 0) assert.equal(bar.from, all[i - 1].to); });
+    all.forEach((bar, i) => {
+      if (i > 0) assert.equal(bar.from, all[i - 1].to);
+    });
     assert.equal(all.at(-1)?.to, row.t_end_s ?? end);
   }
 });
@@ -64,7 +66,7 @@ test("brackets of significance never overlap", () => {
   assert.equal(made.groups.length, 10);
   const found = brackets(study.tests, made, "n_protrusions", "all");
   assert.equal(found.length, study.tests.filter((t) => t.readout === "n_protrusions").length);
-  for (const a of found) for (const b of found)
-    if (a !== b && a.level === b.level) assert.ok(a.to <= b.from || b.to <= a.from);
+  for (const a of found)
+    for (const b of found) if (a !== b && a.level === b.level) assert.ok(a.to <= b.from || b.to <= a.from);
   assert.equal(brackets(study.tests, made, "n_protrusions", "none").length, 0);
 });

@@ -25,15 +25,21 @@ for (const card of [true, false]) {
   const query = card ? "?draw=webgl" : "";
   let browser: Browser;
   let opened: Opened;
-  before(async () => { browser = await launch(card); });
-  after(async () => { await browser.close(); });
+  before(async () => {
+    browser = await launch(card);
+  });
+  after(async () => {
+    await browser.close();
+  });
 
   test(`${name}: a full run opens in less than 3 s, without an error or a request`, async () => {
     assert.equal(large.geometry.n_particles, 17665);
     assert.equal(large.frames?.times_s.length, 73);
     const text = json(large);
     opened = await open(browser, "run", text, {}, query);
-    console.log(`# ${name}: ${large.geometry.n_particles} particles x 73 frames, ${(text.length / 1e6).toFixed(1)} MB, open in ${Math.round(opened.took)} ms`);
+    console.log(
+      `# ${name}: ${large.geometry.n_particles} particles x 73 frames, ${(text.length / 1e6).toFixed(1)} MB, open in ${Math.round(opened.took)} ms`,
+    );
     assert.ok(opened.took < 3000, `took ${opened.took} ms`);
     assert.equal(await opened.page.locator(".stage").getAttribute("data-painter"), card ? "webgl2" : "2d");
     assert.deepEqual(opened.errors, []);
@@ -71,8 +77,12 @@ for (const card of [true, false]) {
 }
 
 let browser: Browser;
-before(async () => { browser = await launch(false); });
-after(async () => { await browser.close(); });
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
 
 test("plays, pauses, scrubs and steps", async () => {
   const { page, errors } = await open(browser, "run", json(small));
@@ -134,7 +144,9 @@ test("a click into a plot, the timeline or the path moves the time", async () =>
 });
 
 test("plays by itself, once, unless stillness is wanted", async () => {
-  const { page } = await open(browser, "run", json(sampleRun({ radius: 60, end: 2400 })), { reducedMotion: "no-preference" });
+  const { page } = await open(browser, "run", json(sampleRun({ radius: 60, end: 2400 })), {
+    reducedMotion: "no-preference",
+  });
   assert.equal(await page.locator(".play").getAttribute("aria-label"), "Pause");
   await until(async () => (await page.locator(".play").getAttribute("aria-label")) === "Play", "it ends");
   assert.equal(await time(page), "40 min");
@@ -143,7 +155,10 @@ test("plays by itself, once, unless stillness is wanted", async () => {
 
 test("fits a phone, light and dark", async () => {
   for (const colorScheme of ["light", "dark"] as const) {
-    const { page, errors } = await open(browser, "run", json(small), { viewport: { width: 390, height: 844 }, colorScheme });
+    const { page, errors } = await open(browser, "run", json(small), {
+      viewport: { width: 390, height: 844 },
+      colorScheme,
+    });
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "scrolls sideways");
     assert.deepEqual(errors, []);
     await page.context().close();
@@ -161,8 +176,21 @@ test("without frames the tables are still there", async () => {
 });
 
 test("a run that ended at once shows what it has", async () => {
-  const empty: RunPage = { ...small, frames: undefined, protrusions: [], parameters: [],
-    tracks: { t_s: [0], x_um: [0], y_um: [0], area_um2: [707], perimeter_um: [94], polarization_rad: [null], n_simultaneous: [0] } };
+  const empty: RunPage = {
+    ...small,
+    frames: undefined,
+    protrusions: [],
+    parameters: [],
+    tracks: {
+      t_s: [0],
+      x_um: [0],
+      y_um: [0],
+      area_um2: [707],
+      perimeter_um: [94],
+      polarization_rad: [null],
+      n_simultaneous: [0],
+    },
+  };
   const { page, errors } = await open(browser, "run", json(empty));
   assert.ok(await page.getByText("The run is too short for a path.").isVisible());
   assert.ok(await page.getByText("No protrusion was initiated.").isVisible());
@@ -172,7 +200,7 @@ test("a run that ended at once shows what it has", async () => {
 
 for (const [what, given, words] of [
   ["an empty template", null, "empty template"],
-  ["no JSON", "{ \"format\": ", "not valid JSON"],
+  ["no JSON", '{ "format": ', "not valid JSON"],
   ["another format", json({ format: "matrigrate-study", version: 1 }), "'matrigrate-run'"],
   ["a newer version", json({ ...small, version: 2 }), "version 2"],
   ["missing tables", json({ ...small, readouts: undefined, health: undefined }), "lacks: readouts, health"],

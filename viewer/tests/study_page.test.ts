@@ -6,15 +6,26 @@ import { sampleStudy } from "../sample/study";
 import { launch, open, until } from "./browser";
 
 let browser: Browser;
-before(async () => { browser = await launch(false); });
-after(async () => { await browser.close(); });
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
 
 async function allDrawn(page: Page): Promise<number> {
   await page.setViewportSize({ width: 1280, height: await page.evaluate(() => document.documentElement.scrollHeight) });
-  await until(() => page.evaluate(() => {
-    const plots = [...document.querySelectorAll(".plotly-figure")];
-    return plots.length > 0 && plots.every((plot) => plot.getAttribute("data-drawn") === "true" && plot.querySelector(".main-svg"));
-  }), "every plot is drawn");
+  await until(
+    () =>
+      page.evaluate(() => {
+        const plots = [...document.querySelectorAll(".plotly-figure")];
+        return (
+          plots.length > 0 &&
+          plots.every((plot) => plot.getAttribute("data-drawn") === "true" && plot.querySelector(".main-svg"))
+        );
+      }),
+    "every plot is drawn",
+  );
   return page.locator(".plotly-figure").count();
 }
 
@@ -50,16 +61,36 @@ test("lists verdicts, failures first, and links to reports beside it alone", asy
 
 test("a study with one axis, or with nothing done yet", async () => {
   const study = sampleStudy();
-  const one = { ...study, axes: study.axes.slice(0, 1), runs: study.runs.filter((r) => r.point[1] === 0).map((r) => ({ ...r, point: [r.point[0]] })),
-    tests: [], msd: [], correlation: null, claims: undefined };
+  const one = {
+    ...study,
+    axes: study.axes.slice(0, 1),
+    runs: study.runs.filter((r) => r.point[1] === 0).map((r) => ({ ...r, point: [r.point[0]] })),
+    tests: [],
+    msd: [],
+    correlation: null,
+    claims: undefined,
+  };
   const first = await open(browser, "study", JSON.stringify(one));
   assert.equal(await allDrawn(first.page), 5 + 5 + 5);
   assert.deepEqual(first.errors, []);
   await first.page.context().close();
-  const none = { ...one, runs: one.runs.map((r) => ({ ...r, status: "pending", readouts: {}, path: null, outline: null, f_adh_rel: undefined })) };
+  const none = {
+    ...one,
+    runs: one.runs.map((r) => ({
+      ...r,
+      status: "pending",
+      readouts: {},
+      path: null,
+      outline: null,
+      f_adh_rel: undefined,
+    })),
+  };
   const second = await open(browser, "study", JSON.stringify(none), { viewport: { width: 390, height: 844 } });
   assert.ok(await second.page.locator("#runs").isVisible());
-  assert.ok(await second.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "scrolls sideways");
+  assert.ok(
+    await second.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+    "scrolls sideways",
+  );
   assert.deepEqual(second.errors, []);
   await second.page.context().close();
 });

@@ -91,7 +91,13 @@ function paintProtrusion(c: Context, scene: CellScene, outline: Float32Array, p:
   for (const run of runs(film.outlinePoints, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
     c.beginPath();
     trace(c, camera, outline, run);
-    edged(c, colour, dark ? "#14171a" : "#ffffff", Math.min(5, Math.max(2.2, 0.5 * camera.scale)), p.phase === 3 ? [5, 4] : []);
+    edged(
+      c,
+      colour,
+      dark ? "#14171a" : "#ffffff",
+      Math.min(5, Math.max(2.2, 0.5 * camera.scale)),
+      p.phase === 3 ? [5, 4] : [],
+    );
   }
 }
 
@@ -156,7 +162,7 @@ function paintArrows(c: Context, { film, place, camera, spacing, arrowScale, dar
 }
 
 function paintScaleBar(c: Context, { camera, dark }: CellScene): void {
-  const most = 0.3 * camera.width / camera.scale;
+  const most = (0.3 * camera.width) / camera.scale;
   let length = roundStep(0.4 * most);
   if (length > most) length *= 0.4;
   const [x, y, w] = [14, camera.height - 18, length * camera.scale];

@@ -8,7 +8,10 @@ export class Clock {
   private listeners: (() => void)[] = [];
   private last = 0;
 
-  constructor(readonly end: number, readonly stops: number[]) {}
+  constructor(
+    readonly end: number,
+    readonly stops: number[],
+  ) {}
 
   onChange(listener: () => void): void {
     this.listeners.push(listener);
@@ -31,9 +34,8 @@ export class Clock {
 
   step(direction: 1 | -1): void {
     const slack = 1e-6 * this.end;
-    const next = direction > 0
-      ? this.stops.find((t) => t > this.time + slack)
-      : this.stops.findLast((t) => t < this.time - slack);
+    const next =
+      direction > 0 ? this.stops.find((t) => t > this.time + slack) : this.stops.findLast((t) => t < this.time - slack);
     this.jump(next ?? (direction > 0 ? this.end : 0));
   }
 

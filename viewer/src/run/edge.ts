@@ -23,12 +23,24 @@ function largest(field: Field): number {
 export const edges = (film: Film): Edge[] => [
   { key: "plain", name: "plain", unit: "", field: null, high: 1 },
   { key: "f_mat", name: "maturation f_mat", unit: "", field: film.outline.fMat, high: 1 },
-  { key: "force", name: "actomyosin force", unit: "nN", field: film.outline.force, high: Number(largest(film.outline.force).toPrecision(2)) || 1 },
+  {
+    key: "force",
+    name: "actomyosin force",
+    unit: "nN",
+    field: film.outline.force,
+    high: Number(largest(film.outline.force).toPrecision(2)) || 1,
+  },
 ];
 
 const table = lookUp(viridis);
 
-export function paintEdge(c: CanvasRenderingContext2D, camera: Camera, outline: Float32Array, edge: Edge, place: Place): void {
+export function paintEdge(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  outline: Float32Array,
+  edge: Edge,
+  place: Place,
+): void {
   if (!edge.field) return;
   const n = outline.length / 2;
   c.lineCap = "round";
@@ -54,10 +66,19 @@ export function edgeChoice(all: Edge[], chosen: (edge: Edge) => void): HTMLEleme
   const bar = h("div", {});
   select.addEventListener("change", () => {
     const edge = all.find((e) => e.key === select.value) ?? all[0];
-    bar.replaceChildren(...(edge.field ? [
-      h("p", { class: "legend-title" }, `Edge: ${edge.name}${edge.unit ? ` [${edge.unit}]` : ""}`),
-      h("div", { class: "bar", style: `background:${gradient(viridis)}` }),
-      h("div", { class: "bar-numbers" }, ...[0, 0.5, 1].map((share) => h("span", {}, readable(share * edge.high, 3))))] : []));
+    bar.replaceChildren(
+      ...(edge.field
+        ? [
+            h("p", { class: "legend-title" }, `Edge: ${edge.name}${edge.unit ? ` [${edge.unit}]` : ""}`),
+            h("div", { class: "bar", style: `background:${gradient(viridis)}` }),
+            h(
+              "div",
+              { class: "bar-numbers" },
+              ...[0, 0.5, 1].map((share) => h("span", {}, readable(share * edge.high, 3))),
+            ),
+          ]
+        : []),
+    );
     chosen(edge);
   });
   return h("div", { class: "edge" }, h("label", {}, "Edge of the cell: ", select), bar);

@@ -37,14 +37,26 @@ export async function film(run: RunPage): Promise<Film | null> {
     p.fibre_von_mises ? unpack(p.fibre_von_mises, "von Mises stress of the fibres", n) : null,
   ]);
   const [ox, front, protrusion, fMat, force] = await Promise.all([
-    unpack(o.x, "outline", n), unpack(o.front, "front", n), unpack(o.protrusion, "protrusion of the outline", n),
-    unpack(o.f_mat, "maturation of the outline", n), unpack(o.force, "force on the outline", n),
+    unpack(o.x, "outline", n),
+    unpack(o.front, "front", n),
+    unpack(o.protrusion, "protrusion of the outline", n),
+    unpack(o.f_mat, "maturation of the outline", n),
+    unpack(o.force, "force on the outline", n),
   ]);
-  if (frames.protrusions.length !== n) throw new Error(`protrusions of ${frames.protrusions.length} frames instead of ${n}`);
+  if (frames.protrusions.length !== n)
+    throw new Error(`protrusions of ${frames.protrusions.length} frames instead of ${n}`);
   return {
-    times: frames.times_s, reference, x, f, pressure, vonMises, fibreVonMises,
+    times: frames.times_s,
+    reference,
+    x,
+    f,
+    pressure,
+    vonMises,
+    fibreVonMises,
     outline: { x: ox, front, protrusion, fMat, force },
-    protrusions: frames.protrusions, particles: frames.reference.per_frame, outlinePoints: o.x.per_frame,
+    protrusions: frames.protrusions,
+    particles: frames.reference.per_frame,
+    outlinePoints: o.x.per_frame,
   };
 }
 

@@ -29,19 +29,52 @@ function stress(key: string, name: string, note: string, field: Field): Layer {
 export function layers(film: Film): Layer[] {
   const largest = Math.max(...limits(film.pressure).map(Math.abs));
   const out: Layer[] = [
-    { key: "degradation", name: "Degradation", unit: "", ends: ["fluid", "solid"],
-      note: "f_degr: 1 intact solid, 0 degraded to fluid.", field: film.f, low: 0, high: 1,
-      map: (dark) => (dark ? gelOnDark : gelOnLight), solidOnly: false },
-    { key: "displacement", name: "Displacement", unit: "\u00b5m",
-      note: "Of the solid matrix since the start.", field: null, low: 0, high: usualDisplacement(film),
-      map: () => viridis, solidOnly: true },
-    { key: "pressure", name: "Pressure", unit: "Pa", ends: ["pulled", "pressed"],
-      note: "In the matrix; positive where it is pressed.", field: film.pressure, low: -largest, high: largest,
-      map: () => blueWhiteOrange, solidOnly: false },
+    {
+      key: "degradation",
+      name: "Degradation",
+      unit: "",
+      ends: ["fluid", "solid"],
+      note: "f_degr: 1 intact solid, 0 degraded to fluid.",
+      field: film.f,
+      low: 0,
+      high: 1,
+      map: (dark) => (dark ? gelOnDark : gelOnLight),
+      solidOnly: false,
+    },
+    {
+      key: "displacement",
+      name: "Displacement",
+      unit: "\u00b5m",
+      note: "Of the solid matrix since the start.",
+      field: null,
+      low: 0,
+      high: usualDisplacement(film),
+      map: () => viridis,
+      solidOnly: true,
+    },
+    {
+      key: "pressure",
+      name: "Pressure",
+      unit: "Pa",
+      ends: ["pulled", "pressed"],
+      note: "In the matrix; positive where it is pressed.",
+      field: film.pressure,
+      low: -largest,
+      high: largest,
+      map: () => blueWhiteOrange,
+      solidOnly: false,
+    },
     stress("von_mises", "Von Mises", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
   ];
   if (film.fibreVonMises)
-    out.push(stress("fibre_von_mises", "Fibre von Mises", "The part of the von Mises stress that the fibres carry (Eq. 11).", film.fibreVonMises));
+    out.push(
+      stress(
+        "fibre_von_mises",
+        "Fibre von Mises",
+        "The part of the von Mises stress that the fibres carry (Eq. 11).",
+        film.fibreVonMises,
+      ),
+    );
   return out;
 }
 

@@ -12,13 +12,21 @@ import { plots } from "./plots";
 import { protrusionTable, timeline } from "./timeline";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
-  return table(["what", "value", "name in files"], values.map((v) => [v.meaning, readable(v.value), h("code", {}, v.name)]), { numeric: [1], caption });
+  return table(
+    ["what", "value", "name in files"],
+    values.map((v) => [v.meaning, readable(v.value), h("code", {}, v.name)]),
+    { numeric: [1], caption },
+  );
 }
 
 function parameters(run: RunPage): Node {
-  if (run.parameters.length === 0) return h("p", {}, "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.");
-  return table(["parameter", "value", "default", "meaning"],
-    run.parameters.map((p) => [h("code", {}, p.name), p.value, p.default, p.meaning]), { caption: "Changed parameters" });
+  if (run.parameters.length === 0)
+    return h("p", {}, "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.");
+  return table(
+    ["parameter", "value", "default", "meaning"],
+    run.parameters.map((p) => [h("code", {}, p.name), p.value, p.default, p.meaning]),
+    { caption: "Changed parameters" },
+  );
 }
 
 /** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them anew. */
@@ -37,26 +45,63 @@ function fitted(make: (width: number) => HTMLElement): HTMLElement {
 function show(run: RunPage, page: HTMLElement): void {
   document.title = run.title;
   const clock = new Clock(run.t_end_s, run.frames?.times_s ?? run.tracks.t_s);
-  const stage = h("div", { id: "film" }, h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : ""));
+  const stage = h(
+    "div",
+    { id: "film" },
+    h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : ""),
+  );
   page.replaceChildren(
     h("header", {}, h("h1", {}, run.title), h("p", { class: "status" }, run.status)),
     stage,
-    section("path", "Path, speed and area", fitted((width) => plots(run.tracks, clock, width))),
-    section("protrusions", "Protrusions", fitted((width) => timeline(run.protrusions, clock, width)),
-      h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions))),
-    h("div", { class: "two" },
+    section(
+      "path",
+      "Path, speed and area",
+      fitted((width) => plots(run.tracks, clock, width)),
+    ),
+    section(
+      "protrusions",
+      "Protrusions",
+      fitted((width) => timeline(run.protrusions, clock, width)),
+      h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
+    ),
+    h(
+      "div",
+      { class: "two" },
       section("readouts", "Read-outs", named(run.readouts, "Read-outs")),
-      h("div", {}, section("parameters", "Parameters that differ from Table 1", parameters(run)),
-        section("health", "Health of the computation", named(run.health, "Health")))),
+      h(
+        "div",
+        {},
+        section("parameters", "Parameters that differ from Table 1", parameters(run)),
+        section("health", "Health of the computation", named(run.health, "Health")),
+      ),
+    ),
     section("provenance", "Provenance", h("pre", {}, run.provenance)),
-    section("citation", "To cite", h("p", { class: "citation" }, run.citation)));
-  void film(run).then((made) => {
-    stage.replaceChildren(made ? player(run, made, clock)
-      : h("p", { class: "notice" }, "This run stored no frames, so there is nothing to play. Path, protrusions and tables are below."));
-  }).catch((reason: unknown) => {
-    stage.replaceChildren(h("p", { class: "notice", role: "alert" },
-      `The frames cannot be shown: ${reason instanceof Error ? reason.message : String(reason)}.`));
-  }).finally(() => { document.documentElement.dataset["ready"] = "true"; });
+    section("citation", "To cite", h("p", { class: "citation" }, run.citation)),
+  );
+  void film(run)
+    .then((made) => {
+      stage.replaceChildren(
+        made
+          ? player(run, made, clock)
+          : h(
+              "p",
+              { class: "notice" },
+              "This run stored no frames, so there is nothing to play. Path, protrusions and tables are below.",
+            ),
+      );
+    })
+    .catch((reason: unknown) => {
+      stage.replaceChildren(
+        h(
+          "p",
+          { class: "notice", role: "alert" },
+          `The frames cannot be shown: ${reason instanceof Error ? reason.message : String(reason)}.`,
+        ),
+      );
+    })
+    .finally(() => {
+      document.documentElement.dataset["ready"] = "true";
+    });
 }
 
 const page = document.getElementById("page");

@@ -37,7 +37,15 @@ export function plainInstead(canvas: HTMLCanvasElement, film: Film, spacing: num
  * `?draw=2d` or `?draw=webgl` behind the address of the page forces one of the two, to find out what is wrong with a picture.
  * @param lost  called when the card gives up its context; `plainInstead` then goes on
  */
-export function particlePainter(canvas: HTMLCanvasElement, film: Film, spacing: number, lost: () => void): ParticlePainter {
+export function particlePainter(
+  canvas: HTMLCanvasElement,
+  film: Film,
+  spacing: number,
+  lost: () => void,
+): ParticlePainter {
   const wanted = new URLSearchParams(location.search).get("draw");
-  return (wanted === "2d" ? null : cardPainter(canvas, film, spacing, lost, wanted === "webgl")) ?? plainInstead(canvas, film, spacing);
+  return (
+    (wanted === "2d" ? null : cardPainter(canvas, film, spacing, lost, wanted === "webgl")) ??
+    plainInstead(canvas, film, spacing)
+  );
 }

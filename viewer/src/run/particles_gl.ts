@@ -45,7 +45,10 @@ void main() {
 
 function program(gl: WebGL2RenderingContext): WebGLProgram | null {
   const made = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, vertexSource], [gl.FRAGMENT_SHADER, fragmentSource]] as const) {
+  for (const [type, source] of [
+    [gl.VERTEX_SHADER, vertexSource],
+    [gl.FRAGMENT_SHADER, fragmentSource],
+  ] as const) {
     const shader = gl.createShader(type);
     if (!made || !shader) return null;
     gl.shaderSource(shader, source);
@@ -65,7 +68,13 @@ function upload(gl: WebGL2RenderingContext, data: ArrayBufferView): WebGLBuffer 
 }
 
 /** null where there is no WebGL2, or only one computed by the processor (unless that is asked for): a plain canvas is faster. */
-export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: number, lost: () => void, anyhow: boolean): ParticlePainter | null {
+export function cardPainter(
+  canvas: HTMLCanvasElement,
+  film: Film,
+  spacing: number,
+  lost: () => void,
+  anyhow: boolean,
+): ParticlePainter | null {
   const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, failIfMajorPerformanceCaveat: !anyhow });
   if (!gl) return null;
   const used = program(gl);
@@ -73,8 +82,24 @@ export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: numb
   canvas.addEventListener("webglcontextlost", lost, { once: true });
   gl.useProgram(used);
   const at = (name: string) => gl.getUniformLocation(used, name);
-  const uniforms = Object.fromEntries(["xMap", "XMap", "fMap", "vMap", "fraction", "spacing", "intact", "fluid", "centre", "toClip",
-    "limits", "displacement", "ground", "solidFrom"].map((name) => [name, at(name)]));
+  const uniforms = Object.fromEntries(
+    [
+      "xMap",
+      "XMap",
+      "fMap",
+      "vMap",
+      "fraction",
+      "spacing",
+      "intact",
+      "fluid",
+      "centre",
+      "toClip",
+      "limits",
+      "displacement",
+      "ground",
+      "solidFrom",
+    ].map((name) => [name, at(name)]),
+  );
 
   const buffers = new Map<Field, WebGLBuffer | null>();
   const attribute = (location: number, field: Field, frame: number): void => {
@@ -82,7 +107,14 @@ export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: numb
     gl.bindBuffer(gl.ARRAY_BUFFER, buffers.get(field) ?? null);
     const type = field.q instanceof Int16Array ? gl.SHORT : gl.UNSIGNED_BYTE;
     gl.enableVertexAttribArray(location);
-    gl.vertexAttribPointer(location, field.components, type, false, 0, frame * field.stride * field.q.BYTES_PER_ELEMENT);
+    gl.vertexAttribPointer(
+      location,
+      field.components,
+      type,
+      false,
+      0,
+      frame * field.stride * field.q.BYTES_PER_ELEMENT,
+    );
     gl.vertexAttribDivisor(location, 1);
   };
 
@@ -98,10 +130,22 @@ export function cardPainter(canvas: HTMLCanvasElement, film: Film, spacing: numb
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
     const value = layer.field ?? film.f;
-    for (const [location, field, frame] of [[1, film.x, place.frame], [2, film.x, place.next], [3, film.reference, 0],
-      [4, film.f, place.frame], [5, film.f, place.next], [6, value, place.frame], [7, value, place.next]] as const)
+    for (const [location, field, frame] of [
+      [1, film.x, place.frame],
+      [2, film.x, place.next],
+      [3, film.reference, 0],
+      [4, film.f, place.frame],
+      [5, film.f, place.next],
+      [6, value, place.frame],
+      [7, value, place.next],
+    ] as const)
       attribute(location, field, frame);
-    for (const [name, field] of [["xMap", film.x], ["XMap", film.reference], ["fMap", film.f], ["vMap", value]] as const)
+    for (const [name, field] of [
+      ["xMap", film.x],
+      ["XMap", film.reference],
+      ["fMap", film.f],
+      ["vMap", value],
+    ] as const)
       gl.uniform2f(uniforms[name], field.scale, field.offset);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, lookUp(layer.map(dark)));
     const ground = (dark ? gelOnDark : gelOnLight)[0];

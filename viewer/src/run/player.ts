@@ -18,10 +18,14 @@ function viewButtons(stage: Stage): HTMLElement {
     made.addEventListener("click", act);
     return made;
   };
-  return h("div", { class: "view-buttons" },
-    button("+", "Zoom in", () => stage.zoom(1.4)), button("\u2212", "Zoom out", () => stage.zoom(1 / 1.4)),
+  return h(
+    "div",
+    { class: "view-buttons" },
+    button("+", "Zoom in", () => stage.zoom(1.4)),
+    button("\u2212", "Zoom out", () => stage.zoom(1 / 1.4)),
     button("\u2302", "Back to the first view (0)", () => stage.reset()),
-    button("\u25ef", "The whole matrix", () => stage.showWhole()));
+    button("\u25ef", "The whole matrix", () => stage.showWhole()),
+  );
 }
 
 /** Radios for the matrix, boxes for what lies over it, and the legend of both. */
@@ -36,7 +40,8 @@ function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLEl
   const refreshArrows = () => {
     const times = stage.arrowScale();
     arrowNote.hidden = !stage.shown.arrows;
-    arrowNote.textContent = times === 1 ? "Arrows: displacement, at true length." : `Arrows: displacement, drawn ${times} times as long.`;
+    arrowNote.textContent =
+      times === 1 ? "Arrows: displacement, at true length." : `Arrows: displacement, drawn ${times} times as long.`;
   };
   const radios = all.map((layer) => {
     const input = h("input", { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer });
@@ -60,10 +65,23 @@ function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLEl
   stage.onView(refreshArrows);
   refresh();
   refreshArrows();
-  return h("div", { class: "panel" },
+  return h(
+    "div",
+    { class: "panel" },
     h("fieldset", {}, h("legend", {}, "Colour the matrix by"), h("div", { class: "choices" }, ...radios), bar),
-    h("fieldset", {}, h("legend", {}, "Draw"), h("div", { class: "choices" }, ...boxes),
-      edgeChoice(edges(film), (edge) => { stage.edge = edge; stage.draw(); }), arrowNote, legend));
+    h(
+      "fieldset",
+      {},
+      h("legend", {}, "Draw"),
+      h("div", { class: "choices" }, ...boxes),
+      edgeChoice(edges(film), (edge) => {
+        stage.edge = edge;
+        stage.draw();
+      }),
+      arrowNote,
+      legend,
+    ),
+  );
 }
 
 /** Protrusions alive at the time shown. */
@@ -74,16 +92,39 @@ function present(film: Film, clock: Clock): HTMLElement {
     const { frame } = placeAt(film.times, clock.time);
     if (frame === shown) return;
     shown = frame;
-    const rows = film.protrusions[frame].map((p) => h("tr", {},
-      h("td", {}, h("span", { class: `dot phase${p.phase}` }), `${p.id} ${phaseNames[p.phase]}`),
-      h("td", { class: "number" }, p.anchor ? readable(p.f_mat, 2) : "\u2013"),
-      h("td", { class: "number" }, p.anchor ? readable(p.force_nN, 2) : "\u2013")));
+    const rows = film.protrusions[frame].map((p) =>
+      h(
+        "tr",
+        {},
+        h("td", {}, h("span", { class: `dot phase${p.phase}` }), `${p.id} ${phaseNames[p.phase]}`),
+        h("td", { class: "number" }, p.anchor ? readable(p.f_mat, 2) : "\u2013"),
+        h("td", { class: "number" }, p.anchor ? readable(p.force_nN, 2) : "\u2013"),
+      ),
+    );
     body.replaceChildren(...(rows.length > 0 ? rows : [h("tr", {}, h("td", { colspan: 3 }, "none"))]));
   };
   clock.onChange(update);
   update();
-  return h("div", { class: "present" }, h("table", {}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Protrusions now"),
-    h("th", { scope: "col", class: "number" }, "f_mat"), h("th", { scope: "col", class: "number" }, "force [nN]"))), body));
+  return h(
+    "div",
+    { class: "present" },
+    h(
+      "table",
+      {},
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          h("th", { scope: "col" }, "Protrusions now"),
+          h("th", { scope: "col", class: "number" }, "f_mat"),
+          h("th", { scope: "col", class: "number" }, "force [nN]"),
+        ),
+      ),
+      body,
+    ),
+  );
 }
 
 export function player(run: RunPage, film: Film, clock: Clock): HTMLElement {
@@ -91,15 +132,27 @@ export function player(run: RunPage, film: Film, clock: Clock): HTMLElement {
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
   const stage = new Stage(run, film, clock, all[0], displacement);
   const time = h("output", { class: "time" });
-  const showTime = () => { time.textContent = timeText(clock.time); };
+  const showTime = () => {
+    time.textContent = timeText(clock.time);
+  };
   clock.onChange(showTime);
   showTime();
   stage.element.append(time, viewButtons(stage));
   attachKeys(clock, stage);
   // Someone who asked for stillness gets the whole story in one picture: the end.
   if (wantsStillness()) clock.set(clock.end);
-  else queueMicrotask(() => { if (!clock.playing && clock.time === 0) clock.toggle(); });
-  return h("section", { id: "player", "aria-label": "Player" },
-    h("div", { class: "player" }, h("div", { class: "screen" }, stage.element, transport(clock, stage)),
-      h("div", { class: "aside" }, panel(stage, film, all), present(film, clock))));
+  else
+    queueMicrotask(() => {
+      if (!clock.playing && clock.time === 0) clock.toggle();
+    });
+  return h(
+    "section",
+    { id: "player", "aria-label": "Player" },
+    h(
+      "div",
+      { class: "player" },
+      h("div", { class: "screen" }, stage.element, transport(clock, stage)),
+      h("div", { class: "aside" }, panel(stage, film, all), present(film, clock)),
+    ),
+  );
 }

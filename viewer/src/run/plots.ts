@@ -29,16 +29,34 @@ export function frame(width: number, height: number, xAxis: Axis, yAxis: Axis, l
   const bottom = height - margin.bottom;
   const x = (v: number) => margin.left + ((v - xAxis.low) / (xAxis.high - xAxis.low)) * (right - margin.left);
   const y = (v: number) => bottom - ((v - yAxis.low) / (yAxis.high - yAxis.low)) * (bottom - margin.top);
-  const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height, class: "plot", role: "img", "aria-label": label });
+  const svg = s("svg", {
+    viewBox: `0 0 ${width} ${height}`,
+    width,
+    height,
+    class: "plot",
+    role: "img",
+    "aria-label": label,
+  });
   for (const v of yAxis.ticks) {
-    svg.append(s("path", { class: "grid", d: `M${margin.left} ${y(v)}H${right}` }),
-      s("text", { x: margin.left - 7, y: y(v) + 4.5, "text-anchor": "end" }, readable(v)));
+    svg.append(
+      s("path", { class: "grid", d: `M${margin.left} ${y(v)}H${right}` }),
+      s("text", { x: margin.left - 7, y: y(v) + 4.5, "text-anchor": "end" }, readable(v)),
+    );
   }
-  for (const v of xAxis.ticks) svg.append(s("path", { class: "axis", d: `M${x(v)} ${bottom}v5` }),
-    s("text", { x: x(v), y: bottom + 19, "text-anchor": "middle" }, readable(v)));
-  svg.append(s("path", { class: "axis", d: `M${margin.left} ${margin.top}V${bottom}H${right}` }),
+  for (const v of xAxis.ticks)
+    svg.append(
+      s("path", { class: "axis", d: `M${x(v)} ${bottom}v5` }),
+      s("text", { x: x(v), y: bottom + 19, "text-anchor": "middle" }, readable(v)),
+    );
+  svg.append(
+    s("path", { class: "axis", d: `M${margin.left} ${margin.top}V${bottom}H${right}` }),
     s("text", { x: 0.5 * (margin.left + right), y: height - 5, "text-anchor": "middle" }, xAxis.label),
-    s("text", { transform: `translate(13 ${0.5 * (margin.top + bottom)}) rotate(-90)`, "text-anchor": "middle" }, yAxis.label));
+    s(
+      "text",
+      { transform: `translate(13 ${0.5 * (margin.top + bottom)}) rotate(-90)`, "text-anchor": "middle" },
+      yAxis.label,
+    ),
+  );
   const toX = (pixel: number) => xAxis.low + ((pixel - margin.left) / (right - margin.left)) * (xAxis.high - xAxis.low);
   return { svg, width, x, y, toX };
 }
@@ -54,7 +72,9 @@ export function onPick(made: Frame, pick: (x: number, y: number) => void): void 
     made.svg.setPointerCapture(event.pointerId);
     tell(event);
   });
-  made.svg.addEventListener("pointermove", (event) => { if (event.buttons & 1) tell(event); });
+  made.svg.addEventListener("pointermove", (event) => {
+    if (event.buttons & 1) tell(event);
+  });
 }
 
 export const hours = (clock: Clock): Axis => {
@@ -67,11 +87,23 @@ const line = (made: Frame, x: number[], y: number[]): string =>
   x.map((v, i) => `${i === 0 ? "M" : "L"}${made.x(v).toFixed(1)} ${made.y(y[i]).toFixed(1)}`).join("");
 
 /** A quantity over time [s]. */
-function overTime(clock: Clock, width: number, t: number[], values: number[], label: string, fromZero: boolean): SVGSVGElement {
+function overTime(
+  clock: Clock,
+  width: number,
+  t: number[],
+  values: number[],
+  label: string,
+  fromZero: boolean,
+): SVGSVGElement {
   const high = Math.max(...values, fromZero ? 1e-9 : -Infinity);
   const low = fromZero ? 0 : Math.min(...values);
   const room = 0.06 * (high - low || 1);
-  const yAxis = { low: fromZero ? 0 : low - room, high: high + room, label, ticks: ticks(fromZero ? 0 : low - room, high + room, 4) };
+  const yAxis = {
+    low: fromZero ? 0 : low - room,
+    high: high + room,
+    label,
+    ticks: ticks(fromZero ? 0 : low - room, high + room, 4),
+  };
   const made = frame(width, 210, hours(clock), yAxis, `${label} over time`);
   const inHours = t.map((v) => v / 3600);
   made.svg.append(s("path", { class: "curve", d: line(made, inHours, values) }));
@@ -130,14 +162,24 @@ function path(clock: Clock, width: number, tracks: Tracks): SVGSVGElement {
     const [low, high] = [centre(v) - 0.5 * scale * pixels, centre(v) + 0.5 * scale * pixels];
     return { low, high, label, ticks: ticks(low, high, pixels / 70) };
   };
-  const made = frame(width, height, axis(xs, w, "x [\u00b5m]"), axis(ys, k, "y [\u00b5m]"), "Path of the centre of mass");
+  const made = frame(
+    width,
+    height,
+    axis(xs, w, "x [\u00b5m]"),
+    axis(ys, k, "y [\u00b5m]"),
+    "Path of the centre of mass",
+  );
   const soFar = s("path", { class: "curve" });
   const here = s("circle", { class: "here", r: 5 });
   const bar = 0.4 * roundStep(0.5 * scale * w);
-  made.svg.append(s("path", { class: "curve faint", d: line(made, xs, ys) }), soFar,
-    s("circle", { class: "start", cx: made.x(xs[0]), cy: made.y(ys[0]), r: 4.5 }, s("title", {}, "start")), here,
+  made.svg.append(
+    s("path", { class: "curve faint", d: line(made, xs, ys) }),
+    soFar,
+    s("circle", { class: "start", cx: made.x(xs[0]), cy: made.y(ys[0]), r: 4.5 }, s("title", {}, "start")),
+    here,
     s("path", { class: "scale-bar", d: `M${margin.left + 14} ${height - margin.bottom - 14}h${bar / scale}` }),
-    s("text", { class: "value", x: margin.left + 14, y: height - margin.bottom - 22 }, `${readable(bar)} \u00b5m`));
+    s("text", { class: "value", x: margin.left + 14, y: height - margin.bottom - 22 }, `${readable(bar)} \u00b5m`),
+  );
   const update = () => {
     const i = nearest(tracks.t_s, clock.time);
     soFar.setAttribute("d", line(made, xs.slice(0, i + 1), ys.slice(0, i + 1)));
@@ -159,9 +201,24 @@ export function plots(tracks: Tracks, clock: Clock, width: number): HTMLElement 
   if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
   const speed = speeds(tracks);
   const column = width > 800 ? Math.floor((width - 32) / 2) : width;
-  return h("div", { class: "plots", style: `--first:${palette[0]}` },
-    figure(path(clock, column, tracks), "Path of the centre of mass. The ring is the start, the dot the time of the player."),
-    h("div", {},
-      figure(overTime(clock, column, speed.t, speed.v, "speed [\u00b5m/h]", true), "Speed: displacement over ten minutes."),
-      figure(overTime(clock, column, tracks.t_s, tracks.area_um2, "area [\u00b5m\u00b2]", false), "Area inside the cortex.")));
+  return h(
+    "div",
+    { class: "plots", style: `--first:${palette[0]}` },
+    figure(
+      path(clock, column, tracks),
+      "Path of the centre of mass. The ring is the start, the dot the time of the player.",
+    ),
+    h(
+      "div",
+      {},
+      figure(
+        overTime(clock, column, speed.t, speed.v, "speed [\u00b5m/h]", true),
+        "Speed: displacement over ten minutes.",
+      ),
+      figure(
+        overTime(clock, column, tracks.t_s, tracks.area_um2, "area [\u00b5m\u00b2]", false),
+        "Area inside the cortex.",
+      ),
+    ),
+  );
 }

@@ -40,11 +40,26 @@ export class Stage {
   private pixels = 1;
   private viewListeners: (() => void)[] = [];
 
-  constructor(private readonly run: RunPage, private readonly film: Film, private readonly clock: Clock, public layer: Layer,
-              private readonly displacementLimit: number) {
+  constructor(
+    private readonly run: RunPage,
+    private readonly film: Film,
+    private readonly clock: Clock,
+    public layer: Layer,
+    private readonly displacementLimit: number,
+  ) {
     const bottom = h("canvas", { class: "matrix" });
-    this.element = h("div", { class: "stage", tabindex: 0, role: "img",
-      "aria-label": "The cell in the matrix. Space plays, arrow keys step, plus and minus zoom, F follows the cell, 0 shows it all." }, bottom, this.top);
+    this.element = h(
+      "div",
+      {
+        class: "stage",
+        tabindex: 0,
+        role: "img",
+        "aria-label":
+          "The cell in the matrix. Space plays, arrow keys step, plus and minus zoom, F follows the cell, 0 shows it all.",
+      },
+      bottom,
+      this.top,
+    );
     this.edge = edges(film)[0];
     const r = run.geometry.radius_um + run.geometry.spacing_um;
     this.camera = new Camera({ left: -r, right: r, bottom: -r, top: r });
@@ -142,7 +157,21 @@ export class Stage {
     }
     const dark = isDark();
     this.painter.paint({ place, layer: this.layer, camera, dark });
-    paintCell(this.top, { film, place, time: clock.time, camera, tracks: this.run.tracks, shown: this.shown, edge: this.edge,
-      spacing: this.run.geometry.spacing_um, arrowScale: this.arrowScale(), dark }, this.pixels);
+    paintCell(
+      this.top,
+      {
+        film,
+        place,
+        time: clock.time,
+        camera,
+        tracks: this.run.tracks,
+        shown: this.shown,
+        edge: this.edge,
+        spacing: this.run.geometry.spacing_um,
+        arrowScale: this.arrowScale(),
+        dark,
+      },
+      this.pixels,
+    );
   }
 }

@@ -12,12 +12,19 @@ export function transport(clock: Clock, stage: Stage): HTMLElement {
   play.addEventListener("click", () => clock.toggle());
   const scrub = h("input", { type: "range", class: "scrub", min: 0, max: clock.end, step: 1, "aria-label": "Time" });
   scrub.addEventListener("input", () => clock.jump(Number(scrub.value)));
-  const speed = h("select", { "aria-label": "Speed" },
-    ...speeds.map((v) => h("option", { value: v * 60, selected: v * 60 === clock.speed }, `${v} min/s`)));
-  speed.addEventListener("change", () => { clock.speed = Number(speed.value); });
+  const speed = h(
+    "select",
+    { "aria-label": "Speed" },
+    ...speeds.map((v) => h("option", { value: v * 60, selected: v * 60 === clock.speed }, `${v} min/s`)),
+  );
+  speed.addEventListener("change", () => {
+    clock.speed = Number(speed.value);
+  });
   const follow = h("input", { type: "checkbox", name: "follow" });
   follow.addEventListener("change", () => stage.setFollow(follow.checked));
-  stage.onView(() => { follow.checked = stage.follow; });
+  stage.onView(() => {
+    follow.checked = stage.follow;
+  });
   const times = h("span", { class: "times" });
   const update = () => {
     play.textContent = clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
@@ -29,6 +36,13 @@ export function transport(clock: Clock, stage: Stage): HTMLElement {
   };
   clock.onChange(update);
   update();
-  return h("div", { class: "transport" }, play, scrub, times,
-    h("label", {}, "Speed ", speed), h("label", {}, follow, "Follow the cell"));
+  return h(
+    "div",
+    { class: "transport" },
+    play,
+    scrub,
+    times,
+    h("label", {}, "Speed ", speed),
+    h("label", {}, follow, "Follow the cell"),
+  );
 }

@@ -6,10 +6,15 @@ import { axis, figure, ink, type Json } from "./figure";
 import { groupAt, seriesColour, values, withUnit, type Grid } from "./groups";
 
 function story(made: Grid, { test }: Bracket, unit: string): string {
-  const lines = [`${groupAt(made, test.a)?.label ?? ""} against ${groupAt(made, test.b)?.label ?? ""}`,
-    `${test.test}: ${pText(test.p)}${test.statistic === null ? "" : `, t = ${readable(test.statistic, 3)}`}`, `n = ${test.n_a} and ${test.n_b}`];
+  const lines = [
+    `${groupAt(made, test.a)?.label ?? ""} against ${groupAt(made, test.b)?.label ?? ""}`,
+    `${test.test}: ${pText(test.p)}${test.statistic === null ? "" : `, t = ${readable(test.statistic, 3)}`}`,
+    `n = ${test.n_a} and ${test.n_b}`,
+  ];
   if (test.difference !== null)
-    lines.push(`difference ${readable(test.difference, 3)} ${unit}${test.interval ? ` (95 %: ${readable(test.interval[0], 3)} to ${readable(test.interval[1], 3)})` : ""}`);
+    lines.push(
+      `difference ${readable(test.difference, 3)} ${unit}${test.interval ? ` (95 %: ${readable(test.interval[0], 3)} to ${readable(test.interval[1], 3)})` : ""}`,
+    );
   return lines.join("<br>");
 }
 
@@ -31,13 +36,37 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show:
       const colour = seriesColour(k);
       for (const g of groups) {
         const found = values(g, readout.name);
-        data.push({ type: "box", name, x: found.map(() => g.x), y: found.map((v) => v.value), width: 0.82 * made.width, boxpoints: "all", pointpos: 0,
-          jitter: 0.55, line: { color: colour, width: 1.5 }, fillcolor: "rgba(128,128,128,.1)", marker: { color: colour, size: 5, opacity: 0.75 },
-          text: found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`), hoverinfo: "text", hoveron: "points" });
+        data.push({
+          type: "box",
+          name,
+          x: found.map(() => g.x),
+          y: found.map((v) => v.value),
+          width: 0.82 * made.width,
+          boxpoints: "all",
+          pointpos: 0,
+          jitter: 0.55,
+          line: { color: colour, width: 1.5 },
+          fillcolor: "rgba(128,128,128,.1)",
+          marker: { color: colour, size: 5, opacity: 0.75 },
+          text: found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`),
+          hoverinfo: "text",
+          hoveron: "points",
+        });
       }
-      const means = groups.map((g) => values(g, readout.name).reduce((sum, v) => sum + v.value, 0) / values(g, readout.name).length);
-      data.push({ type: "scatter", mode: "markers", x: groups.map((g) => g.x), y: means, marker: { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } },
-        text: groups.map((g, i) => `${g.label}<br>mean ${readable(means[i])} ${readout.unit}, n = ${values(g, readout.name).length}`), hoverinfo: "text" });
+      const means = groups.map(
+        (g) => values(g, readout.name).reduce((sum, v) => sum + v.value, 0) / values(g, readout.name).length,
+      );
+      data.push({
+        type: "scatter",
+        mode: "markers",
+        x: groups.map((g) => g.x),
+        y: means,
+        marker: { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } },
+        text: groups.map(
+          (g, i) => `${g.label}<br>mean ${readable(means[i])} ${readout.unit}, n = ${values(g, readout.name).length}`,
+        ),
+        hoverinfo: "text",
+      });
     });
     const at = (b: Bracket) => high + 0.05 * span + (17 * b.level + 5) * pixel;
     // A comparison within a series has its colour; one between series is grey.
@@ -46,14 +75,48 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show:
       return made.series.length > 1 && ka === kb ? seriesColour(ka) : colours.soft;
     };
     for (const b of bars)
-      data.push({ type: "scatter", mode: "lines", x: [b.from + 0.04, b.to - 0.04], y: [at(b), at(b)], line: { color: lineColour(b), width: 1.4 }, hoverinfo: "skip" });
-    data.push({ type: "scatter", mode: "text", x: bars.map((b) => 0.5 * (b.from + b.to)), y: bars.map((b) => at(b) + 5 * pixel), text: bars.map((b) => stars(b.test.p)),
-      hovertext: bars.map((b) => story(made, b, readout.unit)), hoverinfo: "text", textfont: { size: 13, color: colours.text } });
-    return { data, layout: {
-      xaxis: axis(made.axisTitle, { tickvals: made.columns.map((_, i) => i), ticktext: made.columns, range: [-0.6, made.columns.length - 0.4], showgrid: false, fixedrange: true }),
-      yaxis: axis(withUnit(readout.label, readout.unit), { range: [bottom, top] }),
-      annotations: made.groups.map((g) => ({ x: g.x, y: 0, yref: "paper", yanchor: "bottom", showarrow: false, font: { size: 12, color: colours.soft },
-        text: made.series.length > 1 ? String(values(g, readout.name).length) : `n\u00a0=\u00a0${values(g, readout.name).length}` })),
-    } };
+      data.push({
+        type: "scatter",
+        mode: "lines",
+        x: [b.from + 0.04, b.to - 0.04],
+        y: [at(b), at(b)],
+        line: { color: lineColour(b), width: 1.4 },
+        hoverinfo: "skip",
+      });
+    data.push({
+      type: "scatter",
+      mode: "text",
+      x: bars.map((b) => 0.5 * (b.from + b.to)),
+      y: bars.map((b) => at(b) + 5 * pixel),
+      text: bars.map((b) => stars(b.test.p)),
+      hovertext: bars.map((b) => story(made, b, readout.unit)),
+      hoverinfo: "text",
+      textfont: { size: 13, color: colours.text },
+    });
+    return {
+      data,
+      layout: {
+        xaxis: axis(made.axisTitle, {
+          tickvals: made.columns.map((_, i) => i),
+          ticktext: made.columns,
+          range: [-0.6, made.columns.length - 0.4],
+          showgrid: false,
+          fixedrange: true,
+        }),
+        yaxis: axis(withUnit(readout.label, readout.unit), { range: [bottom, top] }),
+        annotations: made.groups.map((g) => ({
+          x: g.x,
+          y: 0,
+          yref: "paper",
+          yanchor: "bottom",
+          showarrow: false,
+          font: { size: 12, color: colours.soft },
+          text:
+            made.series.length > 1
+              ? String(values(g, readout.name).length)
+              : `n\u00a0=\u00a0${values(g, readout.name).length}`,
+        })),
+      },
+    };
   });
 }

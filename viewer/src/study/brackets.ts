@@ -15,10 +15,13 @@ export interface Bracket {
 /** Brackets that cross along x are put on different levels, short ones lowest. */
 export function brackets(tests: StudyTest[], made: Grid, readout: string, show: Shown): Bracket[] {
   const out: Bracket[] = [];
-  const wanted = tests.filter((t) => t.readout === readout && (show === "all" || (show === "significant" && t.p !== null && t.p < 0.05))).flatMap((test) => {
-    const [a, b] = [groupAt(made, test.a), groupAt(made, test.b)];
-    return a && b ? [{ from: Math.min(a.x, b.x), to: Math.max(a.x, b.x), test }] : [];
-  }).sort((a, b) => a.to - a.from - (b.to - b.from) || a.from - b.from);
+  const wanted = tests
+    .filter((t) => t.readout === readout && (show === "all" || (show === "significant" && t.p !== null && t.p < 0.05)))
+    .flatMap((test) => {
+      const [a, b] = [groupAt(made, test.a), groupAt(made, test.b)];
+      return a && b ? [{ from: Math.min(a.x, b.x), to: Math.max(a.x, b.x), test }] : [];
+    })
+    .sort((a, b) => a.to - a.from - (b.to - b.from) || a.from - b.from);
   for (const one of wanted) {
     let level = 0;
     while (out.some((o) => o.level === level && o.from < one.to + 0.05 && one.from < o.to + 0.05)) ++level;

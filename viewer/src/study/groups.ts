@@ -31,7 +31,8 @@ const key = (point: GridPoint): string => point.join(",");
 
 /** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough. */
 export const multiplesStyle = (made: Grid): string => `--columns:${Math.min(6, made.columns.length)}`;
-export const inRows = (groups: Group[]): Group[] => [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
+export const inRows = (groups: Group[]): Group[] =>
+  [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
 
 /** @param main  index of the axis along x */
 export function grid(study: StudyPage, main: number): Grid {
@@ -39,7 +40,13 @@ export function grid(study: StudyPage, main: number): Grid {
   const others = study.axes.map((_, i) => i).filter((i) => i !== main);
   let points: GridPoint[] = [[]];
   for (const a of study.axes) points = points.flatMap((p) => a.values.map((_, i) => [...p, i]));
-  const seriesOf = (p: GridPoint) => others.map((i) => `${study.axes[i].label} ${study.axes[i].values[p[i]]}${study.axes[i].unit ? ` ${prettyUnit(study.axes[i].unit)}` : ""}`).join(", ");
+  const seriesOf = (p: GridPoint) =>
+    others
+      .map(
+        (i) =>
+          `${study.axes[i].label} ${study.axes[i].values[p[i]]}${study.axes[i].unit ? ` ${prettyUnit(study.axes[i].unit)}` : ""}`,
+      )
+      .join(", ");
   const series = [...new Set(points.map(seriesOf))];
   const width = 0.8 / series.length;
   const columns = axis ? axis.values.map(String) : [""];
@@ -47,16 +54,25 @@ export function grid(study: StudyPage, main: number): Grid {
     const column = axis ? point[main] : 0;
     const k = series.indexOf(seriesOf(point));
     const value = axis ? `${axis.label} ${columns[column]}${axis.unit ? ` ${prettyUnit(axis.unit)}` : ""}` : "all runs";
-    return { point, column, series: k, x: column + (k - 0.5 * (series.length - 1)) * width,
-      label: [value, series[k]].filter(Boolean).join(", "), runs: study.runs.filter((run) => key(run.point) === key(point)) };
+    return {
+      point,
+      column,
+      series: k,
+      x: column + (k - 0.5 * (series.length - 1)) * width,
+      label: [value, series[k]].filter(Boolean).join(", "),
+      runs: study.runs.filter((run) => key(run.point) === key(point)),
+    };
   });
   return { axisTitle: axis ? withUnit(axis.label, axis.unit) : "", columns, series, groups, width };
 }
 
-export const groupAt = (made: Grid, point: GridPoint): Group | undefined => made.groups.find((g) => key(g.point) === key(point));
+export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>
+  made.groups.find((g) => key(g.point) === key(point));
 
 export function seriesColour(index: number): string {
-  const colours = isDark() ? ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#e69f00", "#0072b2", "#f0f0f0", "#f0e442"] : palette;
+  const colours = isDark()
+    ? ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#e69f00", "#0072b2", "#f0f0f0", "#f0e442"]
+    : palette;
   return colours[index % colours.length];
 }
 
