@@ -76,6 +76,14 @@ for (const card of [true, false]) {
   });
 }
 
+test("a card that the processor plays is left alone, since the plain canvas is faster", async () => {
+  const slow = await launch(true);
+  const { page, errors } = await open(slow, "run", json(small));
+  assert.equal(await page.locator(".stage").getAttribute("data-painter"), "2d");
+  assert.deepEqual(errors, []);
+  await slow.close();
+});
+
 let browser: Browser;
 before(async () => {
   browser = await launch(false);

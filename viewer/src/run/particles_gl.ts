@@ -43,6 +43,12 @@ void main() {
   colour = solid < solidFrom ? vec4(ground, 1.0) : vec4(texture(colours, vec2(clamp(place, 0.002, 0.998), 0.5)).rgb, 1.0);
 }`;
 
+/** Whether the processor plays the card. Some browsers do not count that as the caveat they are asked about. */
+function isSoftware(gl: WebGL2RenderingContext): boolean {
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  return info !== null && /swiftshader|llvmpipe|software/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)));
+}
+
 function program(gl: WebGL2RenderingContext): WebGLProgram | null {
   const made = gl.createProgram();
   for (const [type, source] of [
@@ -76,7 +82,7 @@ export function cardPainter(
   anyhow: boolean,
 ): ParticlePainter | null {
   const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, failIfMajorPerformanceCaveat: !anyhow });
-  if (!gl) return null;
+  if (!gl || (!anyhow && isSoftware(gl))) return null;
   const used = program(gl);
   if (!used) return null;
   canvas.addEventListener("webglcontextlost", lost, { once: true });
