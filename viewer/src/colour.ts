@@ -1,0 +1,65 @@
+/** Colours that people with any kind of colour vision can tell apart; where the program's pictures have one, the same. */
+
+export type Rgb = readonly [number, number, number];
+
+/** Okabe and Ito, in the order of the program's plots. */
+export const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#f0e442"];
+
+/** By the number of the phase. */
+export const phaseColours = ["#f0a500", "#d55e00", "#8b1a6b", "#6e7781"];
+/** The same on a dark page, where the plum of contraction would be lost. */
+export const phaseColoursOnDark = ["#f0a500", "#e8743b", "#d469b8", "#9aa4b0"];
+
+export const frontColour = "#45c4b8";
+export const rearColour = "#0072b2";
+
+export const viridis: Rgb[] = [
+  [68, 1, 84],
+  [72, 40, 120],
+  [62, 73, 137],
+  [49, 104, 142],
+  [38, 130, 142],
+  [31, 158, 137],
+  [53, 183, 121],
+  [110, 206, 88],
+  [181, 222, 43],
+  [253, 231, 37],
+];
+export const blueWhiteOrange: Rgb[] = [
+  [16, 66, 128],
+  [66, 130, 190],
+  [158, 197, 228],
+  [240, 240, 240],
+  [247, 190, 127],
+  [217, 119, 30],
+  [140, 62, 0],
+];
+/** Fluid to solid on a light and on a dark page: degraded matrix is what looks empty. */
+export const gelOnLight: Rgb[] = [
+  [248, 246, 241],
+  [203, 185, 148],
+];
+export const gelOnDark: Rgb[] = [
+  [27, 27, 26],
+  [138, 122, 88],
+];
+
+/** @param fraction  place on the map, clamped to [0, 1] */
+export function mapped(map: readonly Rgb[], fraction: number): Rgb {
+  const place = Math.min(1, Math.max(0, fraction)) * (map.length - 1);
+  const below = Math.min(Math.floor(place), map.length - 2);
+  const t = place - below;
+  const [a, b] = [map[below], map[below + 1]];
+  return [0, 1, 2].map((k) => Math.round(a[k] + t * (b[k] - a[k]))) as unknown as Rgb;
+}
+
+export const css = (c: Rgb): string => `rgb(${c[0]},${c[1]},${c[2]})`;
+
+/** A map in 256 steps of RGBA, as a texture or a look-up. */
+export function lookUp(map: readonly Rgb[]): Uint8Array {
+  const out = new Uint8Array(4 * 256);
+  for (let i = 0; i < 256; ++i) out.set([...mapped(map, i / 255), 255], 4 * i);
+  return out;
+}
+
+export const gradient = (map: readonly Rgb[]): string => `linear-gradient(to right, ${map.map(css).join(", ")})`;

@@ -1,0 +1,262 @@
+/**
+ * What the program writes into the pages: the data contract, version 1.
+ *
+ * Units are those of every file of the program: um, s, nN, radians; stress in Pa; speeds in um/h. A key says its unit
+ * where it has one. A number that does not exist (not yet happened, not defined) is `null`, never NaN.
+ * The same contract in words, with the exact layout of a packed array, is in README.md.
+ */
+
+/** Quantised numbers, compressed. value = offset + scale * q. Layout: see `unpack.ts` and README.md. */
+export interface Packed {
+  /** How one q is stored; int16 is signed. */
+  type: "int16" | "uint8";
+  /** Numbers an entry has: 1, or 2 for x and y. */
+  components: 1 | 2;
+  /** Entries a frame has (not numbers: a frame has per_frame * components of these). */
+  per_frame: number;
+  scale: number;
+  offset: number;
+  /** Whether each frame after the first stores q minus the q of the frame before, modulo 2^16 or 2^8. */
+  delta: boolean;
+  /** base64 of a zlib stream (RFC 1950) of all frames, one after the other. */
+  data: string;
+}
+
+/** Phases of a protrusion, by their number. */
+export const phaseNames = ["growing", "maturing", "contracting", "finishing"] as const;
+export type PhaseNumber = 0 | 1 | 2 | 3;
+
+/** A protrusion that is alive at the time of a frame. */
+export interface FrameProtrusion {
+  /** As in protrusions.csv. */
+  id: number;
+  phase: PhaseNumber;
+  /** Index of its centre (tip) particle on the outline. */
+  centre: number;
+  /** Where it adheres [um]; null while it does not. */
+  anchor: [number, number] | null;
+  /** Maturation, 0 to 1 [-]. */
+  f_mat: number;
+  /** Magnitude of the force in its adhesion [nN]; 0 without one. */
+  force_nN: number;
+}
+
+/** Particles of the matrix, in the order of `reference`, one entry a particle. */
+export interface ParticleFrames {
+  /** Positions [um]. */
+  x: Packed;
+  /** f_degr: 1 intact solid, 0 fluid [-]. */
+  f: Packed;
+  /** Pressure [Pa], compression positive; linear between the limits that offset and scale state, clamped to them. */
+  pressure: Packed;
+  /** Von Mises stress [Pa], likewise. */
+  von_mises: Packed;
+  /** Von Mises stress of the fibres [Pa], likewise; left out where there are no fibres. */
+  fibre_von_mises?: Packed;
+}
+
+/** Particles of the cortex, around the cell, one entry a particle. */
+export interface OutlineFrames {
+  /** Positions [um]. */
+  x: Packed;
+  /** 1 in the front of the cell, 0 in its rear. */
+  front: Packed;
+  /** Index into that frame's `protrusions` of the protrusion it belongs to; 255: none. */
+  protrusion: Packed;
+  /** Maturation, 0 to 1 [-]. */
+  f_mat: Packed;
+  /** Magnitude of the actomyosin force on the particle [nN]. */
+  force: Packed;
+}
+
+export interface Frames {
+  /** Model times of the stored frames [s], rising. */
+  times_s: number[];
+  /** Reference positions of the matrix particles [um]: one frame, so never delta. */
+  reference: Packed;
+  particles: ParticleFrames;
+  outline: OutlineFrames;
+  /** One list a frame. */
+  protrusions: FrameProtrusion[][];
+}
+
+/** Columns of tracks.csv, all of one length. */
+export interface Tracks {
+  t_s: number[];
+  x_um: number[];
+  y_um: number[];
+  area_um2: number[];
+  perimeter_um: number[];
+  /** null before the first protrusion. */
+  polarization_rad: (number | null)[];
+  /** Protrusions alive. */
+  n_simultaneous: number[];
+}
+
+/** A row of protrusions.csv; null where that has not happened. */
+export interface ProtrusionRow {
+  id: number;
+  centre_particle: number;
+  t_initiation_s: number;
+  t_adhesion_s: number | null;
+  t_mature_s: number | null;
+  t_disassembly_s: number | null;
+  t_end_s: number | null;
+  /** At the end of growth. */
+  length_um: number | null;
+  /** At the end of maturation. */
+  f_mat: number | null;
+  /** At disassembly. */
+  force_nN: number | null;
+  /** force_nN over f_mat F_am. */
+  f_adh_rel: number | null;
+  /** Why the adhesion ended: "disassembly", "rupture", "lost", "unadhered"; "" or null while it has not. */
+  cause: string | null;
+}
+
+export interface NamedValue {
+  /** As in the file the value comes from. */
+  name: string;
+  /** In words, with the unit in square brackets. */
+  meaning: string;
+  value: number | string | null;
+}
+
+export interface ChangedParameter {
+  /** Path in a scenario: "ecm.youngs_modulus". */
+  name: string;
+  /** As in a scenario, with its unit. */
+  value: string;
+  /** That of Table 1 or of the program. */
+  default: string;
+  meaning: string;
+}
+
+export interface RunPage {
+  format: "matrigrate-run";
+  version: 1;
+  title: string;
+  /** One sentence: how far it came, and why it ended if it failed. */
+  status: string;
+  /** Time that the run was to reach or, if it ended early, reached [s]. */
+  t_end_s: number;
+  geometry: { radius_um: number; spacing_um: number; n_particles: number; n_outline: number };
+  /** null or left out: the run stored none. */
+  frames?: Frames | null;
+  tracks: Tracks;
+  protrusions: ProtrusionRow[];
+  readouts: NamedValue[];
+  /** Those that differ from their default alone. */
+  parameters: ChangedParameter[];
+  health: NamedValue[];
+  /** Text with line breaks. */
+  provenance: string;
+  citation: string;
+}
+
+/** A parameter that a study varies. */
+export interface StudyAxis {
+  /** Path in a scenario. */
+  name: string;
+  /** Short: the symbol, "E". */
+  label: string;
+  meaning: string;
+  /** "" for none. */
+  unit: string;
+  /** In the order to draw them; words where a value is no number. */
+  values: (number | string)[];
+}
+
+/** A read-out that runs are compared by. */
+export interface StudyReadout {
+  /** Key in `StudyRun.readouts`. */
+  name: string;
+  /** Short: "v_migr_abs". */
+  label: string;
+  meaning: string;
+  /** "" for none. */
+  unit: string;
+}
+
+/** Place in the grid: one index into `values` for each axis. */
+export type GridPoint = number[];
+
+export interface StudyRun {
+  /** Unique in the study. */
+  id: string;
+  point: GridPoint;
+  seed: number;
+  status: "done" | "failed" | "running" | "pending";
+  /** Why it failed; "" otherwise. */
+  reason: string;
+  /** Relative address of its report; null: none. */
+  report: string | null;
+  /** By name; null or missing: not defined for this run. */
+  readouts: Record<string, number | null>;
+  /** Centre of mass over time [um]; drawn from a common origin. */
+  path?: { x_um: number[]; y_um: number[] } | null;
+  /** Outline of the cell at the end [um], in the coordinates of the path. */
+  outline?: { x_um: number[]; y_um: number[] } | null;
+  /** force over f_mat F_am at disassembly, one number an adhesion [-]. */
+  f_adh_rel?: number[];
+}
+
+/** Mean square displacement over the runs of a grid point. */
+export interface StudyMsd {
+  point: GridPoint;
+  lag_min: number[];
+  msd_um2: number[];
+  /** Standard error of the mean over runs [um^2]; null for one run. */
+  sem_um2?: (number | null)[];
+  /** Slope of log MSD over log lag [-]. */
+  slope: number | null;
+}
+
+/** Two grid points compared by a read-out. */
+export interface StudyTest {
+  readout: string;
+  a: GridPoint;
+  b: GridPoint;
+  /** Name of the test: "unpaired two-sample t". */
+  test: string;
+  statistic: number | null;
+  p: number | null;
+  n_a: number;
+  n_b: number;
+  /** Mean of b minus mean of a, in the unit of the read-out, and its 95 % confidence interval. */
+  difference: number | null;
+  interval: [number, number] | null;
+}
+
+/** Pairwise correlations across all runs; square matrices in the order of `names`. */
+export interface StudyCorrelation {
+  names: string[];
+  r: (number | null)[][];
+  p: (number | null)[][];
+  n: number[][];
+}
+
+export interface StudyClaim {
+  id: string;
+  claim: string;
+  verdict: "holds" | "fails" | "open";
+  /** What was found, with numbers. */
+  found: string;
+}
+
+export interface StudyPage {
+  format: "matrigrate-study";
+  version: 1;
+  title: string;
+  status: string;
+  /** The first is drawn along x, the others side by side in colours. */
+  axes: StudyAxis[];
+  readouts: StudyReadout[];
+  runs: StudyRun[];
+  tests: StudyTest[];
+  msd: StudyMsd[];
+  correlation?: StudyCorrelation | null;
+  claims?: StudyClaim[];
+  provenance: string;
+  citation: string;
+}

@@ -1,0 +1,70 @@
+/** Elements in one call, and the parts that both pages have. */
+
+type Child = Node | string | null | undefined | false;
+type Attributes = Record<string, string | number | boolean | undefined>;
+
+function fill(element: Element, attributes: Attributes, children: Child[]): void {
+  for (const [name, value] of Object.entries(attributes))
+    if (value !== undefined && value !== false) element.setAttribute(name, value === true ? "" : String(value));
+  for (const child of children) if (child) element.append(child);
+}
+
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+export function s<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+export function section(id: string, title: string, ...children: Child[]): HTMLElement {
+  return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
+}
+
+/** A table that scrolls sideways where it does not fit. Columns of numbers are set to the right. */
+export function table(
+  heads: string[],
+  rows: Child[][],
+  options: { numeric?: number[]; caption?: string } = {},
+): HTMLElement {
+  const kind = (column: number) => (options.numeric?.includes(column) ? "number" : undefined);
+  const head = h("tr", {}, ...heads.map((text, i) => h("th", { scope: "col", class: kind(i) }, text)));
+  const body = rows.map((row) =>
+    h("tr", {}, ...row.map((cell, i) => h("td", { class: kind(i), "data-label": heads[i] }, cell))),
+  );
+  return h(
+    "div",
+    { class: "table", tabindex: 0, role: "region", "aria-label": options.caption ?? heads.join(", ") },
+    h(
+      "table",
+      {},
+      options.caption ? h("caption", { class: "unseen" }, options.caption) : null,
+      h("thead", {}, head),
+      h("tbody", {}, ...body),
+    ),
+  );
+}
+
+/** Shown instead of a page that cannot be made. */
+export function fault(message: string): HTMLElement {
+  return h("div", { class: "fault", role: "alert" }, h("h1", {}, "This page cannot be shown"), h("p", {}, message));
+}
+
+export function onDarkMode(listener: () => void): void {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", listener);
+}
+
+export const isDark = (): boolean => matchMedia("(prefers-color-scheme: dark)").matches;
+export const wantsStillness = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;

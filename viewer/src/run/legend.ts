@@ -1,0 +1,80 @@
+/** What the colours and signs of the stage mean, with units and numbers. */
+import {
+  css,
+  frontColour,
+  gelOnDark,
+  gelOnLight,
+  gradient,
+  phaseColours,
+  phaseColoursOnDark,
+  rearColour,
+} from "../colour";
+import { phaseNames } from "../contract";
+import { h, isDark, s } from "../dom";
+import { readable } from "../numbers";
+import type { Layer } from "./layers";
+
+/** The colour bar of a layer, with low, middle and high value. */
+export function colourBar(layer: Layer): HTMLElement {
+  const dark = isDark();
+  const value = (share: number) => readable(layer.low + share * (layer.high - layer.low), 3);
+  const ground = css((dark ? gelOnDark : gelOnLight)[0]);
+  return h(
+    "div",
+    { class: "legend-layer" },
+    h("p", { class: "legend-title" }, layer.name + (layer.unit ? ` [${layer.unit}]` : "")),
+    h("div", { class: "bar", style: `background:${gradient(layer.map(dark))}` }),
+    h("div", { class: "bar-numbers" }, h("span", {}, value(0)), h("span", {}, value(0.5)), h("span", {}, value(1))),
+    layer.ends
+      ? h("div", { class: "bar-numbers words" }, h("span", {}, layer.ends[0]), h("span", {}, layer.ends[1]))
+      : null,
+    h("p", { class: "note" }, layer.note),
+    layer.solidOnly
+      ? h("p", { class: "note sign" }, h("span", { class: "swatch", style: `background:${ground}` }), "fluid: no value")
+      : null,
+  );
+}
+
+const sign = (...children: SVGElement[]) =>
+  s("svg", { viewBox: "0 0 30 14", width: 30, height: 14, "aria-hidden": "true" }, ...children);
+
+/** The signs drawn over the matrix. */
+export function signs(): HTMLElement {
+  const dark = isDark();
+  const colours = dark ? phaseColoursOnDark : phaseColours;
+  const line = dark ? "#fff" : "#1f2328";
+  const entry = (picture: SVGElement, words: string) => h("li", {}, picture, words);
+  return h(
+    "ul",
+    { class: "signs" },
+    entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: frontColour })), "front"),
+    entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: rearColour })), "rear"),
+    ...phaseNames.map((name, k) =>
+      entry(
+        sign(
+          s("path", {
+            d: "M1 7h28",
+            stroke: colours[k],
+            "stroke-width": 4,
+            "stroke-dasharray": k === 3 ? "5 3" : undefined,
+          }),
+        ),
+        name,
+      ),
+    ),
+    entry(
+      sign(
+        s("path", { d: "M2 7h20", stroke: colours[2], "stroke-width": 1.6 }),
+        s("circle", { cx: 23, cy: 7, r: 5, fill: colours[2] }),
+      ),
+      "adhesion, larger when mature",
+    ),
+    entry(
+      sign(
+        s("path", { d: "M5 7h24", stroke: line, "stroke-width": 1.6 }),
+        s("circle", { cx: 5, cy: 7, r: 3.4, fill: dark ? "#14171a" : "#fff", stroke: line, "stroke-width": 1.6 }),
+      ),
+      "path of the centre",
+    ),
+  );
+}

@@ -1,0 +1,224 @@
+/** Small line plots of the run, with a cursor at the player's time; a click or a drag in one sets that time. */
+import { palette } from "../colour";
+import type { Tracks } from "../contract";
+import { h, s } from "../dom";
+import { readable, roundStep, ticks } from "../numbers";
+import type { Clock } from "./clock";
+
+/** Drawn once in these units and scaled by the browser only down, so that text keeps a readable size. */
+const margin = { left: 60, right: 14, top: 12, bottom: 40 };
+
+export interface Axis {
+  low: number;
+  high: number;
+  label: string;
+  ticks: number[];
+}
+
+export interface Frame {
+  svg: SVGSVGElement;
+  width: number;
+  x(value: number): number;
+  y(value: number): number;
+  toX(pixel: number): number;
+}
+
+/** Axes with ticks and labels; the caller adds what is in them. */
+export function frame(width: number, height: number, xAxis: Axis, yAxis: Axis, label: string): Frame {
+  const right = width - margin.right;
+  const bottom = height - margin.bottom;
+  const x = (v: number) => margin.left + ((v - xAxis.low) / (xAxis.high - xAxis.low)) * (right - margin.left);
+  const y = (v: number) => bottom - ((v - yAxis.low) / (yAxis.high - yAxis.low)) * (bottom - margin.top);
+  const svg = s("svg", {
+    viewBox: `0 0 ${width} ${height}`,
+    width,
+    height,
+    class: "plot",
+    role: "img",
+    "aria-label": label,
+  });
+  for (const v of yAxis.ticks) {
+    svg.append(
+      s("path", { class: "grid", d: `M${margin.left} ${y(v)}H${right}` }),
+      s("text", { x: margin.left - 7, y: y(v) + 4.5, "text-anchor": "end" }, readable(v)),
+    );
+  }
+  for (const v of xAxis.ticks)
+    svg.append(
+      s("path", { class: "axis", d: `M${x(v)} ${bottom}v5` }),
+      s("text", { x: x(v), y: bottom + 19, "text-anchor": "middle" }, readable(v)),
+    );
+  svg.append(
+    s("path", { class: "axis", d: `M${margin.left} ${margin.top}V${bottom}H${right}` }),
+    s("text", { x: 0.5 * (margin.left + right), y: height - 5, "text-anchor": "middle" }, xAxis.label),
+    s(
+      "text",
+      { transform: `translate(13 ${0.5 * (margin.top + bottom)}) rotate(-90)`, "text-anchor": "middle" },
+      yAxis.label,
+    ),
+  );
+  const toX = (pixel: number) => xAxis.low + ((pixel - margin.left) / (right - margin.left)) * (xAxis.high - xAxis.low);
+  return { svg, width, x, y, toX };
+}
+
+/** A value of the pointer's place along x, while the button is down. */
+export function onPick(made: Frame, pick: (x: number, y: number) => void): void {
+  const tell = (event: PointerEvent) => {
+    const box = made.svg.getBoundingClientRect();
+    pick((event.clientX - box.left) * (made.width / box.width), (event.clientY - box.top) * (made.width / box.width));
+  };
+  made.svg.classList.add("pickable");
+  made.svg.addEventListener("pointerdown", (event) => {
+    made.svg.setPointerCapture(event.pointerId);
+    tell(event);
+  });
+  made.svg.addEventListener("pointermove", (event) => {
+    if (event.buttons & 1) tell(event);
+  });
+}
+
+export const hours = (clock: Clock): Axis => {
+  const high = clock.end / 3600;
+  const step = high > 0.5 && high < 8 ? (high > 2 ? 1 : 0.5) : undefined;
+  return { low: 0, high, label: "time [h]", ticks: ticks(0, high, 6, step) };
+};
+
+const line = (made: Frame, x: number[], y: number[]): string =>
+  x.map((v, i) => `${i === 0 ? "M" : "L"}${made.x(v).toFixed(1)} ${made.y(y[i]).toFixed(1)}`).join("");
+
+/** A quantity over time [s]. */
+function overTime(
+  clock: Clock,
+  width: number,
+  t: number[],
+  values: number[],
+  label: string,
+  fromZero: boolean,
+): SVGSVGElement {
+  const high = Math.max(...values, fromZero ? 1e-9 : -Infinity);
+  const low = fromZero ? 0 : Math.min(...values);
+  const room = 0.06 * (high - low || 1);
+  const yAxis = {
+    low: fromZero ? 0 : low - room,
+    high: high + room,
+    label,
+    ticks: ticks(fromZero ? 0 : low - room, high + room, 4),
+  };
+  const made = frame(width, 210, hours(clock), yAxis, `${label} over time`);
+  const inHours = t.map((v) => v / 3600);
+  made.svg.append(s("path", { class: "curve", d: line(made, inHours, values) }));
+  const cursor = s("path", { class: "cursor" });
+  const dot = s("circle", { class: "here", r: 4.5 });
+  const words = s("text", { class: "value", y: margin.top + 10 });
+  made.svg.append(cursor, dot, words);
+  const update = () => {
+    const i = nearest(t, clock.time);
+    const at = made.x(clock.time / 3600);
+    cursor.setAttribute("d", `M${at} ${margin.top}V${210 - margin.bottom}`);
+    if (values[i] === undefined) return;
+    dot.setAttribute("cx", String(made.x(inHours[i])));
+    dot.setAttribute("cy", String(made.y(values[i])));
+    words.textContent = readable(values[i], 3);
+    const leftward = at > 0.8 * width;
+    words.setAttribute("x", String(at + (leftward ? -7 : 7)));
+    words.setAttribute("text-anchor", leftward ? "end" : "start");
+  };
+  clock.onChange(update);
+  update();
+  onPick(made, (x) => clock.jump(3600 * made.toX(x)));
+  return made.svg;
+}
+
+export function nearest(t: number[], time: number): number {
+  let best = 0;
+  for (let i = 1; i < t.length; ++i) if (Math.abs(t[i] - time) < Math.abs(t[best] - time)) best = i;
+  return best;
+}
+
+/** Speed over spans of about ten minutes, at the middle of each: from row to row it would be mostly jitter. */
+export function speeds(tracks: Tracks): { t: number[]; v: number[] } {
+  const span = 600;
+  const out: { t: number[]; v: number[] } = { t: [], v: [] };
+  let first = 0;
+  for (let i = 1; i < tracks.t_s.length; ++i) {
+    while (tracks.t_s[i] - tracks.t_s[first + 1] >= span) ++first;
+    const dt = tracks.t_s[i] - tracks.t_s[first];
+    if (dt < span && tracks.t_s[tracks.t_s.length - 1] - tracks.t_s[0] >= span) continue;
+    out.t.push(tracks.t_s[i] - 0.5 * dt);
+    out.v.push((3600 * Math.hypot(tracks.x_um[i] - tracks.x_um[first], tracks.y_um[i] - tracks.y_um[first])) / dt);
+  }
+  return out;
+}
+
+/** The path with both axes to the same scale; the part so far is strong, the rest faint. */
+function path(clock: Clock, width: number, tracks: Tracks): SVGSVGElement {
+  const height = Math.min(width, 430);
+  const [xs, ys] = [tracks.x_um, tracks.y_um];
+  const centre = (v: number[]) => 0.5 * (Math.max(...v) + Math.min(...v));
+  const [w, k] = [width - margin.left - margin.right, height - margin.top - margin.bottom];
+  const span = (v: number[]) => Math.max(...v) - Math.min(...v);
+  const scale = 1.12 * Math.max(span(xs) / w, span(ys) / k, 10 / w);
+  const axis = (v: number[], pixels: number, label: string): Axis => {
+    const [low, high] = [centre(v) - 0.5 * scale * pixels, centre(v) + 0.5 * scale * pixels];
+    return { low, high, label, ticks: ticks(low, high, pixels / 70) };
+  };
+  const made = frame(
+    width,
+    height,
+    axis(xs, w, "x [\u00b5m]"),
+    axis(ys, k, "y [\u00b5m]"),
+    "Path of the centre of mass",
+  );
+  const soFar = s("path", { class: "curve" });
+  const here = s("circle", { class: "here", r: 5 });
+  const bar = 0.4 * roundStep(0.5 * scale * w);
+  made.svg.append(
+    s("path", { class: "curve faint", d: line(made, xs, ys) }),
+    soFar,
+    s("circle", { class: "start", cx: made.x(xs[0]), cy: made.y(ys[0]), r: 4.5 }, s("title", {}, "start")),
+    here,
+    s("path", { class: "scale-bar", d: `M${margin.left + 14} ${height - margin.bottom - 14}h${bar / scale}` }),
+    s("text", { class: "value", x: margin.left + 14, y: height - margin.bottom - 22 }, `${readable(bar)} \u00b5m`),
+  );
+  const update = () => {
+    const i = nearest(tracks.t_s, clock.time);
+    soFar.setAttribute("d", line(made, xs.slice(0, i + 1), ys.slice(0, i + 1)));
+    here.setAttribute("cx", String(made.x(xs[i])));
+    here.setAttribute("cy", String(made.y(ys[i])));
+  };
+  clock.onChange(update);
+  update();
+  onPick(made, (px, py) => {
+    const away = xs.map((x, i) => Math.hypot(made.x(x) - px, made.y(ys[i]) - py));
+    clock.jump(tracks.t_s[away.indexOf(Math.min(...away))]);
+  });
+  return made.svg;
+}
+
+const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
+
+export function plots(tracks: Tracks, clock: Clock, width: number): HTMLElement {
+  if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
+  const speed = speeds(tracks);
+  const column = width > 800 ? Math.floor((width - 32) / 2) : width;
+  return h(
+    "div",
+    { class: "plots", style: `--first:${palette[0]}` },
+    figure(
+      path(clock, column, tracks),
+      "Path of the centre of mass. The ring is the start, the dot the time of the player.",
+    ),
+    h(
+      "div",
+      {},
+      figure(
+        overTime(clock, column, speed.t, speed.v, "speed [\u00b5m/h]", true),
+        "Speed: displacement over ten minutes.",
+      ),
+      figure(
+        overTime(clock, column, tracks.t_s, tracks.area_um2, "area [\u00b5m\u00b2]", false),
+        "Area inside the cortex.",
+      ),
+    ),
+  );
+}

@@ -1,0 +1,177 @@
+/** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
+import { h, isDark, onDarkMode } from "../dom";
+import { roundStep } from "../numbers";
+import { valueAt } from "../unpack";
+import type { RunPage } from "../contract";
+import { Camera, type Box } from "./camera";
+import { paintCell } from "./cell_painter";
+import type { Clock } from "./clock";
+import { edges, type Edge } from "./edge";
+import { outlineAt, placeAt, type Film } from "./frames";
+import { attachGestures } from "./gestures";
+import { overlays, type Layer, type Shown } from "./layers";
+import { particlePainter, plainInstead } from "./particles";
+
+/** Where the cell is at any stored time, with a margin: the first view. */
+function haunts(film: Film): Box {
+  const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
+  for (let frame = 0; frame < film.times.length; ++frame)
+    for (let i = 0; i < film.outlinePoints; ++i) {
+      const [x, y] = [valueAt(film.outline.x, frame, 2 * i), valueAt(film.outline.x, frame, 2 * i + 1)];
+      box.left = Math.min(box.left, x);
+      box.right = Math.max(box.right, x);
+      box.bottom = Math.min(box.bottom, y);
+      box.top = Math.max(box.top, y);
+    }
+  const margin = 12;
+  return { left: box.left - margin, right: box.right + margin, bottom: box.bottom - margin, top: box.top + margin };
+}
+
+export class Stage {
+  readonly element: HTMLElement;
+  readonly shown = Object.fromEntries(overlays.map((o) => [o.key, o.on])) as Shown;
+  readonly camera: Camera;
+  follow = false;
+  edge: Edge;
+  private queued = false;
+  private readonly top = h("canvas", { class: "cell" });
+  private readonly home: Box;
+  private painter;
+  private pixels = 1;
+  private viewListeners: (() => void)[] = [];
+
+  constructor(
+    private readonly run: RunPage,
+    private readonly film: Film,
+    private readonly clock: Clock,
+    public layer: Layer,
+    private readonly displacementLimit: number,
+  ) {
+    const bottom = h("canvas", { class: "matrix" });
+    this.element = h(
+      "div",
+      {
+        class: "stage",
+        tabindex: 0,
+        role: "img",
+        "aria-label":
+          "The cell in the matrix. Space plays, arrow keys step, plus and minus zoom, F follows the cell, 0 shows it all.",
+      },
+      bottom,
+      this.top,
+    );
+    this.edge = edges(film)[0];
+    const r = run.geometry.radius_um + run.geometry.spacing_um;
+    this.camera = new Camera({ left: -r, right: r, bottom: -r, top: r });
+    this.home = haunts(film);
+    this.painter = particlePainter(bottom, film, run.geometry.spacing_um, () => {
+      this.painter = plainInstead(this.painter.canvas, film, run.geometry.spacing_um);
+      this.fit();
+    });
+    this.element.dataset["painter"] = this.painter.kind;
+    attachGestures(this.element, this.camera, (panned) => {
+      // Whoever drags the picture away wants to look elsewhere.
+      if (panned) this.follow = false;
+      this.viewChanged();
+    });
+    clock.onChange(() => this.draw());
+    onDarkMode(() => this.draw());
+    let first = true;
+    new ResizeObserver(() => {
+      this.fit();
+      if (first) this.camera.show(this.home);
+      first = false;
+      this.viewChanged();
+    }).observe(this.element);
+  }
+
+  /** For what shows the state of the view: the follow switch, the length of arrows in the legend. */
+  onView(listener: () => void): void {
+    this.viewListeners.push(listener);
+  }
+
+  viewChanged(): void {
+    const { x, y, scale } = this.camera;
+    this.element.dataset["view"] = [x, y, scale].map((v) => v.toFixed(3)).join(" ");
+    for (const listener of this.viewListeners) listener();
+    this.draw();
+  }
+
+  reset(): void {
+    this.follow = false;
+    this.camera.show(this.home);
+    this.viewChanged();
+  }
+
+  showWhole(): void {
+    this.follow = false;
+    this.camera.showWhole();
+    this.viewChanged();
+  }
+
+  zoom(factor: number): void {
+    this.camera.zoom(factor);
+    this.viewChanged();
+  }
+
+  setFollow(on: boolean): void {
+    this.follow = on;
+    if (on) this.camera.scale = Math.max(this.camera.scale, Math.min(this.camera.width, this.camera.height) / 110);
+    this.viewChanged();
+  }
+
+  /** Times their true length that arrows are drawn: a round number that makes the largest about 32 pixels long. */
+  arrowScale(): number {
+    return Math.max(1, roundStep((0.6 * 32) / (this.displacementLimit * this.camera.scale)));
+  }
+
+  private fit(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    this.pixels = Math.min(2, devicePixelRatio || 1);
+    for (const canvas of [this.painter.canvas, this.top]) {
+      canvas.width = Math.max(1, Math.round(width * this.pixels));
+      canvas.height = Math.max(1, Math.round(height * this.pixels));
+    }
+    this.camera.resize(Math.max(1, width), Math.max(1, height));
+  }
+
+  draw(): void {
+    if (this.queued) return;
+    this.queued = true;
+    requestAnimationFrame(() => {
+      this.queued = false;
+      this.paint();
+    });
+  }
+
+  private paint(): void {
+    const { film, camera, clock } = this;
+    const place = placeAt(film.times, clock.time);
+    if (this.follow) {
+      const outline = outlineAt(film, place);
+      camera.x = camera.y = 0;
+      for (let i = 0; i < film.outlinePoints; ++i) {
+        camera.x += outline[2 * i] / film.outlinePoints;
+        camera.y += outline[2 * i + 1] / film.outlinePoints;
+      }
+    }
+    const dark = isDark();
+    this.painter.paint({ place, layer: this.layer, camera, dark });
+    paintCell(
+      this.top,
+      {
+        film,
+        place,
+        time: clock.time,
+        camera,
+        tracks: this.run.tracks,
+        shown: this.shown,
+        edge: this.edge,
+        spacing: this.run.geometry.spacing_um,
+        arrowScale: this.arrowScale(),
+        dark,
+      },
+      this.pixels,
+    );
+  }
+}

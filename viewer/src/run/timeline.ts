@@ -1,0 +1,173 @@
+/** The life of each protrusion, one row each: its phases over time, how mature it got, and how it ended. */
+import { phaseNames, type ProtrusionRow } from "../contract";
+import { h, s, table } from "../dom";
+import { readable, timeText } from "../numbers";
+import type { Clock } from "./clock";
+import { frame, hours, onPick } from "./plots";
+
+interface Bar {
+  phase: number;
+  from: number;
+  to: number;
+}
+
+/** Phases from the times of a row; what has not ended goes on to the end of the run. */
+export function bars(row: ProtrusionRow, end: number): Bar[] {
+  const grown = row.t_adhesion_s ?? row.t_disassembly_s;
+  const out: Bar[] = [{ phase: 0, from: row.t_initiation_s, to: grown ?? row.t_end_s ?? end }];
+  if (row.t_adhesion_s !== null)
+    out.push({ phase: 1, from: row.t_adhesion_s, to: row.t_mature_s ?? row.t_disassembly_s ?? row.t_end_s ?? end });
+  if (row.t_mature_s !== null)
+    out.push({ phase: 2, from: row.t_mature_s, to: row.t_disassembly_s ?? row.t_end_s ?? end });
+  if (row.t_disassembly_s !== null) out.push({ phase: 3, from: row.t_disassembly_s, to: row.t_end_s ?? end });
+  return out;
+}
+
+const causes: Record<string, string> = {
+  disassembly: "disassembled",
+  rupture: "ruptured",
+  unadhered: "never adhered",
+};
+const causeText = (row: ProtrusionRow): string =>
+  row.cause ? (causes[row.cause] ?? row.cause) : row.t_mature_s !== null ? "still adheres" : "still alive";
+
+function story(row: ProtrusionRow): string {
+  const lines = [`Protrusion ${row.id}: ${causeText(row)}`, `initiated at ${timeText(row.t_initiation_s)}`];
+  if (row.length_um !== null) lines.push(`length ${readable(row.length_um, 3)} \u00b5m at the end of growth`);
+  if (row.f_mat !== null) lines.push(`matured to f_mat = ${readable(row.f_mat, 2)}`);
+  if (row.t_disassembly_s !== null && row.t_mature_s !== null)
+    lines.push(`adhered for ${readable((row.t_disassembly_s - row.t_mature_s) / 60, 3)} min after maturation`);
+  if (row.force_nN !== null) lines.push(`force ${readable(row.force_nN, 3)} nN at disassembly`);
+  return lines.join("\n");
+}
+
+/** What stands behind the bars of a row, as short as its room. */
+function remark(row: ProtrusionRow, wide: boolean): string {
+  if (row.cause === "unadhered") return wide ? "never adhered" : "\u2013";
+  const parts = [];
+  if (row.f_mat !== null) parts.push(`${wide ? "f_mat " : ""}${readable(row.f_mat, 2)}`);
+  if (row.force_nN !== null) parts.push(`${readable(row.force_nN, 2)} nN`);
+  if (row.cause === "rupture") parts.push("ruptured");
+  return parts.join(wide ? ", " : " ");
+}
+
+export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HTMLElement {
+  if (rows.length === 0) return h("p", {}, "No protrusion was initiated.");
+  const [pitch, top, bottom] = [22, 12, 40];
+  const height = top + bottom + pitch * rows.length;
+  const n = rows.length;
+  const made = frame(
+    width,
+    height,
+    hours(clock),
+    { low: 0, high: n, label: "", ticks: [] },
+    "Phases of each protrusion over time; the table below has the numbers",
+  );
+  const wide = width > 700;
+  const right = made.x(clock.end / 3600);
+  const remarks = s("g", { class: "remarks" });
+  rows.forEach((row, k) => {
+    const y = top + pitch * k;
+    const all = bars(row, clock.end);
+    const last = made.x(all[all.length - 1].to / 3600);
+    const first = made.x(row.t_initiation_s / 3600);
+    const text = remark(row, wide);
+    const need = 7.2 * text.length + 12;
+    const after = last + need < right;
+    const before = !after && first - need > made.x(0);
+    const group = s(
+      "g",
+      {},
+      s("title", {}, story(row)),
+      s("rect", { class: "row", x: made.x(0), y, width: right - made.x(0), height: pitch }),
+      s("text", { x: made.x(0) - 8, y: y + 15.5, "text-anchor": "end" }, String(row.id)),
+    );
+    for (const bar of all)
+      group.append(
+        s("rect", {
+          class: `phase${bar.phase}`,
+          x: made.x(bar.from / 3600),
+          y: y + 4,
+          height: pitch - 8,
+          width: Math.max(1, made.x(bar.to / 3600) - made.x(bar.from / 3600)),
+        }),
+      );
+    // Where there is room on neither side, the tooltip and the table still say it.
+    if (after || before)
+      remarks.append(
+        s(
+          "text",
+          { class: "remark", x: after ? last + 6 : first - 6, y: y + 15.5, "text-anchor": after ? "start" : "end" },
+          text,
+        ),
+      );
+    made.svg.append(group);
+  });
+  made.svg.append(
+    s(
+      "text",
+      { transform: `translate(13 ${0.5 * (top + height - bottom)}) rotate(-90)`, "text-anchor": "middle" },
+      "protrusion",
+    ),
+  );
+  const cursor = s("path", { class: "cursor" });
+  made.svg.append(cursor, remarks);
+  const update = () => cursor.setAttribute("d", `M${made.x(clock.time / 3600)} ${top}V${height - bottom}`);
+  clock.onChange(update);
+  update();
+  onPick(made, (x) => clock.jump(3600 * made.toX(x)));
+  const legend = h(
+    "ul",
+    { class: "signs" },
+    ...phaseNames.map((name, k) => h("li", {}, h("span", { class: `dot phase${k}` }), name)),
+  );
+  return h(
+    "div",
+    {},
+    legend,
+    h(
+      "figure",
+      { class: "timeline" },
+      made.svg,
+      h(
+        "figcaption",
+        {},
+        "Behind each row: maturation (f_mat) and force at disassembly. A click moves the player to that time.",
+      ),
+    ),
+  );
+}
+
+export function protrusionTable(rows: ProtrusionRow[]): HTMLElement {
+  const minutes = (seconds: number | null) => (seconds === null ? "\u2013" : (seconds / 60).toFixed(1));
+  const heads = [
+    "id",
+    "initiated [min]",
+    "adhered [min]",
+    "matured [min]",
+    "disassembled [min]",
+    "ended [min]",
+    "length [\u00b5m]",
+    "f_mat",
+    "force [nN]",
+    "force / (f_mat F_am)",
+    "how it ended",
+  ];
+  return table(
+    heads,
+    rows.map((row) => [
+      String(row.id),
+      minutes(row.t_initiation_s),
+      minutes(row.t_adhesion_s),
+      minutes(row.t_mature_s),
+      minutes(row.t_disassembly_s),
+      minutes(row.t_end_s),
+      readable(row.length_um, 3),
+      readable(row.f_mat, 2),
+      readable(row.force_nN, 3),
+      readable(row.f_adh_rel, 3),
+      causeText(row),
+    ]),
+    { numeric: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9], caption: "Protrusions" },
+  );
+}

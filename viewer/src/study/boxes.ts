@@ -1,0 +1,122 @@
+/** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
+import type { StudyPage, StudyReadout } from "../contract";
+import { pText, readable, stars } from "../numbers";
+import { brackets, type Bracket, type Shown } from "./brackets";
+import { axis, figure, ink, type Json } from "./figure";
+import { groupAt, seriesColour, values, withUnit, type Grid } from "./groups";
+
+function story(made: Grid, { test }: Bracket, unit: string): string {
+  const lines = [
+    `${groupAt(made, test.a)?.label ?? ""} against ${groupAt(made, test.b)?.label ?? ""}`,
+    `${test.test}: ${pText(test.p)}${test.statistic === null ? "" : `, t = ${readable(test.statistic, 3)}`}`,
+    `n = ${test.n_a} and ${test.n_b}`,
+  ];
+  if (test.difference !== null)
+    lines.push(
+      `difference ${readable(test.difference, 3)} ${unit}${test.interval ? ` (95 %: ${readable(test.interval[0], 3)} to ${readable(test.interval[1], 3)})` : ""}`,
+    );
+  return lines.join("<br>");
+}
+
+export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
+  const bars = brackets(study.tests, made, readout.name, show);
+  const levels = Math.max(0, ...bars.map((b) => b.level + 1));
+  const plotHeight = 270 + 17 * levels;
+  return figure(`${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`, plotHeight + 60, () => {
+    const colours = ink();
+    const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
+    const [low, high] = [Math.min(...every), Math.max(...every)];
+    const span = high - low || 1;
+    // Room above the data is counted in pixels, so that stars keep their distance whatever the values are.
+    const pixel = (1.12 * span) / Math.max(100, plotHeight - 36 - 17 * levels);
+    const [bottom, top] = [low - 0.06 * span - 18 * pixel, high + 0.05 * span + 17 * levels * pixel];
+    const data: Json[] = [];
+    made.series.forEach((name, k) => {
+      const groups = made.groups.filter((g) => g.series === k && values(g, readout.name).length > 0);
+      const colour = seriesColour(k);
+      for (const g of groups) {
+        const found = values(g, readout.name);
+        data.push({
+          type: "box",
+          name,
+          x: found.map(() => g.x),
+          y: found.map((v) => v.value),
+          width: 0.82 * made.width,
+          boxpoints: "all",
+          pointpos: 0,
+          jitter: 0.55,
+          line: { color: colour, width: 1.5 },
+          fillcolor: "rgba(128,128,128,.1)",
+          marker: { color: colour, size: 5, opacity: 0.75 },
+          text: found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`),
+          hoverinfo: "text",
+          hoveron: "points",
+        });
+      }
+      const means = groups.map(
+        (g) => values(g, readout.name).reduce((sum, v) => sum + v.value, 0) / values(g, readout.name).length,
+      );
+      data.push({
+        type: "scatter",
+        mode: "markers",
+        x: groups.map((g) => g.x),
+        y: means,
+        marker: { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } },
+        text: groups.map(
+          (g, i) => `${g.label}<br>mean ${readable(means[i])} ${readout.unit}, n = ${values(g, readout.name).length}`,
+        ),
+        hoverinfo: "text",
+      });
+    });
+    const at = (b: Bracket) => high + 0.05 * span + (17 * b.level + 5) * pixel;
+    // A comparison within a series has its colour; one between series is grey.
+    const lineColour = (b: Bracket) => {
+      const [ka, kb] = [groupAt(made, b.test.a)?.series ?? 0, groupAt(made, b.test.b)?.series ?? 0];
+      return made.series.length > 1 && ka === kb ? seriesColour(ka) : colours.soft;
+    };
+    for (const b of bars)
+      data.push({
+        type: "scatter",
+        mode: "lines",
+        x: [b.from + 0.04, b.to - 0.04],
+        y: [at(b), at(b)],
+        line: { color: lineColour(b), width: 1.4 },
+        hoverinfo: "skip",
+      });
+    data.push({
+      type: "scatter",
+      mode: "text",
+      x: bars.map((b) => 0.5 * (b.from + b.to)),
+      y: bars.map((b) => at(b) + 5 * pixel),
+      text: bars.map((b) => stars(b.test.p)),
+      hovertext: bars.map((b) => story(made, b, readout.unit)),
+      hoverinfo: "text",
+      textfont: { size: 13, color: colours.text },
+    });
+    return {
+      data,
+      layout: {
+        xaxis: axis(made.axisTitle, {
+          tickvals: made.columns.map((_, i) => i),
+          ticktext: made.columns,
+          range: [-0.6, made.columns.length - 0.4],
+          showgrid: false,
+          fixedrange: true,
+        }),
+        yaxis: axis(withUnit(readout.label, readout.unit), { range: [bottom, top] }),
+        annotations: made.groups.map((g) => ({
+          x: g.x,
+          y: 0,
+          yref: "paper",
+          yanchor: "bottom",
+          showarrow: false,
+          font: { size: 12, color: colours.soft },
+          text:
+            made.series.length > 1
+              ? String(values(g, readout.name).length)
+              : `n\u00a0=\u00a0${values(g, readout.name).length}`,
+        })),
+      },
+    };
+  });
+}

@@ -1,0 +1,91 @@
+/** A plotly plot in the look of the page, drawn when it comes near the window, and again when the page turns dark or light. */
+import Plotly from "plotly.js-cartesian-dist-min";
+import { h, isDark, onDarkMode } from "../dom";
+
+export type Json = Record<string, unknown>;
+
+export interface Drawing {
+  data: Json[];
+  layout: Json;
+}
+
+/** Colours of text and lines, which a drawing may need for itself. */
+export const ink = () =>
+  isDark()
+    ? { text: "#e9edf1", soft: "#a3adb8", line: "#343b43", ground: "#14171a" }
+    : { text: "#1f2328", soft: "#57606a", line: "#d0d7de", ground: "#ffffff" };
+
+/** An axis of the page's look; `more` goes over it. */
+export function axis(title: string, more: Json = {}): Json {
+  const colours = ink();
+  return {
+    title: { text: title, standoff: 8 },
+    gridcolor: colours.line,
+    linecolor: colours.soft,
+    showline: true,
+    zeroline: false,
+    ticks: "outside",
+    tickcolor: colours.soft,
+    ticklen: 4,
+    automargin: true,
+    ...more,
+  };
+}
+
+const config: Json = {
+  displaylogo: false,
+  responsive: true,
+  modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
+  toImageButtonOptions: { format: "svg" },
+};
+
+export function figure(
+  caption: string,
+  height: number | ((width: number) => number),
+  make: (width: number) => Drawing,
+): HTMLElement {
+  const plot = h("div", {
+    class: "plotly-figure",
+    style: `height:${typeof height === "number" ? height : height(innerWidth)}px`,
+  });
+  plot.setAttribute("role", "img");
+  plot.setAttribute("aria-label", caption);
+  const element = h("figure", {}, plot, h("figcaption", {}, caption));
+  let seen = false;
+  const draw = () => {
+    const colours = ink();
+    const { data, layout } = make(plot.clientWidth);
+    void Plotly.react(
+      plot,
+      data,
+      {
+        paper_bgcolor: "rgba(0,0,0,0)",
+        plot_bgcolor: "rgba(0,0,0,0)",
+        hovermode: "closest",
+        showlegend: false,
+        dragmode: "zoom",
+        font: { family: 'system-ui, "Segoe UI", Helvetica, Arial, sans-serif', size: 13, color: colours.text },
+        margin: { l: 56, r: 12, t: 12, b: 44 },
+        hoverlabel: { font: { size: 13 } },
+        ...layout,
+        height: Number(plot.style.height.replace("px", "")),
+      },
+      config,
+    ).then(() => {
+      plot.dataset["drawn"] = "true";
+    });
+  };
+  new IntersectionObserver(
+    (entries, observer) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      observer.disconnect();
+      seen = true;
+      draw();
+    },
+    { rootMargin: "600px" },
+  ).observe(plot);
+  onDarkMode(() => {
+    if (seen) draw();
+  });
+  return element;
+}

@@ -1,0 +1,90 @@
+/** The grid of a study as it is drawn: one axis along x, the combinations of the others as series in colours. */
+import { palette } from "../colour";
+import type { GridPoint, StudyPage, StudyRun } from "../contract";
+import { isDark } from "../dom";
+
+export const prettyUnit = (unit: string): string => unit.replace(/\bum\b/g, "\u00b5m").replace(/\^2/g, "\u00b2");
+export const withUnit = (label: string, unit: string): string => (unit ? `${label} [${prettyUnit(unit)}]` : label);
+
+export interface Group {
+  point: GridPoint;
+  /** Index along x. */
+  column: number;
+  /** Index of its series. */
+  series: number;
+  /** Where it is drawn along x: `column`, moved aside if there are several series. */
+  x: number;
+  label: string;
+  runs: StudyRun[];
+}
+
+export interface Grid {
+  axisTitle: string;
+  columns: string[];
+  series: string[];
+  groups: Group[];
+  /** Room for one box along x. */
+  width: number;
+}
+
+const key = (point: GridPoint): string => point.join(",");
+
+/** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough. */
+export const multiplesStyle = (made: Grid): string => `--columns:${Math.min(6, made.columns.length)}`;
+export const inRows = (groups: Group[]): Group[] =>
+  [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
+
+/** @param main  index of the axis along x */
+export function grid(study: StudyPage, main: number): Grid {
+  const axis = study.axes[main];
+  const others = study.axes.map((_, i) => i).filter((i) => i !== main);
+  let points: GridPoint[] = [[]];
+  for (const a of study.axes) points = points.flatMap((p) => a.values.map((_, i) => [...p, i]));
+  const seriesOf = (p: GridPoint) =>
+    others
+      .map(
+        (i) =>
+          `${study.axes[i].label} ${study.axes[i].values[p[i]]}${study.axes[i].unit ? ` ${prettyUnit(study.axes[i].unit)}` : ""}`,
+      )
+      .join(", ");
+  const series = [...new Set(points.map(seriesOf))];
+  const width = 0.8 / series.length;
+  const columns = axis ? axis.values.map(String) : [""];
+  const groups = points.map((point): Group => {
+    const column = axis ? point[main] : 0;
+    const k = series.indexOf(seriesOf(point));
+    const value = axis ? `${axis.label} ${columns[column]}${axis.unit ? ` ${prettyUnit(axis.unit)}` : ""}` : "all runs";
+    return {
+      point,
+      column,
+      series: k,
+      x: column + (k - 0.5 * (series.length - 1)) * width,
+      label: [value, series[k]].filter(Boolean).join(", "),
+      runs: study.runs.filter((run) => key(run.point) === key(point)),
+    };
+  });
+  return { axisTitle: axis ? withUnit(axis.label, axis.unit) : "", columns, series, groups, width };
+}
+
+export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>
+  made.groups.find((g) => key(g.point) === key(point));
+
+export function seriesColour(index: number): string {
+  const colours = isDark()
+    ? ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#e69f00", "#0072b2", "#f0f0f0", "#f0e442"]
+    : palette;
+  return colours[index % colours.length];
+}
+
+/** Colours for values along x, where each is a line of its own: dark to light in order. */
+export function columnColour(index: number, count: number): string {
+  const share = count > 1 ? index / (count - 1) : 0;
+  const [from, to] = isDark() ? [70, 95] : [15, 68];
+  return `hsl(${265 - 165 * share} ${isDark() ? 55 : 60}% ${Math.min(isDark() ? 78 : 48, from + (to - from) * share)}%)`;
+}
+
+export const values = (group: Group, readout: string): { run: StudyRun; value: number }[] =>
+  group.runs.flatMap((run) => {
+    const value = run.readouts[readout];
+    return typeof value === "number" ? [{ run, value }] : [];
+  });

@@ -1,0 +1,54 @@
+/** Claims with their verdicts, and the runs with how each ended. */
+import type { StudyPage, StudyRun } from "../contract";
+import { h, table } from "../dom";
+import { readable } from "../numbers";
+import { withUnit } from "./groups";
+
+const verdicts = { holds: "holds", fails: "does not hold", open: "open" };
+
+export function claims(study: StudyPage): HTMLElement | null {
+  if (!study.claims || study.claims.length === 0) return null;
+  return table(
+    ["", "claim", "verdict", "found"],
+    study.claims.map((c) => [
+      c.id,
+      c.claim,
+      h("span", { class: c.verdict }, verdicts[c.verdict] ?? c.verdict),
+      c.found,
+    ]),
+    { caption: "Claims and verdicts" },
+  );
+}
+
+const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];
+
+/** Failures first: they are what someone looks for here. */
+export function runs(study: StudyPage): HTMLElement {
+  const shown = study.readouts.slice(0, 3);
+  const heads = [
+    "run",
+    ...study.axes.map((a) => withUnit(a.label, a.unit)),
+    "seed",
+    "status",
+    ...shown.map((r) => withUnit(r.label, r.unit)),
+  ];
+  const sorted = [...study.runs].sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status));
+  // A relative address only: a page must not lead elsewhere because its data says so.
+  const safe = (address: string | null) => address !== null && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(address);
+  const rows = sorted.map((run) => [
+    safe(run.report) ? h("a", { href: run.report ?? "" }, run.id) : run.id,
+    ...study.axes.map((a, i) => String(a.values[run.point[i]])),
+    String(run.seed),
+    run.reason
+      ? h(
+          "span",
+          { class: "reason" },
+          h("strong", { class: run.status === "failed" ? "fails" : undefined }, run.status),
+          `: ${run.reason}`,
+        )
+      : run.status,
+    ...shown.map((r) => readable(run.readouts[r.name])),
+  ]);
+  const k = study.axes.length;
+  return table(heads, rows, { caption: "Runs", numeric: [k + 1, ...shown.map((_, i) => k + 3 + i)] });
+}

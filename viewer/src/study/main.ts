@@ -1,0 +1,99 @@
+/** The page of a study. */
+import type { StudyPage } from "../contract";
+import { fault, h, section } from "../dom";
+import { embeddedStudy } from "../embedded";
+import "../page.css";
+import { boxes } from "./boxes";
+import type { Shown } from "./brackets";
+import { grid, seriesColour, type Grid } from "./groups";
+import { claims, runs } from "./lists";
+import { adhesionForces, correlation, msd } from "./statistics";
+import "./study.css";
+import { paths, shapes } from "./tracks";
+
+function seriesKey(made: Grid): HTMLElement | null {
+  if (made.series.length < 2) return null;
+  return h(
+    "ul",
+    { class: "series" },
+    ...made.series.map((name, k) =>
+      h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), name),
+    ),
+  );
+}
+
+function part(id: string, title: string, content: HTMLElement | null, ...before: (Node | null)[]): HTMLElement | null {
+  return content ? section(id, title, ...before, content) : null;
+}
+
+function show(study: StudyPage, page: HTMLElement): void {
+  document.title = study.title;
+  let main = 0;
+  let comparisons: Shown = "significant";
+  const body = h("div", {});
+  const draw = () => {
+    const made = grid(study, main);
+    const parts = [
+      part("claims", "Claims and verdicts", claims(study)),
+      study.readouts.length > 0
+        ? section(
+            "readouts",
+            "Read-outs by parameter",
+            seriesKey(made),
+            h(
+              "p",
+              { class: "note" },
+              "Boxes: median and quartiles; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001; hover for the test.",
+            ),
+            h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, comparisons))),
+          )
+        : null,
+      part("paths", "Paths from a common origin", paths(made), seriesKey(made)),
+      part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
+      part("msd", "Mean square displacement", msd(study, made)),
+      part("adhesions", "Force at which adhesions ended, over f_mat F_am", adhesionForces(made), seriesKey(made)),
+      part("correlation", "Correlations across runs", correlation(study)),
+      section("runs", "Runs", runs(study)),
+      section("provenance", "Provenance", h("pre", {}, study.provenance)),
+      section("citation", "To cite", h("p", { class: "citation" }, study.citation)),
+    ];
+    body.replaceChildren(...parts.filter((p): p is HTMLElement => p !== null));
+  };
+  const choice = h("select", {}, ...study.axes.map((a, i) => h("option", { value: i }, `${a.label}: ${a.meaning}`)));
+  choice.addEventListener("change", () => {
+    main = Number(choice.value);
+    draw();
+  });
+  const which = h(
+    "select",
+    {},
+    h("option", { value: "significant" }, "significant ones"),
+    h("option", { value: "all" }, "all"),
+    h("option", { value: "none" }, "none"),
+  );
+  which.addEventListener("change", () => {
+    comparisons = which.value as Shown;
+    draw();
+  });
+  page.replaceChildren(
+    h("header", {}, h("h1", {}, study.title), h("p", { class: "status" }, study.status)),
+    h(
+      "div",
+      { class: "study-controls" },
+      study.axes.length > 1 ? h("label", {}, "Along the axis: ", choice) : null,
+      study.tests.length > 0 ? h("label", {}, "Comparisons: ", which) : null,
+    ),
+    body,
+  );
+  draw();
+}
+
+const page = document.getElementById("page");
+if (page) {
+  try {
+    show(embeddedStudy(), page);
+  } catch (reason) {
+    page.replaceChildren(fault(reason instanceof Error ? reason.message : String(reason)));
+  }
+  document.documentElement.dataset["ready"] = "true";
+}

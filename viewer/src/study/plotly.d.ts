@@ -1,0 +1,9 @@
+/** The little of plotly that the study page uses. */
+declare module "plotly.js-cartesian-dist-min" {
+  type Json = Record<string, unknown>;
+  const Plotly: {
+    react(element: HTMLElement, data: Json[], layout: Json, config: Json): Promise<unknown>;
+    Plots: { resize(element: HTMLElement): void };
+  };
+  export default Plotly;
+}

@@ -1,0 +1,164 @@
+/** Mean square displacement, forces at which adhesions ended, and correlations of read-outs across runs. */
+import { blueWhiteOrange } from "../colour";
+import type { StudyPage } from "../contract";
+import { h } from "../dom";
+import { pText, readable, stars } from "../numbers";
+import { axis, figure, ink, type Json } from "./figure";
+import { columnColour, groupAt, multiplesStyle, seriesColour, type Grid } from "./groups";
+
+const dashes = ["solid", "dash", "dot", "dashdot"];
+const symbols = ["circle", "square", "diamond", "triangle-up"];
+
+export function msd(study: StudyPage, made: Grid): HTMLElement | null {
+  if (study.msd.length === 0) return null;
+  return figure(
+    "Mean square displacement over runs, with standard error; the thin line has slope 1 (random walk).",
+    (window) => (window > 760 ? 460 : 380 + 19 * study.msd.length),
+    (width) => {
+      const data: Json[] = study.msd.flatMap((m) => {
+        const g = groupAt(made, m.point);
+        if (!g) return [];
+        const colour = columnColour(g.column, made.columns.length);
+        return [
+          {
+            type: "scatter",
+            mode: "lines+markers",
+            x: m.lag_min,
+            y: m.msd_um2,
+            name: `${g.label}: slope ${readable(m.slope, 3)}`,
+            line: { color: colour, width: 2, dash: dashes[g.series % 4] },
+            marker: { color: colour, size: 7, symbol: symbols[g.series % 4] },
+            error_y: m.sem_um2
+              ? { type: "data", array: m.sem_um2.map((v) => v ?? 0), thickness: 1.2, width: 3, color: colour }
+              : undefined,
+            hovertemplate: `${g.label}<br>lag %{x} min<br>MSD %{y:.4g} \u00b5m\u00b2<extra></extra>`,
+          },
+        ];
+      });
+      const lags = study.msd.flatMap((m) => m.lag_min);
+      const [a, b] = [Math.min(...lags), Math.max(...lags)];
+      const low = 0.7 * Math.min(...study.msd.map((m) => m.msd_um2[0]));
+      data.push({
+        type: "scatter",
+        mode: "lines",
+        x: [a, b],
+        y: [low, (low * b) / a],
+        line: { color: ink().soft, width: 1 },
+        name: "slope 1",
+        hoverinfo: "skip",
+      });
+      return {
+        data,
+        layout: {
+          showlegend: true,
+          legend: width > 700 ? { x: 1.02, y: 1 } : { orientation: "h", y: -0.18, yanchor: "top", font: { size: 12 } },
+          xaxis: axis("lag [min]", { type: "log", tickvals: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000] }),
+          yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", dtick: 1 }),
+        },
+      };
+    },
+  );
+}
+
+export function adhesionForces(made: Grid): HTMLElement | null {
+  const of = (k: number, column: number) =>
+    made.groups
+      .filter((g) => g.series === k && g.column === column)
+      .flatMap((g) => g.runs.flatMap((r) => r.f_adh_rel ?? []));
+  const all = made.groups.flatMap((g) => g.runs.flatMap((r) => r.f_adh_rel ?? []));
+  if (all.length === 0) return null;
+  const bin = 0.1;
+  const count = Math.ceil(Math.max(...all) / bin + 1e-9);
+  const share = (v: number[]): number[] =>
+    Array.from(
+      { length: count },
+      (_, i) =>
+        v.filter((x) => Math.min(count - 1, Math.max(0, Math.floor(x / bin))) === i).length / Math.max(1, v.length),
+    );
+  const top = 1.1 * Math.max(...made.series.flatMap((_, k) => made.columns.flatMap((__, c) => share(of(k, c)))));
+  return h(
+    "div",
+    { class: "multiples", style: multiplesStyle(made) },
+    ...made.columns.map((name, c) =>
+      figure(
+        `${made.axisTitle.replace(/ \[.*/, "")} ${name}: n = ${made.series.map((_, k) => of(k, c).length).join(" and ")} adhesions`,
+        230,
+        () => ({
+          // Several series as outlines: bars over bars would mix their colours.
+          data: made.series.map((series, k) => ({
+            name: series,
+            x: Array.from({ length: count }, (_, i) => (i + 0.5) * bin),
+            y: share(of(k, c)),
+            ...(made.series.length > 1
+              ? {
+                  type: "scatter",
+                  mode: "lines",
+                  line: { shape: "hvh", color: seriesColour(k), width: 2.2, dash: dashes[k % 4] },
+                }
+              : { type: "bar", width: bin, marker: { color: seriesColour(k) } }),
+            hovertemplate: `${series}<br>f_adh_rel around %{x:.2f}<br>share %{y:.2f}<extra></extra>`,
+          })),
+          layout: {
+            barmode: "overlay",
+            margin: { l: 50, r: 8, t: 6, b: 40 },
+            xaxis: axis("f_adh_rel", { range: [0, count * bin] }),
+            yaxis: axis("share", { range: [0, top], nticks: 5 }),
+          },
+        }),
+      ),
+    ),
+  );
+}
+
+export function correlation(study: StudyPage): HTMLElement | null {
+  const c = study.correlation;
+  if (!c || c.names.length === 0) return null;
+  const label = (name: string) => study.readouts.find((r) => r.name === name)?.label ?? name;
+  const labels = c.names.map(label);
+  return figure(
+    "Correlation of read-outs across all runs: Pearson's r, stars for p < 0.05, 0.01, 0.001; more on hover.",
+    90 + 68 * labels.length,
+    (width) => ({
+      data: [
+        {
+          type: "heatmap",
+          x: labels,
+          y: labels,
+          z: c.r,
+          zmin: -1,
+          zmax: 1,
+          xgap: 2,
+          ygap: 2,
+          colorscale: blueWhiteOrange.map((rgb, i) => [i / (blueWhiteOrange.length - 1), `rgb(${rgb.join(",")})`]),
+          showscale: width > 520,
+          colorbar: { title: { text: "r" }, thickness: 14, outlinewidth: 0 },
+          text: c.r.map((row, i) =>
+            row.map(
+              (r, j) =>
+                `${labels[i]} with ${labels[j]}<br>r = ${readable(r, 3)}${i === j ? "" : `, ${pText(c.p[i][j])}`}<br>n = ${c.n[i][j]}`,
+            ),
+          ),
+          hoverinfo: "text",
+        },
+      ],
+      layout: {
+        xaxis: axis("", { showgrid: false, showline: false, ticks: "" }),
+        yaxis: axis("", { autorange: "reversed", showgrid: false, showline: false, ticks: "" }),
+        annotations: c.r.flatMap((row, i) =>
+          row.map((r, j) => ({
+            x: labels[j],
+            y: labels[i],
+            showarrow: false,
+            text:
+              r === null
+                ? "\u2013"
+                : i === j
+                  ? "1"
+                  : `${r.toFixed(2).replace("-", "\u2212")}${(c.p[i][j] ?? 1) < 0.05 ? `<br>${stars(c.p[i][j])}` : ""}`,
+            font: { size: width > 520 ? 13 : 11, color: r !== null && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" },
+          })),
+        ),
+      },
+    }),
+  );
+}

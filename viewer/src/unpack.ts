@@ -1,0 +1,68 @@
+/** Packed arrays back into numbers. The layout is stated in README.md; `sample/pack.ts` is its inverse. */
+import type { Packed } from "./contract";
+
+/** Frames of quantised numbers: value = offset + scale * q. Kept quantised, since that is what the graphics card gets. */
+export interface Field {
+  q: Int16Array | Uint8Array;
+  frames: number;
+  /** Numbers a frame has. */
+  stride: number;
+  components: number;
+  scale: number;
+  offset: number;
+}
+
+export function valueAt(field: Field, frame: number, index: number): number {
+  return field.offset + field.scale * field.q[frame * field.stride + index];
+}
+
+function fromBase64(text: string): Uint8Array {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
+  if (typeof DecompressionStream === "undefined")
+    throw new Error("this browser is too old to unpack the frames (it has no DecompressionStream)");
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Joins the low and the high bytes of each frame, which are stored apart since they compress better so. */
+function joinBytes(bytes: Uint8Array, stride: number): Int16Array {
+  const q = new Int16Array(bytes.length / 2);
+  for (let begin = 0; begin < q.length; begin += stride) {
+    const low = 2 * begin;
+    const high = low + stride;
+    for (let i = 0; i < stride; ++i) q[begin + i] = bytes[low + i] | (bytes[high + i] << 8);
+  }
+  return q;
+}
+
+/** Adds each frame to the one before; typed arrays wrap as the contract demands. */
+function addUp(q: Int16Array | Uint8Array, stride: number): void {
+  for (let i = stride; i < q.length; ++i) q[i] += q[i - stride];
+}
+
+/**
+ * @param name    for messages
+ * @param frames  how many there must be
+ */
+export async function unpack(packed: Packed, name: string, frames: number): Promise<Field> {
+  const { type, components, per_frame, scale, offset } = packed;
+  if (type !== "int16" && type !== "uint8") throw new Error(`${name}: unknown type '${String(type)}'`);
+  const stride = components * per_frame;
+  let bytes: Uint8Array;
+  try {
+    bytes = await inflate(fromBase64(packed.data));
+  } catch (fault) {
+    throw new Error(`${name}: cannot be unpacked (${fault instanceof Error ? fault.message : String(fault)})`);
+  }
+  const expected = frames * stride * (type === "int16" ? 2 : 1);
+  if (bytes.length !== expected) throw new Error(`${name}: has ${bytes.length} bytes instead of ${expected}`);
+  const q = type === "int16" ? joinBytes(bytes, stride) : bytes;
+  if (packed.delta) addUp(q, stride);
+  return { q, frames, stride, components, scale, offset };
+}

@@ -1,0 +1,84 @@
+/** A browser that opens sample pages from files, counts what it complains about, and lets no request out. */
+import { mkdirSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import { embed } from "../sample/embed";
+
+const quiet = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-default-apps",
+  "--no-first-run",
+  "--metrics-recording-only",
+  "--disable-domain-reliability",
+  "--disable-features=OptimizationHints,MediaRouter",
+];
+
+/** @param card  with WebGL, computed by the processor; without it the fallback draws */
+export function launch(card: boolean): Promise<Browser> {
+  return chromium.launch({
+    executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
+    args: [...quiet, ...(card ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-3d-apis"])],
+  });
+}
+
+export interface Opened {
+  page: Page;
+  /** Errors of the console and of scripts. */
+  errors: string[];
+  /** Addresses asked for, other than the page itself. */
+  requests: string[];
+  /** From the call to open it until all of it is there [ms]. */
+  took: number;
+}
+
+const folder = join(tmpdir(), `matrigrate-viewer-${process.pid}`);
+let count = 0;
+
+/** @param json  what the program would write; null: the bare template */
+export async function open(
+  browser: Browser,
+  template: "run" | "study",
+  json: string | null,
+  options: BrowserContextOptions = {},
+  query = "",
+): Promise<Opened> {
+  mkdirSync(folder, { recursive: true });
+  const file = join(folder, `${template}-${++count}.html`);
+  writeFileSync(file, embed(`dist/${template}.html`, json ?? "null"));
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 900 },
+    reducedMotion: "reduce",
+    ...options,
+  });
+  const page = await context.newPage();
+  const [errors, requests]: [string[], string[]] = [[], []];
+  page.on("console", (message) => {
+    if (message.type() === "error") errors.push(message.text());
+  });
+  page.on("pageerror", (error) => errors.push(String(error)));
+  page.on("request", (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().endsWith(file + query)) requests.push(request.url());
+  });
+  const begin = performance.now();
+  await page.goto(`file://${file}${query}`);
+  await page.waitForSelector("html[data-ready=true]");
+  // Until the first picture has really been painted.
+  await page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+  return { page, errors, requests, took: performance.now() - begin };
+}
+
+/** Asks again until it holds. (playwright's own waiting evaluates strings, which the pages forbid.) */
+export async function until(holds: () => Promise<boolean>, what: string, most = 12000): Promise<void> {
+  for (
+    const end = performance.now() + most;
+    performance.now() < end;
+    await new Promise((later) => setTimeout(later, 50))
+  )
+    if (await holds()) return;
+  throw new Error(`not within ${most} ms: ${what}`);
+}

@@ -1,0 +1,72 @@
+/** The parts of the pages that need no browser. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";
+import { Camera } from "../src/run/camera";
+import { placeAt } from "../src/run/frames";
+import { speeds } from "../src/run/plots";
+import { bars } from "../src/run/timeline";
+import { brackets } from "../src/study/brackets";
+import { grid } from "../src/study/groups";
+import { protrusionRows, tracks } from "../sample/life";
+import { random } from "../sample/random";
+import { sampleStudy } from "../sample/study";
+
+test("numbers as people read them", () => {
+  assert.equal(readable(0.74524), "0.7452");
+  assert.equal(readable(-12.3456, 3), "\u221212.3");
+  assert.equal(readable(9.55e-5), "9.55e\u22125");
+  assert.equal(readable(null), "\u2013");
+  assert.equal(timeText(21600), "6 h 00 min");
+  assert.equal(timeText(95), "1 min 35 s");
+  assert.equal(pText(0.00001), "p < 0.0001");
+  assert.deepEqual([0.2, 0.04, 0.004, 0.0004].map(stars), ["n.s.", "*", "**", "***"]);
+  assert.equal(roundStep(0.021), 0.05);
+  assert.deepEqual(ticks(-1, 1, 4), [-1, -0.5, 0, 0.5, 1]);
+});
+
+test("place of a time among frames", () => {
+  assert.deepEqual(placeAt([0, 300, 600], -5), { frame: 0, next: 0, fraction: 0 });
+  assert.deepEqual(placeAt([0, 300, 600], 450), { frame: 1, next: 2, fraction: 0.5 });
+  assert.deepEqual(placeAt([0, 300, 600], 601), { frame: 2, next: 2, fraction: 0 });
+  assert.deepEqual(placeAt([0], 7), { frame: 0, next: 0, fraction: 0 });
+});
+
+test("zoom keeps the point under the pointer", () => {
+  const camera = new Camera({ left: -150, right: 150, bottom: -150, top: 150 });
+  camera.resize(800, 600);
+  camera.showWhole();
+  const at = (sx: number, sy: number) => [camera.x + (sx - 400) / camera.scale, camera.y - (sy - 300) / camera.scale];
+  const before = at(700, 100);
+  camera.zoom(2, 700, 100);
+  at(700, 100).forEach((v, i) => assert.ok(Math.abs(v - before[i]) < 1e-9));
+});
+
+test("phases of a protrusion join without gaps, and go on to the end of the run", () => {
+  const end = 21600;
+  for (const row of protrusionRows(random(3), end)) {
+    const all = bars(row, end);
+    all.forEach((bar, i) => {
+      if (i > 0) assert.equal(bar.from, all[i - 1].to);
+    });
+    assert.equal(all.at(-1)?.to, row.t_end_s ?? end);
+  }
+});
+
+test("speed of a straight walk", () => {
+  const made = tracks(random(1), 3600, []);
+  made.x_um = made.t_s.map((t) => (12 * t) / 3600);
+  made.y_um = made.t_s.map(() => 0);
+  for (const v of speeds(made).v) assert.ok(Math.abs(v - 12) < 1e-9);
+});
+
+test("brackets of significance never overlap", () => {
+  const study = sampleStudy();
+  const made = grid(study, 0);
+  assert.equal(made.groups.length, 10);
+  const found = brackets(study.tests, made, "n_protrusions", "all");
+  assert.equal(found.length, study.tests.filter((t) => t.readout === "n_protrusions").length);
+  for (const a of found)
+    for (const b of found) if (a !== b && a.level === b.level) assert.ok(a.to <= b.from || b.to <= a.from);
+  assert.equal(brackets(study.tests, made, "n_protrusions", "none").length, 0);
+});

@@ -1,0 +1,229 @@
+/** The page of a run in a browser: it opens, plays, obeys, and says plainly what it lacks. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import type { RunPage } from "../src/contract";
+import { sampleRun } from "../sample/run";
+import { launch, open, until, type Opened } from "./browser";
+
+/** A short run in a small disc for what does not depend on size. */
+const small = sampleRun({ radius: 90, interval: 600, end: 7200 });
+/** As large as a run of the paper. */
+const large = sampleRun({ noise: 0.03 });
+const json = (run: unknown): string => JSON.stringify(run);
+
+/** What the stage shows once it has been painted. */
+async function picture(page: Page): Promise<string> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return (await page.locator(".stage").screenshot()).toString("base64");
+}
+
+const time = (page: Page) => page.locator(".stage .time").textContent();
+
+for (const card of [true, false]) {
+  const name = card ? "WebGL2" : "plain canvas";
+  const query = card ? "?draw=webgl" : "";
+  let browser: Browser;
+  let opened: Opened;
+  before(async () => {
+    browser = await launch(card);
+  });
+  after(async () => {
+    await browser.close();
+  });
+
+  test(`${name}: a full run opens in less than 3 s, without an error or a request`, async () => {
+    assert.equal(large.geometry.n_particles, 17665);
+    assert.equal(large.frames?.times_s.length, 73);
+    const text = json(large);
+    opened = await open(browser, "run", text, {}, query);
+    console.log(
+      `# ${name}: ${large.geometry.n_particles} particles x 73 frames, ${(text.length / 1e6).toFixed(1)} MB, open in ${Math.round(opened.took)} ms`,
+    );
+    assert.ok(opened.took < 3000, `took ${opened.took} ms`);
+    assert.equal(await opened.page.locator(".stage").getAttribute("data-painter"), card ? "webgl2" : "2d");
+    assert.deepEqual(opened.errors, []);
+    assert.deepEqual(opened.requests, []);
+    await opened.page.context().close();
+  });
+
+  test(`${name}: layers change the picture`, async () => {
+    const { page, errors } = await open(browser, "run", json(small), {}, query);
+    await page.locator(".scrub").fill("3900");
+    const seen = new Set<string>();
+    for (const layer of ["degradation", "displacement", "pressure", "von_mises", "fibre_von_mises"]) {
+      await page.locator(`input[value=${layer}]`).check();
+      seen.add(await picture(page));
+    }
+    assert.equal(seen.size, 5);
+    assert.ok(await page.getByText("Fibre von Mises [Pa]").isVisible());
+    // What lies over the matrix is drawn the same way with either.
+    for (const overlay of card ? [] : ["cell", "protrusions", "adhesions", "path", "arrows"]) {
+      await page.locator(`input[name=${overlay}]`).click();
+      const now = await picture(page);
+      assert.ok(!seen.has(now), `${overlay} changes nothing`);
+      seen.add(now);
+    }
+    await page.locator("input[name=cell]").check();
+    for (const edge of card ? [] : ["f_mat", "force"]) {
+      await page.locator("select[name=edge]").selectOption(edge);
+      const now = await picture(page);
+      assert.ok(!seen.has(now), `the edge by ${edge} changes nothing`);
+      seen.add(now);
+    }
+    assert.deepEqual(errors, []);
+    await page.context().close();
+  });
+}
+
+test("a card that the processor plays is left alone, since the plain canvas is faster", async () => {
+  const slow = await launch(true);
+  const { page, errors } = await open(slow, "run", json(small));
+  assert.equal(await page.locator(".stage").getAttribute("data-painter"), "2d");
+  assert.deepEqual(errors, []);
+  await slow.close();
+});
+
+let browser: Browser;
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
+
+test("plays, pauses, scrubs and steps", async () => {
+  const { page, errors } = await open(browser, "run", json(small));
+  assert.equal(await time(page), "2 h 00 min", "who wants stillness sees the end");
+  await page.keyboard.press(" ");
+  await page.waitForTimeout(300);
+  const first = await picture(page);
+  await page.waitForTimeout(300);
+  assert.ok((await picture(page)) !== first, "nothing moves");
+  await page.keyboard.press(" ");
+  const still = await picture(page);
+  await page.waitForTimeout(200);
+  assert.ok((await picture(page)) === still, "does not pause");
+  await page.locator(".scrub").fill("600");
+  assert.equal(await time(page), "10 min");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await time(page), "20 min");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await time(page), "0 min");
+  await page.locator(".scrub").fill("7200");
+  assert.equal(await time(page), "2 h 00 min");
+  assert.match((await page.locator(".times").textContent()) ?? "", /^2 h 00 min of 2 h 00 min$/);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("zooms, pans, follows and comes back", async () => {
+  const { page } = await open(browser, "run", json(small));
+  const home = await picture(page);
+  const view = () => page.locator(".stage").getAttribute("data-view");
+  const homeView = await view();
+  await page.locator(".stage").hover();
+  await page.mouse.wheel(0, -400);
+  const near = await picture(page);
+  assert.ok(near !== home, "the wheel does nothing");
+  await page.mouse.down();
+  await page.mouse.move(300, 300, { steps: 3 });
+  await page.mouse.up();
+  assert.ok((await picture(page)) !== near, "dragging does nothing");
+  await page.mouse.move(10, 10);
+  await page.keyboard.press("f");
+  assert.ok(await page.locator("input[name=follow]").isChecked());
+  await page.keyboard.press("0");
+  assert.ok(!(await page.locator("input[name=follow]").isChecked()));
+  assert.equal(await view(), homeView);
+  await page.context().close();
+});
+
+test("a click into a plot, the timeline or the path moves the time", async () => {
+  const { page } = await open(browser, "run", json(small));
+  for (const plot of ["#protrusions .plot", "#path .plot >> nth=1", "#path .plot >> nth=0"]) {
+    await page.locator(".scrub").fill("7200");
+    const box = await page.locator(plot).boundingBox();
+    await page.locator(plot).click({ position: { x: 0.35 * (box?.width ?? 0), y: 60 } });
+    assert.notEqual(await time(page), "2 h 00 min", plot);
+  }
+  await page.context().close();
+});
+
+test("plays by itself, once, unless stillness is wanted", async () => {
+  const { page } = await open(browser, "run", json(sampleRun({ radius: 60, end: 2400 })), {
+    reducedMotion: "no-preference",
+  });
+  assert.equal(await page.locator(".play").getAttribute("aria-label"), "Pause");
+  await until(async () => (await page.locator(".play").getAttribute("aria-label")) === "Play", "it ends");
+  assert.equal(await time(page), "40 min");
+  await page.context().close();
+});
+
+test("fits a phone, light and dark", async () => {
+  for (const colorScheme of ["light", "dark"] as const) {
+    const { page, errors } = await open(browser, "run", json(small), {
+      viewport: { width: 390, height: 844 },
+      colorScheme,
+    });
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "scrolls sideways");
+    assert.deepEqual(errors, []);
+    await page.context().close();
+  }
+});
+
+test("without frames the tables are still there", async () => {
+  const { page, errors } = await open(browser, "run", json({ ...small, frames: null }));
+  assert.ok(await page.getByText("This run stored no frames").isVisible());
+  assert.equal(await page.locator(".stage").count(), 0);
+  assert.ok(await page.getByText("speed, start to end [um/h]").isVisible());
+  assert.ok((await page.locator("#path svg").count()) >= 3);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("a run that ended at once shows what it has", async () => {
+  const empty: RunPage = {
+    ...small,
+    frames: undefined,
+    protrusions: [],
+    parameters: [],
+    tracks: {
+      t_s: [0],
+      x_um: [0],
+      y_um: [0],
+      area_um2: [707],
+      perimeter_um: [94],
+      polarization_rad: [null],
+      n_simultaneous: [0],
+    },
+  };
+  const { page, errors } = await open(browser, "run", json(empty));
+  assert.ok(await page.getByText("The run is too short for a path.").isVisible());
+  assert.ok(await page.getByText("No protrusion was initiated.").isVisible());
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+for (const [what, given, words] of [
+  ["an empty template", null, "empty template"],
+  ["no JSON", '{ "format": ', "not valid JSON"],
+  ["another format", json({ format: "matrigrate-study", version: 1 }), "'matrigrate-run'"],
+  ["a newer version", json({ ...small, version: 2 }), "version 2"],
+  ["missing tables", json({ ...small, readouts: undefined, health: undefined }), "lacks: readouts, health"],
+] as const)
+  test(`says plainly: ${what}`, async () => {
+    const { page } = await open(browser, "run", given);
+    assert.match((await page.locator("[role=alert]").textContent()) ?? "", new RegExp(words));
+    await page.context().close();
+  });
+
+test("frames that are broken are named, and the tables stay", async () => {
+  const broken = structuredClone(small);
+  if (broken.frames) broken.frames.particles.x.per_frame += 1;
+  const { page } = await open(browser, "run", json(broken));
+  assert.match((await page.locator("[role=alert]").textContent()) ?? "", /particle positions: has \d+ bytes/);
+  assert.ok(await page.getByText("speed, start to end [um/h]").isVisible());
+  await page.context().close();
+});

@@ -1,0 +1,102 @@
+/** The page of a study in a browser: every plot is drawn, and the choices work. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { sampleStudy } from "../sample/study";
+import { launch, open, until } from "./browser";
+
+let browser: Browser;
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
+
+async function allDrawn(page: Page): Promise<number> {
+  await page.setViewportSize({ width: 1280, height: await page.evaluate(() => document.documentElement.scrollHeight) });
+  await until(
+    () =>
+      page.evaluate(() => {
+        const plots = [...document.querySelectorAll(".plotly-figure")];
+        return (
+          plots.length > 0 &&
+          plots.every((plot) => plot.getAttribute("data-drawn") === "true" && plot.querySelector(".main-svg"))
+        );
+      }),
+    "every plot is drawn",
+  );
+  return page.locator(".plotly-figure").count();
+}
+
+test("draws every plot without an error or a request", async () => {
+  const study = sampleStudy();
+  const { page, errors, requests, took } = await open(browser, "study", JSON.stringify(study));
+  console.log(`# study of ${study.runs.length} runs: open in ${Math.round(took)} ms`);
+  // Read-outs, paths for each of ten points, MSD, forces for each of five columns, correlation.
+  assert.equal(await allDrawn(page), 5 + 10 + 1 + 5 + 1);
+  assert.equal(await page.locator("#shapes polygon").count(), study.runs.filter((r) => r.outline).length);
+  assert.equal(await page.locator("#readouts .plotly-figure >> nth=0 >> .boxlayer .trace").count(), 10);
+  assert.equal(await page.locator("#correlation .hm").count(), 1);
+  assert.equal(await page.locator("#msd .scatterlayer .trace").count(), 11);
+  assert.deepEqual(errors, []);
+  assert.deepEqual(requests, []);
+  await page.locator(".study-controls select >> nth=0").selectOption("1");
+  await page.locator(".study-controls select >> nth=1").selectOption("none");
+  assert.equal(await page.locator(".plotly-figure").count(), 5 + 10 + 1 + 2 + 1);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("lists verdicts, failures first, and links to reports beside it alone", async () => {
+  const study = sampleStudy();
+  study.runs[0].report = "javascript:alert(1)";
+  study.runs[1].report = "https://example.org/";
+  const { page } = await open(browser, "study", JSON.stringify(study));
+  assert.match((await page.locator("#runs tbody tr >> nth=0").textContent()) ?? "", /failed: the solver gave up/);
+  assert.match((await page.locator("#claims").textContent()) ?? "", /does not hold/);
+  assert.equal(await page.locator("#runs a").count(), study.runs.length - 2);
+  await page.context().close();
+});
+
+test("a study with one axis, or with nothing done yet", async () => {
+  const study = sampleStudy();
+  const one = {
+    ...study,
+    axes: study.axes.slice(0, 1),
+    runs: study.runs.filter((r) => r.point[1] === 0).map((r) => ({ ...r, point: [r.point[0]] })),
+    tests: [],
+    msd: [],
+    correlation: null,
+    claims: undefined,
+  };
+  const first = await open(browser, "study", JSON.stringify(one));
+  assert.equal(await allDrawn(first.page), 5 + 5 + 5);
+  assert.deepEqual(first.errors, []);
+  await first.page.context().close();
+  const none = {
+    ...one,
+    runs: one.runs.map((r) => ({
+      ...r,
+      status: "pending",
+      readouts: {},
+      path: null,
+      outline: null,
+      f_adh_rel: undefined,
+    })),
+  };
+  const second = await open(browser, "study", JSON.stringify(none), { viewport: { width: 390, height: 844 } });
+  assert.ok(await second.page.locator("#runs").isVisible());
+  assert.ok(
+    await second.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+    "scrolls sideways",
+  );
+  assert.deepEqual(second.errors, []);
+  await second.page.context().close();
+});
+
+test("says plainly what is wrong with the data", async () => {
+  const { page } = await open(browser, "study", "null");
+  assert.match((await page.locator("[role=alert]").textContent()) ?? "", /empty template/);
+  await page.context().close();
+});
