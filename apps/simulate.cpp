@@ -134,6 +134,8 @@ private:
   /// What the user still has.
   std::string safe_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
+    std::error_code error;
+    if (!std::filesystem::exists(m_manner.folder / io::checkpoint_name, error)) return "the checkpoint is gone as well";
     return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
                        io::time_text(*m_folder->safe_until()), io::checkpoint_name, m_manner.folder.string());
   }

@@ -162,7 +162,7 @@ TEST_F(Study, OneRunnerAtATime) {
   ASSERT_EQ(std::system(start.c_str()), 0);
   const Ended second = run("study run long.toml -o here");
   EXPECT_EQ(second.code, 5);
-  EXPECT_TRUE(contains(second.err, "another matrigrate computes runs in this folder")) << second.err;
+  EXPECT_TRUE(contains(second.err, "another process is working in this folder")) << second.err;
   EXPECT_EQ(run("study status here").code, 0) << "reading is always allowed";
   EXPECT_EQ(std::system("sleep 3"), 0); // until the first has ended, which is told to after 7 s
 }
