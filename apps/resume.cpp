@@ -55,9 +55,15 @@ Json record_of(const fs::path& folder) {
   return json.is_object() ? json : Json();
 }
 
+/// A text of a record; empty where there is none.
+std::string text_of(const Json& record, const char* key) {
+  const bool there = record.is_object() && record.contains(key) && record.at(key).is_string();
+  return there ? record.at(key).get<std::string>() : std::string();
+}
+
 std::vector<Json> lineage_of(const Json& record) {
-  const Json lineage = record.is_object() ? record.value("lineage", Json::array()) : Json::array();
-  return lineage.is_array() ? lineage.get<std::vector<Json>>() : std::vector<Json>();
+  if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
+  return record.at("lineage").get<std::vector<Json>>();
 }
 
 std::string now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
@@ -272,7 +278,7 @@ int resume(const Options& options) {
   if (!options.output.empty())
     throw UsageError("-o is for branches: with --at, --set, --seed or --hours; a run goes on in its own folder");
   const Json record = record_of(options.folder);
-  if (!options.previous && record.is_object() && record.value("status", "") == "done") return say_done(manner, record);
+  if (!options.previous && text_of(record, "status") == "done") return say_done(manner, record);
   return resume_from(last_checkpoint(options.folder, options.previous), manner, record, options.threads);
 }
 
@@ -280,12 +286,12 @@ int resume(const Options& options) {
 
 bool holds_run(const fs::path& folder, const Parameters& p) {
   const Json record = record_of(folder);
-  return record.is_object() && record.value("configuration_hash", "") == configuration_hash(p);
+  return text_of(record, "configuration_hash") == configuration_hash(p);
 }
 
 int go_on(const Manner& manner, const Parameters& p) {
   const Json record = record_of(manner.folder);
-  if (record.value("status", "") == "done") return say_done(manner, record);
+  if (text_of(record, "status") == "done") return say_done(manner, record);
   std::error_code error;
   const bool any = std::filesystem::exists(manner.folder / io::checkpoint_name, error)
                    || std::filesystem::exists(manner.folder / io::previous_checkpoint_name, error);

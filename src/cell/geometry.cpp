@@ -63,8 +63,12 @@ ClosestPoint closest_point(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 bool crosses_itself(const CortexState& c) {
   const std::size_t n = c.size();
+  double longest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, (c.x[c.next(i)] - c.x[i]).squaredNorm());
+  longest = std::sqrt(longest);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
+      if (std::abs(c.x[i].x() - c.x[j].x()) > 2.0 * longest) continue; // too far apart; most are
       if (c.next(j) == i) continue;
       if (cross_each_other(c.x[i], c.x[c.next(i)], c.x[j], c.x[c.next(j)])) return true;
     }

@@ -69,12 +69,12 @@ Json small_parts(const State& s) {
 
 State small_parts_of(const Json& json) {
   State s;
-  s.step = json.at("step");
+  s.step = integer<std::uint64_t>(json.at("step"));
   s.t = json.at("t_s");
   s.ecm.V0 = json.at("V0_um2");
   s.ecm.period_x = json.at("period_x_um");
   if (!json.at("polarization_rad").is_null()) s.polarization = json.at("polarization_rad").get<double>();
-  s.initiated = json.at("initiated");
+  s.initiated = integer<std::uint32_t>(json.at("initiated"));
   for (const Json& p : json.at("protrusions")) s.protrusions.push_back(protrusion_of(p));
   for (const Json& r : json.at("ended")) s.ended.push_back(record_of(r));
   return s;

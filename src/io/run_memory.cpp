@@ -19,13 +19,14 @@ Json json_of(const TrackRow& row) {
 
 TrackRow track_of(const Json& json) {
   TrackRow row{.t = number(json.at(0)),
-               .step = json.at(1).get<std::uint64_t>(),
+               .step = integer<std::uint64_t>(json.at(1)),
                .centre = vector(json.at(2)),
                .area = number(json.at(3)),
                .perimeter = number(json.at(4)),
                .polarization = {},
-               .in_phase = json.at(6).get<decltype(TrackRow::in_phase)>(),
-               .initiated = json.at(7).get<std::uint32_t>()};
+               .in_phase = {},
+               .initiated = integer<std::uint32_t>(json.at(7))};
+  for (std::size_t k = 0; k < row.in_phase.size(); ++k) row.in_phase[k] = integer<std::uint32_t>(json.at(6).at(k));
   if (!json.at(5).is_null()) row.polarization = json.at(5).get<double>();
   return row;
 }
@@ -38,19 +39,19 @@ Json json_of(const HealthRow& row) {
 
 HealthRow health_of(const Json& json) {
   return {.t = number(json.at(0)),
-          .step = json.at(1).get<std::uint64_t>(),
-          .iterations = json.at(2).get<int>(),
-          .most_iterations = json.at(3).get<int>(),
+          .step = integer<std::uint64_t>(json.at(1)),
+          .iterations = integer<int>(json.at(2)),
+          .most_iterations = integer<int>(json.at(3)),
           .residual = number(json.at(4)),
           .largest_residual = number(json.at(5)),
           .area_ratio = number(json.at(6)),
           .density_min = number(json.at(7)),
           .density_max = number(json.at(8)),
-          .density_bounds = json.at(9).get<std::size_t>(),
-          .orphans = json.at(10).get<std::size_t>(),
-          .torn = json.at(11).get<std::size_t>(),
-          .engulfed = json.at(12).get<std::size_t>(),
-          .solid_inside = json.at(13).get<std::size_t>(),
+          .density_bounds = integer<std::size_t>(json.at(9)),
+          .orphans = integer<std::size_t>(json.at(10)),
+          .torn = integer<std::size_t>(json.at(11)),
+          .engulfed = integer<std::size_t>(json.at(12)),
+          .solid_inside = integer<std::size_t>(json.at(13)),
           .deepest_solid = number(json.at(14)),
           .crosses_itself = json.at(15).get<bool>(),
           .fastest = number(json.at(16)),
@@ -63,14 +64,14 @@ Json json_of(const StepHealth& counts) {
 }
 
 StepHealth counts_of(const Json& json) {
-  return {.solve = {.iterations = json.at(0).get<int>(),
+  return {.solve = {.iterations = integer<int>(json.at(0)),
                     .residual = number(json.at(1)),
                     .converged = json.at(2).get<bool>()},
-          .density_bounds = json.at(3).get<std::size_t>(),
-          .orphans = json.at(4).get<std::size_t>(),
-          .torn = json.at(5).get<std::size_t>(),
-          .engulfed = json.at(6).get<std::size_t>(),
-          .list_builds = json.at(7).get<std::size_t>()};
+          .density_bounds = integer<std::size_t>(json.at(3)),
+          .orphans = integer<std::size_t>(json.at(4)),
+          .torn = integer<std::size_t>(json.at(5)),
+          .engulfed = integer<std::size_t>(json.at(6)),
+          .list_builds = integer<std::size_t>(json.at(7))};
 }
 
 Json json_of(const DrawnProtrusion& drawn) {
@@ -81,7 +82,7 @@ Json json_of(const DrawnProtrusion& drawn) {
 }
 
 DrawnProtrusion drawn_of(const Json& json) {
-  DrawnProtrusion drawn{.phase = json.at("phase").get<std::size_t>(),
+  DrawnProtrusion drawn{.phase = integer<std::size_t>(json.at("phase")),
                         .contour = vectors(json.at("contour")),
                         .tip = vector(json.at("tip")),
                         .anchor = {}};
@@ -145,11 +146,11 @@ RunMemory parse_memory(const std::string& text) {
     RunMemory memory;
     for (const Json& row : json.at("rows")) memory.rows.push_back(track_of(row));
     for (const Json& row : json.at("health")) memory.health.push_back(health_of(row));
-    memory.watch = {.most_iterations = json.at("most_iterations").get<int>(),
+    memory.watch = {.most_iterations = integer<int>(json.at("most_iterations")),
                     .largest_residual = number(json.at("largest_residual"))};
     memory.counts = counts_of(json.at("counts"));
     for (const Json& scene : json.at("scenes")) memory.scenes.push_back(scene_of(scene));
-    memory.trajectory = json.at("trajectory").get<std::uint64_t>();
+    memory.trajectory = integer<std::uint64_t>(json.at("trajectory"));
     memory.march_wall_time = number(json.at("march_wall_time_s"));
     return memory;
   } catch (const Json::exception& error) {

@@ -22,7 +22,7 @@ Phase phase_of(const Json& json) {
   const std::string name = json.at("name");
   if (name == "growing") return Growing{vector(json.at("direction"))};
   if (name == "maturing")
-    return Maturing{vector(json.at("direction")), vector(json.at("anchor")), json.at("steps").get<int>()};
+    return Maturing{vector(json.at("direction")), vector(json.at("anchor")), integer<int>(json.at("steps"))};
   if (name == "contracting") return Contracting{vector(json.at("anchor")), number(json.at("f_mat"))};
   if (name == "finishing") return Finishing{number(json.at("f_mat"))};
   throw std::invalid_argument("there is no phase \"" + name + "\"");
@@ -71,8 +71,8 @@ Json to_json(const ProtrusionRecord& r) {
 }
 
 ProtrusionRecord record_of(const Json& json) {
-  return {.id = json.at("id").get<std::uint32_t>(),
-          .centre = json.at("centre").get<std::uint32_t>(),
+  return {.id = integer<std::uint32_t>(json.at("id")),
+          .centre = integer<std::uint32_t>(json.at("centre")),
           .t_initiation = number(json.at("t_initiation")),
           .t_adhesion = number(json.at("t_adhesion")),
           .t_mature = number(json.at("t_mature")),
@@ -94,7 +94,7 @@ Json to_json(const Protrusion& protrusion) {
 }
 
 Protrusion protrusion_of(const Json& json) {
-  return {.centre = json.at("centre").get<std::uint32_t>(),
+  return {.centre = integer<std::uint32_t>(json.at("centre")),
           .since = number(json.at("since")),
           .phase = phase_of(json.at("phase")),
           .record = record_of(json.at("record"))};

@@ -21,6 +21,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <variant>
 
 namespace matrigrate {
@@ -32,8 +33,17 @@ const Vec2& position(const State& s, std::size_t node) {
   return node < s.ecm.size() ? s.ecm.x[node] : s.cortex.x[node - s.ecm.size()];
 }
 
+/// @throws StepTooLong if the step would make the cortex cross itself
+void require_no_crossing(const State& s, const Parameters& p, std::span<const Vec2> v) {
+  CortexState next{.x = s.cortex.x, .v = {}, .l0 = {}};
+  for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += p.run.time_step * v[s.node(i)];
+  if (!crosses_itself(next) || crosses_itself(s.cortex)) return;
+  throw StepTooLong(fmt::format("step {} (t = {:.6g} s): the cell would cross itself in one step of {:.4g} s",
+                                s.step + 1, s.t, p.run.time_step));
+}
+
 /// Solves A v = F into the velocities of matrix and cortex, starting from those of the last step.
-void solve_velocities(State& s, const Parameters& p, Workspace& w, double furthest_move) {
+void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBounds& bounds) {
   std::vector<Vec2>& v = w.v;
   v = s.ecm.v;
   v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
@@ -43,15 +53,16 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, double furthe
                                        "{:.3g} after {} iterations, wanted {:.3g}",
                                        s.step + 1, s.t, w.health.solve.residual, w.health.solve.iterations,
                                        p.solver.tolerance));
-  const double furthest = furthest_move / p.run.time_step;
+  const double furthest = bounds.furthest_move / p.run.time_step;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].allFinite() && v[i].norm() <= furthest) continue;
     throw StepTooLong(fmt::format(
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
         "beyond the limit of {:.3g} um; {}",
         s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
-        v[i].norm() * p.run.time_step, p.run.time_step, furthest_move, describe(w.limits)));
+        v[i].norm() * p.run.time_step, p.run.time_step, bounds.furthest_move, describe(w.limits)));
   }
+  if (!bounds.may_cross) require_no_crossing(s, p, v);
   const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
   s.ecm.v.assign(v.begin(), cell);
   s.cortex.v.assign(cell, v.end());
@@ -111,10 +122,10 @@ void require_inside(const State& s, const Parameters& p) {
 } // namespace
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
-  advance(s, p, w, loads, 0.5 * p.ecm.particle_spacing);
+  advance(s, p, w, loads, {.furthest_move = 0.5 * p.ecm.particle_spacing});
 }
 
-void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, double furthest_move) {
+void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
   update_neighbours(s, w);
   w.reference.update(s.ecm);
@@ -123,7 +134,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, do
   // momentum balances, Eqs. 1 and 2: A v = F
   assemble_drag(s, p, w);
   assemble_forces(s, p, w, loads);
-  solve_velocities(s, p, w, furthest_move);
+  solve_velocities(s, p, w, bounds);
 
   // density, stress, positions
   advance_material(s, p, w);
@@ -143,7 +154,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, do
 
 namespace {
 
-constexpr int halvings = 4; // of a step, at most
+constexpr int halvings = 6; // of a step, at most
 
 double shortest_step(const Parameters& p) { return p.run.time_step / (1 << halvings); }
 
@@ -158,7 +169,8 @@ void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads
   for (;; now.run.time_step *= 0.5) {
     const bool last = now.run.time_step < 1.5 * shortest;
     try {
-      return advance(s, now, w, loads, (last ? 0.5 : 0.2) * p.ecm.particle_spacing);
+      return advance(s, now, w, loads,
+                     {.furthest_move = (last ? 0.5 : 0.2) * p.ecm.particle_spacing, .may_cross = last});
     } catch (const StepTooLong&) {
       if (last) throw;
     }

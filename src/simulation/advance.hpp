@@ -12,9 +12,15 @@ namespace matrigrate {
 ///         step; the state is then still that before the step
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {});
 
-/// The same with another limit to what may move how far [um].
-/// @throws StepTooLong if it is broken; the state is then still that before the step
-void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, double furthest_move);
+/// What a step may do.
+struct StepBounds {
+  double furthest_move;  ///< of a particle of matrix or cortex [um]
+  bool may_cross = true; ///< whether the cortex may come to cross itself, which repulsion prevents in short steps
+};
+
+/// The same with other bounds.
+/// @throws StepTooLong if one is broken; the state is then still that before the step
+void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds);
 
 /// Advances until s.t has reached t_end [s] (to within half a step), after a check of the step against step_limits().
 /// @param each_step  called after every step; returning false ends the march

@@ -159,7 +159,7 @@ float* RowBlocks::find(std::size_t i, std::size_t j) {
 
 template <class Body>
 void RowBlocks::each_part(const Body& body) const {
-  tbb::parallel_for(std::size_t{0}, m_parts.size(), [&](std::size_t p) { body(m_parts[p], p * blocks_per_part); });
+  parallel_parts(m_parts.size(), [&](std::size_t p) { body(m_parts[p], p * blocks_per_part); });
 }
 
 void RowBlocks::multiply(const Field& D, const Field& x, Field& y) const {

@@ -87,7 +87,7 @@ template <class Fill>
 void RowBlocks::assign(const RowPattern& pattern, const Fill& fill) {
   m_size = pattern.size();
   m_parts.resize((pattern.blocks() + blocks_per_part - 1) / blocks_per_part);
-  tbb::parallel_for(std::size_t{0}, m_parts.size(), [&](std::size_t p) {
+  parallel_parts(m_parts.size(), [&](std::size_t p) {
     Part& part = m_parts[p];
     const std::size_t end = std::min(pattern.blocks(), (p + 1) * blocks_per_part);
     std::size_t most = 0;

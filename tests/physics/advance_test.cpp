@@ -1,5 +1,8 @@
-#include "base/failure.hpp"
 #include "simulation/advance.hpp"
+
+#include "base/failure.hpp"
+#include "cell/geometry.hpp"
+#include "simulation/start.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"
 #include "state/initial.hpp"
@@ -243,7 +246,22 @@ TEST(AdaptiveStep, IsNotTakenAtAllWhereItWouldBeTooLong) {
   };
   advance(s, p, w, load);
   const State before = s;
-  EXPECT_THROW(advance(s, p, w, load, 1e-6), StepTooLong);
+  EXPECT_THROW(advance(s, p, w, load, {.furthest_move = 1e-6}), StepTooLong);
   EXPECT_TRUE(same_bits(s, before));
   EXPECT_EQ(s.t, before.t);
+}
+
+TEST(AdaptiveStep, DoesNotLetTheCellCrossItself) {
+  Parameters p;
+  p.ecm.radius = 40.0;
+  State s = initial_state(p);
+  Workspace w(s, p);
+  const std::uint32_t outermost = s.node(0);
+  const Loads load = [&](const State&, std::span<Vec2> force) { force[outermost] += Vec2(-22.0, 0.0); };
+  const StepBounds anything{.furthest_move = 1e9, .may_cross = false};
+  const State before = s;
+  EXPECT_THROW(advance(s, p, w, load, anything), StepTooLong) << "pushed out at the other side";
+  EXPECT_TRUE(same_bits(s, before));
+  EXPECT_NO_THROW(advance(s, p, w, load, {.furthest_move = 1e9}));
+  EXPECT_TRUE(crosses_itself(s.cortex));
 }
