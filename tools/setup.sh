@@ -16,7 +16,8 @@ libcli11-dev: the command line
 nlohmann-json3-dev: JSON
 librandom123-dev: counter-based random numbers
 libxxhash-dev: fingerprints of trajectories
-libhdf5-dev: checkpoints
+libhdf5-dev: checkpoints and fields
+zlib1g-dev: compression of frames and of what reports hold
 libboost-math-dev: distributions behind the p-values of studies
 "
 packages_to_test="
