@@ -1,6 +1,7 @@
 #include "apps/run_folder.hpp"
 
 #include "apps/provenance.hpp"
+#include "apps/shipped_pages.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "io/cell_picture.hpp"
@@ -142,14 +143,19 @@ void RunFolder::finish(const State& s, const Workspace& w, const std::string& st
   write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
-  const std::string sheet = io::contact_sheet(m_memory.scenes);
-  if (m_p.output.report)
-    write_file(m_folder / "report.html", io::run_page({.title = fmt::format("Migration run, seed {}", m_p.run.seed),
-                                                       .status = status,
-                                                       .readouts = m_readouts,
-                                                       .rows = m_memory.rows,
-                                                       .contact_sheet = sheet,
-                                                       .provenance = provenance_text()}));
+  if (!m_p.output.report) return;
+  const io::Film film = io::read_film(m_folder);
+  write_file(m_folder / "report.html",
+             io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p),
+                                                                .status = status,
+                                                                .t_end = s.t,
+                                                                .p = m_p,
+                                                                .readouts = m_readouts,
+                                                                .rows = m_memory.rows,
+                                                                .health = m_memory.health,
+                                                                .records = records,
+                                                                .film = m_frames ? &film : nullptr,
+                                                                .provenance = provenance_text()})));
 }
 
 void RunFolder::write_pictures(const State& s, bool failed) const {

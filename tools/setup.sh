@@ -19,6 +19,8 @@ libxxhash-dev: fingerprints of trajectories
 libhdf5-dev: checkpoints and fields
 zlib1g-dev: compression of frames and of what reports hold
 libboost-math-dev: distributions behind the p-values of studies
+nodejs: builds the pages of reports
+npm: gets what builds them
 "
 packages_to_test="
 libgtest-dev: the tests
