@@ -26,6 +26,7 @@ packages_to_test="
 libgtest-dev: the tests
 libbenchmark-dev: the benchmarks
 clang-format: the test of the formatting
+chromium: opens the pages of reports in their tests
 "
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }

@@ -60,6 +60,13 @@ std::vector<Json> places(const Study& study) {
   return all;
 }
 
+/// "v_migr_abs_um_per_h" -> "v_migr_abs": the unit stands apart.
+std::string label_of(const std::string& name) {
+  for (const std::string_view suffix : {"_um_per_h", "_min", "_um", "_nN", "_deg", "_s"})
+    if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
+  return name;
+}
+
 Json readouts_json(const Study& study) {
   std::map<std::string, std::string, std::less<>> meanings;
   for (const io::NamedValue& v : io::named_values({})) meanings.emplace(v.name, v.meaning);
@@ -72,7 +79,8 @@ Json readouts_json(const Study& study) {
       unit = meaning.substr(at + 2, meaning.size() - at - 3);
       meaning.resize(at);
     }
-    list.push_back({{"name", name}, {"label", name}, {"meaning", meaning}, {"unit", unit == "-" ? "" : unit}});
+    list.push_back(
+        {{"name", name}, {"label", label_of(name)}, {"meaning", meaning}, {"unit", unit == "-" ? "" : unit}});
   }
   return list;
 }
