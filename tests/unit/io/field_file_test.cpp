@@ -1,9 +1,11 @@
 #include "io/field_file.hpp"
 
 #include "base/failure.hpp"
+#include "cell/geometry.hpp"
 #include "frames.hpp"
 #include "io/hdf5.hpp"
 #include "markup.hpp"
+#include "observe/tracks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,6 +37,16 @@ TEST(FieldFile, HoldsPositionsInSpace) {
   EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[4], 1);
   EXPECT_THROW(file.float_frame("/matrix/position", 2), InputOutputError);
   EXPECT_THROW(file.float_frame("/matrix/nothing", 0), InputOutputError);
+}
+
+TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
+  SmallRun run;
+  for (Vec2& x : run.s.cortex.x) x += Vec2(3.0, -7.0);
+  const Film film = read_field_file(field_file(run.film()));
+  const Floats& x = film.frames[0].outline.x;
+  CortexState read;
+  for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
+  EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
 }
 
 TEST(FieldFile, RefusesWhatItIsNot) { EXPECT_THROW(read_field_file("nonsense"), InputOutputError); }
