@@ -73,8 +73,11 @@ TEST_F(Fields, AreExported) {
 
 TEST_F(Fields, NeedsToolsForPixels) {
   ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
+  const char* known = std::getenv("PATH");
+  const std::string path = known != nullptr ? known : "";
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");
+  ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "rsvg-convert is needed")) << ended.err;
   EXPECT_FALSE(exists("here/export"));
