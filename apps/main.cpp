@@ -39,6 +39,8 @@ int run(int argc, char** argv) {
   add_explain(app, chosen);
   add_run(app, chosen, {argv, argv + argc});
   add_resume(app, chosen, {argv, argv + argc});
+  add_report(app, chosen);
+  add_export(app, chosen);
   add_validate(app, chosen);
   add_selftest(app, chosen);
   add_study(app, chosen);

@@ -255,6 +255,7 @@ int branch(const Options& options, Manner manner) {
         {{"event", "branched"}, {"checkpoint", nullptr}, {"by", version_line()}, {"when", now()}});
   }
   beginning.earlier_wall_time = 0.0;
+  beginning.frames_from = from;
   beginning.lineage.back()["at_s"] = until;
   beginning.lineage.back()["from"] = from.string();
   beginning.lineage.back()["configuration_hash"] = configuration_hash(before);

@@ -1,10 +1,12 @@
 #include "apps/run_folder.hpp"
 
 #include "apps/provenance.hpp"
+#include "apps/shipped_pages.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "io/cell_picture.hpp"
 #include "io/checkpoint.hpp"
+#include "io/field_file.hpp"
 #include "io/layer_picture.hpp"
 #include "io/run_files.hpp"
 #include "io/run_page.hpp"
@@ -21,6 +23,8 @@
 namespace matrigrate::apps {
 
 namespace {
+
+constexpr std::size_t most_bytes = std::size_t{64} << 30U; // of the frames
 
 /// "t_01800s"; times between full seconds keep their fraction: "t_00000.4s".
 std::string time_name(double t) {
@@ -58,21 +62,24 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
 } // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
-                     io::RunMemory memory)
+                     io::RunMemory memory, const std::filesystem::path& from)
     : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
       m_memory(std::move(memory)), m_ended(s.ended.size()), m_row_cadence(p.output.track_interval, p.run.time_step),
-      m_snapshot_cadence(p.output.snapshot_interval, p.run.time_step),
+      m_snapshot_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
+      m_frame_cadence(p.output.field_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
   remove_unfinished(m_folder);
   write_record(record); // first: it tells whose folder this is
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
-  make_output_folder(m_folder / "snapshots", true);
+  if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
   m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
   m_protrusions.emplace(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p));
   m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
+  if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
   if (m_memory.rows.empty()) return;
-  for (Cadence* cadence : {&m_row_cadence, &m_snapshot_cadence, &m_checkpoint_cadence, &m_kept_cadence})
+  for (Cadence* cadence :
+       {&m_row_cadence, &m_snapshot_cadence, &m_frame_cadence, &m_checkpoint_cadence, &m_kept_cadence})
     cadence->due(s.t); // what was due is done
   m_safe_until = s.t;
 }
@@ -80,6 +87,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
 void RunFolder::begin(const State& s, const Workspace& w) {
   if (m_row_cadence.due(s.t)) add_row(s, w);
   if (m_snapshot_cadence.due(s.t)) add_snapshot(s, w);
+  if (m_frame_cadence.due(s.t)) add_frame(s, w);
   m_kept_cadence.due(s.t);
   m_checkpoint_cadence.due(s.t);
   write_checkpoint(s, w, 0.0);
@@ -95,6 +103,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   }
   const bool snapshot = m_snapshot_cadence.due(s.t);
   if (snapshot) add_snapshot(s, w);
+  if (m_frame_cadence.due(s.t)) add_frame(s, w);
   const bool keep = m_kept_cadence.due(s.t);
   const bool due = m_checkpoint_cadence.due(s.t) || keep;
   if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time);
@@ -103,6 +112,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
 }
 
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time) {
+  if (m_frames) m_frames->flush();
   m_memory.counts = w.health;
   m_memory.march_wall_time = march_wall_time;
   io::write_checkpoint(m_folder, {.state = s,
@@ -123,25 +133,49 @@ void RunFolder::keep_checkpoint(double t) const {
 void RunFolder::finish(const State& s, const Workspace& w, const std::string& status, bool failed) {
   add_ended(s);
   if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) add_row(s, w);
-  if (m_memory.scenes.empty() || m_memory.scenes.back().t != s.t) add_snapshot(s, w);
-  if (failed) {
-    const io::CellScene scene = io::cell_scene(s, m_p, {});
-    write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
-  }
+  if (m_p.output.pictures && (m_memory.scenes.empty() || m_memory.scenes.back().t != s.t)) add_snapshot(s, w);
+  if (m_frames && m_last_frame != s.t) add_frame(s, w);
+  write_fields();
+  write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
   write_file(m_folder / "protrusions.csv", io::protrusions_csv(records, m_p.actomyosin)); // with those still alive
   write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
-  const std::string sheet = io::contact_sheet(m_memory.scenes);
-  write_file(m_folder / "snapshots.svg", sheet);
-  write_file(m_folder / "report.html", io::run_page({.title = fmt::format("Migration run, seed {}", m_p.run.seed),
-                                                     .status = status,
-                                                     .readouts = m_readouts,
-                                                     .rows = m_memory.rows,
-                                                     .contact_sheet = sheet,
-                                                     .provenance = provenance_text()}));
+  if (!m_p.output.report) return;
+  const io::Film film = io::read_film(m_folder);
+  write_file(m_folder / "report.html",
+             io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p),
+                                                                .status = status,
+                                                                .t_end = s.t,
+                                                                .p = m_p,
+                                                                .readouts = m_readouts,
+                                                                .rows = m_memory.rows,
+                                                                .health = m_memory.health,
+                                                                .records = records,
+                                                                .film = m_frames ? &film : nullptr,
+                                                                .provenance = provenance_text()})));
+}
+
+void RunFolder::write_pictures(const State& s, bool failed) const {
+  if (m_p.output.pictures) write_file(m_folder / "snapshots.svg", io::contact_sheet(m_memory.scenes));
+  if (!failed) return;
+  const io::CellScene scene = io::cell_scene(s, m_p, {});
+  write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
+}
+
+void RunFolder::write_fields() {
+  if (!m_frames) return;
+  const io::Film film = io::read_film(m_folder);
+  write_file(m_folder / io::field_file_name, io::field_file(film));
+  write_file(m_folder / io::field_index_name, io::field_index(film));
+}
+
+void RunFolder::remove_log() {
+  m_frames.reset();
+  std::error_code error;
+  std::filesystem::remove(m_folder / io::frame_log_name, error); // one that stays does no harm
 }
 
 void RunFolder::write_record(const RunRecord& record) const {
@@ -181,6 +215,28 @@ void RunFolder::add_snapshot(const State& s, const Workspace& w) {
     write_file(layer("_fibre_stress"), io::fibre_stress_picture(s, m_p, w.fibres));
   scene.matrix.front() = {}; // the contact sheet draws the intact matrix as one area
   m_memory.scenes.push_back(std::move(scene));
+}
+
+void RunFolder::add_frame(const State& s, const Workspace& w) {
+  m_frames->add(io::frame(s, m_p, w));
+  ++m_memory.frames;
+  m_last_frame = s.t;
+}
+
+/// The log of a new run, or with the frames of its past: those that its checkpoint knows of and that are whole.
+void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
+  std::string whole;
+  if (m_memory.frames > 0) {
+    std::error_code error;
+    const std::filesystem::path log = from / io::frame_log_name;
+    if (std::filesystem::exists(log, error)) whole = io::whole_log(read_file(log, most_bytes), m_memory.frames);
+    if (whole.empty()) whole = io::whole_log(io::log_bytes(io::read_field_film(from)), m_memory.frames);
+  }
+  if (whole.empty()) whole = io::log_bytes({.head = io::frame_head(s, m_p), .frames = {}});
+  const io::Film film = io::read_log(whole);
+  m_memory.frames = film.frames.size();
+  if (!film.frames.empty()) m_last_frame = film.frames.back().t;
+  m_frames.emplace(m_folder / io::frame_log_name, whole);
 }
 
 } // namespace matrigrate::apps

@@ -3,6 +3,7 @@
 #include "apps/cadence.hpp"
 #include "apps/folder_lock.hpp"
 #include "apps/run_record.hpp"
+#include "io/frame_log.hpp"
 #include "io/row_file.hpp"
 #include "io/run_memory.hpp"
 #include "observe/readouts.hpp"
@@ -24,8 +25,9 @@ public:
   /// Writes scenario.resolved.toml, run.json and the tables with the rows that there are already.
   /// @param folder  exists; it is locked against other processes
   /// @param memory  of a run that goes on; a new one has none
+  /// @param from    the folder whose frames a branch takes over; empty: `folder`
   RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
-            io::RunMemory memory);
+            io::RunMemory memory, const std::filesystem::path& from);
 
   /// Writes what is due at the start of a new run.
   void begin(const State& s, const Workspace& w);
@@ -36,6 +38,9 @@ public:
 
   /// Writes checkpoint.h5.
   void write_checkpoint(const State& s, const Workspace& w, double march_wall_time);
+
+  /// Takes away fields.part, which only a run that goes on needs. To be done when run.json says that it is done.
+  void remove_log();
 
   /// Whether checkpoints are written at their intervals; they are, unless told otherwise.
   void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
@@ -57,6 +62,10 @@ private:
   void add_row(const State& s, const Workspace& w);
   void add_ended(const State& s);
   void add_snapshot(const State& s, const Workspace& w);
+  void add_frame(const State& s, const Workspace& w);
+  void open_log(const State& s, const std::filesystem::path& from);
+  void write_pictures(const State& s, bool failed) const;
+  void write_fields();
 
   std::filesystem::path m_folder;
   FolderLock m_lock;
@@ -66,10 +75,13 @@ private:
   std::optional<io::RowFile> m_tracks;
   std::optional<io::RowFile> m_protrusions;
   std::optional<io::RowFile> m_health;
+  std::optional<io::FrameLog> m_frames;
   Cadence m_row_cadence;
   Cadence m_snapshot_cadence;
+  Cadence m_frame_cadence;
   Cadence m_checkpoint_cadence;
   Cadence m_kept_cadence;
+  std::optional<double> m_last_frame; ///< its time [s]
   bool m_keeps_checkpoints = true;
   std::optional<double> m_safe_until;
   ReadOuts m_readouts;

@@ -27,6 +27,8 @@ std::string configuration_hash(const Parameters& p) {
   return io::text_hash(to_toml(q));
 }
 
+std::string run_title(const Parameters& p) { return fmt::format("Migration run, seed {}", p.run.seed); }
+
 Json to_json(const RunRecord& record, const Parameters& p) {
   const Clock::time_point now = record.end.value_or(Clock::now());
   Json json{{"status", record.status},

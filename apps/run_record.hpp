@@ -32,6 +32,9 @@ struct RunRecord {
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 
+/// Heading of the run's report.
+std::string run_title(const Parameters& p);
+
 /// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
 ///  configuration_hash, command_line, start, end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);

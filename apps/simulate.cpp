@@ -45,7 +45,7 @@ public:
     m_record.command_line = manner.command_line;
     m_record.lineage = std::move(beginning.lineage);
     m_record.earlier_wall_time = beginning.earlier_wall_time;
-    m_folder.emplace(manner.folder, m_p, m_record, m_s, std::move(beginning.memory));
+    m_folder.emplace(manner.folder, m_p, m_record, m_s, std::move(beginning.memory), beginning.frames_from);
   }
 
   /// @return the exit code
@@ -57,6 +57,7 @@ public:
       m_record.trajectory_hash = m_folder->trajectory_hash();
       m_record.end = std::chrono::system_clock::now();
       m_folder->write_record(m_record);
+      if (m_record.status == "done") m_folder->remove_log();
     } catch (const InputOutputError& error) {
       record_trouble(error.what(), input_output);
       throw InputOutputError(fmt::format("{}; {}", error.what(), safe_text()));
@@ -182,6 +183,7 @@ private:
     m_record.end = std::chrono::system_clock::now();
     try {
       m_folder->write_record(m_record);
+      if (m_record.status == "done") m_folder->remove_log();
     } catch (const InputOutputError&) { // the first trouble is the one to tell
     }
   }

@@ -27,7 +27,8 @@ struct Beginning {
   io::RunMemory memory{};         ///< empty: a new run
   std::optional<Before> before{}; ///< of a branch
   std::vector<nlohmann::ordered_json> lineage{};
-  double earlier_wall_time = 0.0; ///< of the runs that this one goes on with [s]
+  std::filesystem::path frames_from{}; ///< the folder whose frames a branch takes over
+  double earlier_wall_time = 0.0;      ///< of the runs that this one goes on with [s]
 };
 
 /// How it is carried out.

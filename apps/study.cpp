@@ -60,7 +60,8 @@ void add_reading(CLI::App& group, Action& chosen) {
   verb = group.add_subcommand("collect", "Gather results and statistics of the runs that are done, at any time");
   verb->add_option("DIR", gather->folder, "Folder of a study")->required();
   add_common(*verb, *gather);
-  verb->footer("Writes results.csv (a row a run), groups.csv, statistics.csv, correlations.csv and boxes.svg.");
+  verb->footer(
+      "Writes results.csv (a row a run), groups.csv, statistics.csv, correlations.csv, boxes.svg and report.html.");
   verb->callback([gather, &chosen] { chosen = [gather] { return collect_study(*gather); }; });
 }
 

@@ -1,7 +1,11 @@
 #include "apps/study_files.hpp"
 
+#include "apps/provenance.hpp"
+#include "apps/shipped_pages.hpp"
 #include "base/file.hpp"
+#include "io/run_page.hpp"
 #include "study/box_plot.hpp"
+#include "study/study_data.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +40,12 @@ Collected collect(const StudyFolder& study) {
   write_file(study.folder / "statistics.csv", study::statistics_csv(study.study, c.comparisons));
   write_file(study.folder / "correlations.csv", study::correlations_csv(study.study, c.results));
   write_file(study.folder / "boxes.svg", study::boxes_svg(study.study, c.results));
+  write_file(study.folder / "report.html",
+             io::filled_page(study_page_template(), study::study_data({.study = study.study,
+                                                                       .results = c.results,
+                                                                       .comparisons = c.comparisons,
+                                                                       .folder = study.folder,
+                                                                       .provenance = provenance_text()})));
   return c;
 }
 

@@ -14,7 +14,8 @@ struct Collected {
   std::vector<study::Comparison> comparisons;
 };
 
-/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and boxes.svg.
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv, boxes.svg and
+/// report.html.
 Collected collect(const StudyFolder& study);
 
 /// Means of all points and what differs, for people.

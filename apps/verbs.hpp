@@ -37,6 +37,8 @@ void add_check(CLI::App& app, Action& chosen);
 void add_explain(CLI::App& app, Action& chosen);
 void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
+void add_report(CLI::App& app, Action& chosen);
+void add_export(CLI::App& app, Action& chosen);
 void add_validate(CLI::App& app, Action& chosen);
 void add_selftest(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);

@@ -16,13 +16,17 @@ libcli11-dev: the command line
 nlohmann-json3-dev: JSON
 librandom123-dev: counter-based random numbers
 libxxhash-dev: fingerprints of trajectories
-libhdf5-dev: checkpoints
+libhdf5-dev: checkpoints and fields
+zlib1g-dev: compression of frames and of what reports hold
 libboost-math-dev: distributions behind the p-values of studies
+nodejs: builds the pages of reports
+npm: gets what builds them
 "
 packages_to_test="
 libgtest-dev: the tests
 libbenchmark-dev: the benchmarks
 clang-format: the test of the formatting
+chromium: opens the pages of reports in their tests
 "
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 namespace matrigrate::io {
@@ -52,6 +53,60 @@ void add_unit(const Handle& data, std::string_view unit) {
   require(H5Awrite(attribute.id(), type.id(), unit.data()), "an attribute could not be written");
 }
 
+/// An array of a file; groups on the way to it are made.
+Handle new_array(const Handle& file, const std::string& name, hid_t type, std::span<const hsize_t> shape,
+                 hid_t creation) {
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "no link list");
+  require(H5Pset_create_intermediate_group(links.id(), 1), "no groups");
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
+  return {H5Dcreate2(file.id(), name.c_str(), type, space.id(), links.id(), creation, H5P_DEFAULT), H5Dclose,
+          fmt::format("{} could not be made", name)};
+}
+
+/// Without a date of writing: the same numbers give the same bytes.
+Handle undated() {
+  Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "no creation list");
+  require(H5Pset_obj_track_times(creation.id(), 0), "no array without dates");
+  return creation;
+}
+
+/// One chunk a frame, compressed.
+Handle frame_by_frame(std::vector<hsize_t> shape) {
+  constexpr unsigned level = 5; // of 9
+  Handle creation = undated();
+  shape[0] = 1;
+  require(H5Pset_chunk(creation.id(), static_cast<int>(shape.size()), shape.data()), "no chunks");
+  require(H5Pset_shuffle(creation.id()), "no shuffling");
+  require(H5Pset_deflate(creation.id(), level), "no compression");
+  return creation;
+}
+
+/// The shape of an array, and the part of it that is one frame.
+struct Slab {
+  Handle space;
+  std::vector<hsize_t> shape;
+  hsize_t size = 1; ///< numbers in it
+};
+
+Slab slab_of(const Handle& data, std::size_t frame) {
+  Slab slab{{H5Dget_space(data.id()), H5Sclose, "an array has no shape"}, {}};
+  const int dimensions = H5Sget_simple_extent_ndims(slab.space.id());
+  if (dimensions < 2) fail("an array holds no frames");
+  slab.shape.resize(static_cast<std::size_t>(dimensions));
+  H5Sget_simple_extent_dims(slab.space.id(), slab.shape.data(), nullptr);
+  if (frame >= slab.shape[0]) fail("an array has fewer frames");
+  std::vector<hsize_t> start(slab.shape.size(), 0);
+  std::vector<hsize_t> count = slab.shape;
+  start[0] = frame;
+  count[0] = 1;
+  for (const hsize_t n : count) slab.size *= n;
+  require(H5Sselect_hyperslab(slab.space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+          "no frame could be chosen");
+  return slab;
+}
+
+constexpr hsize_t most_numbers = hsize_t{1} << 30U; // of a frame or a table
+
 } // namespace
 
 Handle::Handle(hid_t id, Close close, std::string_view what) : m_id(id), m_close(close) {
@@ -77,11 +132,7 @@ std::string MemoryFile::image() const {
 
 void MemoryFile::write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,
                        std::string_view unit) {
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "no link list");
-  require(H5Pset_create_intermediate_group(links.id(), 1), "no groups");
-  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
-  const Handle data(H5Dcreate2(m_file.id(), name.c_str(), type, space.id(), links.id(), H5P_DEFAULT, H5P_DEFAULT),
-                    H5Dclose, fmt::format("{} could not be made", name));
+  const Handle data = new_array(m_file, name, type, shape, undated().id());
   require(H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), fmt::format("{} not written", name));
   if (!unit.empty()) add_unit(data, unit);
 }
@@ -104,6 +155,12 @@ void MemoryFile::write(const std::string& name, std::span<const Mat2> values, st
 
 void MemoryFile::write(const std::string& name, std::span<const std::uint8_t> values) {
   write(name, values.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{values.size()}, "");
+}
+
+void MemoryFile::write_rows(const std::string& name, std::span<const float> values, std::size_t columns,
+                            std::string_view unit) {
+  const std::array<hsize_t, 2> shape{values.size() / columns, columns};
+  write(name, values.data(), H5T_NATIVE_FLOAT, std::span(shape).first(columns == 1 ? 1 : 2), unit);
 }
 
 void MemoryFile::write_text(const std::string& name, std::string_view text) {
@@ -161,6 +218,62 @@ std::vector<std::uint8_t> MemoryFile::bytes(const std::string& name) const {
 std::string MemoryFile::text(const std::string& name) const {
   const std::vector<std::uint8_t> values = bytes(name);
   return {values.begin(), values.end()};
+}
+
+bool MemoryFile::has(const std::string& name) const {
+  const std::string group = name.substr(0, name.rfind('/'));
+  if (!group.empty() && H5Lexists(m_file.id(), group.c_str(), H5P_DEFAULT) <= 0) return false;
+  return H5Lexists(m_file.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<float> MemoryFile::floats(const std::string& name) const {
+  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
+  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
+  if (size < 0 || static_cast<hsize_t>(size) > most_numbers) fail(fmt::format("{} has another shape", name));
+  std::vector<float> values(static_cast<std::size_t>(size));
+  require(H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          fmt::format("{} not read", name));
+  return values;
+}
+
+template <class Number>
+std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
+  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Slab slab = slab_of(data, frame);
+  if (slab.size > most_numbers) fail(fmt::format("{} has another shape", name));
+  std::vector<Number> values(slab.size);
+  const Handle memory(H5Screate_simple(1, &slab.size, nullptr), H5Sclose, "no space");
+  require(H5Dread(data.id(), type, memory.id(), slab.space.id(), H5P_DEFAULT, values.data()),
+          fmt::format("{} not read", name));
+  return values;
+}
+
+std::vector<float> MemoryFile::float_frame(const std::string& name, std::size_t frame) const {
+  return read_frame<float>(name, H5T_NATIVE_FLOAT, frame);
+}
+
+std::vector<std::uint8_t> MemoryFile::byte_frame(const std::string& name, std::size_t frame) const {
+  return read_frame<std::uint8_t>(name, H5T_NATIVE_UINT8, frame);
+}
+
+std::vector<hsize_t> FrameArray::shape_of(std::size_t frames, std::size_t entries, std::size_t components) {
+  if (components == 1) return {frames, entries};
+  return {frames, entries, components};
+}
+
+FrameArray::FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
+                       std::string_view unit)
+    : m_type(type), m_shape(std::move(shape)),
+      m_data(new_array(file.m_file, name, type, m_shape, frame_by_frame(m_shape).id())) {
+  add_unit(m_data, unit);
+}
+
+void FrameArray::write(std::size_t frame, const void* values, std::size_t size) {
+  const Slab slab = slab_of(m_data, frame);
+  if (slab.size != size) throw std::invalid_argument("a frame is larger or smaller than the others");
+  const Handle memory(H5Screate_simple(1, &slab.size, nullptr), H5Sclose, "no space");
+  require(H5Dwrite(m_data.id(), m_type, memory.id(), slab.space.id(), H5P_DEFAULT, values), "a frame was not written");
 }
 
 } // namespace matrigrate::io

@@ -57,6 +57,8 @@ public:
   void write(const std::string& name, std::span<const Mat2> values, std::string_view unit);
   void write(const std::string& name, std::span<const std::uint8_t> values);
   void write_text(const std::string& name, std::string_view text);
+  /// @param columns  1 for a 1-d array, else n x columns
+  void write_rows(const std::string& name, std::span<const float> values, std::size_t columns, std::string_view unit);
 
   /// @throws InputOutputError naming the array, if it is not there or of another type or shape
   std::vector<double> doubles(const std::string& name) const;
@@ -64,16 +66,52 @@ public:
   std::vector<Mat2> matrices(const std::string& name) const;
   std::vector<std::uint8_t> bytes(const std::string& name) const;
   std::string text(const std::string& name) const;
+  bool has(const std::string& name) const;
+  std::vector<float> floats(const std::string& name) const; ///< of any shape, row by row
+  /// What a FrameArray of frames has at one.
+  std::vector<float> float_frame(const std::string& name, std::size_t frame) const;
+  std::vector<std::uint8_t> byte_frame(const std::string& name, std::size_t frame) const;
 
 private:
+  friend class FrameArray;
   void write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,
              std::string_view unit);
   Handle open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const;
   template <class Number>
   std::vector<Number> read(const std::string& name, hid_t type, std::size_t columns) const;
 
+  template <class Number>
+  std::vector<Number> read_frame(const std::string& name, hid_t type, std::size_t frame) const;
+
   std::string m_image; ///< what the file is read from
   Handle m_file;
+};
+
+/// An array of (frames, entries[, components]), compressed frame by frame.
+class FrameArray {
+public:
+  /// @param like  tells the type of the numbers: float or byte
+  template <class Number>
+  FrameArray(MemoryFile& file, const std::string& name, const std::vector<Number>& like, std::size_t frames,
+             std::size_t entries, std::size_t components, std::string_view unit)
+      : FrameArray(file, name, type_of(like), shape_of(frames, entries, components), unit) {}
+
+  /// @throws std::invalid_argument if a frame has another size than the others
+  template <class Number>
+  void write(std::size_t frame, const std::vector<Number>& values) {
+    write(frame, values.data(), values.size());
+  }
+
+private:
+  static hid_t type_of(const std::vector<float>&) { return H5T_NATIVE_FLOAT; }
+  static hid_t type_of(const std::vector<std::uint8_t>&) { return H5T_NATIVE_UINT8; }
+  static std::vector<hsize_t> shape_of(std::size_t frames, std::size_t entries, std::size_t components);
+  FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape, std::string_view unit);
+  void write(std::size_t frame, const void* values, std::size_t size);
+
+  hid_t m_type;
+  std::vector<hsize_t> m_shape;
+  Handle m_data;
 };
 
 } // namespace matrigrate::io

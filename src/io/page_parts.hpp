@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What all reports have in common. Test: tests/unit/io/page_test.cpp, run_page_test.cpp
+/// What all reports have in common. Test: tests/unit/io/page_test.cpp
 namespace matrigrate::io {
 
 /// From the start of the document to its heading.

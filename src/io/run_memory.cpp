@@ -135,6 +135,7 @@ std::string to_text(const RunMemory& memory) {
               {"largest_residual", memory.watch.largest_residual},
               {"counts", json_of(memory.counts)},
               {"scenes", list(memory.scenes)},
+              {"frames", memory.frames},
               {"trajectory", memory.trajectory},
               {"march_wall_time_s", memory.march_wall_time}}
       .dump();
@@ -150,6 +151,7 @@ RunMemory parse_memory(const std::string& text) {
                     .largest_residual = number(json.at("largest_residual"))};
     memory.counts = counts_of(json.at("counts"));
     for (const Json& scene : json.at("scenes")) memory.scenes.push_back(scene_of(scene));
+    if (json.contains("frames")) memory.frames = integer<std::size_t>(json.at("frames")); // older ones have none
     memory.trajectory = integer<std::uint64_t>(json.at("trajectory"));
     memory.march_wall_time = number(json.at("march_wall_time_s"));
     return memory;

@@ -18,6 +18,7 @@ struct RunMemory {
   HealthWatch watch;             ///< since the last row
   StepHealth counts;             ///< since the start
   std::vector<CellScene> scenes; ///< of the contact sheet
+  std::size_t frames = 0;        ///< kept of fields.part
   std::uint64_t trajectory = 0;  ///< fingerprint of the rows so far
   double march_wall_time = 0.0;  ///< spent in the steps [s]
 };

@@ -19,7 +19,7 @@ protected:
     Program::SetUp();
     write("s.toml", "[ecm]\nradius = \"40 um\"\n[protrusion]\ninitiation_rate = \"0.001 1/s\"\n[output]\n"
                     "track_interval = \"4 s\"\nsnapshot_interval = \"10 s\"\ncheckpoint_interval = \"7 s\"\n"
-                    "kept_checkpoint_interval = \"12 s\"\n[run]\nduration = \"60 s\"\n");
+                    "kept_checkpoint_interval = \"12 s\"\nfield_interval = \"9 s\"\n[run]\nduration = \"60 s\"\n");
   }
   json record(const std::string& of) const { return json::parse(text_of(folder / of / "run.json")); }
 
@@ -39,7 +39,7 @@ protected:
   void expect_same_files(const std::string& a, const std::string& b) const {
     EXPECT_EQ(record(a).at("trajectory_hash"), record(b).at("trajectory_hash"));
     for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json", "msd.csv", "snapshots.svg",
-                             "snapshots/t_00060s.svg", "scenario.resolved.toml"})
+                             "snapshots/t_00060s.svg", "scenario.resolved.toml", "fields.h5", "fields.xdmf"})
       EXPECT_EQ(text_of(folder / a / file), text_of(folder / b / file)) << file;
   }
 };

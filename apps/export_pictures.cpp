@@ -1,0 +1,135 @@
+#include "apps/export_pictures.hpp"
+
+#include "apps/child.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "io/cell_picture.hpp"
+#include "io/film_json.hpp"
+#include "io/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <thread>
+
+namespace matrigrate::apps {
+
+namespace {
+
+constexpr int width = 900; // [pixel]
+
+bool is_installed(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+void call(const std::vector<std::string>& command) {
+  Child child(command, STDERR_FILENO);
+  std::optional<int> code;
+  while (!(code = child.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  if (*code != 0) throw InputOutputError(fmt::format("{} ended with exit code {}", command.front(), *code));
+}
+
+/// A layer's value of each particle, NaN in the fluid.
+std::vector<double> values_of(const io::Frame& frame, Layer layer) {
+  const std::size_t n = frame.matrix.f_degr.size();
+  std::vector<double> values(n, never);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (frame.matrix.f_degr[i] <= 0.0F) continue;
+    const io::Floats& u = frame.matrix.displacement;
+    values[i] = layer == Layer::displacement ? std::hypot(u[2 * i], u[2 * i + 1])
+                : layer == Layer::von_mises  ? frame.matrix.von_mises[i]
+                                             : frame.matrix.pressure[i];
+  }
+  return values;
+}
+
+/// The range of a layer that all but one in a thousand values of the film lie in.
+io::Limits limits_of(const io::Film& film, Layer layer) {
+  if (layer == Layer::von_mises)
+    return io::usual_limits(film, [](const io::Frame& f) -> const io::Floats& { return f.matrix.von_mises; });
+  if (layer == Layer::pressure)
+    return io::usual_limits(film, [](const io::Frame& f) -> const io::Floats& { return f.matrix.pressure; });
+  std::vector<double> all;
+  for (const io::Frame& frame : film.frames)
+    for (const double value : values_of(frame, layer))
+      if (std::isfinite(value)) all.push_back(value);
+  if (all.empty()) return {};
+  const auto place = all.begin() + static_cast<std::ptrdiff_t>((all.size() - 1) * 999 / 1000);
+  std::nth_element(all.begin(), place, all.end());
+  return {0.0, *place > 0.0 ? *place : 1.0};
+}
+
+std::vector<Vec2> vectors(const io::Floats& x) {
+  std::vector<Vec2> all;
+  for (std::size_t i = 0; i + 1 < x.size(); i += 2) all.emplace_back(x[i], x[i + 1]);
+  return all;
+}
+
+std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer, const io::Limits& limits) {
+  io::Floats x = frame.matrix.displacement;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += run.film.head.reference[i];
+  return io::to_svg({.title = io::time_text(frame.t),
+                     .value_label = layer == Layer::displacement ? "displacement [um]"
+                                    : layer == Layer::von_mises  ? "von Mises stress [Pa]"
+                                                                 : "pressure [Pa]",
+                     .position = vectors(x),
+                     .value = values_of(frame, layer),
+                     .particle_size = run.film.head.spacing,
+                     .value_min = limits.low,
+                     .value_max = limits.high,
+                     .outline = vectors(frame.outline.x)},
+                    width);
+}
+
+} // namespace
+
+Layer layer_of(const std::string& name) {
+  if (name == "displacement") return Layer::displacement;
+  if (name == "von_mises") return Layer::von_mises;
+  if (name == "pressure") return Layer::pressure;
+  throw UsageError(fmt::format("there is no layer \"{}\"; the layers are: displacement, von_mises, pressure", name));
+}
+
+void require_tools(bool movie) {
+  if (!is_installed("rsvg-convert"))
+    throw InputOutputError("rsvg-convert is needed for pictures of pixels; Debian: apt-get install librsvg2-bin");
+  if (movie && !is_installed("ffmpeg"))
+    throw InputOutputError("ffmpeg is needed for a movie; Debian: apt-get install ffmpeg");
+}
+
+void export_svg(const FinishedRun& run, const std::filesystem::path& folder) {
+  write_file(folder / "contact_sheet.svg", io::contact_sheet(run.memory.scenes));
+  io::Series path{.label = "centre of mass"};
+  for (const TrackRow& row : run.memory.rows) {
+    path.x.push_back(row.centre.x());
+    path.y.push_back(row.centre.y());
+  }
+  write_file(folder / "path.svg",
+             io::to_svg(io::Plot{
+                 .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = {path}, .equal_axes = true}));
+}
+
+void export_film(const FinishedRun& run, Layer layer, const std::filesystem::path& folder, bool movie) {
+  const io::Limits limits = limits_of(run.film, layer);
+  for (std::size_t k = 0; k < run.film.frames.size(); ++k) {
+    const std::string name = (folder / fmt::format("frame_{:04}", k)).string();
+    write_file(name + ".svg", picture(run, run.film.frames[k], layer, limits));
+    call({"rsvg-convert", "--output", name + ".png", name + ".svg"});
+  }
+  if (movie) // with even sides, which H.264 wants
+    call({"ffmpeg", "-loglevel", "error", "-y", "-framerate", "10", "-i", (folder / "frame_%04d.png").string(), "-vf",
+          "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p", (folder / "movie.mp4").string()});
+}
+
+} // namespace matrigrate::apps

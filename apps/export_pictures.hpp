@@ -1,0 +1,26 @@
+#pragma once
+
+#include "apps/finished_run.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace matrigrate::apps {
+
+/// What particles are coloured by.
+enum class Layer { displacement, von_mises, pressure };
+
+/// @throws UsageError if there is no layer of that name
+Layer layer_of(const std::string& name);
+
+/// @throws InputOutputError if rsvg-convert is not installed, or ffmpeg where a movie is wanted
+void require_tools(bool movie);
+
+/// Writes contact_sheet.svg and path.svg.
+void export_svg(const FinishedRun& run, const std::filesystem::path& folder);
+
+/// Writes frame_0000.svg and frame_0000.png, ..., with one colour bar for all, and movie.mp4 if wanted.
+/// @throws InputOutputError if a tool fails
+void export_film(const FinishedRun& run, Layer layer, const std::filesystem::path& folder, bool movie);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,77 @@
+#include "apps/finished_run.hpp"
+
+#include "apps/run_record.hpp"
+#include "apps/shipped_pages.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "io/cell_picture.hpp"
+#include "io/checkpoint.hpp"
+#include "io/field_file.hpp"
+#include "io/run_page.hpp"
+#include "parameters/read.hpp"
+
+#include <fmt/format.h>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
+
+/// How the run stands, in a sentence.
+std::string status_of(const FinishedRun& run) {
+  const std::string status = run.record.value("status", "unknown");
+  const std::string reason = run.record.value("reason", "");
+  const std::string reached = fmt::format("{} of {}", io::time_text(run.t), io::time_text(run.p.run.duration));
+  if (status == "done") return fmt::format("Done: {}.", io::time_text(run.t));
+  return fmt::format("Status: {}; {} in the last checkpoint{}{}.", status, reached, reason.empty() ? "" : ": ", reason);
+}
+
+/// What made the numbers, as run.json has it.
+std::string provenance_of(const Json& record) {
+  std::string text;
+  for (const char* key : {"version", "git_hash", "compiler", "build_type", "flags", "start", "end", "trajectory_hash"})
+    if (record.contains(key) && record.at(key).is_string())
+      text += fmt::format("{:<17}{}\n", key, record.at(key).get<std::string>());
+  return text;
+}
+
+} // namespace
+
+FinishedRun read_run(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(folder / "run.json", error))
+    throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
+  FinishedRun run;
+  run.record = Json::parse(read_file(folder / "run.json", most_text), nullptr, false);
+  if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
+  run.p = read_parameters(folder / "scenario.resolved.toml");
+  const bool last = std::filesystem::exists(folder / io::checkpoint_name, error);
+  const io::Checkpoint checkpoint =
+      io::read_checkpoint(folder / (last ? io::checkpoint_name : io::previous_checkpoint_name));
+  run.t = checkpoint.state.t;
+  run.memory = io::parse_memory(checkpoint.memory);
+  if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
+    run.memory.rows.push_back(track_row(checkpoint.state)); // as at the end of a run
+  run.protrusions = protrusion_records(checkpoint.state);
+  run.film = io::read_film(folder);
+  return run;
+}
+
+std::string report_of(const FinishedRun& run) {
+  return io::filled_page(run_page_template(),
+                         io::run_data({.title = run_title(run.p),
+                                       .status = status_of(run),
+                                       .t_end = run.t,
+                                       .p = run.p,
+                                       .readouts = readouts(run.memory.rows, run.protrusions, run.p),
+                                       .rows = run.memory.rows,
+                                       .health = run.memory.health,
+                                       .records = run.protrusions,
+                                       .film = &run.film,
+                                       .provenance = provenance_of(run.record)}));
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "io/frame.hpp"
+#include "io/run_memory.hpp"
+#include "parameters/parameters.hpp"
+#include "state/protrusion.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace matrigrate::apps {
+
+/// What the files of a run hold, up to its last checkpoint; frames up to the last one.
+struct FinishedRun {
+  Parameters p;
+  nlohmann::ordered_json record; ///< run.json
+  double t = 0.0;                ///< of the checkpoint [s]
+  io::RunMemory memory;
+  std::vector<ProtrusionRecord> protrusions;
+  io::Film film;
+};
+
+/// @throws InputOutputError if the folder holds no run, or one of its files cannot be read
+FinishedRun read_run(const std::filesystem::path& folder);
+
+/// The page of report.html.
+std::string report_of(const FinishedRun& run);
+
+} // namespace matrigrate::apps

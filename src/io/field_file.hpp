@@ -1,0 +1,43 @@
+#pragma once
+
+#include "io/frame.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+/// fields.h5 and fields.xdmf: the frames of a run for h5py, ParaView and others.
+///
+/// Arrays of numbers of 32 bits, each with an attribute `units`; one chunk a frame, compressed:
+///   /time [s], one a frame
+///   /matrix/reference, a position a particle; /matrix/position, displacement, velocity, f_degr, pressure, von_mises,
+///   fibre_von_mises, solid: (frames, particles), vectors (frames, particles, 3) with z = 0
+///   /outline/position, front, protrusion, phase, f_mat, curvature, actomyosin_force: (frames, particles of the cortex)
+///   /protrusions/frame, id, centre, phase, anchor, f_mat, force: a row for each protrusion alive in a frame
+/// Test: tests/unit/io/field_file_test.cpp
+namespace matrigrate::io {
+
+inline constexpr const char* field_file_name = "fields.h5";
+inline constexpr const char* field_index_name = "fields.xdmf";
+
+/// The bytes of fields.h5.
+/// @throws InputOutputError if HDF5 refuses
+std::string field_file(const Film& film);
+
+/// fields.xdmf: for ParaView, which reads the arrays of fields.h5 beside it. Grids `matrix` (points) and `outline` (a
+/// closed line), at their times [s].
+std::string field_index(const Film& film);
+
+/// The frames of a fields.h5.
+/// @throws InputOutputError if it is none
+Film read_field_file(std::string_view bytes);
+
+/// The frames of the field file of a run's folder; none if it has none.
+/// @throws InputOutputError naming the file, if it cannot be read
+Film read_field_film(const std::filesystem::path& folder);
+
+/// The frames that a run's folder holds: those of its log, else of its field file; none if it has neither.
+/// @throws InputOutputError naming the file, if it cannot be read
+Film read_film(const std::filesystem::path& folder);
+
+} // namespace matrigrate::io

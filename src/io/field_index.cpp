@@ -1,0 +1,78 @@
+#include "io/field_file.hpp"
+
+#include <fmt/format.h>
+
+namespace matrigrate::io {
+
+namespace {
+
+/// The part of an array that belongs to frame k.
+std::string slab(std::string_view name, std::string_view type, const Film& film, std::size_t k, std::size_t n,
+                 int components) {
+  const std::string shape = components == 3 ? fmt::format("{} 3", n) : fmt::format("{}", n);
+  const std::string zeros = components == 3 ? "0 0" : "0";
+  const std::string ones = components == 3 ? "1 1 1" : "1 1";
+  return fmt::format("<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {1}\" Type=\"HyperSlab\">"
+                     "<DataItem Dimensions=\"3 {2}\" Format=\"XML\">{3} {4} {5} 1 {1}</DataItem>"
+                     "<DataItem Dimensions=\"{6} {1}\" {7} Format=\"HDF\">{8}:/{0}</DataItem></DataItem>",
+                     name, shape, components == 3 ? 3 : 2, k, zeros, ones, film.frames.size(), type, field_file_name);
+}
+
+constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
+constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
+
+std::string attribute(std::string_view name, std::string_view type, const Film& film, std::size_t k, std::size_t n,
+                      int components) {
+  return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                     name.substr(name.find('/') + 1), components == 3 ? "Vector" : "Scalar",
+                     slab(name, type, film, k, n, components));
+}
+
+/// All fields of one body.
+std::string attributes(std::string_view body, const Film& film, std::size_t k, std::size_t n) {
+  const Frame& frame = film.frames[k];
+  std::string text;
+  for (const auto& field : float_fields())
+    if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
+      text += attribute(field.name, floating, film, k, n, field.components == 2 ? 3 : 1);
+  for (const auto& field : byte_fields())
+    if (field.name.starts_with(body)) text += attribute(field.name, bytes, film, k, n, 1);
+  return text;
+}
+
+std::string grid(std::string_view name, const std::string& topology, const Film& film, std::size_t k, std::size_t n) {
+  return fmt::format("      <Grid Name=\"{0}\" GridType=\"Uniform\">\n        <Time Value=\"{1}\"/>\n        {2}\n"
+                     "        <Geometry GeometryType=\"XYZ\">{3}</Geometry>\n{4}      </Grid>\n",
+                     name, film.frames[k].t, topology, slab(fmt::format("{}/position", name), floating, film, k, n, 3),
+                     attributes(fmt::format("{}/", name), film, k, n)
+                         + (name == "matrix" ? attribute("matrix/solid", bytes, film, k, n, 1) : std::string()));
+}
+
+std::string closed_line(std::size_t n) {
+  std::string points;
+  for (std::size_t i = 0; i <= n; ++i) points += fmt::format("{} ", i == n ? 0 : i);
+  return fmt::format("<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"{0}\">"
+                     "<DataItem Dimensions=\"1 {0}\" NumberType=\"Int\" Format=\"XML\">{1}</DataItem></Topology>",
+                     n + 1, points);
+}
+
+std::string collection(std::string_view name, const std::string& topology, const Film& film, std::size_t n) {
+  std::string text = fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
+  for (std::size_t k = 0; k < film.frames.size(); ++k) text += grid(name, topology, film, k, n);
+  return text + "    </Grid>\n";
+}
+
+} // namespace
+
+std::string field_index(const Film& film) {
+  const std::size_t n = film.head.particles();
+  const std::size_t m = film.frames.empty() ? 0 : film.frames.front().outline.front.size();
+  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
+  text += collection(
+      "matrix", fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n),
+      film, n);
+  if (m > 0) text += collection("outline", closed_line(m), film, m);
+  return text + "  </Domain>\n</Xdmf>\n";
+}
+
+} // namespace matrigrate::io

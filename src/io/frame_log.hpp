@@ -1,0 +1,61 @@
+#pragma once
+
+#include "io/frame.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+/// The frames of a run on disk while it goes on: a head, then frame after frame, each compressed, with its length and
+/// fingerprint before it. A run that is killed at any moment loses at most the frame that was being written.
+/// Test: tests/unit/io/frame_log_test.cpp
+namespace matrigrate::io {
+
+inline constexpr const char* frame_log_name = "fields.part";
+
+/// Bytes compressed by zlib, as one stream (RFC 1950). @param level  1 fast to 9 small
+std::string deflated(std::string_view bytes, int level);
+
+/// What deflated() was given.
+/// @param size  of it
+/// @throws InputOutputError if the bytes are no such stream, or give another size
+std::string inflated(std::string_view bytes, std::size_t size);
+
+/// The bytes of a log of these frames.
+std::string log_bytes(const Film& film);
+
+/// The log's beginning: its head and at most `frames` whole frames; what is cut short or changed ends it. Empty if not
+/// even the head is whole.
+std::string whole_log(std::string_view bytes, std::size_t frames);
+
+/// The frames of a log up to the first that is cut short or changed.
+/// @throws InputOutputError if not even the head is whole
+Film read_log(std::string_view bytes);
+
+/// A log that grows.
+class FrameLog {
+public:
+  /// Makes the file anew with what there is already; it is replaced as a whole or not at all.
+  /// @param whole  from log_bytes() or whole_log()
+  /// @throws InputOutputError naming the path and the reason
+  FrameLog(std::filesystem::path path, std::string_view whole);
+  FrameLog(const FrameLog&) = delete;
+  FrameLog& operator=(const FrameLog&) = delete;
+  ~FrameLog();
+
+  /// Appends a frame; one that does not fit on the disk is taken back.
+  /// @throws InputOutputError naming the path and the reason
+  void add(const Frame& frame);
+
+  /// Waits until all of it is on the disk, which a checkpoint that counts on it needs.
+  /// @throws InputOutputError naming the path and the reason
+  void flush() const;
+
+private:
+  std::filesystem::path m_path;
+  int m_descriptor = -1;
+  std::int64_t m_size = 0; ///< of the whole frames [bytes]
+};
+
+} // namespace matrigrate::io

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "observe/tracks.hpp"
+
+#include <span>
+#include <string>
+
+/// The path of the cell for programs that analyse tracks. Test: tests/unit/io/track_files_test.cpp
+namespace matrigrate::io {
+
+/// For celltrackR (read.tracks.csv with its defaults): columns id, t [s], x, y [um].
+std::string celltrackr_csv(std::span<const TrackRow> rows);
+
+/// As TrackMate exports spots: columns ID, TRACK_ID, POSITION_X, POSITION_Y, POSITION_Z [um], POSITION_T [s], FRAME,
+/// RADIUS [um].
+std::string trackmate_csv(std::span<const TrackRow> rows);
+
+/// As TrackMate exports tracks to XML ("Export tracks to XML file"), one particle.
+std::string trackmate_xml(std::span<const TrackRow> rows);
+
+} // namespace matrigrate::io

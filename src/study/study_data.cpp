@@ -1,0 +1,235 @@
+#include "study/study_data.hpp"
+
+#include "base/file.hpp"
+#include "io/run_page.hpp"
+#include "parameters/schema.hpp"
+#include "statistics/correlation.hpp"
+#include "study/table_readouts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <system_error>
+
+namespace matrigrate::study {
+
+namespace {
+
+using Json = nlohmann::ordered_json; // NaN is written as null
+
+constexpr std::size_t largest_table = std::size_t{1} << 28U;
+constexpr std::size_t path_points = 100;
+
+/// A swept value: the number in the unit of its row, or the word.
+Json value_of(const Row& row, const Parameters& p) {
+  std::string text = value_text(row, p);
+  std::erase(text, '"');
+  if (kind(row) == Kind::choice || kind(row) == Kind::boolean) return text;
+  const units::Quantity q = units::parse_quantity(text);
+  if (kind(row) != Kind::quantity) return std::stod(q.number);
+  const double internal = units::to_internal(q.number, units::parse_unit(q.unit));
+  return std::stod(units::from_internal(internal, units::parse_unit(row.unit)));
+}
+
+/// The values of a parameter over all points, each once.
+std::vector<Json> values_of(const Study& study, const Row& row) {
+  std::vector<Json> values;
+  for (const Point& point : study.points) {
+    const Json value = value_of(row, point.parameters);
+    if (std::ranges::find(values, value) == values.end()) values.push_back(value);
+  }
+  if (!values.empty() && values.front().is_number())
+    std::ranges::sort(values, [](const Json& a, const Json& b) { return a.get<double>() < b.get<double>(); });
+  return values;
+}
+
+/// For each point its index along each axis.
+std::vector<Json> places(const Study& study) {
+  std::vector<Json> all(study.points.size(), Json::array());
+  for (const std::string& key : swept_keys(study)) {
+    const Row& row = *find_row(key);
+    const std::vector<Json> values = values_of(study, row);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i].push_back(std::ranges::find(values, value_of(row, study.points[i].parameters)) - values.begin());
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].empty()) all[i].push_back(i);
+  return all;
+}
+
+/// "v_migr_abs_um_per_h" -> "v_migr_abs": the unit stands apart.
+std::string label_of(const std::string& name) {
+  for (const std::string_view suffix : {"_um_per_h", "_min", "_um", "_nN", "_deg", "_s"})
+    if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
+  return name;
+}
+
+Json readouts_json(const Study& study) {
+  std::map<std::string, std::string, std::less<>> meanings;
+  for (const io::NamedValue& v : io::named_values({})) meanings.emplace(v.name, v.meaning);
+  Json list = Json::array();
+  for (const std::string& name : study.readouts) {
+    const auto known = meanings.find(name);
+    std::string meaning = known == meanings.end() ? name : known->second;
+    std::string unit;
+    if (const std::size_t at = meaning.rfind(" ["); at != std::string::npos && meaning.back() == ']') {
+      unit = meaning.substr(at + 2, meaning.size() - at - 3);
+      meaning.resize(at);
+    }
+    list.push_back(
+        {{"name", name}, {"label", label_of(name)}, {"meaning", meaning}, {"unit", unit == "-" ? "" : unit}});
+  }
+  return list;
+}
+
+std::vector<double> column(const std::filesystem::path& file, std::string_view name) {
+  return csv_column(read_file(file, largest_table), name);
+}
+
+/// At most path_points of a path, the last one among them.
+Json path_json(const std::filesystem::path& tracks) {
+  const std::vector<double> x = column(tracks, "x_um");
+  const std::vector<double> y = column(tracks, "y_um");
+  if (x.empty() || x.size() != y.size()) return {};
+  Json path{{"x_um", Json::array()}, {"y_um", Json::array()}};
+  const std::size_t n = std::min(x.size(), path_points);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = n == 1 ? 0 : k * (x.size() - 1) / (n - 1);
+    path["x_um"].push_back(x[i]);
+    path["y_um"].push_back(y[i]);
+  }
+  return path;
+}
+
+std::string status_of(const Standing& standing) {
+  if (standing.status == "done" || standing.status == "failed") return standing.status;
+  return standing.status == "unfinished" ? "running" : "pending";
+}
+
+Json run_json(const StudyReport& report, const Result& result, const Json& place) {
+  const std::filesystem::path folder = run_folder(report.folder, result.run);
+  const std::vector<std::string> names = all_readouts();
+  Json json{{"id", result.run.hash},
+            {"point", place},
+            {"seed", result.run.seed},
+            {"status", status_of(result.standing)},
+            {"reason", result.standing.reason},
+            {"report", nullptr},
+            {"readouts", Json::object()},
+            {"path", nullptr},
+            {"f_adh_rel", Json::array()}};
+  std::error_code error;
+  if (std::filesystem::exists(folder / "report.html", error))
+    json["report"] = (folder.lexically_relative(report.folder) / "report.html").generic_string();
+  if (!result.standing.done()) return json;
+  for (const std::string& name : report.study.readouts)
+    json["readouts"][name] = result.readouts[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
+  json["path"] = path_json(folder / "tracks.csv");
+  for (const double force : column(folder / "protrusions.csv", "f_adh_rel"))
+    if (std::isfinite(force)) json["f_adh_rel"].push_back(force);
+  return json;
+}
+
+Json test_json(const Study& study, const Comparison& c, const std::vector<Json>& place) {
+  const bool bounded = std::isfinite(c.difference.low) && std::isfinite(c.difference.high);
+  return {{"readout", c.readout},
+          {"a", place[c.a]},
+          {"b", place[c.b]},
+          {"test", name(study.comparisons.test)},
+          {"statistic", c.test.statistic},
+          {"p", c.test.p},
+          {"n_a", c.sample_a.n},
+          {"n_b", c.sample_b.n},
+          {"difference", c.difference.value},
+          {"interval", bounded ? Json{c.difference.low, c.difference.high} : Json()}};
+}
+
+/// Mean square displacement over the runs of a point, at the lags that all of them have.
+Json msd_json(const StudyReport& report, std::size_t point, const Json& place) {
+  std::vector<double> lags;
+  std::vector<std::vector<double>> runs;
+  for (const Result& result : report.results) {
+    if (result.run.point != point || !result.standing.done()) continue;
+    const std::filesystem::path file = run_folder(report.folder, result.run) / "msd.csv";
+    const std::vector<double> here = column(file, "lag_s");
+    if (runs.empty() || here.size() < lags.size()) lags = here;
+    runs.push_back(column(file, "msd_um2"));
+  }
+  Json json{{"point", place}, {"lag_min", Json::array()}, {"msd_um2", Json::array()}, {"sem_um2", Json::array()}};
+  std::vector<MsdPoint> means;
+  for (std::size_t k = 0; k < lags.size(); ++k) {
+    std::vector<double> values;
+    for (const std::vector<double>& run : runs) values.push_back(run[k]);
+    const statistics::Moments m = statistics::moments(values);
+    json["lag_min"].push_back(lags[k] / 60.0);
+    json["msd_um2"].push_back(m.mean);
+    json["sem_um2"].push_back(m.sd / std::sqrt(static_cast<double>(values.size())));
+    means.push_back({.lag = lags[k], .msd = m.mean, .samples = values.size()});
+  }
+  json["slope"] = msd_slope(means);
+  return json;
+}
+
+Json correlation_json(const StudyReport& report) {
+  const std::vector<std::string> names = all_readouts();
+  std::vector<std::vector<double>> columns;
+  for (const std::string& readout : report.study.readouts) {
+    const auto index = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
+    std::vector<double>& values = columns.emplace_back();
+    for (const Result& r : report.results) values.push_back(r.readouts[index]);
+  }
+  Json r = Json::array();
+  Json p = Json::array();
+  Json n = Json::array();
+  for (const auto& row : statistics::correlation_matrix(columns)) {
+    for (Json* matrix : {&r, &p, &n}) matrix->push_back(Json::array());
+    for (const statistics::Correlation& c : row) {
+      r.back().push_back(c.r);
+      p.back().push_back(c.p);
+      n.back().push_back(c.n);
+    }
+  }
+  return {{"names", report.study.readouts}, {"r", r}, {"p", p}, {"n", n}};
+}
+
+} // namespace
+
+Json axes_json(const Study& study) {
+  Json axes = Json::array();
+  for (const std::string& key : swept_keys(study)) {
+    const Row& row = *find_row(key);
+    const std::string_view label = row.symbol.empty() ? key_of(row) : row.symbol;
+    axes.push_back({{"name", key},
+                    {"label", label},
+                    {"meaning", row.description},
+                    {"unit", row.unit == "1" ? "" : row.unit},
+                    {"values", values_of(study, row)}});
+  }
+  if (!axes.empty()) return axes;
+  Json labels = Json::array();
+  for (const Point& point : study.points) labels.push_back(point.label);
+  return {{{"name", "point"}, {"label", "point"}, {"meaning", "Point of the study"}, {"unit", ""}, {"values", labels}}};
+}
+
+Json study_data(const StudyReport& report) {
+  const std::vector<Json> place = places(report.study);
+  const auto done = std::ranges::count_if(report.results, [](const Result& r) { return r.standing.done(); });
+  Json runs = Json::array();
+  for (const Result& result : report.results) runs.push_back(run_json(report, result, place[result.run.point]));
+  Json tests = Json::array();
+  for (const Comparison& c : report.comparisons) tests.push_back(test_json(report.study, c, place));
+  Json msd = Json::array();
+  for (std::size_t i = 0; i < place.size(); ++i) msd.push_back(msd_json(report, i, place[i]));
+  return {
+      {"format", "matrigrate-study"},    {"version", 1},
+      {"title", report.study.title},     {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
+      {"axes", axes_json(report.study)}, {"readouts", readouts_json(report.study)},
+      {"runs", std::move(runs)},         {"tests", std::move(tests)},
+      {"msd", std::move(msd)},           {"correlation", correlation_json(report)},
+      {"provenance", report.provenance}, {"citation", io::citation()}};
+}
+
+} // namespace matrigrate::study

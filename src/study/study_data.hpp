@@ -1,0 +1,30 @@
+#pragma once
+
+#include "study/comparison.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The data of a study's report, as viewer/README.md describes them. Test: tests/unit/study/study_data_test.cpp
+namespace matrigrate::study {
+
+/// What a report is made of.
+struct StudyReport {
+  const Study& study;
+  const std::vector<Result>& results;
+  const std::vector<Comparison>& comparisons;
+  std::filesystem::path folder; ///< of the study, whose runs' tables are read
+  std::string provenance;       ///< its line breaks are kept
+};
+
+/// The parameters that differ between points, with their values in the order to draw: numbers in the unit of the
+/// parameter, rising, or words. A study of one point has one axis with that point.
+nlohmann::ordered_json axes_json(const Study& study);
+
+/// @throws InputOutputError if a table of a run that is done cannot be read
+nlohmann::ordered_json study_data(const StudyReport& report);
+
+} // namespace matrigrate::study

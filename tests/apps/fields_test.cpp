@@ -1,0 +1,87 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace matrigrate {
+namespace {
+
+using nlohmann::json;
+
+/// Frames of a short run, and all that is made of them.
+class Fields : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[output]\ntrack_interval = \"8 s\"\nfield_interval = \"16 s\"\n");
+  }
+  json data(const std::string& file) const {
+    const std::string page = text_of(folder / file);
+    const std::string mark = "id=\"matrigrate-data\">";
+    const std::size_t start = page.find(mark) + mark.size();
+    const std::string text = page.substr(start, page.find("</script>", start) - start);
+    EXPECT_EQ(text.find('<'), std::string::npos);
+    return json::parse(text);
+  }
+};
+
+TEST_F(Fields, AreWrittenAndPlayed) {
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
+  EXPECT_TRUE(exists("here/fields.h5"));
+  EXPECT_FALSE(exists("here/fields.part")) << "only a run that goes on needs it";
+  EXPECT_TRUE(contains(text_of(folder / "here/fields.xdmf"), "fields.h5:/matrix/displacement"));
+  const json page = data("here/report.html");
+  EXPECT_EQ(page.at("frames").at("times_s"), json::parse("[0.0, 16.0, 32.0, 36.0]"));
+  EXPECT_EQ(page.at("tracks").at("t_s").size(), 6U);
+  ASSERT_EQ(run("report here").code, 0);
+  const json again = data("here/report.html");
+  EXPECT_EQ(again.at("frames"), page.at("frames"));
+  EXPECT_EQ(again.at("tracks"), page.at("tracks"));
+  EXPECT_EQ(again.at("readouts"), page.at("readouts"));
+  EXPECT_EQ(run("report nowhere").code, 5);
+}
+
+TEST_F(Fields, CanBeSwitchedOff) {
+  ASSERT_EQ(run("run s.toml --hours 0.002 -o lean --quiet --set output.field_interval=0 --set output.report=false "
+                "--set output.pictures=false")
+                .code,
+            0);
+  for (const char* name : {"fields.h5", "fields.xdmf", "fields.part", "report.html", "snapshots", "snapshots.svg"})
+    EXPECT_FALSE(exists(std::string("lean/") + name)) << name;
+  EXPECT_TRUE(exists("lean/tracks.csv"));
+  ASSERT_EQ(run("report lean").code, 0);
+  EXPECT_TRUE(data("lean/report.html").at("frames").is_null());
+  const Ended ended = run("export lean --vtk");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "output.field_interval")) << ended.err;
+}
+
+TEST_F(Fields, AreExported) {
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
+  ASSERT_EQ(run("export here --vtk --tracks --svg -o out").code, 0);
+  for (const char* name : {"matrix.pvd", "outline.pvd", "matrix_0003.vtp", "outline_0000.vtp", "tracks_celltrackr.csv",
+                           "tracks_trackmate.csv", "tracks_trackmate.xml", "contact_sheet.svg", "path.svg"})
+    EXPECT_TRUE(exists(std::string("out/") + name)) << name;
+  const std::string path = text_of(folder / "out/tracks_celltrackr.csv");
+  EXPECT_EQ(std::count(path.begin(), path.end(), '\n'), 1 + 6);
+  EXPECT_EQ(run("export here --vtk -o out").code, 5) << "never overwritten";
+  EXPECT_EQ(run("export here --vtk -o out --force").code, 0);
+  EXPECT_EQ(run("export here").code, 2);
+  EXPECT_EQ(run("export here --png --layer depth -o no").code, 2);
+}
+
+TEST_F(Fields, NeedsToolsForPixels) {
+  ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
+  const char* known = std::getenv("PATH");
+  const std::string path = known != nullptr ? known : "";
+  ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
+  const Ended ended = run("export here --movie");
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "rsvg-convert is needed")) << ended.err;
+  EXPECT_FALSE(exists("here/export"));
+}
+
+} // namespace
+} // namespace matrigrate

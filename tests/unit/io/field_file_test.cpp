@@ -1,0 +1,64 @@
+#include "io/field_file.hpp"
+
+#include "base/failure.hpp"
+#include "cell/geometry.hpp"
+#include "frames.hpp"
+#include "io/hdf5.hpp"
+#include "markup.hpp"
+#include "observe/tracks.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matrigrate::io {
+namespace {
+
+TEST(FieldFile, GivesTheSameBitsBack) {
+  SmallRun run;
+  EXPECT_EQ(difference(read_field_file(field_file(run.film())), run.film()), "");
+  run.p.fibres.arrangement = FibreArrangement::isotropic;
+  EXPECT_EQ(difference(read_field_file(field_file(run.film())), run.film()), "") << "with fibres";
+  EXPECT_EQ(field_file(run.film()), field_file(run.film())) << "no date in it";
+}
+
+TEST(FieldFile, NeedsNoFrames) {
+  const Film film{.head = SmallRun().film().head, .frames = {}};
+  EXPECT_EQ(difference(read_field_file(field_file(film)), film), "");
+}
+
+TEST(FieldFile, HoldsPositionsInSpace) {
+  const Film film = SmallRun().film();
+  const std::string image = field_file(film);
+  const MemoryFile file(image);
+  const Floats x = file.float_frame("/matrix/position", 1);
+  ASSERT_EQ(x.size(), 3 * film.head.particles());
+  EXPECT_EQ(x[3], film.head.reference[2] + film.frames[1].matrix.displacement[2]);
+  EXPECT_EQ(x[5], 0.0F);
+  EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[3], 0);
+  EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[4], 1);
+  EXPECT_THROW(file.float_frame("/matrix/position", 2), InputOutputError);
+  EXPECT_THROW(file.float_frame("/matrix/nothing", 0), InputOutputError);
+}
+
+TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
+  SmallRun run;
+  for (Vec2& x : run.s.cortex.x) x += Vec2(3.0, -7.0);
+  const Film film = read_field_file(field_file(run.film()));
+  const Floats& x = film.frames[0].outline.x;
+  CortexState read;
+  for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
+  EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
+}
+
+TEST(FieldFile, RefusesWhatItIsNot) { EXPECT_THROW(read_field_file("nonsense"), InputOutputError); }
+
+TEST(FieldIndex, NamesGridsTimesAndArrays) {
+  const std::string xml = field_index(SmallRun().film());
+  EXPECT_TRUE(parsed(xml.substr(xml.find("<Xdmf"))));
+  EXPECT_EQ(count(xml, "GridType=\"Uniform\""), 4U) << "matrix and outline, twice";
+  EXPECT_EQ(count(xml, "<Time Value=\"600\"/>"), 2U);
+  EXPECT_EQ(count(xml, "fields.h5:/matrix/position<"), 2U);
+  EXPECT_EQ(count(xml, "fibre"), 0U);
+}
+
+} // namespace
+} // namespace matrigrate::io

@@ -1,0 +1,29 @@
+#include "io/vtk_files.hpp"
+
+#include "frames.hpp"
+#include "markup.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matrigrate::io {
+namespace {
+
+std::string body(const std::string& xml) { return xml.substr(xml.find("<VTKFile")); }
+
+TEST(VtkFiles, HoldPointsFieldsAndTimes) {
+  const Film film = SmallRun().film();
+  const std::string matrix = matrix_vtp(film.head, film.frames[0]);
+  EXPECT_TRUE(parsed(body(matrix)));
+  EXPECT_EQ(count(matrix, "NumberOfPoints=\"" + std::to_string(film.head.particles()) + "\""), 1U);
+  for (const char* name : {"displacement", "velocity", "f_degr", "pressure", "von_mises"})
+    EXPECT_EQ(count(matrix, "Name=\"" + std::string(name) + "\""), 1U) << name;
+  const std::string outline = outline_vtp(film.frames[0]);
+  EXPECT_TRUE(parsed(body(outline)));
+  EXPECT_EQ(count(outline, "NumberOfLines=\"1\""), 1U);
+  EXPECT_EQ(count(outline, "Name=\"phase\""), 1U);
+  const std::string series = series_pvd("matrix", film);
+  EXPECT_EQ(count(series, "<DataSet timestep=\"600\" part=\"0\" file=\"matrix_0001.vtp\"/>"), 1U);
+}
+
+} // namespace
+} // namespace matrigrate::io
