@@ -42,6 +42,7 @@ install_packages() {
   while IFS=: read -r name reason; do
     [ -n "$name" ] || continue
     dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null | grep -qx installed && continue
+    command -v "$name" >/dev/null && continue # a command of that name from elsewhere, as npm often is
     missing="$missing $name"
     say "missing: $name ($(echo "$reason" | sed 's/^ //'))"
   done <<<"$1"
