@@ -26,6 +26,7 @@ struct Derived {
   double steps;
   StepLimits limits;
   double memory_bytes; ///< estimate
+  double disk_bytes;   ///< of the run's folder, estimate
   double wall_time;    ///< estimate [s]
 
   std::size_t particles() const { return free_particles + clamped_particles; }

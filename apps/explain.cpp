@@ -55,6 +55,7 @@ std::string description(const Parameters& p, const Derived& d) {
   add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
   add("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)), "set by the " + d.limits.binding());
   add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");
+  add("disk", fmt::format("{:.0f} MB", d.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
   add("wall time", duration_text(d.wall_time), "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;
 }
@@ -79,6 +80,7 @@ Json to_json(const Options& options, const Derived& d, const std::vector<std::st
           {"step_limit_fluid_s", d.limits.fluid_s},
           {"step_limit_set_by", d.limits.binding()},
           {"memory_estimate_bytes", d.memory_bytes},
+          {"disk_estimate_bytes", d.disk_bytes},
           {"wall_time_estimate_s", d.wall_time},
           {"warnings", found}};
 }

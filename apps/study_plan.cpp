@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace matrigrate::apps {
 
@@ -18,23 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Measured: the folder of a run of the baseline of 0.02 h holds 680 kB, 300 kB of them for each of two snapshots of
-// 17,665 particles; a row of its tables takes 250 bytes.
-constexpr double bytes_alone = 8e4;
-constexpr double bytes_a_row = 250.0;
-constexpr double bytes_a_particle_and_snapshot = 17.0;
-
 constexpr std::size_t most_points = 60;  ///< that are listed for people
 constexpr std::size_t most_warnings = 5; ///< that are printed
-
-double disk_bytes(const Parameters& p, const Derived& d) {
-  const double rows = p.run.duration / p.output.track_interval + 2.0;
-  const double snapshots = std::floor(p.run.duration / p.output.snapshot_interval) + 1.0;
-  const double layers = 1.0 + (p.output.displacement_layer ? 1.0 : 0.0)
-                        + (p.fibres.arrangement != FibreArrangement::none && p.output.fibre_stress_layer ? 1.0 : 0.0);
-  return bytes_alone + rows * bytes_a_row
-         + snapshots * layers * bytes_a_particle_and_snapshot * static_cast<double>(d.particles());
-}
 
 Json to_json(const StudyFolder& study, const StudyCost& c, int jobs) {
   Json points = Json::array();
@@ -69,7 +53,7 @@ StudyCost cost(const StudyFolder& study) {
     c.run_times.push_back(d.wall_time);
     c.wall_time += replicates * d.wall_time;
     c.memory_bytes = std::max(c.memory_bytes, d.memory_bytes);
-    c.disk_bytes += replicates * disk_bytes(point.parameters, d);
+    c.disk_bytes += replicates * d.disk_bytes;
     for (const std::string& warning : warnings(point.parameters, d))
       c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
   }
