@@ -53,7 +53,8 @@ for run in $(seq "$runs"); do
   # the sentence without its numbers
   reason=$(grep -v ' was written by ' "$folder/run-$run.log" | head -n 1 |
     sed -E 's/^matrigrate: //; s/Failed after .*\(t = [^)]*\): //; s/; the last good.*//; s/-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?/N/g' || true)
-  echo "$code|${reason:-done}"
+  [ "$code" != 0 ] || reason=done
+  echo "$code|${reason:-ended by a signal}"
 done | sort | uniq -c | sed -E 's/^ *([0-9]+) ([0-9]+)\|/\1\t\2\t/'
 echo "iterations  rows of health.csv whose largest number of iterations it is"
 cat "$folder"/run-*/health.csv 2>/dev/null | awk -F, '$4 ~ /^[0-9]+$/ { n[$4]++ } END { for (k in n) print k "\t" n[k] }' | sort -n
