@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 #include <system_error>
 
@@ -70,6 +71,7 @@ int complain(std::string_view what, ExitCode code) {
 int main(int argc, char** argv) {
   using namespace matrigrate;
   using namespace matrigrate::apps;
+  std::signal(SIGXFSZ, SIG_IGN); // a file that passes a size limit is an error like others, not the end
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {

@@ -135,7 +135,8 @@ void RunFolder::finish(const State& s, const Workspace& w, const std::string& st
   if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) add_row(s, w);
   if (m_p.output.pictures && (m_memory.scenes.empty() || m_memory.scenes.back().t != s.t)) add_snapshot(s, w);
   if (m_frames && m_last_frame != s.t) add_frame(s, w);
-  write_fields();
+  const io::Film film = m_frames ? io::read_film(m_folder) : io::Film{};
+  if (m_frames) write_fields(film);
   write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
@@ -144,7 +145,6 @@ void RunFolder::finish(const State& s, const Workspace& w, const std::string& st
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
   if (!m_p.output.report) return;
-  const io::Film film = io::read_film(m_folder);
   write_file(m_folder / "report.html",
              io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p),
                                                                 .status = status,
@@ -165,9 +165,7 @@ void RunFolder::write_pictures(const State& s, bool failed) const {
   write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
 }
 
-void RunFolder::write_fields() {
-  if (!m_frames) return;
-  const io::Film film = io::read_film(m_folder);
+void RunFolder::write_fields(const io::Film& film) const {
   write_file(m_folder / io::field_file_name, io::field_file(film));
   write_file(m_folder / io::field_index_name, io::field_index(film));
 }

@@ -1,8 +1,8 @@
+#include "apps/child.hpp"
 #include "apps/provenance.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "base/file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/trajectory_hash.hpp"
 #include "parameters/write.hpp"
@@ -14,18 +14,21 @@
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
+#include <chrono>
+#include <cstdio>
 #include <functional>
 #include <memory>
+#include <thread>
 
 namespace matrigrate::apps {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
 
 constexpr std::string_view known_hash = "dd2c566726de5020"; // of a release build with g++ 12 on x86-64
+constexpr std::size_t largest_answer = 1U << 20U;
 
 /// A short migration with every part of the model at work: fibres, growing and maturing protrusions, degradation.
 Parameters short_migration(Integrator integrator) {
@@ -73,15 +76,17 @@ std::string hash_with_break(const Parameters& p) {
 
 /// What another build of the program finds. @throws InputOutputError if it does not tell
 Json found_by(const std::string& program) {
-  std::string name = (std::filesystem::temp_directory_path() / "matrigrate-selftest-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw InputOutputError(name + ": cannot be made");
-  const std::filesystem::path folder = name;
-  const std::filesystem::path file = folder / "other.json";
-  const int status = std::system(fmt::format("'{}' selftest --json >'{}'", program, file.string()).c_str());
-  const std::string text = status == 0 ? read_file(file, 1U << 20U) : std::string();
-  std::filesystem::remove_all(folder);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(std::tmpfile(), &std::fclose);
+  if (!output) throw InputOutputError("no temporary file can be made");
+  Child child({program, "selftest", "--json"}, ::fileno(output.get()));
+  while (!child.ended()) std::this_thread::sleep_for(20ms);
+  if (child.ended() == no_such_program) throw InputOutputError(program + ": there is no such program");
+  std::string text(largest_answer, '\0');
+  std::rewind(output.get());
+  text.resize(std::fread(text.data(), 1, text.size(), output.get()));
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("hash")) throw InputOutputError(program + ": its self-test failed");
+  if (child.ended() != done || !json.is_object() || !json.contains("hash"))
+    throw InputOutputError(program + ": its self-test failed");
   return json;
 }
 

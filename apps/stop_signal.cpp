@@ -18,7 +18,7 @@ StopSignal::StopSignal() {
   note() = 0;
   for (std::size_t k = 0; k < signals.size(); ++k) {
     struct sigaction action {};
-    action.sa_handler = signals[k] == SIGXFSZ ? SIG_IGN : handle;
+    action.sa_handler = handle;
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     ::sigemptyset(&action.sa_mask);
     ::sigaction(signals[k], &action, &m_old[k]);

@@ -7,8 +7,7 @@
 namespace matrigrate::apps {
 
 /// While it lives, the first SIGINT, SIGTERM, SIGUSR1 (which Slurm sends ahead of a time limit) or SIGHUP is noted
-/// instead of ending the program, and a second one ends it at once. A file that passes a size limit gives an error
-/// rather than a signal. One at a time.
+/// instead of ending the program, and a second one ends it at once. One at a time.
 class StopSignal {
 public:
   StopSignal();
@@ -20,7 +19,7 @@ public:
   static int received();
 
 private:
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGUSR1, SIGHUP, SIGXFSZ};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGUSR1, SIGHUP};
   std::array<struct sigaction, signals.size()> m_old{};
 };
 

@@ -3,6 +3,7 @@
 #include "apps/child.hpp"
 #include "apps/progress.hpp"
 #include "apps/stop_signal.hpp"
+#include "apps/stopped_run.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
@@ -160,12 +161,14 @@ private:
     const std::string said = std::filesystem::exists(log) ? read_file(log, largest_log) : std::string();
     ++m_failed_now;
     const bool by_signal = code == requeue || code == interrupted;
-    if (code == input_output) m_outcome.cannot_write = true;
+    const bool broken = code == input_output && has_only_broken_checkpoints(study::run_folder(m_study.folder, run));
+    if (code == input_output && !broken) m_outcome.cannot_write = true;
     if (by_signal && !stopping()) m_outcome.ended_by_signal = true;
     std::string reason =
         code > 128 && code != interrupted
             ? fmt::format("ended by signal {}{}", code - 128, code == 128 + SIGKILL ? "; too little memory?" : "")
-            : s.reason;
+        : broken ? std::string()
+                 : s.reason;
     if (reason.empty())
       reason = said.empty() ? fmt::format("ended with exit code {}", code) : said.substr(0, said.find('\n'));
     note(running.run, by_signal ? "interrupted" : "failed", std::move(reason));

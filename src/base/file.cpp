@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 namespace matrigrate {
 
@@ -86,6 +87,28 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   if (const int error = file.close()) fail_with(path, "cannot be closed", error);
   if (::rename(temporary.path.c_str(), path.c_str()) != 0) fail_with(path, "cannot be written", errno);
   temporary.kept = true;
+}
+
+GrowingFile::GrowingFile(std::filesystem::path path, std::string_view content)
+    : m_path(std::move(path)), m_size(static_cast<std::int64_t>(content.size())) {
+  write_file(m_path, content);
+  m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (m_descriptor < 0) fail_with(m_path, "cannot be written", errno);
+}
+
+GrowingFile::~GrowingFile() { ::close(m_descriptor); }
+
+void GrowingFile::append(std::string_view piece) {
+  if (const int error = write_all(m_descriptor, piece)) {
+    // Where a part of it cannot be taken back either, the first error is the one to tell.
+    [[maybe_unused]] const int second = ::ftruncate(m_descriptor, m_size);
+    fail_with(m_path, "cannot be written", error);
+  }
+  m_size += static_cast<std::int64_t>(piece.size());
+}
+
+void GrowingFile::flush() const {
+  if (::fsync(m_descriptor) != 0) fail_with(m_path, "cannot be flushed to disk", errno);
 }
 
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,6 +12,31 @@ namespace matrigrate {
 /// checked.
 /// @throws InputOutputError naming the path and the reason
 void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// A file that grows by pieces, for programs that may be ended at any moment: it holds whole pieces, but for one that a
+/// crash has cut short.
+class GrowingFile {
+public:
+  /// Makes the file anew with what there is already; it is replaced as a whole or not at all.
+  /// @throws InputOutputError naming the path and the reason
+  GrowingFile(std::filesystem::path path, std::string_view content);
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+  ~GrowingFile();
+
+  /// Appends a piece and hands it to the system at once; one that does not fit on the disk is taken back.
+  /// @throws InputOutputError naming the path and the reason
+  void append(std::string_view piece);
+
+  /// Waits until all of it is on the disk.
+  /// @throws InputOutputError naming the path and the reason
+  void flush() const;
+
+private:
+  std::filesystem::path m_path;
+  int m_descriptor = -1;
+  std::int64_t m_size; ///< of the whole pieces [bytes]
+};
 
 /// Renames a file, replacing one of the new name, so that there is one or the other at any time, also after a crash.
 /// @throws InputOutputError naming the path and the reason

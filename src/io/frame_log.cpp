@@ -1,21 +1,13 @@
 #include "io/frame_log.hpp"
 
 #include "base/failure.hpp"
-#include "base/file.hpp"
 
-#include <fmt/format.h>
 #include <xxhash.h>
 #include <zlib.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
 #include <cstring>
+#include <new>
 #include <optional>
-#include <system_error>
-#include <utility>
 
 namespace matrigrate::io {
 
@@ -125,11 +117,6 @@ Frame frame_of(const std::string& content) {
   return frame;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw InputOutputError(
-      fmt::format("{}: cannot be written: {}", path.string(), std::generic_category().message(error)));
-}
-
 } // namespace
 
 std::string deflated(std::string_view bytes, int level) {
@@ -188,34 +175,6 @@ Film read_log(std::string_view bytes) {
   }
 }
 
-FrameLog::FrameLog(std::filesystem::path path, std::string_view whole) : m_path(std::move(path)) {
-  write_file(m_path, whole);
-  m_size = static_cast<std::int64_t>(whole.size());
-  m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  if (m_descriptor < 0) fail(m_path, errno);
-}
-
-FrameLog::~FrameLog() { ::close(m_descriptor); }
-
-void FrameLog::add(const Frame& frame) {
-  const std::string bytes = frame_bytes(frame);
-  std::string_view left = bytes;
-  while (!left.empty()) {
-    const ssize_t written = ::write(m_descriptor, left.data(), left.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      // Where the part of a frame cannot be taken back either, the first error is the one to tell.
-      [[maybe_unused]] const int second = ::ftruncate(m_descriptor, m_size);
-      fail(m_path, error);
-    }
-    left.remove_prefix(static_cast<std::size_t>(written));
-  }
-  m_size += static_cast<std::int64_t>(bytes.size());
-}
-
-void FrameLog::flush() const {
-  if (::fsync(m_descriptor) != 0) fail(m_path, errno);
-}
+void FrameLog::add(const Frame& frame) { m_file.append(frame_bytes(frame)); }
 
 } // namespace matrigrate::io

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "base/file.hpp"
 #include "io/frame.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// The frames of a run on disk while it goes on: a head, then frame after frame, each compressed, with its length and
 /// fingerprint before it. A run that is killed at any moment loses at most the frame that was being written.
@@ -39,10 +40,7 @@ public:
   /// Makes the file anew with what there is already; it is replaced as a whole or not at all.
   /// @param whole  from log_bytes() or whole_log()
   /// @throws InputOutputError naming the path and the reason
-  FrameLog(std::filesystem::path path, std::string_view whole);
-  FrameLog(const FrameLog&) = delete;
-  FrameLog& operator=(const FrameLog&) = delete;
-  ~FrameLog();
+  FrameLog(std::filesystem::path path, std::string_view whole) : m_file(std::move(path), whole) {}
 
   /// Appends a frame; one that does not fit on the disk is taken back.
   /// @throws InputOutputError naming the path and the reason
@@ -50,12 +48,10 @@ public:
 
   /// Waits until all of it is on the disk, which a checkpoint that counts on it needs.
   /// @throws InputOutputError naming the path and the reason
-  void flush() const;
+  void flush() const { m_file.flush(); }
 
 private:
-  std::filesystem::path m_path;
-  int m_descriptor = -1;
-  std::int64_t m_size = 0; ///< of the whole frames [bytes]
+  GrowingFile m_file;
 };
 
 } // namespace matrigrate::io

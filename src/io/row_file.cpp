@@ -1,18 +1,11 @@
 #include "io/row_file.hpp"
 
-#include "base/failure.hpp"
-#include "base/file.hpp"
 #include "io/table.hpp"
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace matrigrate::io {
@@ -25,9 +18,17 @@ struct Text {
   std::string operator()(std::string_view value) const { return quoted(value); }
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw InputOutputError(
-      fmt::format("{}: cannot be written: {}", path.string(), std::generic_category().message(error)));
+std::string checked_line(const std::string& name, std::size_t columns, const std::vector<Field>& fields) {
+  if (fields.size() != columns)
+    throw std::invalid_argument(fmt::format("{}: a row of {} fields for {} columns", name, fields.size(), columns));
+  return csv_line(fields);
+}
+
+std::string content(const std::string& name, const std::vector<std::string_view>& columns,
+                    const std::vector<std::vector<Field>>& rows) {
+  std::string text = csv_line({columns.begin(), columns.end()});
+  for (const std::vector<Field>& fields : rows) text += checked_line(name, columns.size(), fields);
+  return text;
 }
 
 } // namespace
@@ -43,40 +44,8 @@ std::string csv_line(const std::vector<Field>& fields) {
 
 RowFile::RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns,
                  const std::vector<std::vector<Field>>& rows)
-    : m_path(std::move(path)), m_columns(columns.size()) {
-  std::string content = csv_line({columns.begin(), columns.end()});
-  for (const std::vector<Field>& fields : rows) content += line_of(fields);
-  write_file(m_path, content);
-  m_size = static_cast<std::int64_t>(content.size());
-  m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  if (m_descriptor < 0) fail(m_path, errno);
-}
+    : m_name(path.string()), m_columns(columns.size()), m_file(std::move(path), content(m_name, columns, rows)) {}
 
-RowFile::~RowFile() { ::close(m_descriptor); }
-
-std::string RowFile::line_of(const std::vector<Field>& fields) const {
-  if (fields.size() != m_columns)
-    throw std::invalid_argument(
-        fmt::format("{}: a row of {} fields for {} columns", m_path.string(), fields.size(), m_columns));
-  return csv_line(fields);
-}
-
-void RowFile::add(const std::vector<Field>& fields) { append(line_of(fields)); }
-
-void RowFile::append(std::string_view line) {
-  std::string_view left = line;
-  while (!left.empty()) {
-    const ssize_t written = ::write(m_descriptor, left.data(), left.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      // Where the part of a line cannot be taken back either, the first error is the one to tell.
-      [[maybe_unused]] const int second = ::ftruncate(m_descriptor, m_size);
-      fail(m_path, error);
-    }
-    left.remove_prefix(static_cast<std::size_t>(written));
-  }
-  m_size += static_cast<std::int64_t>(line.size());
-}
+void RowFile::add(const std::vector<Field>& fields) { m_file.append(checked_line(m_name, m_columns, fields)); }
 
 } // namespace matrigrate::io

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/file.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -27,9 +29,6 @@ public:
   /// @throws std::invalid_argument if the number of fields of a row is not that of the columns
   RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns,
           const std::vector<std::vector<Field>>& rows = {});
-  RowFile(const RowFile&) = delete;
-  RowFile& operator=(const RowFile&) = delete;
-  ~RowFile();
 
   /// Appends a row and hands it to the system at once; a row that does not fit on the disk is taken back, so that the
   /// file always has whole lines.
@@ -38,13 +37,9 @@ public:
   void add(const std::vector<Field>& fields);
 
 private:
-  std::string line_of(const std::vector<Field>& fields) const;
-  void append(std::string_view line);
-
-  std::filesystem::path m_path;
+  std::string m_name; ///< for messages
   std::size_t m_columns;
-  int m_descriptor = -1;
-  std::int64_t m_size = 0; ///< of the whole lines [bytes]
+  GrowingFile m_file;
 };
 
 } // namespace matrigrate::io

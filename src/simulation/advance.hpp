@@ -7,9 +7,8 @@ namespace matrigrate {
 
 /// Advances the state by run.time_step. The order of its lines is a modelling decision: MODEL.md, "Order of a step".
 /// @param loads  forces from outside the model; none by default
-/// @throws NumericalFailure if the drag system cannot be solved, or a particle would move further than half a spacing
-/// in the
-///         step; the state is then still that before the step
+/// @throws NumericalFailure if the drag system cannot be solved, or a particle would move further in the step than half
+///         a spacing; the state is then still that before the step
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {});
 
 /// What a step may do.

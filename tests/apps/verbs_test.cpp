@@ -49,6 +49,29 @@ TEST_F(Program, NewWritesAScenarioOnce) {
   EXPECT_EQ(run("new nowhere/a.toml").code, 5);
 }
 
+TEST_F(Program, AFileSizeLimitIsAnErrorOfOutput) {
+  const std::string shell =
+      "bash -c 'ulimit -f 0; exec \"" MATRIGRATE_PROGRAM "\" new \"" + folder.string() + "/a.toml\" 2>/dev/null'";
+  const int status = std::system(shell.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Program, SelftestHoldsHere) {
+  const Ended ended = run("selftest --json");
+  ASSERT_EQ(ended.code, 0) << ended.out;
+  const json found = json::parse(ended.out);
+  EXPECT_TRUE(found.at("holds"));
+  EXPECT_EQ(found.at("checks").size(), 6u);
+  const Ended with = run("selftest --with '" MATRIGRATE_PROGRAM "'");
+  EXPECT_EQ(with.code, 0);
+  EXPECT_TRUE(contains(with.out, std::string(MATRIGRATE_PROGRAM) + ": the same bits")) << with.out;
+  const Ended none = run("selftest --with /nowhere/matrigrate");
+  EXPECT_EQ(none.code, 5);
+  EXPECT_TRUE(contains(none.err, "/nowhere/matrigrate: there is no such program")) << none.err;
+}
+
 TEST_F(Program, CheckTellsEveryFaultOfEveryFile) {
   write("good.toml", "[ecm]\nyoungs_modulus = \"50 Pa\"\n");
   write("bad.toml", "[ecm]\nyoungs_modulu = 1\nradius = \"150 Pa\"\nviscosity = 1000 Pa s\n");

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <string>
 
@@ -99,6 +101,33 @@ TEST_F(File, MakesOutputFolders) {
   make_output_folder(folder / "a" / "b", true);
   EXPECT_EQ(read_file(folder / "a" / "b" / "f", 1), "x") << "force deletes nothing";
   EXPECT_TRUE(contains(reason([&] { make_output_folder(folder / "a" / "b" / "f", true); }), "not a folder"));
+}
+
+TEST_F(File, Grows) {
+  GrowingFile file(folder / "f", "head\n");
+  EXPECT_EQ(read_file(folder / "f", 99), "head\n");
+  file.append("a\n");
+  file.append("b\n");
+  file.flush();
+  EXPECT_EQ(read_file(folder / "f", 99), "head\na\nb\n");
+  EXPECT_TRUE(contains(reason([&] { GrowingFile(folder / "none" / "f", ""); }), "none/f: cannot be written"));
+}
+
+TEST_F(File, TakesBackAPieceThatDoesNotFit) {
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old_limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  GrowingFile file(folder / "f", "head\n");
+  rlimit limit = old_limit;
+  limit.rlim_cur = 10;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const std::string message = reason([&] { file.append("too long\n"); });
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_TRUE(contains(message, "f: cannot be written: File too large")) << message;
+  EXPECT_EQ(read_file(folder / "f", 99), "head\n");
+  file.append("fits\n");
+  EXPECT_EQ(read_file(folder / "f", 99), "head\nfits\n");
 }
 
 TEST_F(File, RenamesOverAnother) {

@@ -1,0 +1,121 @@
+#include "apps/branch.hpp"
+
+#include "apps/provenance.hpp"
+#include "apps/stopped_run.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/read.hpp"
+#include "parameters/schema.hpp"
+#include "simulation/start.hpp"
+#include "simulation/step_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Sections and keys that the start was made with: a state that exists cannot be given others.
+bool of_the_start(std::string_view path) {
+  constexpr std::array<std::string_view, 10> fixed{
+      "ecm.radius",      "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice",  "ecm.cell_hole",
+      "ecm.formulation", "cell.radius",          "cell.particles",       "cell.start_x", "cell.start_y"};
+  return std::ranges::find(fixed, path) != fixed.end();
+}
+
+/// @throws ConfigurationError naming every parameter that the branch cannot change
+void require_same_start(const Parameters& before, const Parameters& after) {
+  std::vector<Fault> faults;
+  for (const Row& row : schema())
+    if (of_the_start(row.path) && value_text(row, before) != value_text(row, after))
+      faults.push_back({.file = "--set",
+                        .key = std::string(row.path),
+                        .message = fmt::format("a branch goes on with the bodies that there are, made with {}; only a "
+                                               "new run can have {}",
+                                               value_text(row, before), value_text(row, after))});
+  if (!faults.empty()) throw ConfigurationError(std::move(faults));
+}
+
+/// The checkpoint that lies closest before t; none: the start.
+std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t) {
+  std::vector<fs::path> files{folder / io::checkpoint_name, folder / io::previous_checkpoint_name};
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
+    files.push_back(entry.path());
+  std::optional<FoundCheckpoint> best;
+  for (const fs::path& file : files) {
+    try {
+      FoundCheckpoint found = read_checkpoint_of(folder, file);
+      const double at = found.checkpoint.state.t;
+      if (at <= t * (1.0 + 1e-12) && (!best || at > best->checkpoint.state.t)) best = std::move(found);
+    } catch (const InputOutputError&) { // another one will do
+    }
+  }
+  return best;
+}
+
+void require_multiple(double t, const Parameters& p) {
+  const double steps = t / p.run.time_step;
+  if (std::abs(steps - std::round(steps)) > 1e-6)
+    throw ConfigurationError(
+        {{.file = "--at",
+          .key = {},
+          .message = fmt::format("{:.6g} s is no multiple of run.time_step, {:.6g} s", t, p.run.time_step)}});
+}
+
+} // namespace
+
+int branch(const fs::path& from, const BranchOptions& options, const Manner& manner) {
+  const Parameters before = read_parameters(from / "scenario.resolved.toml");
+  std::vector<std::string> overrides = options.overrides;
+  if (options.hours) overrides.push_back(fmt::format("run.duration={} h", *options.hours));
+  if (options.seed) overrides.push_back(fmt::format("run.seed={}", *options.seed));
+  if (options.threads) overrides.push_back(fmt::format("run.threads={}", *options.threads));
+  const Parameters after = apply_overrides(before, overrides);
+  require_same_start(before, after);
+  require_stable_step(after);
+  const double at = options.at.empty() ? std::numeric_limits<double>::infinity() : wall_time_of(options.at);
+  std::optional<FoundCheckpoint> found = checkpoint_before(from, at);
+  if (!found && options.at.empty()) throw InputOutputError(from.string() + ": holds no checkpoint to branch from");
+  const double until = options.at.empty() ? found->checkpoint.state.t : at;
+  require_multiple(until, before);
+  require_multiple(until, after);
+  if (until >= after.run.duration)
+    throw ConfigurationError({{.file = "--at",
+                               .key = {},
+                               .message = fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another",
+                                                      until, after.run.duration)}});
+
+  const Json record = record_of(from);
+  Beginning beginning;
+  if (found) {
+    tell_other_program(*found);
+    beginning = beginning_of(*found, record);
+    beginning.lineage.push_back(event("branched", *found));
+  } else {
+    beginning = {.s = initial_state(before), .p = before};
+    beginning.lineage = lineage_of(record);
+    beginning.lineage.push_back(
+        {{"event", "branched"}, {"checkpoint", nullptr}, {"by", version_line()}, {"when", time_now()}});
+  }
+  beginning.earlier_wall_time = 0.0;
+  beginning.frames_from = from;
+  beginning.lineage.back()["at_s"] = until;
+  beginning.lineage.back()["from"] = from.string();
+  beginning.lineage.back()["configuration_hash"] = configuration_hash(before);
+  beginning.lineage.back()["set"] = overrides;
+  beginning.p = after;
+  beginning.before = Before{.p = before, .until = until};
+  make_output_folder(manner.folder, false);
+  return simulate(std::move(beginning), manner);
+}
+
+} // namespace matrigrate::apps

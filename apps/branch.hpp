@@ -1,0 +1,31 @@
+#pragma once
+
+#include "apps/simulate.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Branches of a run: other parameters, another seed or another end from a moment on.
+/// Test: tests/apps/resume_test.cpp
+namespace matrigrate::apps {
+
+struct BranchOptions {
+  std::string at; ///< time with its unit; empty: the last checkpoint
+  std::vector<std::string> overrides;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> hours;
+  std::optional<int> threads;
+
+  bool any() const { return !at.empty() || !overrides.empty() || seed || hours; }
+};
+
+/// Begins a branch of the run in a folder, and simulates it.
+/// @param manner  its folder is made here, and must not hold anything
+/// @return the exit code
+/// @throws ConfigurationError, InputOutputError before anything is written
+int branch(const std::filesystem::path& from, const BranchOptions& options, const Manner& manner);
+
+} // namespace matrigrate::apps
