@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <optional>
+#include <utility>
 
 namespace matrigrate::apps {
 
@@ -78,9 +80,14 @@ FoundCheckpoint whole_checkpoint(const fs::path& folder) {
   try {
     return last_checkpoint(folder, false);
   } catch (const InputOutputError& trouble) {
-    FoundCheckpoint found = last_checkpoint(folder, true);
+    std::optional<FoundCheckpoint> before;
+    try {
+      before = last_checkpoint(folder, true);
+    } catch (const InputOutputError&) { // then the trouble with the last one is the one to tell
+    }
+    if (!before) throw;
     print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), trouble.what()));
-    return found;
+    return *std::move(before);
   }
 }
 

@@ -167,6 +167,22 @@ TEST_F(Study, OneRunnerAtATime) {
   EXPECT_EQ(std::system("sleep 3"), 0); // until the first has ended, which is told to after 7 s
 }
 
+TEST_F(Study, GoesOnPastARunWhoseCheckpointsAreBroken) {
+  ASSERT_EQ(run("study run e.toml --quiet").code, 0);
+  const std::string broken = "e-study/runs/" + hashes("e-study").begin()->first + "/";
+  json record = json::parse(file(broken + "run.json"));
+  record["status"] = "interrupted";
+  write(broken + "run.json", record.dump());
+  write(broken + "checkpoint.h5", "nothing");
+  std::filesystem::remove(folder / (broken + "checkpoint_prev.h5"));
+  write_study("\"50 Pa\", \"100 Pa\", \"200 Pa\"");
+  const Ended ended = run("study run e.toml --jobs 1");
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_TRUE(contains(ended.out, "5 of 6 runs done, 2 of them now")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "checkpoint.h5: is no checkpoint")) << ended.out;
+  EXPECT_EQ(file(broken + "checkpoint.h5"), "nothing") << "it is the user's to remove";
+}
+
 TEST_F(Study, AFullDiskStopsThePool) {
   ASSERT_EQ(run("study run e.toml -o here --quiet").code, 0);
   write_study("\"50 Pa\", \"100 Pa\"", 4);
