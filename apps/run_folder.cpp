@@ -98,8 +98,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   add_ended(s);
   if (m_row_cadence.due(s.t)) {
     add_row(s, w);
-    if (const std::string why = alarm(s, m_p, m_memory.health.back()); !why.empty())
-      throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, why));
+    require_health(s, m_memory.health.back());
   }
   const bool snapshot = m_snapshot_cadence.due(s.t);
   if (snapshot) add_snapshot(s, w);
@@ -111,7 +110,20 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   if (snapshot) write_record(record);
 }
 
+void RunFolder::require_health(const State& s, const HealthRow& row) const {
+  if (const std::string why = alarm(s, m_p, row); !why.empty())
+    throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, why));
+}
+
+HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch& watch) const {
+  HealthRow row = watch.row(s, m_p, w.health);
+  row.force_imbalance = force_imbalance(w);
+  return row;
+}
+
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time) {
+  HealthWatch watch = m_memory.watch; // a copy: the next row still tells of the steps so far
+  require_health(s, health_row(s, w, watch));
   if (m_frames) m_frames->flush();
   m_memory.counts = w.health;
   m_memory.march_wall_time = march_wall_time;
@@ -189,10 +201,8 @@ void RunFolder::add_row(const State& s, const Workspace& w) {
   m_memory.trajectory = trajectory.value();
   m_memory.rows.push_back(track_row(s));
   m_tracks->add(io::fields(m_memory.rows.back()));
-  HealthRow health = m_memory.watch.row(s, m_p, w.health);
-  health.force_imbalance = force_imbalance(w);
-  m_memory.health.push_back(health);
-  m_health->add(io::fields(health));
+  m_memory.health.push_back(health_row(s, w, m_memory.watch));
+  m_health->add(io::fields(m_memory.health.back()));
 }
 
 void RunFolder::add_ended(const State& s) {

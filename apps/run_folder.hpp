@@ -36,7 +36,8 @@ public:
   /// @throws NumericalFailure if the run must not go on (observe/health.hpp, alarm)
   void see(const State& s, const Workspace& w, const RunRecord& record);
 
-  /// Writes checkpoint.h5.
+  /// Writes checkpoint.h5, if the run may go on.
+  /// @throws NumericalFailure if it may not; the checkpoint is then still the last good one
   void write_checkpoint(const State& s, const Workspace& w, double march_wall_time);
 
   /// Takes away fields.part, which only a run that goes on needs. To be done when run.json says that it is done.
@@ -58,6 +59,9 @@ public:
   std::optional<double> safe_until() const { return m_safe_until; } ///< time of the last checkpoint [s]
 
 private:
+  /// @throws NumericalFailure if the computation must not go on
+  void require_health(const State& s, const HealthRow& row) const;
+  HealthRow health_row(const State& s, const Workspace& w, HealthWatch& watch) const;
   void keep_checkpoint(double t) const;
   void add_row(const State& s, const Workspace& w);
   void add_ended(const State& s);
