@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace matrigrate::io {
 
@@ -80,12 +81,16 @@ std::vector<Field> fields(const HealthRow& row) {
 
 std::vector<std::string_view> protrusion_columns() {
   return {"id",      "centre_particle", "t_initiation_s", "t_adhesion_s", "t_mature_s", "t_disassembly_s",
-          "t_end_s", "length_um",       "f_mat",          "force_nN",     "f_adh_rel",  "cause"};
+          "t_end_s", "length_um",       "direction_deg",  "f_mat",        "force_nN",   "f_adh_rel",
+          "cause"};
 }
 
 std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters& p) {
-  return {count(r.id), count(r.centre), r.t_initiation, r.t_adhesion, r.t_mature,           r.t_disassembly,
-          r.t_end,     r.length,        r.f_mat,        r.force,      relative_force(r, p), name(r.cause)};
+  return {count(r.id),  count(r.centre), r.t_initiation,
+          r.t_adhesion, r.t_mature,      r.t_disassembly,
+          r.t_end,      r.length,        r.direction * 180.0 / std::numbers::pi,
+          r.f_mat,      r.force,         relative_force(r, p),
+          name(r.cause)};
 }
 
 std::string protrusions_csv(std::span<const ProtrusionRecord> records, const ActomyosinParameters& p) {
@@ -102,24 +107,29 @@ std::string msd_csv(std::span<const MsdPoint> points) {
 }
 
 std::vector<NamedValue> named_values(const ReadOuts& r) {
-  return {
-      {"duration_s", "duration [s]", r.duration},
-      {"v_migr_abs_um_per_h", "speed, start to end [um/h]", r.v_migr_abs},
-      {"v_migr_path_60s_um_per_h", "speed along the path, sampled every 60 s [um/h]", r.v_migr_path_60s},
-      {"v_migr_path_600s_um_per_h", "speed along the path, sampled every 600 s [um/h]", r.v_migr_path_600s},
-      {"n_protrusions", "protrusions initiated", count(r.n_protrusions)},
-      {"n_unadhered", "of them, never adhered", count(r.n_unadhered)},
-      {"tau_prot_min", "life of a mature adhesion, mean [min]", r.tau_prot.value},
-      {"n_tau_prot", "adhesions in this mean", count(r.tau_prot.n)},
-      {"n_censored", "mature adhesions still alive, not in this mean", count(r.n_censored)},
-      {"l_prot_um", "length at the end of growth, mean [um]", r.l_prot.value},
-      {"f_mat", "maturation, mean [-]", r.f_mat.value},
-      {"force_nN", "force at disassembly, mean [nN]", r.force.value},
-      {"f_adh_rel", "force at disassembly over f_mat F_am, mean [-]", r.f_adh_rel.value},
-      {"n_simultaneous_mean", "protrusions at a time, mean", r.mean_simultaneous},
-      {"n_simultaneous_max", "protrusions at a time, most", count(r.most_simultaneous)},
-      {"msd_slope", "log-log slope of the mean square displacement, lags of 10 min to half the run", r.msd_slope},
-      {"path_angle_deg", "mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]", r.path_angle}};
+  return {{"duration_s", "duration [s]", r.duration},
+          {"v_migr_abs_um_per_h", "speed, start to end [um/h]", r.v_migr_abs},
+          {"v_migr_path_60s_um_per_h", "speed along the path, sampled every 60 s [um/h]", r.v_migr_path_60s},
+          {"v_migr_path_600s_um_per_h", "speed along the path, sampled every 600 s [um/h]", r.v_migr_path_600s},
+          {"n_protrusions", "protrusions initiated", count(r.n_protrusions)},
+          {"n_unadhered", "of them, never adhered", count(r.n_unadhered)},
+          {"tau_prot_min", "life of a mature adhesion, mean [min]", r.tau_prot.value},
+          {"n_tau_prot", "adhesions in this mean", count(r.tau_prot.n)},
+          {"n_censored", "mature adhesions still alive, not in this mean", count(r.n_censored)},
+          {"l_prot_um", "length at the end of growth, mean [um]", r.l_prot.value},
+          {"f_mat", "maturation, mean [-]", r.f_mat.value},
+          {"force_nN", "force at disassembly, mean [nN]", r.force.value},
+          {"f_adh_rel", "force at disassembly over f_mat F_am, mean [-]", r.f_adh_rel.value},
+          {"n_simultaneous_mean", "protrusions at a time, mean", r.mean_simultaneous},
+          {"n_simultaneous_max", "protrusions at a time, most", count(r.most_simultaneous)},
+          {"msd_slope", "log-log slope of the mean square displacement, lags of 10 min to half the run", r.msd_slope},
+          {"path_angle_deg", "mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]", r.path_angle},
+          {"f_mat_along", "maturation of protrusions along uniaxial fibres, mean [-]", r.along.f_mat.value},
+          {"f_mat_across", "maturation of protrusions across uniaxial fibres, mean [-]", r.across.f_mat.value},
+          {"share_ruptured_along", "share of adhesions along uniaxial fibres that ended by rupture",
+           r.along.ruptured.value},
+          {"share_ruptured_across", "share of adhesions across uniaxial fibres that ended by rupture",
+           r.across.ruptured.value}};
 }
 
 std::string readable(const Field& value) {

@@ -65,6 +65,7 @@ Json to_json(const ProtrusionRecord& r) {
           {"t_disassembly", r.t_disassembly},
           {"t_end", r.t_end},
           {"length", r.length},
+          {"direction", r.direction},
           {"f_mat", r.f_mat},
           {"force", r.force},
           {"cause", name(r.cause)}};
@@ -79,6 +80,7 @@ ProtrusionRecord record_of(const Json& json) {
           .t_disassembly = number(json.at("t_disassembly")),
           .t_end = number(json.at("t_end")),
           .length = number(json.at("length")),
+          .direction = number(json.at("direction")),
           .f_mat = number(json.at("f_mat")),
           .force = number(json.at("force")),
           .cause = cause_of(json.at("cause").get<std::string>())};

@@ -48,6 +48,18 @@ void add_protrusions(ReadOuts& out, std::span<const ProtrusionRecord> records, c
   out.f_adh_rel = mean_of(records, [&](const auto& r) { return relative_force(r, p); });
 }
 
+/// @param fibres  their direction from the x axis [rad]   @param across  which of the two is wanted
+OrientedProtrusions oriented(std::span<const ProtrusionRecord> records, double fibres, bool across) {
+  const auto wanted = [&](const ProtrusionRecord& r) {
+    return std::cos(2.0 * (r.direction - fibres)) < 0.0 ? across : !across; // of a line: over 45 degrees off, or not
+  };
+  return {.f_mat = mean_of(records, [&](const auto& r) { return wanted(r) ? r.f_mat : never; }),
+          .ruptured = mean_of(records, [&](const auto& r) {
+            if (!wanted(r)) return never;
+            return r.cause == EndCause::rupture ? 1.0 : r.cause == EndCause::disassembly ? 0.0 : never;
+          })};
+}
+
 } // namespace
 
 double relative_force(const ProtrusionRecord& r, const ActomyosinParameters& p) {
@@ -73,6 +85,12 @@ double path_length(std::span<const TrackRow> rows, double interval) {
 ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records, const Parameters& p) {
   ReadOuts out;
   add_protrusions(out, records, p.actomyosin);
+  const double fibres = p.fibres.direction_deg * std::numbers::pi / 180.0;
+  const bool uniaxial = p.fibres.arrangement == FibreArrangement::uniaxial;
+  if (uniaxial) {
+    out.along = oriented(records, fibres, false);
+    out.across = oriented(records, fibres, true);
+  }
   if (rows.empty()) return out;
   double alive = 0.0;
   for (const TrackRow& row : rows) {
@@ -87,8 +105,7 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   out.v_migr_path_60s = path_length(rows, 60.0) / hours;
   out.v_migr_path_600s = path_length(rows, 600.0) / hours;
   out.msd_slope = msd_slope(mean_square_displacement(rows, 600.0));
-  if (p.fibres.arrangement == FibreArrangement::uniaxial)
-    out.path_angle = angle_to(rows, p.fibres.direction_deg * std::numbers::pi / 180.0, 600.0);
+  if (uniaxial) out.path_angle = angle_to(rows, fibres, 600.0);
   return out;
 }
 

@@ -16,6 +16,12 @@ struct Mean {
   std::size_t n = 0;
 };
 
+/// Mature protrusions of one orientation among uniaxial fibres: along them within 45 degrees, or across (Fig 13).
+struct OrientedProtrusions {
+  Mean f_mat;    ///< at the end of maturation [-]
+  Mean ruptured; ///< share of those whose adhesion ended by rupture or disassembly that ruptured [-]
+};
+
 /// NaN where a run does not define a value.
 struct ReadOuts {
   double duration = never;           ///< from the first to the last row [s]
@@ -32,8 +38,10 @@ struct ReadOuts {
   Mean f_adh_rel;                    ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
   double mean_simultaneous = never;  ///< protrusions alive, of all phases, mean over the rows
   std::size_t most_simultaneous = 0; ///< the largest number of them in a row
-  double msd_slope = never;  ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
-  double path_angle = never; ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
+  double msd_slope = never;   ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
+  double path_angle = never;  ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
+  OrientedProtrusions along;  ///< uniaxial fibres
+  OrientedProtrusions across; ///< uniaxial fibres
 };
 
 /// f_adh_rel of one protrusion, Eq. (9); NaN if its adhesion has not matured or not ended [-].

@@ -6,6 +6,8 @@
 #include "protrusion/maturation.hpp"
 #include "sph/interpolate.hpp"
 
+#include <cmath>
+
 namespace matrigrate {
 
 namespace {
@@ -66,8 +68,9 @@ void record(Protrusion& protrusion, const Transition& change, const Circumstance
     r.cause = change.cause;
     r.t_disassembly = t;
   }
-  if (std::holds_alternative<Growing>(protrusion.phase)) {
+  if (const auto* growing = std::get_if<Growing>(&protrusion.phase)) {
     r.length = length;
+    r.direction = std::atan2(growing->direction.y(), growing->direction.x());
     if (change.cause == EndCause::none) r.t_adhesion = t;
     return;
   }

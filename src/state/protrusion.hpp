@@ -62,6 +62,7 @@ struct ProtrusionRecord {
   double t_disassembly = never; ///< loss of the adhesion, or end of growth without one
   double t_end = never;         ///< particles free again
   double length = never;        ///< l_prot: from between the base particles to the tip, at the end of growth [um]
+  double direction = never;     ///< of d_prot at the end of growth, from the x axis [rad]
   double f_mat = never;         ///< at the end of maturation [-]
   double force = never;         ///< of the adhesion at disassembly [nN]
   EndCause cause = EndCause::none;

@@ -46,6 +46,10 @@ inline constexpr std::string_view f_mat = "f_mat";
 inline constexpr std::string_view low_share = "share_f_adh_rel_low";
 inline constexpr std::string_view slope = "msd_slope";
 inline constexpr std::string_view angle = "path_angle_deg";
+inline constexpr std::string_view f_mat_along = "f_mat_along";
+inline constexpr std::string_view f_mat_across = "f_mat_across";
+inline constexpr std::string_view ruptured_along = "share_ruptured_along";
+inline constexpr std::string_view ruptured_across = "share_ruptured_across";
 } // namespace readout
 
 } // namespace matrigrate::study

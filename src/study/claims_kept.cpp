@@ -70,6 +70,13 @@ Finding e4(const Evidence& e) {
   return judge.finding();
 }
 
+Finding e5(const Evidence& e) {
+  return Judge(e)
+      .exceeds(fibres(2), ruptured_along, ruptured_across)
+      .exceeds(fibres(2), f_mat_across, f_mat_along)
+      .finding();
+}
+
 } // namespace
 
 std::vector<Claim> kept_claims() {
@@ -93,7 +100,12 @@ std::vector<Claim> kept_claims() {
            "14.6 um/h at 1, 21.2 um/h at 2",
            e2},
           {"E3", both, "n_protrusions at 1 drops among fibres", "5.6, from 9.9", e3},
-          {"E4", both, "paths run along the fibres; slopes of the MSD steeper than without", "", e4}};
+          {"E4", both, "paths run along the fibres; slopes of the MSD steeper than without", "", e4},
+          {"E5",
+           {"kept-protrusions-fibres"},
+           "among fibres, at 2, protrusions across them stay weak and are ruptured",
+           "one run (Fig 13)",
+           e5}};
 }
 
 std::span<const Claim> claims() {

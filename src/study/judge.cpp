@@ -91,6 +91,26 @@ Judge& Judge::not_beyond(Group a, Group b, std::string_view readout, Sign sign) 
   return *this;
 }
 
+Judge& Judge::exceeds(Group g, std::string_view low, std::string_view high) {
+  std::vector<double> differences;
+  if (const auto found = m_evidence.find(g.study); found != m_evidence.end()) {
+    values(g, low);
+    values(g, high);
+    const std::vector<std::string> names = all_readouts();
+    const auto column = [&](std::string_view name) {
+      return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    };
+    for (const Result& r : found->second.results)
+      if (r.run.point == g.point) differences.push_back(r.readouts.at(column(high)) - r.readouts.at(column(low)));
+  }
+  const std::vector<double> both = statistics::finite(differences);
+  const statistics::Interval d = statistics::mean_interval(both, alpha);
+  condition(fmt::format("{} above {} in the runs at {} (difference {:.3g} [{:.3g}, {:.3g}], n = {})", high, low,
+                        label(g), d.value, d.low, d.high, both.size()),
+            both.size() > 1, d.low > 0.0);
+  return *this;
+}
+
 Judge& Judge::agrees(Group g, std::string_view readout, double published, double n_published) {
   const std::vector<double> x = values(g, readout);
   const double p = statistics::published_mean_test(x, published, n_published).p;

@@ -52,6 +52,8 @@ public:
   Judge& leans(Group a, Group b, std::string_view readout, Sign sign);
   /// b is not significantly above (or below) a.
   Judge& not_beyond(Group a, Group b, std::string_view readout, Sign sign);
+  /// In the runs of a group the second read-out is above the first: the 95 % interval of their difference is above 0.
+  Judge& exceeds(Group g, std::string_view low, std::string_view high);
   /// The published mean of n runs could be one of our population: published_mean_test with p >= 0.05.
   Judge& agrees(Group g, std::string_view readout, double published, double n_published);
   /// The lowest (or highest) mean of the first `points` points agrees with a published one.

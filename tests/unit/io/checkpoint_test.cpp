@@ -39,7 +39,8 @@ State lively_state() {
                    {.centre = 50, .since = 1e-7, .phase = Maturing{{0, 1}, {1.0 / 3.0, 2}, 4}, .record = {.id = 2}},
                    {.centre = 90, .since = 3, .phase = Contracting{{5, 6}, 0.7}, .record = {.id = 3}},
                    {.centre = 99, .since = 4, .phase = Finishing{0.9}, .record = {.id = 4}}};
-  s.ended = {{.id = 9, .centre = 7, .t_initiation = 0.4, .length = 1.0 / 7.0, .cause = EndCause::rupture}};
+  s.ended = {
+      {.id = 9, .centre = 7, .t_initiation = 0.4, .length = 1.0 / 7.0, .direction = -1.1, .cause = EndCause::rupture}};
   return s;
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <numbers>
 #include <stdexcept>
 
 namespace matrigrate::io {
@@ -80,14 +81,14 @@ TEST(RunFiles, ProtrusionsHaveTheTimesOfTheirTransitions) {
   r.t_mature = 1100.0;
   r.t_disassembly = 2000.0;
   r.length = 25.5;
+  r.direction = std::numbers::pi / 2.0;
   r.f_mat = 0.5;
   r.force = 0.15;
   r.cause = EndCause::rupture;
   const std::vector<ProtrusionRecord> records{r};
-  EXPECT_EQ(
-      protrusions_csv(records, {.force = 0.6}),
-      "id,centre_particle,t_initiation_s,t_adhesion_s,t_mature_s,t_disassembly_s,t_end_s,length_um,f_mat,force_nN,"
-      "f_adh_rel,cause\n3,17,100,500,1100,2000,,25.5,0.5,0.15,0.5,rupture\n");
+  EXPECT_EQ(protrusions_csv(records, {.force = 0.6}),
+            "id,centre_particle,t_initiation_s,t_adhesion_s,t_mature_s,t_disassembly_s,t_end_s,length_um,"
+            "direction_deg,f_mat,force_nN,f_adh_rel,cause\n3,17,100,500,1100,2000,,25.5,90,0.5,0.15,0.5,rupture\n");
 }
 
 TEST(Summary, IsTheSameInBothFormats) {

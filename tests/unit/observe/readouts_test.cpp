@@ -105,6 +105,31 @@ TEST(ReadOuts, AverageTheProtrusionsForWhichAValueIsDefined) {
   EXPECT_TRUE(std::isnan(r.v_migr_abs));
 }
 
+TEST(ReadOuts, TellProtrusionsAlongFibresFromThoseAcross) {
+  Parameters p;
+  p.fibres.arrangement = FibreArrangement::uniaxial;
+  p.fibres.direction_deg = 60.0;
+  const auto towards = [](double degrees, ProtrusionRecord r) {
+    r.direction = degrees * std::numbers::pi / 180.0;
+    return r;
+  };
+  const std::vector<ProtrusionRecord> records{
+      towards(70.0, ended(mature(1, 20.0, 0.9), EndCause::disassembly, 1600.0, 0.1)),
+      towards(-110.0, ended(mature(2, 20.0, 0.7), EndCause::rupture, 1600.0, 0.1)),
+      towards(30.0, ended(mature(3, 20.0, 0.5), EndCause::lost, 1600.0, 0.1)), // neither disassembled nor ruptured
+      towards(150.0, ended(mature(4, 20.0, 0.2), EndCause::rupture, 1600.0, 0.1)),
+      towards(-10.0, mature(5, 20.0, 0.3))}; // still adheres
+  const ReadOuts r = readouts({}, records, p);
+  EXPECT_NEAR(r.along.f_mat.value, 0.7, 1e-12);
+  EXPECT_NEAR(r.along.ruptured.value, 0.5, 1e-12);
+  EXPECT_EQ(r.along.ruptured.n, 2U);
+  EXPECT_NEAR(r.across.f_mat.value, 0.25, 1e-12);
+  EXPECT_NEAR(r.across.ruptured.value, 1.0, 1e-12);
+  EXPECT_EQ(r.across.ruptured.n, 1U);
+  p.fibres.arrangement = FibreArrangement::isotropic;
+  EXPECT_TRUE(std::isnan(readouts({}, records, p).across.f_mat.value));
+}
+
 TEST(ReadOuts, CountSimultaneousProtrusions) {
   auto rows = zigzag(60.0, 3);
   rows[1].in_phase = {1, 0, 1, 0};

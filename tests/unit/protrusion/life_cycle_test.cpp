@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace matrigrate;
 
 namespace {
@@ -127,7 +129,8 @@ TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
   Parameters p = small_matrix();
   p.adhesion.r_off_min = 10.0; // disassembles at once when it contracts
   State s = cell_in_matrix(p);
-  add_protrusion(s, 100, Growing{outward(s, 100)});
+  const Vec2 direction = outward(s, 100);
+  add_protrusion(s, 100, Growing{direction});
   for (std::size_t i = 95; i <= 105; ++i) s.cortex.x[i] *= 1.2;
   const auto until = [&](double t) {
     while (s.t < t - 0.5 * p.run.time_step) {
@@ -143,6 +146,7 @@ TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
   ASSERT_TRUE(std::holds_alternative<Maturing>(s.protrusions.at(0).phase));
   EXPECT_EQ(s.cortex.l0[94], stretched); // rest lengths are taken anew
   EXPECT_NEAR(s.protrusions[0].record.t_adhesion, 400.0, 1e-9);
+  EXPECT_NEAR(s.protrusions[0].record.direction, std::atan2(direction.y(), direction.x()), 1e-12);
   EXPECT_EQ(s.protrusions[0].record.length, protrusion_length(s.cortex, 100, p.protrusion));
   std::get<Maturing>(s.protrusions[0].phase).anchor += 0.05 * outward(s, 100); // 0.1 nN
   until(1000.0);

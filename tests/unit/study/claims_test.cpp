@@ -56,6 +56,21 @@ TEST(Judge, EachCondition) {
   EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up).same(a, b, f); })) << "all must be met";
 }
 
+TEST(Judge, ComparesTwoReadOutsOfTheSameRuns) {
+  Evidence e = evidence(f, apart);
+  const std::vector<std::string> names = all_readouts();
+  const auto force = static_cast<std::size_t>(std::ranges::find(names, "force_nN") - names.begin());
+  const auto f_mat = static_cast<std::size_t>(std::ranges::find(names, f) - names.begin());
+  double excess = 0.01;
+  for (Result& r : e.at("s").results) r.readouts[force] = r.readouts[f_mat] + (excess += 1e-3); // little, but in each
+  Judge above(e);
+  EXPECT_EQ(verdict(above.exceeds({"s", 0}, f, "force_nN")), Verdict::holds);
+  Judge below(e);
+  EXPECT_EQ(verdict(below.exceeds({"s", 0}, "force_nN", f)), Verdict::does_not_hold);
+  Judge none(e);
+  EXPECT_EQ(verdict(none.exceeds({"s", 0}, f, "tau_prot_min")), Verdict::undecided);
+}
+
 TEST(Judge, IsUndecidedWithoutRuns) {
   const Evidence e = evidence(f, {{1.0}, {2.0, 3.0}});
   Judge few(e);
@@ -75,7 +90,7 @@ TEST(Claims, AreComplete) {
       EXPECT_TRUE(std::filesystem::exists(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name))) << name;
   }
   EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2", "B3", "B4", "C1",
-                                        "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1", "E2", "E3", "E4"}));
+                                        "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1", "E2", "E3", "E4", "E5"}));
 }
 
 TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
