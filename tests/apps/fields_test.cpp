@@ -30,7 +30,7 @@ TEST_F(Fields, AreWrittenAndPlayed) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
   EXPECT_TRUE(exists("here/fields.h5"));
   EXPECT_FALSE(exists("here/fields.part")) << "only a run that goes on needs it";
-  EXPECT_TRUE(contains(text_of(folder / "here/fields.xdmf"), "fields.h5:/matrix/displacement"));
+  EXPECT_TRUE(contains(text_of(folder / "here/fields.xdmf"), "fields.h5:/frames/0/matrix/displacement"));
   const json page = data("here/report.html");
   EXPECT_EQ(page.at("frames").at("times_s"), json::parse("[0.0, 16.0, 32.0, 36.0]"));
   EXPECT_EQ(page.at("tracks").at("t_s").size(), 6U);
