@@ -16,14 +16,7 @@ protected:
     Program::SetUp();
     write("s.toml", "[ecm]\nradius = \"40 um\"\n[output]\ntrack_interval = \"8 s\"\nfield_interval = \"16 s\"\n");
   }
-  json data(const std::string& file) const {
-    const std::string page = text_of(folder / file);
-    const std::string mark = "id=\"matrigrate-data\">";
-    const std::size_t start = page.find(mark) + mark.size();
-    const std::string text = page.substr(start, page.find("</script>", start) - start);
-    EXPECT_EQ(text.find('<'), std::string::npos);
-    return json::parse(text);
-  }
+  json data(const std::string& file) const { return json::parse(page_data(file)); }
 };
 
 TEST_F(Fields, AreWrittenAndPlayed) {

@@ -48,8 +48,12 @@ assert counts == {n + m}, (counts, n, m)
 view = CreateRenderView(ViewSize=[800, 800], Background=[1, 1, 1], UseColorPaletteForBackground=0)
 shown = Show(particles, view, Representation="Points", PointSize=6)
 ColorBy(shown, ("POINTS", "displacement", "Magnitude"))
-shown.RescaleTransferFunctionToDataRange(True)
+view.ViewTime = times[-1]
+particles.UpdatePipeline(times[-1])
+shown.RescaleTransferFunctionToDataRange(False)
 shown.SetScalarBarVisibility(view, True)
+legend = GetScalarBar(GetColorTransferFunction("displacement"), view)
+legend.TitleColor = legend.LabelColor = [0, 0, 0]
 edge = Show(cell, view, LineWidth=3)
 edge.AmbientColor = edge.DiffuseColor = [0, 0, 0]
 colours = []

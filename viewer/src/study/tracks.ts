@@ -2,7 +2,7 @@
 import { h, s } from "../dom";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "./figure";
-import { inRows, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
+import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
 const withPath = (made: Grid): Group[] =>
   inRows(made.groups.filter((g) => g.runs.some((r) => r.path && r.path.x_um.length > 1)));
@@ -21,7 +21,7 @@ export function paths(made: Grid): HTMLElement | null {
     "div",
     { class: "multiples", style: multiplesStyle(made) },
     ...groups.map((g) =>
-      figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, 225, () => ({
+      figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, (window) => multipleSide(made, window), () => ({
         data: g.runs.flatMap((r) => {
           if (!r.path) return [];
           const { x_um: x, y_um: y } = r.path;
@@ -42,7 +42,7 @@ export function paths(made: Grid): HTMLElement | null {
         }),
         layout: {
           margin: { l: 44, r: 8, t: 6, b: 38 },
-          xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5 }),
+          xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
           yaxis: axis("y [\u00b5m]", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
         },
       })),
@@ -62,7 +62,7 @@ export function shapes(made: Grid): HTMLElement | null {
   const bar = roundStep(0.2 * side);
   return h(
     "div",
-    { class: "multiples", style: multiplesStyle(made) },
+    { class: "multiples cells", style: multiplesStyle(made) },
     ...groups.map((g) => {
       const cells = g.runs.filter((r) => r.outline);
       const across = 4;
