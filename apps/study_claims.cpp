@@ -59,14 +59,16 @@ std::optional<std::string_view> shipped_name(const study::Study& study) {
 std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std::vector<study::Result>& results) {
   const std::optional<std::string_view> name = shipped_name(study.study);
   if (!name) return {};
-  study::Evidence evidence;
-  evidence.emplace(*name, study::Ensemble{study.study, results});
+  study::Evidence all;
+  all.emplace(*name, study::Ensemble{study.study, results});
   std::vector<study::JudgedClaim> judged;
   for (const study::Claim& claim : study::claims()) {
     if (std::ranges::find(claim.studies, *name) == claim.studies.end()) continue;
+    study::Evidence evidence; // of this claim alone, so that a single study is not named in each sentence
     for (const std::string_view other : claim.studies) {
-      if (evidence.contains(other)) continue;
-      if (auto found = beside(study.folder, other)) evidence.emplace(other, *std::move(found));
+      if (!all.contains(other))
+        if (auto found = beside(study.folder, other)) all.emplace(other, *std::move(found));
+      if (const auto known = all.find(other); known != all.end()) evidence.insert(*known);
     }
     judged.push_back(study::judged(claim, evidence));
   }

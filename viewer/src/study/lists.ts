@@ -6,8 +6,16 @@ import { withUnit } from "./groups";
 
 const verdicts = { holds: "holds", fails: "does not hold", open: "undecided" };
 
-const lines = (texts: string[]): HTMLElement | string =>
-  texts.length > 1 ? h("ul", {}, ...texts.map((text) => h("li", {}, text))) : (texts[0] ?? "");
+/** The first sentence, and the others on demand. */
+const lines = ([first, ...others]: string[]): HTMLElement | string =>
+  others.length === 0
+    ? (first ?? "")
+    : h(
+        "details",
+        {},
+        h("summary", {}, first, " ", h("span", { class: "more" }, `and ${others.length} more`)),
+        h("ul", {}, ...others.map((text) => h("li", {}, text))),
+      );
 
 export function claims(study: StudyPage): HTMLElement | null {
   if (!study.claims || study.claims.length === 0) return null;
