@@ -88,7 +88,9 @@ test("a report of the program opens, plays and shows every layer", { skip: progr
     await until(async () => (await time()) !== "0 s" && (await time()) !== "0 min", "it plays");
     await page.locator(".scrub").fill("60");
     assert.notEqual(await picture(page), first, "nothing moves");
-    const layers = await page.locator("input[name=layer]").evaluateAll((all) => all.map((e) => e.getAttribute("value")));
+    const layers = await page
+      .locator("input[name=layer]")
+      .evaluateAll((all) => all.map((e) => e.getAttribute("value")));
     assert.deepEqual(layers, ["degradation", "displacement", "pressure", "von_mises"]);
     const seen = new Set<string>();
     for (const layer of layers) {

@@ -64,7 +64,8 @@ test("shows claims with the published value, ours and the statistic", async () =
   const heads = await page.locator("#claims th").allTextContents();
   assert.deepEqual(heads.slice(1), ["claim", "verdict", "published", "ours: mean [95 %]", "statistic"]);
   const first = (await page.locator("#claims tbody tr >> nth=0").textContent()) ?? "";
-  for (const part of ["A2", "holds", "4.1 and 9.3 um/h", "[7.6, 11.0]", "p 0.0001"]) assert.ok(first.includes(part), part);
+  for (const part of ["A2", "holds", "4.1 and 9.3 um/h", "[7.6, 11.0]", "p 0.0001"])
+    assert.ok(first.includes(part), part);
   assert.match((await page.locator("#claims .notice").textContent()) ?? "", /Not run as published/);
   await page.context().close();
 });

@@ -36,7 +36,12 @@ function show(study: StudyPage, page: HTMLElement): void {
   const draw = () => {
     const made = grid(study, main);
     const parts = [
-      part("claims", "Claims and verdicts", claims(study), study.claims_note ? h("p", { class: "notice" }, study.claims_note) : null),
+      part(
+        "claims",
+        "Claims and verdicts",
+        claims(study),
+        study.claims_note ? h("p", { class: "notice" }, study.claims_note) : null,
+      ),
       study.readouts.length > 0
         ? section(
             "readouts",

@@ -21,31 +21,35 @@ export function paths(made: Grid): HTMLElement | null {
     "div",
     { class: "multiples", style: multiplesStyle(made) },
     ...groups.map((g) =>
-      figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, (window) => multipleSide(made, window), () => ({
-        data: g.runs.flatMap((r) => {
-          if (!r.path) return [];
-          const { x_um: x, y_um: y } = r.path;
-          const last = x.length - 1;
-          return [
-            {
-              type: "scatter",
-              mode: "lines+markers",
-              x: x.map((v) => v - x[0]),
-              y: y.map((v) => v - y[0]),
-              line: { width: 1.4, color: seriesColour(g.series) },
-              opacity: 0.75,
-              marker: { size: x.map((_, i) => (i === last ? 6 : 0)), color: seriesColour(g.series), opacity: 1 },
-              text: `seed ${r.seed}`,
-              hoverinfo: "text",
-            },
-          ];
+      figure(
+        `${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`,
+        (window) => multipleSide(made, window),
+        () => ({
+          data: g.runs.flatMap((r) => {
+            if (!r.path) return [];
+            const { x_um: x, y_um: y } = r.path;
+            const last = x.length - 1;
+            return [
+              {
+                type: "scatter",
+                mode: "lines+markers",
+                x: x.map((v) => v - x[0]),
+                y: y.map((v) => v - y[0]),
+                line: { width: 1.4, color: seriesColour(g.series) },
+                opacity: 0.75,
+                marker: { size: x.map((_, i) => (i === last ? 6 : 0)), color: seriesColour(g.series), opacity: 1 },
+                text: `seed ${r.seed}`,
+                hoverinfo: "text",
+              },
+            ];
+          }),
+          layout: {
+            margin: { l: 44, r: 8, t: 6, b: 38 },
+            xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
+            yaxis: axis("y [\u00b5m]", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
+          },
         }),
-        layout: {
-          margin: { l: 44, r: 8, t: 6, b: 38 },
-          xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
-          yaxis: axis("y [\u00b5m]", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
-        },
-      })),
+      ),
     ),
   );
 }
