@@ -26,7 +26,7 @@ def check(source, wanted, name):
     assert wanted.items() <= found.items(), (name, found)
     info = source.GetDataInformation()
     bounds = info.GetBounds()
-    assert bounds[1] > (50 if "displacement" in wanted else 5), (name, bounds)
+    assert bounds[1] - bounds[0] > (100 if "displacement" in wanted else 20), (name, bounds)
     print(f"{name}: {info.GetNumberOfPoints()} points, {len(times)} times, {sorted(found)}")
     return info.GetNumberOfPoints()
 
