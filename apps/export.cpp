@@ -57,6 +57,7 @@ int export_run(const Options& options) {
 void add_export(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("export", "Write a run in other formats: VTK, tracks, pictures, a movie");
   verb->footer("fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
+               "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
                "--png and --movie call rsvg-convert and ffmpeg, which have to be installed.");
   const auto options = std::make_shared<Options>();
   verb->add_option("DIR", options->folder, "Folder of a run")->required();

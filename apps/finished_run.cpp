@@ -60,18 +60,19 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   return run;
 }
 
-std::string report_of(const FinishedRun& run) {
-  return io::filled_page(run_page_template(),
-                         io::run_data({.title = run_title(run.p),
-                                       .status = status_of(run),
-                                       .t_end = run.t,
-                                       .p = run.p,
-                                       .readouts = readouts(run.memory.rows, run.protrusions, run.p),
-                                       .rows = run.memory.rows,
-                                       .health = run.memory.health,
-                                       .records = run.protrusions,
-                                       .film = &run.film,
-                                       .provenance = provenance_of(run.record)}));
+nlohmann::ordered_json page_data(const FinishedRun& run) {
+  return io::run_data({.title = run_title(run.p),
+                       .status = status_of(run),
+                       .t_end = run.t,
+                       .p = run.p,
+                       .readouts = readouts(run.memory.rows, run.protrusions, run.p),
+                       .rows = run.memory.rows,
+                       .health = run.memory.health,
+                       .records = run.protrusions,
+                       .film = &run.film,
+                       .provenance = provenance_of(run.record)});
 }
+
+std::string report_of(const FinishedRun& run) { return io::filled_page(run_page_template(), page_data(run)); }
 
 } // namespace matrigrate::apps

@@ -26,6 +26,9 @@ struct FinishedRun {
 /// @throws InputOutputError if the folder holds no run, or one of its files cannot be read
 FinishedRun read_run(const std::filesystem::path& folder);
 
+/// What the page of the run shows (viewer/README.md).
+nlohmann::ordered_json page_data(const FinishedRun& run);
+
 /// The page of report.html.
 std::string report_of(const FinishedRun& run);
 

@@ -1,6 +1,8 @@
 #include "apps/finished_run.hpp"
+#include "apps/study_files.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/failure.hpp"
 #include "base/file.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +13,24 @@ namespace matrigrate::apps {
 
 namespace {
 
-int report(const std::filesystem::path& folder) {
-  write_file(folder / "report.html", report_of(read_run(folder)));
+struct Options {
+  std::string folder;
+  std::vector<std::string> play;
+};
+
+int report(const Options& options) {
+  const std::filesystem::path folder = options.folder;
+  std::error_code error;
+  if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
+    const StudyFolder study = open_study(folder);
+    write_study_report(study, gathered(study), options.play);
+  } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
+    if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
+    write_file(folder / "report.html", report_of(read_run(folder)));
+  } else {
+    throw InputOutputError(fmt::format(
+        "{}: is the folder of neither a run (no run.json) nor a study (no study.resolved.toml)", folder.string()));
+  }
   print(fmt::format("open {}\n", (folder / "report.html").string()));
   return done;
 }
@@ -20,12 +38,19 @@ int report(const std::filesystem::path& folder) {
 } // namespace
 
 void add_report(CLI::App& app, Action& chosen) {
-  CLI::App* verb = app.add_subcommand("report", "Make report.html of a run anew, from its files");
-  verb->footer("Takes tables and protrusions from the last checkpoint, and the player's frames from fields.part or\n"
-               "fields.h5; so it also works for a run that goes on, was killed, or was made without a report.");
-  const auto folder = std::make_shared<std::string>();
-  verb->add_option("DIR", *folder, "Folder of a run")->required();
-  verb->callback([folder, &chosen] { chosen = [folder] { return report(*folder); }; });
+  CLI::App* verb = app.add_subcommand("report", "Make report.html of a run or a study anew, from its files");
+  verb->footer(
+      "Of a run: takes tables and protrusions from the last checkpoint, and the player's frames from\n"
+      "fields.part or fields.h5; so it also works for a run that goes on, was killed, or was made without a\n"
+      "report. Of a study: from the files of its runs; of up to five points it plays the run in the middle by\n"
+      "the first read-out, unless --play names others.");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("DIR", options->folder, "Folder of a run or a study")->required();
+  verb->add_option("--play", options->play,
+                   "A run that the page of a study is to play, by the name of its folder; may "
+                   "be repeated")
+      ->allow_extra_args(false);
+  verb->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 
 } // namespace matrigrate::apps

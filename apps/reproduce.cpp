@@ -128,14 +128,18 @@ study::Evidence evidence_for(const std::vector<const study::Claim*>& claims, con
     for (const std::string_view name : claim->studies)
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   study::Evidence evidence;
+  std::vector<std::pair<StudyFolder, Collected>> collected;
   for (const std::string_view name : names) {
-    const StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
+    StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
     const PoolOutcome outcome = computed(study, options);
     if (outcome.signal != 0) throw Stopped{outcome.signal};
     if (outcome.cannot_write)
       throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
-    evidence.emplace(name, study::Ensemble{study.study, collect(study).results});
+    Collected tables = collect_tables(study);
+    evidence.emplace(name, study::Ensemble{study.study, tables.results});
+    collected.emplace_back(std::move(study), std::move(tables));
   }
+  for (const auto& [study, tables] : collected) write_study_report(study, tables); // claims may need several studies
   return evidence;
 }
 
@@ -171,9 +175,7 @@ int reproduce(const Options& options) {
     print("stopped; the same command goes on\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
-  for (const study::Claim* claim : claims)
-    rows.push_back(
-        {std::string(claim->id), std::string(claim->sentence), std::string(claim->published), claim->judge(evidence)});
+  for (const study::Claim* claim : claims) rows.push_back(study::judged(*claim, evidence));
   write_reproduction(options.folder, options.id, rows, evidence, setting);
   if (options.json)
     print(reproduction_json(rows, setting, as_published(options)));

@@ -8,13 +8,8 @@
 
 namespace matrigrate::apps {
 
-/// What became of a row of the table of claims.
-struct ReproducedRow {
-  std::string id;
-  std::string sentence;
-  std::string published;
-  study::Finding finding;
-};
+/// A row of the table of claims.
+using ReproducedRow = study::JudgedClaim;
 
 /// Writes claims-<id>.csv, boxes-<id>.svg and report-<id>.html into the folder.
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,

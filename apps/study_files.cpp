@@ -2,6 +2,8 @@
 
 #include "apps/provenance.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/study_claims.hpp"
+#include "apps/study_players.hpp"
 #include "base/file.hpp"
 #include "io/run_page.hpp"
 #include "study/box_plot.hpp"
@@ -31,21 +33,39 @@ std::string groups_text(const StudyFolder& study, const Collected& collected, co
 
 } // namespace
 
-Collected collect(const StudyFolder& study) {
+Collected gathered(const StudyFolder& study) {
   Collected c;
   c.results = study::results(study.study, study.runs, study.folder);
   c.comparisons = study::comparisons(study.study, c.results);
+  return c;
+}
+
+Collected collect_tables(const StudyFolder& study) {
+  Collected c = gathered(study);
   write_file(study.folder / "results.csv", study::results_csv(study.study, c.results));
   write_file(study.folder / "groups.csv", study::groups_csv(study.study, c.results));
   write_file(study.folder / "statistics.csv", study::statistics_csv(study.study, c.comparisons));
   write_file(study.folder / "correlations.csv", study::correlations_csv(study.study, c.results));
   write_file(study.folder / "boxes.svg", study::boxes_svg(study.study, c.results));
+  return c;
+}
+
+void write_study_report(const StudyFolder& study, const Collected& collected, const std::vector<std::string>& played) {
   write_file(study.folder / "report.html",
-             io::filled_page(study_page_template(), study::study_data({.study = study.study,
-                                                                       .results = c.results,
-                                                                       .comparisons = c.comparisons,
-                                                                       .folder = study.folder,
-                                                                       .provenance = provenance_text()})));
+             io::filled_page(study_page_template(),
+                             study::study_data({.study = study.study,
+                                                .results = collected.results,
+                                                .comparisons = collected.comparisons,
+                                                .folder = study.folder,
+                                                .provenance = provenance_text(),
+                                                .claims = claims_about(study, collected.results),
+                                                .claims_note = claims_note(study.study),
+                                                .played = played_runs(study, collected.results, played)})));
+}
+
+Collected collect(const StudyFolder& study) {
+  Collected c = collect_tables(study);
+  write_study_report(study, c);
   return c;
 }
 

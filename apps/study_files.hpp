@@ -14,8 +14,18 @@ struct Collected {
   std::vector<study::Comparison> comparisons;
 };
 
-/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv, boxes.svg and
-/// report.html.
+/// Reads the results of all runs, and compares the points.
+Collected gathered(const StudyFolder& study);
+
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and boxes.svg.
+Collected collect_tables(const StudyFolder& study);
+
+/// Writes report.html.
+/// @param played  names of the runs it is to play; none: typical ones
+void write_study_report(const StudyFolder& study, const Collected& collected,
+                        const std::vector<std::string>& played = {});
+
+/// All of these files.
 Collected collect(const StudyFolder& study);
 
 /// Means of all points and what differs, for people.

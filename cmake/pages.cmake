@@ -20,13 +20,11 @@ if(NOT pages)
                        COMMENT "" VERBATIM)
     list(APPEND viewer_copies ${viewer}/${file})
   endforeach()
-  # A mirror of the registry without the packages of other systems makes `npm ci` give up; `npm install` keeps to the
-  # versions of the lock file as well.
   add_custom_command(
     OUTPUT ${viewer}/installed
     DEPENDS ${viewer}/package.json ${viewer}/package-lock.json
     WORKING_DIRECTORY ${viewer}
-    COMMAND sh -c "\"$0\" ci --no-audit --no-fund --silent || \"$0\" install --no-save --no-audit --no-fund" ${NPM}
+    COMMAND ${NPM} ci --no-audit --no-fund --loglevel=error
     COMMAND ${CMAKE_COMMAND} -E touch ${viewer}/installed
     COMMENT "Getting what builds the report's pages" VERBATIM)
   add_custom_command(

@@ -27,6 +27,7 @@ libgtest-dev: the tests
 libbenchmark-dev: the benchmarks
 clang-format: the test of the formatting
 chromium: opens the pages of reports in their tests
+python3-h5py: opens fields in their tests
 "
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }

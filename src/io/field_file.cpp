@@ -51,7 +51,10 @@ void write_frames(MemoryFile& file, const std::string& name, const Film& film, s
   const std::size_t n = of(film.frames.front()).size() / components;
   if (n == 0) return; // fibres, where there are none
   FrameArray array(file, name, of(film.frames.front()), film.frames.size(), n, components, unit);
-  for (std::size_t k = 0; k < film.frames.size(); ++k) array.write(k, of(film.frames[k]));
+  for (std::size_t k = 0; k < film.frames.size(); ++k) {
+    array.write(k, of(film.frames[k]));
+    file.name_frame(frame_path(k, name), name, k);
+  }
 }
 
 /// Protrusions of all frames, one row each.
@@ -100,6 +103,8 @@ void read_protrusions(const MemoryFile& file, Film& film) {
 }
 
 } // namespace
+
+std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
 
 std::string field_file(const Film& film) {
   MemoryFile file;

@@ -13,6 +13,7 @@
 ///   /matrix/reference, a position a particle; /matrix/position, displacement, velocity, f_degr, pressure, von_mises,
 ///   fibre_von_mises, solid: (frames, particles), vectors (frames, particles, 3) with z = 0
 ///   /outline/position, front, protrusion, phase, f_mat, curvature, actomyosin_force: (frames, particles of the cortex)
+///   /frames/<k>/matrix/position and so on: the same numbers frame by frame, as views (virtual datasets) of the above
 ///   /protrusions/frame, id, centre, phase, anchor, f_mat, force: a row for each protrusion alive in a frame
 /// Test: tests/unit/io/field_file_test.cpp
 namespace matrigrate::io {
@@ -24,8 +25,11 @@ inline constexpr const char* field_index_name = "fields.xdmf";
 /// @throws InputOutputError if HDF5 refuses
 std::string field_file(const Film& film);
 
+/// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
+std::string frame_path(std::size_t k, std::string_view name);
+
 /// fields.xdmf: for ParaView, which reads the arrays of fields.h5 beside it. Grids `matrix` (points) and `outline` (a
-/// closed line), at their times [s].
+/// closed line), at their times [s]. Names views, since not every reader of XDMF chooses a part of an array.
 std::string field_index(const Film& film);
 
 /// The frames of a fields.h5.

@@ -6,26 +6,19 @@ namespace matrigrate::io {
 
 namespace {
 
-/// The part of an array that belongs to frame k.
-std::string slab(std::string_view name, std::string_view type, const Film& film, std::size_t k, std::size_t n,
-                 int components) {
-  const std::string shape = components == 3 ? fmt::format("{} 3", n) : fmt::format("{}", n);
-  const std::string zeros = components == 3 ? "0 0" : "0";
-  const std::string ones = components == 3 ? "1 1 1" : "1 1";
-  return fmt::format("<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {1}\" Type=\"HyperSlab\">"
-                     "<DataItem Dimensions=\"3 {2}\" Format=\"XML\">{3} {4} {5} 1 {1}</DataItem>"
-                     "<DataItem Dimensions=\"{6} {1}\" {7} Format=\"HDF\">{8}:/{0}</DataItem></DataItem>",
-                     name, shape, components == 3 ? 3 : 2, k, zeros, ones, film.frames.size(), type, field_file_name);
+/// An array at frame k.
+std::string item(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
+  return fmt::format("<DataItem Dimensions=\"{}{}\" {} Format=\"HDF\">{}:{}</DataItem>", n, components == 3 ? " 3" : "",
+                     type, field_file_name, frame_path(k, fmt::format("/{}", name)));
 }
 
 constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
 constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
 
-std::string attribute(std::string_view name, std::string_view type, const Film& film, std::size_t k, std::size_t n,
-                      int components) {
+std::string attribute(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
   return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
                      name.substr(name.find('/') + 1), components == 3 ? "Vector" : "Scalar",
-                     slab(name, type, film, k, n, components));
+                     item(name, type, k, n, components));
 }
 
 /// All fields of one body.
@@ -34,18 +27,18 @@ std::string attributes(std::string_view body, const Film& film, std::size_t k, s
   std::string text;
   for (const auto& field : float_fields())
     if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
-      text += attribute(field.name, floating, film, k, n, field.components == 2 ? 3 : 1);
+      text += attribute(field.name, floating, k, n, field.components == 2 ? 3 : 1);
   for (const auto& field : byte_fields())
-    if (field.name.starts_with(body)) text += attribute(field.name, bytes, film, k, n, 1);
+    if (field.name.starts_with(body)) text += attribute(field.name, bytes, k, n, 1);
   return text;
 }
 
 std::string grid(std::string_view name, const std::string& topology, const Film& film, std::size_t k, std::size_t n) {
   return fmt::format("      <Grid Name=\"{0}\" GridType=\"Uniform\">\n        <Time Value=\"{1}\"/>\n        {2}\n"
                      "        <Geometry GeometryType=\"XYZ\">{3}</Geometry>\n{4}      </Grid>\n",
-                     name, film.frames[k].t, topology, slab(fmt::format("{}/position", name), floating, film, k, n, 3),
+                     name, film.frames[k].t, topology, item(fmt::format("{}/position", name), floating, k, n, 3),
                      attributes(fmt::format("{}/", name), film, k, n)
-                         + (name == "matrix" ? attribute("matrix/solid", bytes, film, k, n, 1) : std::string()));
+                         + (name == "matrix" ? attribute("matrix/solid", bytes, k, n, 1) : std::string()));
 }
 
 std::string closed_line(std::size_t n) {

@@ -167,6 +167,17 @@ void MemoryFile::write_text(const std::string& name, std::string_view text) {
   write(name, text.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{text.size()}, "");
 }
 
+void MemoryFile::name_frame(const std::string& view, const std::string& name, std::size_t frame) {
+  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
+  const Slab slab = slab_of(data, frame);
+  const std::span<const hsize_t> shape = std::span(slab.shape).subspan(1);
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
+  const Handle creation = undated();
+  require(H5Pset_virtual(creation.id(), space.id(), ".", name.c_str(), slab.space.id()), "no view of a frame");
+  new_array(m_file, view, type.id(), shape, creation.id());
+}
+
 /// The array of that name. @param columns  1 for a 1-d array   @param rows  its length out
 Handle MemoryFile::open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const {
   Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));

@@ -60,6 +60,9 @@ public:
   /// @param columns  1 for a 1-d array, else n x columns
   void write_rows(const std::string& name, std::span<const float> values, std::size_t columns, std::string_view unit);
 
+  /// Names one frame of a FrameArray as an array of its own, without a copy: what HDF5 calls a virtual dataset.
+  void name_frame(const std::string& view, const std::string& name, std::size_t frame);
+
   /// @throws InputOutputError naming the array, if it is not there or of another type or shape
   std::vector<double> doubles(const std::string& name) const;
   std::vector<Vec2> vectors(const std::string& name) const;

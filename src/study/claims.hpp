@@ -28,6 +28,16 @@ struct Claim {
 /// Rows A to E, in their order.
 std::span<const Claim> claims();
 
+/// A claim, or a verification beside them, with what became of it.
+struct JudgedClaim {
+  std::string id;
+  std::string sentence;
+  std::string published;
+  Finding finding;
+};
+
+JudgedClaim judged(const Claim& claim, const Evidence& evidence);
+
 /// The parts of the table: rows on stiffness and force (A), rates and times (B), adhesion laws (C), kept numbers of
 /// protrusions without and with fibres (D, E).
 std::vector<Claim> migration_claims();

@@ -118,4 +118,8 @@ std::span<const Claim> claims() {
   return all;
 }
 
+JudgedClaim judged(const Claim& claim, const Evidence& evidence) {
+  return {std::string(claim.id), std::string(claim.sentence), std::string(claim.published), claim.judge(evidence)};
+}
+
 } // namespace matrigrate::study

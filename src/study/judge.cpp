@@ -39,8 +39,9 @@ std::vector<double> Judge::column(std::string_view study, std::string_view reado
 
 std::string Judge::label(Group g) const {
   const auto found = m_evidence.find(g.study);
-  return found == m_evidence.end() ? std::string(g.study)
-                                   : fmt::format("{}: {}", g.study, found->second.study.points[g.point].label);
+  if (found == m_evidence.end()) return std::string(g.study);
+  const std::string& label = found->second.study.points[g.point].label;
+  return m_evidence.size() == 1 ? label : fmt::format("{}: {}", g.study, label);
 }
 
 void Judge::tell(Group g, std::string_view readout, const std::vector<double>& x) {

@@ -4,6 +4,7 @@
 #include "io/run_page.hpp"
 #include "parameters/schema.hpp"
 #include "statistics/correlation.hpp"
+#include "study/run_json.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json; // NaN is written as null
 
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
-constexpr std::size_t path_points = 100;
 
 /// A swept value: the number in the unit of its row, or the word.
 Json value_of(const Row& row, const Parameters& p) {
@@ -89,50 +89,6 @@ std::vector<double> column(const std::filesystem::path& file, std::string_view n
   return csv_column(read_file(file, largest_table), name);
 }
 
-/// At most path_points of a path, the last one among them.
-Json path_json(const std::filesystem::path& tracks) {
-  const std::vector<double> x = column(tracks, "x_um");
-  const std::vector<double> y = column(tracks, "y_um");
-  if (x.empty() || x.size() != y.size()) return {};
-  Json path{{"x_um", Json::array()}, {"y_um", Json::array()}};
-  const std::size_t n = std::min(x.size(), path_points);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t i = n == 1 ? 0 : k * (x.size() - 1) / (n - 1);
-    path["x_um"].push_back(x[i]);
-    path["y_um"].push_back(y[i]);
-  }
-  return path;
-}
-
-std::string status_of(const Standing& standing) {
-  if (standing.status == "done" || standing.status == "failed") return standing.status;
-  return standing.status == "unfinished" ? "running" : "pending";
-}
-
-Json run_json(const StudyReport& report, const Result& result, const Json& place) {
-  const std::filesystem::path folder = run_folder(report.folder, result.run);
-  const std::vector<std::string> names = all_readouts();
-  Json json{{"id", result.run.hash},
-            {"point", place},
-            {"seed", result.run.seed},
-            {"status", status_of(result.standing)},
-            {"reason", result.standing.reason},
-            {"report", nullptr},
-            {"readouts", Json::object()},
-            {"path", nullptr},
-            {"f_adh_rel", Json::array()}};
-  std::error_code error;
-  if (std::filesystem::exists(folder / "report.html", error))
-    json["report"] = (folder.lexically_relative(report.folder) / "report.html").generic_string();
-  if (!result.standing.done()) return json;
-  for (const std::string& name : report.study.readouts)
-    json["readouts"][name] = result.readouts[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
-  json["path"] = path_json(folder / "tracks.csv");
-  for (const double force : column(folder / "protrusions.csv", "f_adh_rel"))
-    if (std::isfinite(force)) json["f_adh_rel"].push_back(force);
-  return json;
-}
-
 Json test_json(const Study& study, const Comparison& c, const std::vector<Json>& place) {
   const bool bounded = std::isfinite(c.difference.low) && std::isfinite(c.difference.high);
   return {{"readout", c.readout},
@@ -195,6 +151,28 @@ Json correlation_json(const StudyReport& report) {
   return {{"names", report.study.readouts}, {"r", r}, {"p", p}, {"n", n}};
 }
 
+std::string verdict_word(Verdict verdict) {
+  return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "open" : "fails";
+}
+
+Json claims_json(const std::vector<JudgedClaim>& claims) {
+  Json list = Json::array();
+  for (const JudgedClaim& c : claims)
+    list.push_back({{"id", c.id},
+                    {"claim", c.sentence},
+                    {"published", c.published},
+                    {"verdict", verdict_word(c.finding.verdict)},
+                    {"ours", c.finding.ours},
+                    {"statistic", c.finding.conditions}});
+  return list;
+}
+
+Json players_json(const std::vector<PlayedRun>& played) {
+  Json list = Json::array();
+  for (const PlayedRun& run : played) list.push_back({{"id", run.id}, {"label", run.label}, {"run", run.page}});
+  return list;
+}
+
 } // namespace
 
 Json axes_json(const Study& study) {
@@ -218,18 +196,27 @@ Json study_data(const StudyReport& report) {
   const std::vector<Json> place = places(report.study);
   const auto done = std::ranges::count_if(report.results, [](const Result& r) { return r.standing.done(); });
   Json runs = Json::array();
-  for (const Result& result : report.results) runs.push_back(run_json(report, result, place[result.run.point]));
+  for (const Result& result : report.results)
+    runs.push_back(run_json(report.study, report.folder, result, place[result.run.point]));
   Json tests = Json::array();
   for (const Comparison& c : report.comparisons) tests.push_back(test_json(report.study, c, place));
   Json msd = Json::array();
   for (std::size_t i = 0; i < place.size(); ++i) msd.push_back(msd_json(report, i, place[i]));
-  return {
-      {"format", "matrigrate-study"},    {"version", 1},
-      {"title", report.study.title},     {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
-      {"axes", axes_json(report.study)}, {"readouts", readouts_json(report.study)},
-      {"runs", std::move(runs)},         {"tests", std::move(tests)},
-      {"msd", std::move(msd)},           {"correlation", correlation_json(report)},
-      {"provenance", report.provenance}, {"citation", io::citation()}};
+  return {{"format", "matrigrate-study"},
+          {"version", 1},
+          {"title", report.study.title},
+          {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
+          {"axes", axes_json(report.study)},
+          {"readouts", readouts_json(report.study)},
+          {"runs", std::move(runs)},
+          {"tests", std::move(tests)},
+          {"msd", std::move(msd)},
+          {"correlation", correlation_json(report)},
+          {"claims", claims_json(report.claims)},
+          {"claims_note", report.claims_note},
+          {"players", players_json(report.played)},
+          {"provenance", report.provenance},
+          {"citation", io::citation()}};
 }
 
 } // namespace matrigrate::study

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "study/claims.hpp"
 #include "study/comparison.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,13 +12,23 @@
 /// The data of a study's report, as viewer/README.md describes them. Test: tests/unit/study/study_data_test.cpp
 namespace matrigrate::study {
 
+/// A run that the page plays.
+struct PlayedRun {
+  std::string id;              ///< name of its folder
+  std::string label;           ///< which one it is, and why it was chosen
+  nlohmann::ordered_json page; ///< io::run_data
+};
+
 /// What a report is made of.
 struct StudyReport {
   const Study& study;
   const std::vector<Result>& results;
   const std::vector<Comparison>& comparisons;
-  std::filesystem::path folder; ///< of the study, whose runs' tables are read
-  std::string provenance;       ///< its line breaks are kept
+  std::filesystem::path folder;      ///< of the study, whose runs' tables are read
+  std::string provenance;            ///< its line breaks are kept
+  std::vector<JudgedClaim> claims{}; ///< of the paper, about this study
+  std::string claims_note{};         ///< what to know of them
+  std::vector<PlayedRun> played{};
 };
 
 /// The parameters that differ between points, with their values in the order to draw: numbers in the unit of the

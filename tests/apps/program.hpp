@@ -47,6 +47,16 @@ protected:
     return text.str();
   }
 
+  /// The data, as JSON text, of a page that the program wrote.
+  std::string page_data(const std::string& file) const {
+    const std::string page = text_of(folder / file);
+    const std::string mark = "id=\"matrigrate-data\">";
+    const std::size_t start = page.find(mark) + mark.size();
+    std::string text = page.substr(start, page.find("</script>", start) - start);
+    EXPECT_EQ(text.find('<'), std::string::npos);
+    return text;
+  }
+
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder / name); }
   std::size_t entries() const {

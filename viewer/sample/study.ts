@@ -1,6 +1,7 @@
 /** A made-up study: stiffness of the matrix against sensitivity of adhesions, twelve runs each. */
 import type { GridPoint, StudyPage, StudyRun, StudyTest } from "../src/contract";
 import { normal, random, type Random } from "./random";
+import { sampleRun } from "./run";
 
 const stiffness = [50, 100, 200, 300, 400];
 const sensitivity = ["2e4 1/N", "8e4 1/N"];
@@ -150,21 +151,35 @@ export function sampleStudy(): StudyPage {
         id: "A2",
         claim: "v_migr_abs rises over 50-200 Pa (50 vs 200 significant); 200, 300, 400 do not differ significantly",
         verdict: "holds",
-        found: "50 vs 200 Pa: +4.9 um/h (2.8 to 7.0), p < 0.0001",
+        published: "4.1 and 9.3 um/h",
+        ours: ["v_migr_abs at 50 Pa 4.4 [3.1, 5.7] (n = 12)", "v_migr_abs at 200 Pa 9.3 [7.6, 11.0] (n = 12)"],
+        statistic: ["200 Pa significantly above 50 Pa (difference 4.9 [2.8, 7.0], p 0.0001): met"],
       },
       {
         id: "A3",
         claim: "n_protrusions rises, tau_prot falls over 50-200 Pa; no significant change 200-400",
         verdict: "fails",
-        found: "n_protrusions 200 vs 400 Pa: +1.6, p = 0.01",
+        published: "",
+        ours: ["n_protrusions at 200 Pa 15.9 [15, 16.8] (n = 12)"],
+        statistic: ["n_protrusions at 400 Pa not significantly different (difference 1.6, p 0.01): not met"],
       },
       {
         id: "A7",
         claim: "usually 2 or 3 protrusions at a time, not more than 3",
         verdict: "open",
-        found: "not evaluated",
+        published: "",
+        ours: [],
+        statistic: ["too few runs"],
       },
     ],
+    claims_note: "Not run as published: run.integrator adaptive (published: reference).",
+    players: runs
+      .slice(0, 2)
+      .map((r) => ({
+        id: r.id,
+        label: `E ${stiffness[r.point[0]]} Pa, replicate ${r.seed}`,
+        run: sampleRun({ seed: r.seed, radius: 90, interval: 600, end: 7200 }),
+      })),
     provenance: "matrigrate 0.1.0\nstudy          stiffness x sensitivity, 12 runs each",
     citation:
       "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) PLoS Comput Biol 16(1): e1007250.",

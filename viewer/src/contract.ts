@@ -239,9 +239,22 @@ export interface StudyCorrelation {
 export interface StudyClaim {
   id: string;
   claim: string;
+  /** The paper's numbers; "" where it gives none. */
+  published: string;
   verdict: "holds" | "fails" | "open";
-  /** What was found, with numbers. */
-  found: string;
+  /** What was found: means with their intervals. */
+  ours: string[];
+  /** Conditions with their statistics, and whether each is met. */
+  statistic: string[];
+}
+
+/** A run that the page of a study plays. */
+export interface StudyPlayer {
+  /** As in `runs`. */
+  id: string;
+  /** Which one it is, and why it was chosen. */
+  label: string;
+  run: RunPage;
 }
 
 export interface StudyPage {
@@ -257,6 +270,9 @@ export interface StudyPage {
   msd: StudyMsd[];
   correlation?: StudyCorrelation | null;
   claims?: StudyClaim[];
+  /** In what the study is not the published one; "" for nothing. */
+  claims_note?: string;
+  players?: StudyPlayer[];
   provenance: string;
   citation: string;
 }

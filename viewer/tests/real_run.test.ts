@@ -6,7 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { launch } from "./browser";
+import type { Browser, Page } from "playwright-core";
+import { launch, until } from "./browser";
 
 const program = process.env["MATRIGRATE_PROGRAM"];
 
@@ -19,25 +20,103 @@ field_interval = "12 s"
 duration = "60 s"
 `;
 
-test("a report of the program opens and plays", { skip: program === undefined }, async () => {
+const study = `scenario = "s.toml"
+replicates = 2
+readouts = ["v_migr_abs_um_per_h", "n_protrusions"]
+[sweep]
+ecm.youngs_modulus = ["50 Pa", "200 Pa"]
+`;
+
+/** Colours of a canvas that differ by more than drawing does, on a coarse grid of the picture as it is seen. */
+async function coloursOf(page: Page): Promise<number> {
+  const picture = (await page.locator(".stage").screenshot()).toString("base64");
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext("2d")!;
+    context.drawImage(image, 0, 0);
+    const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
+    const seen = new Set<number>();
+    for (let i = 0; i < pixels.length; i += 4 * 97)
+      seen.add(((pixels[i] >> 5) << 6) | ((pixels[i + 1] >> 5) << 3) | (pixels[i + 2] >> 5));
+    return seen.size;
+  }, picture);
+}
+
+async function picture(page: Page): Promise<string> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return (await page.locator(".stage").screenshot()).toString("base64");
+}
+
+async function opened(browser: Browser, file: string): Promise<{ page: Page; errors: string[] }> {
+  const page = await browser.newPage();
+  const errors: string[] = [];
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForSelector("html[data-ready=true]");
+  return { page, errors };
+}
+
+async function within(work: (folder: string, browser: Browser) => Promise<void>): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), "matrigrate-real-"));
   const browser = await launch(false);
   try {
     writeFileSync(join(folder, "s.toml"), scenario);
-    execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
-    const page = await browser.newPage();
-    const errors: string[] = [];
-    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
-    page.on("pageerror", (error) => errors.push(error.message));
-    await page.goto(pathToFileURL(join(folder, "run", "report.html")).href);
-    await page.locator(".scrub").waitFor();
-    assert.equal(await page.locator("h1").textContent(), "Migration run, seed 1");
-    await page.locator(".scrub").fill("60");
-    await page.locator("input[value=von_mises]").check();
-    await page.locator("text=ecm.radius").first().waitFor();
-    assert.deepEqual(errors, []);
+    writeFileSync(join(folder, "e.toml"), study);
+    await work(folder, browser);
   } finally {
     await browser.close();
     rmSync(folder, { recursive: true });
   }
-});
+}
+
+test("a report of the program opens, plays and shows every layer", { skip: program === undefined }, () =>
+  within(async (folder, browser) => {
+    execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
+    const { page, errors } = await opened(browser, join(folder, "run", "report.html"));
+    assert.equal(await page.locator("h1").textContent(), "Migration run, seed 1");
+    const time = () => page.locator(".stage .time").textContent();
+    if ((await page.locator(".play").getAttribute("aria-label")) === "Pause") await page.locator(".play").click();
+    await page.locator(".scrub").fill("0");
+    const first = await picture(page);
+    assert.ok((await coloursOf(page)) > 3, "a blank picture");
+    await page.locator(".play").click();
+    await until(async () => (await time()) !== "0 s" && (await time()) !== "0 min", "it plays");
+    await page.locator(".scrub").fill("60");
+    assert.notEqual(await picture(page), first, "nothing moves");
+    const layers = await page
+      .locator("input[name=layer]")
+      .evaluateAll((all) => all.map((e) => e.getAttribute("value")));
+    assert.deepEqual(layers, ["degradation", "displacement", "pressure", "von_mises"]);
+    const seen = new Set<string>();
+    for (const layer of layers) {
+      await page.locator(`input[value=${layer}]`).check();
+      seen.add(await picture(page));
+    }
+    assert.equal(seen.size, layers.length);
+    for (const box of await page.locator(".panel input[type=checkbox]").all()) {
+      const before = await picture(page);
+      await box.setChecked(!(await box.isChecked()));
+      if ((await box.getAttribute("name")) === "cell") assert.notEqual(await picture(page), before);
+    }
+    await page.locator("text=ecm.radius").first().waitFor();
+    assert.deepEqual(errors, []);
+  }),
+);
+
+test("a study of the program shows shapes and plays runs", { skip: program === undefined }, () =>
+  within(async (folder, browser) => {
+    execFileSync(program!, ["study", "run", "e.toml", "-o", "study", "--quiet"], { cwd: folder });
+    const { page, errors } = await opened(browser, join(folder, "study", "report.html"));
+    assert.equal(await page.locator("#shapes polygon").count(), 4);
+    await page.locator("#players h2 >> nth=0").scrollIntoViewIfNeeded();
+    await page.locator("#players .stage").waitFor();
+    assert.ok((await coloursOf(page)) > 3, "a blank picture");
+    assert.equal(await page.locator("#players select >> nth=0 >> option").count(), 2);
+    assert.deepEqual(errors, []);
+  }),
+);

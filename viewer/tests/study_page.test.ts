@@ -59,6 +59,40 @@ test("lists verdicts, failures first, and links to reports beside it alone", asy
   await page.context().close();
 });
 
+test("shows claims with the published value, ours and the statistic", async () => {
+  const { page } = await open(browser, "study", JSON.stringify(sampleStudy()));
+  const heads = await page.locator("#claims th").allTextContents();
+  assert.deepEqual(heads.slice(1), ["claim", "verdict", "published", "ours: mean [95 %]", "statistic"]);
+  const first = (await page.locator("#claims tbody tr >> nth=0").textContent()) ?? "";
+  for (const part of ["A2", "holds", "4.1 and 9.3 um/h", "[7.6, 11.0]", "p 0.0001"])
+    assert.ok(first.includes(part), part);
+  assert.match((await page.locator("#claims .notice").textContent()) ?? "", /Not run as published/);
+  await page.context().close();
+});
+
+test("plays chosen runs, one at a time, when they are looked at", async () => {
+  const study = sampleStudy();
+  const { page, errors, requests } = await open(browser, "study", JSON.stringify(study));
+  assert.equal(await page.locator("#players .stage").count(), 0, "not before it is near");
+  await page.locator("#players h2 >> nth=0").scrollIntoViewIfNeeded();
+  await page.locator("#players .stage").waitFor();
+  assert.equal(await page.locator("#players .play").getAttribute("aria-label"), "Play", "it waits to be started");
+  await page.locator("#players .scrub").fill("3600");
+  const early = (await page.locator("#players .stage").screenshot()).toString("base64");
+  await page.locator("#players .scrub").fill("7200");
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  assert.notEqual((await page.locator("#players .stage").screenshot()).toString("base64"), early);
+  await page.locator("#players .play").click();
+  await until(async () => (await page.locator("#players .stage .time").textContent()) !== "2 h 0 min", "it plays");
+  await page.locator("#players select >> nth=0").selectOption("1");
+  await page.locator(`.chosen-run[data-run="${study.players?.[1].id}"] .stage`).waitFor();
+  assert.equal(await page.locator("#players .stage").count(), 1);
+  assert.equal(await page.locator("#players .note a").getAttribute("href"), study.runs[1].report);
+  assert.deepEqual(errors, []);
+  assert.deepEqual(requests, []);
+  await page.context().close();
+});
+
 test("a study with one axis, or with nothing done yet", async () => {
   const study = sampleStudy();
   const one = {
@@ -69,6 +103,7 @@ test("a study with one axis, or with nothing done yet", async () => {
     msd: [],
     correlation: null,
     claims: undefined,
+    players: undefined,
   };
   const first = await open(browser, "study", JSON.stringify(one));
   assert.equal(await allDrawn(first.page), 5 + 5 + 5);

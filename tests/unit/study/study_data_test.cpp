@@ -37,5 +37,25 @@ TEST(StudyData, HoldsRunsThatAreNotThereYet) {
   EXPECT_EQ(data.at("correlation").at("names").size(), study.readouts.size());
 }
 
+TEST(StudyData, HoldsClaimsAndPlayedRuns) {
+  const Study study = read("[sweep]\nprotrusion.number = [1, 2]\n");
+  const Finding finding{Verdict::does_not_hold, {"f_mat at 1 0.3 [0.2, 0.4] (n = 3)"}, {"p 0.2: not met"}};
+  const auto data = study_data({.study = study,
+                                .results = {},
+                                .comparisons = {},
+                                .folder = "nowhere",
+                                .provenance = "commit",
+                                .claims = {{"A1", "rises", "0.5", finding}},
+                                .claims_note = "Not run as published.",
+                                .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
+  const auto& claim = data.at("claims").at(0);
+  EXPECT_EQ(claim.at("verdict"), "fails");
+  EXPECT_EQ(claim.at("published"), "0.5");
+  EXPECT_EQ(claim.at("ours").dump(), "[\"f_mat at 1 0.3 [0.2, 0.4] (n = 3)\"]");
+  EXPECT_EQ(claim.at("statistic").at(0), "p 0.2: not met");
+  EXPECT_EQ(data.at("claims_note"), "Not run as published.");
+  EXPECT_EQ(data.at("players").at(0).at("run").at("format"), "matrigrate-run");
+}
+
 } // namespace
 } // namespace matrigrate::study

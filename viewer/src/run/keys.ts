@@ -1,8 +1,9 @@
-/** Keys of the player. They act from anywhere on the page, but leave controls their own keys. */
+/** Keys of the player. Where they act from anywhere on the page, they leave controls their own keys. */
 import type { Clock } from "./clock";
 import type { Stage } from "./stage";
 
-export function attachKeys(clock: Clock, stage: Stage): void {
+/** @param from  where keys are listened to   @param gone  when they no longer are */
+export function attachKeys(clock: Clock, stage: Stage, from: Document | HTMLElement, gone: AbortSignal): void {
   const actions: Record<string, () => void> = {
     " ": () => clock.toggle(),
     ArrowRight: () => clock.step(1),
@@ -15,7 +16,8 @@ export function attachKeys(clock: Clock, stage: Stage): void {
     f: () => stage.setFollow(!stage.follow),
     "0": () => stage.reset(),
   };
-  document.addEventListener("keydown", (event) => {
+  const pressed = (event: Event) => {
+    if (!(event instanceof KeyboardEvent)) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target instanceof Element ? event.target : null;
     const scrubber = target?.matches(".scrub") ?? false;
@@ -27,5 +29,6 @@ export function attachKeys(clock: Clock, stage: Stage): void {
     if (!act) return;
     event.preventDefault();
     act();
-  });
+  };
+  from.addEventListener("keydown", pressed, { signal: gone });
 }

@@ -127,7 +127,8 @@ function present(film: Film, clock: Clock): HTMLElement {
   );
 }
 
-export function player(run: RunPage, film: Film, clock: Clock): HTMLElement {
+/** @param alone  see `runView`   @param gone  when the player is taken away */
+export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, gone: AbortSignal): HTMLElement {
   const all = layers(film);
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
   const stage = new Stage(run, film, clock, all[0], displacement);
@@ -138,10 +139,10 @@ export function player(run: RunPage, film: Film, clock: Clock): HTMLElement {
   clock.onChange(showTime);
   showTime();
   stage.element.append(time, viewButtons(stage));
-  attachKeys(clock, stage);
+  attachKeys(clock, stage, alone ? document : stage.element, gone);
   // Someone who asked for stillness gets the whole story in one picture: the end.
   if (wantsStillness()) clock.set(clock.end);
-  else
+  else if (alone)
     queueMicrotask(() => {
       if (!clock.playing && clock.time === 0) clock.toggle();
     });

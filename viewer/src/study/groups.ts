@@ -21,6 +21,8 @@ export interface Group {
 export interface Grid {
   axisTitle: string;
   columns: string[];
+  /** The same with the name of the axis and its unit. */
+  columnLabels: string[];
   series: string[];
   groups: Group[];
   /** Room for one box along x. */
@@ -30,7 +32,13 @@ export interface Grid {
 const key = (point: GridPoint): string => point.join(",");
 
 /** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough. */
-export const multiplesStyle = (made: Grid): string => `--columns:${Math.min(6, made.columns.length)}`;
+const most = (made: Grid): number => Math.min(6, made.columns.length);
+export const multiplesStyle = (made: Grid): string => `--columns:${most(made)};--some:${Math.min(3, most(made))}`;
+/** The side of a square one in a window of this width [px]; as study.css has it. */
+export function multipleSide(made: Grid, window: number): number {
+  const beside = window <= 640 ? 2 : window <= 1024 ? Math.min(3, most(made)) : most(made);
+  return Math.round(Math.min(320, (Math.min(1280, window) - 48 - 19 * (beside - 1)) / beside));
+}
 export const inRows = (groups: Group[]): Group[] =>
   [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
 
@@ -50,20 +58,21 @@ export function grid(study: StudyPage, main: number): Grid {
   const series = [...new Set(points.map(seriesOf))];
   const width = 0.8 / series.length;
   const columns = axis ? axis.values.map(String) : [""];
+  const unit = axis?.unit ? ` ${prettyUnit(axis.unit)}` : "";
+  const columnLabels = axis ? columns.map((value) => `${axis.label} ${value}${unit}`) : ["all runs"];
   const groups = points.map((point): Group => {
     const column = axis ? point[main] : 0;
     const k = series.indexOf(seriesOf(point));
-    const value = axis ? `${axis.label} ${columns[column]}${axis.unit ? ` ${prettyUnit(axis.unit)}` : ""}` : "all runs";
     return {
       point,
       column,
       series: k,
       x: column + (k - 0.5 * (series.length - 1)) * width,
-      label: [value, series[k]].filter(Boolean).join(", "),
+      label: [columnLabels[column], series[k]].filter(Boolean).join(", "),
       runs: study.runs.filter((run) => key(run.point) === key(point)),
     };
   });
-  return { axisTitle: axis ? withUnit(axis.label, axis.unit) : "", columns, series, groups, width };
+  return { axisTitle: axis ? withUnit(axis.label, axis.unit) : "", columns, columnLabels, series, groups, width };
 }
 
 export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>

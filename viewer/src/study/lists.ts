@@ -4,21 +4,38 @@ import { h, table } from "../dom";
 import { readable } from "../numbers";
 import { withUnit } from "./groups";
 
-const verdicts = { holds: "holds", fails: "does not hold", open: "open" };
+const verdicts = { holds: "holds", fails: "does not hold", open: "undecided" };
+
+/** The first sentence, and the others on demand. */
+const lines = ([first, ...others]: string[]): HTMLElement | string =>
+  others.length === 0
+    ? (first ?? "")
+    : h(
+        "details",
+        {},
+        h("summary", {}, first, " ", h("span", { class: "more" }, `and ${others.length} more`)),
+        h("ul", {}, ...others.map((text) => h("li", {}, text))),
+      );
 
 export function claims(study: StudyPage): HTMLElement | null {
   if (!study.claims || study.claims.length === 0) return null;
   return table(
-    ["", "claim", "verdict", "found"],
+    ["", "claim", "verdict", "published", "ours: mean [95 %]", "statistic"],
     study.claims.map((c) => [
       c.id,
       c.claim,
       h("span", { class: c.verdict }, verdicts[c.verdict] ?? c.verdict),
-      c.found,
+      c.published || "\u2013",
+      lines(c.ours),
+      lines(c.statistic),
     ]),
     { caption: "Claims and verdicts" },
   );
 }
+
+// A relative address only: a page must not lead elsewhere because its data says so.
+export const safe = (address: string | null): string | null =>
+  address !== null && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(address) ? address : null;
 
 const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];
 
@@ -33,10 +50,8 @@ export function runs(study: StudyPage): HTMLElement {
     ...shown.map((r) => withUnit(r.label, r.unit)),
   ];
   const sorted = [...study.runs].sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status));
-  // A relative address only: a page must not lead elsewhere because its data says so.
-  const safe = (address: string | null) => address !== null && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(address);
   const rows = sorted.map((run) => [
-    safe(run.report) ? h("a", { href: run.report ?? "" }, run.id) : run.id,
+    safe(run.report) ? h("a", { href: safe(run.report) ?? "" }, run.id) : run.id,
     ...study.axes.map((a, i) => String(a.values[run.point[i]])),
     String(run.seed),
     run.reason

@@ -6,7 +6,8 @@ import "../page.css";
 import { boxes } from "./boxes";
 import type { Shown } from "./brackets";
 import { grid, seriesColour, type Grid } from "./groups";
-import { claims, runs } from "./lists";
+import { claims, runs, safe } from "./lists";
+import { players } from "./players";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
 import { paths, shapes } from "./tracks";
@@ -31,10 +32,16 @@ function show(study: StudyPage, page: HTMLElement): void {
   let main = 0;
   let comparisons: Shown = "significant";
   const body = h("div", {});
+  const played = players(study, safe);
   const draw = () => {
     const made = grid(study, main);
     const parts = [
-      part("claims", "Claims and verdicts", claims(study)),
+      part(
+        "claims",
+        "Claims and verdicts",
+        claims(study),
+        study.claims_note ? h("p", { class: "notice" }, study.claims_note) : null,
+      ),
       study.readouts.length > 0
         ? section(
             "readouts",
@@ -50,6 +57,7 @@ function show(study: StudyPage, page: HTMLElement): void {
         : null,
       part("paths", "Paths from a common origin", paths(made), seriesKey(made)),
       part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
+      played,
       part("msd", "Mean square displacement", msd(study, made)),
       part("adhesions", "Force at which adhesions ended, over f_mat F_am", adhesionForces(made), seriesKey(made)),
       part("correlation", "Correlations across runs", correlation(study)),

@@ -6,6 +6,9 @@ import { pText, readable, stars } from "../numbers";
 import { axis, figure, ink, type Json } from "./figure";
 import { columnColour, groupAt, multiplesStyle, seriesColour, type Grid } from "./groups";
 
+/** For logarithmic axes. */
+const roundNumbers = [-2, -1, 0, 1, 2, 3, 4, 5].flatMap((k) => [1, 2, 5].map((n) => n * 10 ** k));
+
 const dashes = ["solid", "dash", "dot", "dashdot"];
 const symbols = ["circle", "square", "diamond", "triangle-up"];
 
@@ -52,8 +55,8 @@ export function msd(study: StudyPage, made: Grid): HTMLElement | null {
         layout: {
           showlegend: true,
           legend: width > 700 ? { x: 1.02, y: 1 } : { orientation: "h", y: -0.18, yanchor: "top", font: { size: 12 } },
-          xaxis: axis("lag [min]", { type: "log", tickvals: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000] }),
-          yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", dtick: 1 }),
+          xaxis: axis("lag [min]", { type: "log", tickvals: roundNumbers }),
+          yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", tickvals: roundNumbers }),
         },
       };
     },
@@ -79,9 +82,9 @@ export function adhesionForces(made: Grid): HTMLElement | null {
   return h(
     "div",
     { class: "multiples", style: multiplesStyle(made) },
-    ...made.columns.map((name, c) =>
+    ...made.columns.map((_, c) =>
       figure(
-        `${made.axisTitle.replace(/ \[.*/, "")} ${name}: n = ${made.series.map((_, k) => of(k, c).length).join(" and ")} adhesions`,
+        `${made.columnLabels[c]}: n = ${made.series.map((_, k) => of(k, c).length).join(" and ")} adhesions`,
         230,
         () => ({
           // Several series as outlines: bars over bars would mix their colours.
@@ -115,7 +118,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
   if (!c || c.names.length === 0) return null;
   const label = (name: string) => study.readouts.find((r) => r.name === name)?.label ?? name;
   const labels = c.names.map(label);
-  return figure(
+  const drawn = figure(
     "Correlation of read-outs across all runs: Pearson's r, stars for p < 0.05, 0.01, 0.001; more on hover.",
     90 + 68 * labels.length,
     (width) => ({
@@ -155,10 +158,14 @@ export function correlation(study: StudyPage): HTMLElement | null {
                 : i === j
                   ? "1"
                   : `${r.toFixed(2).replace("-", "\u2212")}${(c.p[i][j] ?? 1) < 0.05 ? `<br>${stars(c.p[i][j])}` : ""}`,
-            font: { size: width > 520 ? 13 : 11, color: r !== null && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" },
+            font: { size: width > 520 ? 13 : 12, color: r !== null && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" },
           })),
         ),
       },
     }),
   );
+  // Where the numbers would not fit, it is scrolled sideways.
+  drawn.classList.add("wide");
+  drawn.style.setProperty("--least", `${150 + 46 * labels.length}px`);
+  return drawn;
 }

@@ -2,7 +2,7 @@
 import { h, s } from "../dom";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "./figure";
-import { inRows, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
+import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
 const withPath = (made: Grid): Group[] =>
   inRows(made.groups.filter((g) => g.runs.some((r) => r.path && r.path.x_um.length > 1)));
@@ -21,31 +21,35 @@ export function paths(made: Grid): HTMLElement | null {
     "div",
     { class: "multiples", style: multiplesStyle(made) },
     ...groups.map((g) =>
-      figure(`${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`, 225, () => ({
-        data: g.runs.flatMap((r) => {
-          if (!r.path) return [];
-          const { x_um: x, y_um: y } = r.path;
-          const last = x.length - 1;
-          return [
-            {
-              type: "scatter",
-              mode: "lines+markers",
-              x: x.map((v) => v - x[0]),
-              y: y.map((v) => v - y[0]),
-              line: { width: 1.4, color: seriesColour(g.series) },
-              opacity: 0.75,
-              marker: { size: x.map((_, i) => (i === last ? 6 : 0)), color: seriesColour(g.series), opacity: 1 },
-              text: `seed ${r.seed}`,
-              hoverinfo: "text",
-            },
-          ];
+      figure(
+        `${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`,
+        (window) => multipleSide(made, window),
+        () => ({
+          data: g.runs.flatMap((r) => {
+            if (!r.path) return [];
+            const { x_um: x, y_um: y } = r.path;
+            const last = x.length - 1;
+            return [
+              {
+                type: "scatter",
+                mode: "lines+markers",
+                x: x.map((v) => v - x[0]),
+                y: y.map((v) => v - y[0]),
+                line: { width: 1.4, color: seriesColour(g.series) },
+                opacity: 0.75,
+                marker: { size: x.map((_, i) => (i === last ? 6 : 0)), color: seriesColour(g.series), opacity: 1 },
+                text: `seed ${r.seed}`,
+                hoverinfo: "text",
+              },
+            ];
+          }),
+          layout: {
+            margin: { l: 44, r: 8, t: 6, b: 38 },
+            xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
+            yaxis: axis("y [\u00b5m]", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
+          },
         }),
-        layout: {
-          margin: { l: 44, r: 8, t: 6, b: 38 },
-          xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5 }),
-          yaxis: axis("y [\u00b5m]", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
-        },
-      })),
+      ),
     ),
   );
 }
@@ -62,7 +66,7 @@ export function shapes(made: Grid): HTMLElement | null {
   const bar = roundStep(0.2 * side);
   return h(
     "div",
-    { class: "multiples", style: multiplesStyle(made) },
+    { class: "multiples cells", style: multiplesStyle(made) },
     ...groups.map((g) => {
       const cells = g.runs.filter((r) => r.outline);
       const across = 4;

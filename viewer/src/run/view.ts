@@ -1,0 +1,85 @@
+/** What a run is looked at with: player, path and protrusions, all at the same time. */
+import type { RunPage } from "../contract";
+import { h, section } from "../dom";
+import { Clock } from "./clock";
+import { film } from "./frames";
+import { player } from "./player";
+import { plots } from "./plots";
+import "./run.css";
+import { protrusionTable, timeline } from "./timeline";
+
+/** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them anew. */
+function fitted(make: (width: number) => HTMLElement): HTMLElement {
+  const holder = h("div", { class: "fitted" });
+  let drawn = 0;
+  new ResizeObserver(() => {
+    const width = Math.floor(holder.clientWidth);
+    if (width === drawn || width === 0) return;
+    drawn = width;
+    holder.replaceChildren(make(width));
+  }).observe(holder);
+  return holder;
+}
+
+export interface RunView {
+  /** Player, path, protrusions. */
+  parts: HTMLElement[];
+  /** Fulfilled when the film can be played, or cannot be. */
+  ready: Promise<void>;
+  /** To be called before it is taken away. */
+  stop: () => void;
+}
+
+/** @param alone  the page shows this run and nothing else: it starts by itself, and keys act from anywhere */
+export function runView(run: RunPage, alone: boolean): RunView {
+  const clock = new Clock(run.t_end_s, run.frames?.times_s ?? run.tracks.t_s);
+  const gone = new AbortController();
+  const stage = h(
+    "div",
+    { id: "film" },
+    h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : ""),
+  );
+  const parts = [
+    stage,
+    section(
+      "path",
+      "Path, speed and area",
+      fitted((width) => plots(run.tracks, clock, width)),
+    ),
+    section(
+      "protrusions",
+      "Protrusions",
+      fitted((width) => timeline(run.protrusions, clock, width)),
+      h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
+    ),
+  ];
+  const ready = film(run)
+    .then((made) => {
+      stage.replaceChildren(
+        made
+          ? player(run, made, clock, alone, gone.signal)
+          : h(
+              "p",
+              { class: "notice" },
+              "This run stored no frames, so there is nothing to play. Path, protrusions and tables are below.",
+            ),
+      );
+    })
+    .catch((reason: unknown) => {
+      stage.replaceChildren(
+        h(
+          "p",
+          { class: "notice", role: "alert" },
+          `The frames cannot be shown: ${reason instanceof Error ? reason.message : String(reason)}.`,
+        ),
+      );
+    });
+  return {
+    parts,
+    ready,
+    stop: () => {
+      gone.abort();
+      if (clock.playing) clock.toggle();
+    },
+  };
+}
