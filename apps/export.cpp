@@ -38,9 +38,12 @@ int export_run(const Options& options) {
   if (!(options.vtk || options.tracks || options.svg || options.png || options.movie))
     throw UsageError("say what to export: --vtk, --tracks, --svg, --png or --movie");
   const Layer layer = layer_of(options.layer);
-  if (options.png || options.movie) require_tools(options.movie);
   const FinishedRun run = read_run(options.folder);
   if (options.vtk || options.png || options.movie) require_frames(run, options.folder);
+  if (options.png || options.movie) {
+    require_layer(run, layer);
+    require_tools(options.movie);
+  }
   const std::filesystem::path to =
       options.output.empty() ? std::filesystem::path(options.folder) / "export" : std::filesystem::path(options.output);
   make_output_folder(to, options.force);
@@ -66,7 +69,8 @@ void add_export(CLI::App& app, Action& chosen) {
   verb->add_flag("--svg", options->svg, "The contact sheet and the path, for a publication");
   verb->add_flag("--png", options->png, "A picture a frame");
   verb->add_flag("--movie", options->movie, "movie.mp4 of these pictures");
-  verb->add_option("--layer", options->layer, "Of --png and --movie: displacement, von_mises or pressure");
+  verb->add_option("--layer", options->layer,
+                   "Of --png and --movie: displacement, von_mises, pressure or fibre_von_mises");
   verb->add_option("-o,--output", options->output, "Folder to write into (default: DIR/export)");
   verb->add_flag("--force", options->force, "Write into a folder that is not empty");
   verb->callback([options, &chosen] { chosen = [options] { return export_run(*options); }; });

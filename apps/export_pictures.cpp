@@ -13,10 +13,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
 #include <thread>
 
 namespace matrigrate::apps {
@@ -40,26 +42,38 @@ void call(const std::vector<std::string>& command) {
   if (*code != 0) throw InputOutputError(fmt::format("{} ended with exit code {}", command.front(), *code));
 }
 
+struct LayerOf {
+  Layer layer;
+  std::string_view name, label;
+  const io::Floats& (*of)(const io::Frame&); ///< two components of displacement, one of the others
+};
+constexpr std::array<LayerOf, 4> layers{{
+    {Layer::displacement, "displacement", "displacement [um]",
+     [](const io::Frame& f) -> const io::Floats& { return f.matrix.displacement; }},
+    {Layer::von_mises, "von_mises", "von Mises stress [Pa]",
+     [](const io::Frame& f) -> const io::Floats& { return f.matrix.von_mises; }},
+    {Layer::pressure, "pressure", "pressure [Pa]",
+     [](const io::Frame& f) -> const io::Floats& { return f.matrix.pressure; }},
+    {Layer::fibre_von_mises, "fibre_von_mises", "von Mises stress of the fibres [Pa]",
+     [](const io::Frame& f) -> const io::Floats& { return f.matrix.fibre_von_mises; }},
+}};
+
+const LayerOf& row_of(Layer layer) { return *std::ranges::find(layers, layer, &LayerOf::layer); }
+
 /// A layer's value of each particle, NaN in the fluid.
 std::vector<double> values_of(const io::Frame& frame, Layer layer) {
-  const std::size_t n = frame.matrix.f_degr.size();
-  std::vector<double> values(n, never);
-  for (std::size_t i = 0; i < n; ++i) {
+  const io::Floats& field = row_of(layer).of(frame);
+  std::vector<double> values(frame.matrix.f_degr.size(), never);
+  for (std::size_t i = 0; i < values.size(); ++i) {
     if (frame.matrix.f_degr[i] <= 0.0F) continue;
-    const io::Floats& u = frame.matrix.displacement;
-    values[i] = layer == Layer::displacement ? std::hypot(u[2 * i], u[2 * i + 1])
-                : layer == Layer::von_mises  ? frame.matrix.von_mises[i]
-                                             : frame.matrix.pressure[i];
+    values[i] = layer == Layer::displacement ? std::hypot(field[2 * i], field[2 * i + 1]) : field[i];
   }
   return values;
 }
 
 /// The range of a layer that all but one in a thousand values of the film lie in.
 io::Limits limits_of(const io::Film& film, Layer layer) {
-  if (layer == Layer::von_mises)
-    return io::usual_limits(film, [](const io::Frame& f) -> const io::Floats& { return f.matrix.von_mises; });
-  if (layer == Layer::pressure)
-    return io::usual_limits(film, [](const io::Frame& f) -> const io::Floats& { return f.matrix.pressure; });
+  if (layer != Layer::displacement) return io::usual_limits(film, row_of(layer).of);
   std::vector<double> all;
   for (const io::Frame& frame : film.frames)
     for (const double value : values_of(frame, layer))
@@ -80,9 +94,7 @@ std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer,
   io::Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += run.film.head.reference[i];
   return io::to_svg({.title = io::time_text(frame.t),
-                     .value_label = layer == Layer::displacement ? "displacement [um]"
-                                    : layer == Layer::von_mises  ? "von Mises stress [Pa]"
-                                                                 : "pressure [Pa]",
+                     .value_label = std::string(row_of(layer).label),
                      .position = vectors(x),
                      .value = values_of(frame, layer),
                      .particle_size = run.film.head.spacing,
@@ -95,10 +107,16 @@ std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer,
 } // namespace
 
 Layer layer_of(const std::string& name) {
-  if (name == "displacement") return Layer::displacement;
-  if (name == "von_mises") return Layer::von_mises;
-  if (name == "pressure") return Layer::pressure;
-  throw UsageError(fmt::format("there is no layer \"{}\"; the layers are: displacement, von_mises, pressure", name));
+  const auto found = std::ranges::find(layers, name, &LayerOf::name);
+  if (found != layers.end()) return found->layer;
+  throw UsageError(fmt::format(
+      "there is no layer \"{}\"; the layers are: displacement, von_mises, pressure, fibre_von_mises", name));
+}
+
+void require_layer(const FinishedRun& run, Layer layer) {
+  for (const io::Frame& frame : run.film.frames)
+    if (row_of(layer).of(frame).empty())
+      throw UsageError(fmt::format("the run has no layer \"{}\": its matrix has no fibres", row_of(layer).name));
 }
 
 void require_tools(bool movie) {
@@ -118,6 +136,11 @@ void export_svg(const FinishedRun& run, const std::filesystem::path& folder) {
   write_file(folder / "path.svg",
              io::to_svg(io::Plot{
                  .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = {path}, .equal_axes = true}));
+}
+
+std::string last_picture(const FinishedRun& run, Layer layer) {
+  const io::Film last{.head = run.film.head, .frames = {run.film.frames.back()}};
+  return picture(run, last.frames.front(), layer, limits_of(last, layer));
 }
 
 void export_film(const FinishedRun& run, Layer layer, const std::filesystem::path& folder, bool movie) {

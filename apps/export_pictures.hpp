@@ -8,16 +8,22 @@
 namespace matrigrate::apps {
 
 /// What particles are coloured by.
-enum class Layer { displacement, von_mises, pressure };
+enum class Layer { displacement, von_mises, pressure, fibre_von_mises };
 
 /// @throws UsageError if there is no layer of that name
 Layer layer_of(const std::string& name);
+
+/// @throws UsageError if the run has no such layer: one of fibres where there are none
+void require_layer(const FinishedRun& run, Layer layer);
 
 /// @throws InputOutputError if rsvg-convert is not installed, or ffmpeg where a movie is wanted
 void require_tools(bool movie);
 
 /// Writes contact_sheet.svg and path.svg.
 void export_svg(const FinishedRun& run, const std::filesystem::path& folder);
+
+/// The last frame, with its own colour bar.   @return the SVG document
+std::string last_picture(const FinishedRun& run, Layer layer);
 
 /// Writes frame_0000.svg and frame_0000.png, ..., with one colour bar for all, and movie.mp4 if wanted.
 /// @throws InputOutputError if a tool fails

@@ -1,4 +1,6 @@
 #include "apps/child.hpp"
+#include "apps/export_pictures.hpp"
+#include "apps/finished_run.hpp"
 #include "apps/folder_lock.hpp"
 #include "apps/reproduce_output.hpp"
 #include "apps/shipped_studies.hpp"
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -143,6 +146,23 @@ study::Evidence evidence_for(const std::vector<const study::Claim*>& claims, con
   return evidence;
 }
 
+/// One run with two protrusions among fibres, as in Fig 13; none without frames.
+std::map<std::string, io::Figure> figures_of(const study::Evidence& evidence, const Options& options) {
+  constexpr std::string_view name = "kept-protrusions-fibres";
+  constexpr std::size_t two_protrusions = 1;
+  const auto found = evidence.find(name);
+  if (found == evidence.end()) return {};
+  const auto& results = found->second.results;
+  const auto one =
+      std::ranges::find_if(results, [](const auto& r) { return r.run.point == two_protrusions && r.standing.done(); });
+  if (one == results.end()) return {};
+  const FinishedRun run = read_run(study::run_folder(std::filesystem::path(options.folder) / name, one->run));
+  if (run.film.frames.empty()) return {};
+  return {{"E5",
+           {"fibre-stress", "Von Mises stress of the fibres on the solid matrix, at the end of one run (Fig 13)",
+            last_picture(run, Layer::fibre_von_mises)}}};
+}
+
 /// Whether the studies are run as the paper ran them.
 bool as_published(const Options& options) { return !options.replicates && options.overrides.empty(); }
 
@@ -176,7 +196,7 @@ int reproduce(const Options& options) {
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
   for (const study::Claim* claim : claims) rows.push_back(study::judged(*claim, evidence));
-  write_reproduction(options.folder, options.id, rows, evidence, setting);
+  write_reproduction(options.folder, options.id, rows, evidence, figures_of(evidence, options), setting);
   if (options.json)
     print(reproduction_json(rows, setting, as_published(options)));
   else

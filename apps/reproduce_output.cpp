@@ -52,10 +52,14 @@ Colour colour_of(study::Verdict verdict) {
 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::string& setting) {
+                        const std::map<std::string, io::Figure>& figures, const std::string& setting) {
   write_file(folder / fmt::format("claims-{}.csv", id), claims_csv(rows));
   std::vector<io::PageSection> sections;
-  for (const ReproducedRow& row : rows) sections.push_back(section(row));
+  for (const ReproducedRow& row : rows) {
+    sections.push_back(section(row));
+    if (const auto figure = figures.find(row.id); figure != figures.end())
+      sections.back().figures.push_back(figure->second);
+  }
   std::vector<study::BoxPlot> all_plots;
   for (const auto& [name, ensemble] : evidence) {
     std::vector<study::BoxPlot> plots = box_plots(ensemble.study, ensemble.results);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "io/plot.hpp"
 #include "study/claims.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,9 +14,10 @@ namespace matrigrate::apps {
 using ReproducedRow = study::JudgedClaim;
 
 /// Writes claims-<id>.csv, boxes-<id>.svg and report-<id>.html into the folder.
+/// @param figures  beside the box plots, by the id of the row they belong to
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::string& setting);
+                        const std::map<std::string, io::Figure>& figures, const std::string& setting);
 
 /// The table for people.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows);

@@ -62,6 +62,9 @@ TEST_F(Fields, AreExported) {
   EXPECT_EQ(run("export here --vtk -o out --force").code, 0);
   EXPECT_EQ(run("export here").code, 2);
   EXPECT_EQ(run("export here --png --layer depth -o no").code, 2);
+  const Ended no_fibres = run("export here --png --layer fibre_von_mises -o no");
+  EXPECT_EQ(no_fibres.code, 2);
+  EXPECT_TRUE(contains(no_fibres.err, "its matrix has no fibres")) << no_fibres.err;
 }
 
 TEST_F(Fields, NeedsToolsForPixels) {
