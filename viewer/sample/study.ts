@@ -173,13 +173,11 @@ export function sampleStudy(): StudyPage {
       },
     ],
     claims_note: "Not run as published: run.integrator adaptive (published: reference).",
-    players: runs
-      .slice(0, 2)
-      .map((r) => ({
-        id: r.id,
-        label: `E ${stiffness[r.point[0]]} Pa, replicate ${r.seed}`,
-        run: sampleRun({ seed: r.seed, radius: 90, interval: 600, end: 7200 }),
-      })),
+    players: runs.slice(0, 2).map((r) => ({
+      id: r.id,
+      label: `E ${stiffness[r.point[0]]} Pa, replicate ${r.seed}`,
+      run: sampleRun({ seed: r.seed, radius: 90, interval: 600, end: 7200 }),
+    })),
     provenance: "matrigrate 0.1.0\nstudy          stiffness x sensitivity, 12 runs each",
     citation:
       "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) PLoS Comput Biol 16(1): e1007250.",

@@ -166,6 +166,6 @@ export function correlation(study: StudyPage): HTMLElement | null {
   );
   // Where the numbers would not fit, it is scrolled sideways.
   drawn.classList.add("wide");
-  drawn.style.setProperty("--least", `${150 + 46 * labels.length}px`);
+  drawn.style.setProperty("--least", `${110 + 8 * Math.max(...labels.map((l) => l.length)) + 46 * labels.length}px`);
   return drawn;
 }

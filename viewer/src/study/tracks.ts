@@ -64,15 +64,17 @@ export function shapes(made: Grid): HTMLElement | null {
     for (const r of g.runs) if (r.outline) side = Math.max(side, sides(r.outline.x_um), sides(r.outline.y_um));
   side *= 1.06;
   const bar = roundStep(0.2 * side);
+  const across = 4;
+  // 13 pixels high at the width that the picture gets (study.css).
+  const text = (13 * across * side) / (innerWidth <= 640 ? innerWidth - 24 : multipleSide(made, innerWidth));
   return h(
     "div",
     { class: "multiples cells", style: multiplesStyle(made) },
     ...groups.map((g) => {
       const cells = g.runs.filter((r) => r.outline);
-      const across = 4;
       const down = Math.ceil(cells.length / across);
       const svg = s("svg", {
-        viewBox: `0 0 ${across * side} ${down * side + 0.3 * side}`,
+        viewBox: `0 0 ${across * side} ${down * side + 0.12 * side + text}`,
         class: "shapes",
         role: "img",
         "aria-label": `Shapes at the end, ${g.label}`,
@@ -92,7 +94,7 @@ export function shapes(made: Grid): HTMLElement | null {
         s("rect", { class: "bar-of-scale", x: 0.1 * side, y, width: bar, height: 0.03 * side }),
         s(
           "text",
-          { x: 0.1 * side + bar + 0.06 * side, y: y + 0.08 * side, "font-size": 0.2 * side },
+          { x: 0.1 * side + bar + 0.06 * side, y: y + 0.015 * side + 0.36 * text, "font-size": text },
           `${readable(bar)} \u00b5m`,
         ),
       );
