@@ -142,11 +142,14 @@ void RunFolder::keep_checkpoint(double t) const {
              read_file(m_folder / io::checkpoint_name, std::size_t{1} << 40U));
 }
 
-void RunFolder::finish(const State& s, const Workspace& w, const std::string& status, bool failed) {
+void RunFolder::see_last(const State& s, const Workspace& w) {
   add_ended(s);
   if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) add_row(s, w);
   if (m_p.output.pictures && (m_memory.scenes.empty() || m_memory.scenes.back().t != s.t)) add_snapshot(s, w);
   if (m_frames && m_last_frame != s.t) add_frame(s, w);
+}
+
+void RunFolder::finish(const State& s, const std::string& status, bool failed) {
   const io::Film film = m_frames ? io::read_film(m_folder) : io::Film{};
   if (m_frames) write_fields(film);
   write_pictures(s, failed);
@@ -178,7 +181,7 @@ void RunFolder::write_pictures(const State& s, bool failed) const {
 }
 
 void RunFolder::write_fields(const io::Film& film) const {
-  write_file(m_folder / io::field_file_name, io::field_file(film));
+  io::write_field_file(m_folder / io::field_file_name, film);
   write_file(m_folder / io::field_index_name, io::field_index(film));
 }
 

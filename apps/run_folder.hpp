@@ -46,10 +46,13 @@ public:
   /// Whether checkpoints are written at their intervals; they are, unless told otherwise.
   void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
 
-  /// Writes the rows and the snapshot of the last state, read-outs, contact sheet and report.
+  /// Writes the rows, the snapshot and the frame of the last state, as far as they have not been due.
+  void see_last(const State& s, const Workspace& w);
+
+  /// Writes all that is made at the end: fields.h5, read-outs, contact sheet and report.
   /// @param status  a sentence on how the run ended, for the report
   /// @param failed  whether a picture of the moment is wanted
-  void finish(const State& s, const Workspace& w, const std::string& status, bool failed);
+  void finish(const State& s, const std::string& status, bool failed);
 
   /// Writes run.json.
   void write_record(const RunRecord& record) const;

@@ -53,7 +53,9 @@ public:
     try {
       march_to_end();
       const bool failed = m_record.status == "failed";
-      m_folder->finish(m_s, *m_w, status_text(), failed);
+      m_folder->see_last(m_s, *m_w);
+      m_w.reset(); // frees the memory that all frames together need
+      m_folder->finish(m_s, status_text(), failed);
       m_record.trajectory_hash = m_folder->trajectory_hash();
       m_record.end = std::chrono::system_clock::now();
       m_folder->write_record(m_record);

@@ -112,8 +112,10 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   file.write_text("/configuration_hash", checkpoint.configuration_hash);
   file.write_text("/program", checkpoint.program);
   file.write_text("/memory.json", checkpoint.memory);
-  const std::string content = file.image();
-  return first_line(content) + content;
+  const std::string_view content = file.view();
+  std::string image = first_line(content);
+  image += content;
+  return image;
 }
 
 State parse_state_parts(const std::string& text) {

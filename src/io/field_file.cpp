@@ -102,12 +102,7 @@ void read_protrusions(const MemoryFile& file, Film& film) {
   }
 }
 
-} // namespace
-
-std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
-
-std::string field_file(const Film& film) {
-  MemoryFile file;
+void fill(MemoryFile& file, const Film& film) {
   const FrameHead& head = film.head;
   std::vector<double> times;
   for (const Frame& frame : film.frames) times.push_back(frame.t);
@@ -115,7 +110,7 @@ std::string field_file(const Film& film) {
   file.write("/matrix/radius", std::array{head.radius}, "um");
   file.write("/matrix/spacing", std::array{head.spacing}, "um");
   file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
-  if (film.frames.empty()) return file.image();
+  if (film.frames.empty()) return;
   write_frames(file, "/matrix/position", film, 3, "um", [&](const Frame& f) { return positions(head, f); });
   write_frames(file, "/matrix/solid", film, 1, "1", solid);
   for (const auto& field : float_fields())
@@ -127,7 +122,22 @@ std::string field_file(const Film& film) {
       write_frames(file, fmt::format("/{}", field.name), film, 1, field.unit,
                    [&](const Frame& f) { return field.in(f); });
   write_protrusions(file, film);
-  return file.image();
+}
+
+} // namespace
+
+std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
+
+std::string field_file(const Film& film) {
+  MemoryFile file;
+  fill(file, film);
+  return std::string(file.view());
+}
+
+void write_field_file(const std::filesystem::path& path, const Film& film) {
+  MemoryFile file;
+  fill(file, film);
+  write_file(path, file.view());
 }
 
 Film read_field_file(std::string_view bytes) {

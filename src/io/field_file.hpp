@@ -25,6 +25,10 @@ inline constexpr const char* field_index_name = "fields.xdmf";
 /// @throws InputOutputError if HDF5 refuses
 std::string field_file(const Film& film);
 
+/// Writes fields.h5, without a second copy of its bytes.
+/// @throws InputOutputError naming the path and the reason, or if HDF5 refuses
+void write_field_file(const std::filesystem::path& path, const Film& film);
+
 /// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
 std::string frame_path(std::size_t k, std::string_view name);
 

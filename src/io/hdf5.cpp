@@ -121,13 +121,12 @@ MemoryFile::MemoryFile() : m_file(new_file(this)) {}
 
 MemoryFile::MemoryFile(std::string_view image) : m_image(image), m_file(file_of(this, m_image)) {}
 
-std::string MemoryFile::image() const {
+std::string_view MemoryFile::view() const {
   require(H5Fflush(m_file.id(), H5F_SCOPE_GLOBAL), "the file could not be flushed");
   const ssize_t size = H5Fget_file_image(m_file.id(), nullptr, 0);
-  if (size < 0) fail("the file has no image");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(m_file.id(), image.data(), image.size()) != size) fail("the image could not be read");
-  return image;
+  void* memory = nullptr; // of a file in memory: where its address is kept
+  if (size < 0 || H5Fget_vfd_handle(m_file.id(), H5P_DEFAULT, &memory) < 0) fail("the file has no image");
+  return {*static_cast<const char**>(memory), static_cast<std::size_t>(size)};
 }
 
 void MemoryFile::write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,

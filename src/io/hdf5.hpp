@@ -48,8 +48,8 @@ public:
   MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile() = default;
 
-  /// Its bytes.
-  std::string image() const;
+  /// Its bytes, until it is written to again or gone.
+  std::string_view view() const;
 
   /// Groups on the way to `name` are made. The array is 1-d, or n x 2 for vectors, n x 4 for matrices (row by row).
   void write(const std::string& name, std::span<const double> values, std::string_view unit);

@@ -127,7 +127,7 @@ TEST(Checkpoint, KeepsTheOneBefore) {
 TEST(MemoryFile, SaysWhatIsNotThere) {
   io::MemoryFile file;
   file.write("/a/x", std::vector<double>{1.0, 2.0}, "um");
-  const io::MemoryFile read(file.image());
+  const io::MemoryFile read(file.view());
   EXPECT_EQ(read.doubles("/a/x"), (std::vector<double>{1.0, 2.0}));
   EXPECT_THROW(read.doubles("/a/y"), InputOutputError);
   EXPECT_THROW(read.vectors("/a/x"), InputOutputError) << "another shape";
