@@ -118,6 +118,7 @@ Json msd_json(const StudyReport& report, std::size_t point, const Json& place) {
   std::vector<MsdPoint> means;
   for (std::size_t k = 0; k < lags.size(); ++k) {
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const std::vector<double>& run : runs) values.push_back(run[k]);
     const statistics::Moments m = statistics::moments(values);
     json["lag_min"].push_back(lags[k] / 60.0);
