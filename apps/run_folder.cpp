@@ -7,6 +7,7 @@
 #include "io/cell_picture.hpp"
 #include "io/checkpoint.hpp"
 #include "io/field_file.hpp"
+#include "io/film_json.hpp"
 #include "io/layer_picture.hpp"
 #include "io/run_files.hpp"
 #include "io/run_page.hpp"
@@ -150,8 +151,7 @@ void RunFolder::see_last(const State& s, const Workspace& w) {
 }
 
 void RunFolder::finish(const State& s, const std::string& status, bool failed) {
-  const io::Film film = m_frames ? io::read_film(m_folder) : io::Film{};
-  if (m_frames) write_fields(film);
+  if (m_frames) io::write_field_files(m_folder);
   write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
@@ -160,6 +160,7 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed) {
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
   if (!m_p.output.report) return;
+  const io::Film film = m_frames ? io::read_film(m_folder, io::keep_what_is_played) : io::Film{};
   write_file(m_folder / "report.html",
              io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p),
                                                                 .status = status,
@@ -178,11 +179,6 @@ void RunFolder::write_pictures(const State& s, bool failed) const {
   if (!failed) return;
   const io::CellScene scene = io::cell_scene(s, m_p, {});
   write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
-}
-
-void RunFolder::write_fields(const io::Film& film) const {
-  io::write_field_file(m_folder / io::field_file_name, film);
-  write_file(m_folder / io::field_index_name, io::field_index(film));
 }
 
 void RunFolder::remove_log() {

@@ -72,7 +72,6 @@ private:
   void add_frame(const State& s, const Workspace& w);
   void open_log(const State& s, const std::filesystem::path& from);
   void write_pictures(const State& s, bool failed) const;
-  void write_fields(const io::Film& film) const;
 
   std::filesystem::path m_folder;
   FolderLock m_lock;

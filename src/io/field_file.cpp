@@ -8,6 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace matrigrate::io {
 
@@ -44,37 +49,88 @@ Bytes solid(const Frame& frame) {
   return flags;
 }
 
-/// Writes what `of` gives for each frame, one chunk a frame.
-template <class Of>
-void write_frames(MemoryFile& file, const std::string& name, const Film& film, std::uint32_t components,
-                  std::string_view unit, const Of& of) {
-  const std::size_t n = of(film.frames.front()).size() / components;
-  if (n == 0) return; // fibres, where there are none
-  FrameArray array(file, name, of(film.frames.front()), film.frames.size(), n, components, unit);
-  for (std::size_t k = 0; k < film.frames.size(); ++k) {
-    array.write(k, of(film.frames[k]));
-    file.name_frame(frame_path(k, name), name, k);
-  }
-}
+/// An array with a frame of numbers made by `of` from each frame.
+template <class Number>
+struct Column {
+  std::string name;
+  std::function<std::vector<Number>(const Frame&)> of;
+  FrameArray array;
+};
 
-/// Protrusions of all frames, one row each.
-void write_protrusions(MemoryFile& file, const Film& film) {
-  Floats frame_of_row;
-  for (std::size_t k = 0; k < film.frames.size(); ++k)
-    frame_of_row.resize(frame_of_row.size() + film.frames[k].protrusions.id.size(), static_cast<float>(k));
-  file.write_rows("/protrusions/frame", frame_of_row, 1, "1");
-  for (const auto& field : float_fields()) {
-    if (!field.name.starts_with(protrusions)) continue;
-    Floats all;
-    for (const Frame& frame : film.frames) all.insert(all.end(), field.in(frame).begin(), field.in(frame).end());
-    file.write_rows(fmt::format("/{}", field.name), in_space(all, field.components), field.components == 2 ? 3 : 1,
-                    field.unit);
+/// Writes fields.h5 frame by frame.
+class FieldWriter {
+public:
+  /// @param first   frame, which tells the sizes
+  FieldWriter(MemoryFile& file, const FrameHead& head, const Frame& first, std::size_t frames)
+      : m_file(file), m_frames(frames) {
+    add_column(m_floats, "/matrix/position", 3, "um", first, [&head](const Frame& f) { return positions(head, f); });
+    add_column(m_bytes, "/matrix/solid", 1, "1", first, solid);
+    for (const auto& field : float_fields())
+      if (!field.name.starts_with(protrusions))
+        add_column(m_floats, fmt::format("/{}", field.name), field.components == 2 ? 3 : 1, field.unit, first,
+                   [&field](const Frame& f) { return in_space(field.in(f), field.components); });
+      else
+        m_protrusions.emplace_back(); // a table's column
+    for (const auto& field : byte_fields())
+      if (!field.name.starts_with(protrusions))
+        add_column(m_bytes, fmt::format("/{}", field.name), 1, field.unit, first,
+                   [&field](const Frame& f) { return field.in(f); });
   }
-  Bytes phases;
-  for (const Frame& frame : film.frames)
-    phases.insert(phases.end(), frame.protrusions.phase.begin(), frame.protrusions.phase.end());
-  file.write("/protrusions/phase", phases);
-}
+
+  void add(const Frame& frame) {
+    write(m_floats, frame);
+    write(m_bytes, frame);
+    const std::size_t alive = frame.protrusions.id.size();
+    m_frame_of_row.resize(m_frame_of_row.size() + alive, static_cast<float>(m_next));
+    auto column = m_protrusions.begin();
+    for (const auto& field : float_fields())
+      if (field.name.starts_with(protrusions)) append(*column++, field.in(frame));
+    append(m_phases, frame.protrusions.phase);
+    ++m_next;
+  }
+
+  /// Writes the protrusions of all frames, one row each.
+  void finish() {
+    m_file.write_rows("/protrusions/frame", m_frame_of_row, 1, "1");
+    auto column = m_protrusions.begin();
+    for (const auto& field : float_fields())
+      if (field.name.starts_with(protrusions))
+        m_file.write_rows(fmt::format("/{}", field.name), in_space(*column++, field.components),
+                          field.components == 2 ? 3 : 1, field.unit);
+    m_file.write("/protrusions/phase", m_phases);
+  }
+
+private:
+  template <class Number>
+  static void append(std::vector<Number>& to, const std::vector<Number>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  }
+
+  template <class Number, class Of>
+  void add_column(std::vector<Column<Number>>& columns, const std::string& name, std::uint32_t components,
+                  std::string_view unit, const Frame& first, const Of& of) {
+    const std::vector<Number> like = of(first);
+    if (like.empty()) return; // fibres, where there are none
+    columns.push_back({name, of, FrameArray(m_file, name, like, m_frames, like.size() / components, components, unit)});
+  }
+
+  template <class Number>
+  void write(std::vector<Column<Number>>& columns, const Frame& frame) {
+    for (Column<Number>& column : columns) {
+      column.array.write(m_next, column.of(frame));
+      m_file.name_frame(frame_path(m_next, column.name), column.name, m_next);
+    }
+  }
+
+  MemoryFile& m_file;
+  std::size_t m_frames;
+  std::size_t m_next = 0;
+  std::vector<Column<float>> m_floats;
+  std::vector<Column<std::uint8_t>> m_bytes;
+  Floats m_frame_of_row;
+  std::vector<Floats> m_protrusions;
+  Bytes m_phases;
+};
 
 void read_protrusions(const MemoryFile& file, Film& film) {
   const Floats frame_of_row = file.floats("/protrusions/frame");
@@ -102,46 +158,7 @@ void read_protrusions(const MemoryFile& file, Film& film) {
   }
 }
 
-void fill(MemoryFile& file, const Film& film) {
-  const FrameHead& head = film.head;
-  std::vector<double> times;
-  for (const Frame& frame : film.frames) times.push_back(frame.t);
-  file.write("/time", times, "s");
-  file.write("/matrix/radius", std::array{head.radius}, "um");
-  file.write("/matrix/spacing", std::array{head.spacing}, "um");
-  file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
-  if (film.frames.empty()) return;
-  write_frames(file, "/matrix/position", film, 3, "um", [&](const Frame& f) { return positions(head, f); });
-  write_frames(file, "/matrix/solid", film, 1, "1", solid);
-  for (const auto& field : float_fields())
-    if (!field.name.starts_with(protrusions))
-      write_frames(file, fmt::format("/{}", field.name), film, field.components == 2 ? 3 : 1, field.unit,
-                   [&](const Frame& f) { return in_space(field.in(f), field.components); });
-  for (const auto& field : byte_fields())
-    if (!field.name.starts_with(protrusions))
-      write_frames(file, fmt::format("/{}", field.name), film, 1, field.unit,
-                   [&](const Frame& f) { return field.in(f); });
-  write_protrusions(file, film);
-}
-
-} // namespace
-
-std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
-
-std::string field_file(const Film& film) {
-  MemoryFile file;
-  fill(file, film);
-  return std::string(file.view());
-}
-
-void write_field_file(const std::filesystem::path& path, const Film& film) {
-  MemoryFile file;
-  fill(file, film);
-  write_file(path, file.view());
-}
-
-Film read_field_file(std::string_view bytes) {
-  const MemoryFile file(bytes);
+Film film_in(const MemoryFile& file) {
   Film film;
   const std::vector<double> times = file.doubles("/time");
   const std::vector<double> radius = file.doubles("/matrix/radius");
@@ -168,26 +185,93 @@ Film read_field_file(std::string_view bytes) {
   return film;
 }
 
-namespace {
-
-/// What `read` makes of a file; an empty film if it is not there.
-Film film_of(const std::filesystem::path& file, Film (*read)(std::string_view)) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return {};
+/// Calls; failures name the file.
+template <class Call>
+auto naming(const std::filesystem::path& file, const Call& call) {
   try {
-    return read(read_file(file, most_bytes));
+    return call();
   } catch (const InputOutputError& trouble) {
     throw InputOutputError(fmt::format("{}: {}", file.string(), trouble.what()));
   }
 }
 
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(file, error);
+}
+
+void write_head(MemoryFile& file, const FrameHead& head, std::span<const double> times) {
+  file.write("/time", times, "s");
+  file.write("/matrix/radius", std::array{head.radius}, "um");
+  file.write("/matrix/spacing", std::array{head.spacing}, "um");
+  file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
+}
+
 } // namespace
 
-Film read_field_film(const std::filesystem::path& folder) { return film_of(folder / field_file_name, read_field_file); }
+std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
 
-Film read_film(const std::filesystem::path& folder) {
-  Film film = film_of(folder / frame_log_name, read_log);
-  return film.head.particles() > 0 ? film : read_field_film(folder);
+std::string field_file(const Film& film) {
+  MemoryFile file;
+  std::vector<double> times;
+  for (const Frame& frame : film.frames) times.push_back(frame.t);
+  write_head(file, film.head, times);
+  if (!film.frames.empty()) {
+    FieldWriter writer(file, film.head, film.frames.front(), film.frames.size());
+    for (const Frame& frame : film.frames) writer.add(frame);
+    writer.finish();
+  }
+  return std::string(file.view());
+}
+
+void write_field_files(const std::filesystem::path& folder) {
+  const std::filesystem::path log = folder / frame_log_name;
+  MemoryFile file;
+  std::vector<double> times;
+  std::optional<Frame> first;
+  naming(log, [&] {
+    std::ifstream once(log, std::ios::binary);
+    FrameReader reader(once);
+    while (std::optional<Frame> frame = reader.next()) {
+      times.push_back(frame->t);
+      if (!first) first = std::move(frame);
+    }
+    write_head(file, reader.head(), times);
+    if (!first) return;
+    std::ifstream again(log, std::ios::binary);
+    FrameReader rereader(again);
+    FieldWriter writer(file, rereader.head(), *first, times.size());
+    while (const std::optional<Frame> frame = rereader.next()) writer.add(*frame);
+    writer.finish();
+  });
+  write_file(folder / field_file_name, file.view());
+  write_file(folder / field_index_name, field_index(first ? &*first : nullptr, times));
+}
+
+Film read_field_file(std::string_view bytes) { return film_in(MemoryFile(bytes)); }
+
+Film read_field_film(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / field_file_name;
+  if (!is_there(path)) return {};
+  std::string bytes = read_file(path, most_bytes);
+  return naming(path, [&] {
+    const MemoryFile file(bytes);
+    bytes = std::string(); // HDF5 has taken a copy
+    return film_in(file);
+  });
+}
+
+Film read_film(const std::filesystem::path& folder, const std::function<void(Frame&)>& each) {
+  const std::filesystem::path path = folder / frame_log_name;
+  if (!is_there(path)) {
+    Film film = read_field_film(folder);
+    if (each) std::ranges::for_each(film.frames, each);
+    return film;
+  }
+  return naming(path, [&] {
+    std::ifstream log(path, std::ios::binary);
+    return read_log(log, each);
+  });
 }
 
 } // namespace matrigrate::io

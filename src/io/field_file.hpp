@@ -3,6 +3,8 @@
 #include "io/frame.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,16 +27,17 @@ inline constexpr const char* field_index_name = "fields.xdmf";
 /// @throws InputOutputError if HDF5 refuses
 std::string field_file(const Film& film);
 
-/// Writes fields.h5, without a second copy of its bytes.
+/// Writes fields.h5 and fields.xdmf of a run's log into its folder; takes one frame at a time.
 /// @throws InputOutputError naming the path and the reason, or if HDF5 refuses
-void write_field_file(const std::filesystem::path& path, const Film& film);
+void write_field_files(const std::filesystem::path& folder);
 
 /// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
 std::string frame_path(std::size_t k, std::string_view name);
 
 /// fields.xdmf: for ParaView, which reads the arrays of fields.h5 beside it. Grids `matrix` (points) and `outline` (a
 /// closed line), at their times [s]. Names views, since not every reader of XDMF chooses a part of an array.
-std::string field_index(const Film& film);
+/// @param first  frame, which tells the sizes; none: no frames   @param times  of all frames [s]
+std::string field_index(const Frame* first, std::span<const double> times);
 
 /// The frames of a fields.h5.
 /// @throws InputOutputError if it is none
@@ -46,6 +49,7 @@ Film read_field_film(const std::filesystem::path& folder);
 
 /// The frames that a run's folder holds: those of its log, else of its field file; none if it has neither.
 /// @throws InputOutputError naming the file, if it cannot be read
-Film read_film(const std::filesystem::path& folder);
+/// @param each  may take away fields that are not wanted
+Film read_film(const std::filesystem::path& folder, const std::function<void(Frame&)>& each = {});
 
 } // namespace matrigrate::io

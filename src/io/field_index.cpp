@@ -21,9 +21,8 @@ std::string attribute(std::string_view name, std::string_view type, std::size_t 
                      item(name, type, k, n, components));
 }
 
-/// All fields of one body.
-std::string attributes(std::string_view body, const Film& film, std::size_t k, std::size_t n) {
-  const Frame& frame = film.frames[k];
+/// All fields of one body; all frames have the same.
+std::string attributes(std::string_view body, const Frame& frame, std::size_t k, std::size_t n) {
   std::string text;
   for (const auto& field : float_fields())
     if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
@@ -33,11 +32,12 @@ std::string attributes(std::string_view body, const Film& film, std::size_t k, s
   return text;
 }
 
-std::string grid(std::string_view name, const std::string& topology, const Film& film, std::size_t k, std::size_t n) {
+std::string grid(std::string_view name, const std::string& topology, const Frame& first, double t, std::size_t k,
+                 std::size_t n) {
   return fmt::format("      <Grid Name=\"{0}\" GridType=\"Uniform\">\n        <Time Value=\"{1}\"/>\n        {2}\n"
                      "        <Geometry GeometryType=\"XYZ\">{3}</Geometry>\n{4}      </Grid>\n",
-                     name, film.frames[k].t, topology, item(fmt::format("{}/position", name), floating, k, n, 3),
-                     attributes(fmt::format("{}/", name), film, k, n)
+                     name, t, topology, item(fmt::format("{}/position", name), floating, k, n, 3),
+                     attributes(fmt::format("{}/", name), first, k, n)
                          + (name == "matrix" ? attribute("matrix/solid", bytes, k, n, 1) : std::string()));
 }
 
@@ -49,22 +49,25 @@ std::string closed_line(std::size_t n) {
                      n + 1, points);
 }
 
-std::string collection(std::string_view name, const std::string& topology, const Film& film, std::size_t n) {
+std::string collection(std::string_view name, const std::string& topology, const Frame& first,
+                       std::span<const double> times, std::size_t n) {
   std::string text = fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
-  for (std::size_t k = 0; k < film.frames.size(); ++k) text += grid(name, topology, film, k, n);
+  for (std::size_t k = 0; k < times.size(); ++k) text += grid(name, topology, first, times[k], k, n);
   return text + "    </Grid>\n";
 }
 
 } // namespace
 
-std::string field_index(const Film& film) {
-  const std::size_t n = film.head.particles();
-  const std::size_t m = film.frames.empty() ? 0 : film.frames.front().outline.front.size();
+std::string field_index(const Frame* first, std::span<const double> times) {
   std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
-  text += collection(
-      "matrix", fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n),
-      film, n);
-  if (m > 0) text += collection("outline", closed_line(m), film, m);
+  if (first != nullptr) {
+    const std::size_t n = first->matrix.f_degr.size();
+    const std::size_t m = first->outline.front.size();
+    const std::string points =
+        fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n);
+    text += collection("matrix", points, *first, times, n);
+    if (m > 0) text += collection("outline", closed_line(m), *first, times, m);
+  }
   return text + "  </Domain>\n</Xdmf>\n";
 }
 

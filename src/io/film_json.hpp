@@ -7,6 +7,9 @@
 /// The frames of a run as the report's player takes them (viewer/README.md). Test: tests/unit/io/run_page_test.cpp
 namespace matrigrate::io {
 
+/// Takes away what the player does not show, where memory counts.
+inline void keep_what_is_played(Frame& frame) { frame.matrix.velocity = {}; }
+
 /// @return null if there are no frames
 nlohmann::ordered_json film_json(const Film& film);
 

@@ -5,9 +5,11 @@
 #include <xxhash.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstring>
 #include <new>
-#include <optional>
+#include <sstream>
+#include <utility>
 
 namespace matrigrate::io {
 
@@ -79,7 +81,6 @@ struct Block {
   BlockHead head;
   std::string_view stored;
   std::size_t bytes() const { return sizeof(BlockHead) + stored.size(); }
-  std::string content() const { return inflated(stored, head.size); }
 };
 
 std::optional<Block> next_block(std::string_view bytes) {
@@ -91,6 +92,21 @@ std::optional<Block> next_block(std::string_view bytes) {
   found.stored = bytes.substr(0, found.head.stored);
   if (XXH3_64bits(found.stored.data(), found.stored.size()) != found.head.hash) return std::nullopt;
   return found;
+}
+
+/// The content of the next block of a stream; none if it is not whole.
+std::optional<std::string> next_content(std::istream& log) {
+  constexpr std::size_t piece = std::size_t{1} << 20U; // a length that is wrong must not take all memory
+  BlockHead head{};
+  if (!log.read(reinterpret_cast<char*>(&head), sizeof(head)) || head.size > most_bytes) return std::nullopt;
+  std::string stored;
+  while (stored.size() < head.stored) {
+    const std::size_t before = stored.size();
+    stored.resize(std::min<std::uint64_t>(head.stored, before + piece));
+    if (!log.read(stored.data() + before, static_cast<std::streamsize>(stored.size() - before))) return std::nullopt;
+  }
+  if (XXH3_64bits(stored.data(), stored.size()) != head.hash) return std::nullopt;
+  return inflated(stored, head.size);
 }
 
 std::string head_bytes(const FrameHead& head) {
@@ -158,21 +174,36 @@ std::string whole_log(std::string_view bytes, std::size_t frames) {
 }
 
 Film read_log(std::string_view bytes) {
-  if (!bytes.starts_with(magic)) throw InputOutputError("is no log of frames");
-  bytes.remove_prefix(magic.size());
-  std::optional<Block> block = next_block(bytes);
-  if (!block) throw InputOutputError("is cut short or has been changed");
-  Film film;
-  const std::string content = block->content();
-  Taker head(content);
-  film.head.radius = head.take<double>();
-  film.head.spacing = head.take<double>();
-  head.take_planes(film.head.reference);
-  for (;;) {
-    bytes.remove_prefix(block->bytes());
-    if (!(block = next_block(bytes))) return film;
-    film.frames.push_back(frame_of(block->content()));
+  std::istringstream log{std::string(bytes)};
+  return read_log(log);
+}
+
+Film read_log(std::istream& log, const std::function<void(Frame&)>& each) {
+  FrameReader reader(log);
+  Film film{.head = reader.head(), .frames = {}};
+  while (std::optional<Frame> frame = reader.next()) {
+    if (each) each(*frame);
+    film.frames.push_back(*std::move(frame));
   }
+  return film;
+}
+
+FrameReader::FrameReader(std::istream& log) : m_log(log) {
+  std::string start(magic.size(), '\0');
+  if (!log.read(start.data(), static_cast<std::streamsize>(start.size())) || start != magic)
+    throw InputOutputError("is no log of frames");
+  const std::optional<std::string> content = next_content(log);
+  if (!content) throw InputOutputError("is cut short or has been changed");
+  Taker head(*content);
+  m_head.radius = head.take<double>();
+  m_head.spacing = head.take<double>();
+  head.take_planes(m_head.reference);
+}
+
+std::optional<Frame> FrameReader::next() {
+  const std::optional<std::string> content = next_content(m_log);
+  if (!content) return std::nullopt;
+  return frame_of(*content);
 }
 
 void FrameLog::add(const Frame& frame) { m_file.append(frame_bytes(frame)); }

@@ -4,6 +4,9 @@
 #include "io/frame.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,6 +36,25 @@ std::string whole_log(std::string_view bytes, std::size_t frames);
 /// The frames of a log up to the first that is cut short or changed.
 /// @throws InputOutputError if not even the head is whole
 Film read_log(std::string_view bytes);
+/// @param each  may take away fields that are not wanted
+Film read_log(std::istream& log, const std::function<void(Frame&)>& each = {});
+
+/// The frames of a log, one after the other, so that only one need be in memory.
+class FrameReader {
+public:
+  /// @param log  stays until the reader is gone
+  /// @throws InputOutputError if not even the head is whole
+  explicit FrameReader(std::istream& log);
+
+  const FrameHead& head() const { return m_head; }
+
+  /// None behind the last one, and from the first on that is cut short or changed.
+  std::optional<Frame> next();
+
+private:
+  std::istream& m_log;
+  FrameHead m_head;
+};
 
 /// A log that grows.
 class FrameLog {

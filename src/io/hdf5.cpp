@@ -38,9 +38,10 @@ Handle new_file(const void* owner) {
           "no file could be made"};
 }
 
-Handle file_of(const void* owner, std::string& image) {
+Handle file_of(const void* owner, std::string_view image) {
   const Handle access = access_in_memory();
-  require(H5Pset_file_image(access.id(), image.data(), image.size()), "the image could not be taken");
+  void* bytes = const_cast<char*>(image.data()); // they are copied
+  require(H5Pset_file_image(access.id(), bytes, image.size()), "the image could not be taken");
   return {H5Fopen(name_of(owner).c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "not an HDF5 file"};
 }
 
@@ -55,11 +56,11 @@ void add_unit(const Handle& data, std::string_view unit) {
 
 /// An array of a file; groups on the way to it are made.
 Handle new_array(const Handle& file, const std::string& name, hid_t type, std::span<const hsize_t> shape,
-                 hid_t creation) {
+                 hid_t creation, hid_t access = H5P_DEFAULT) {
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "no link list");
   require(H5Pset_create_intermediate_group(links.id(), 1), "no groups");
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
-  return {H5Dcreate2(file.id(), name.c_str(), type, space.id(), links.id(), creation, H5P_DEFAULT), H5Dclose,
+  return {H5Dcreate2(file.id(), name.c_str(), type, space.id(), links.id(), creation, access), H5Dclose,
           fmt::format("{} could not be made", name)};
 }
 
@@ -79,6 +80,13 @@ Handle frame_by_frame(std::vector<hsize_t> shape) {
   require(H5Pset_shuffle(creation.id()), "no shuffling");
   require(H5Pset_deflate(creation.id(), level), "no compression");
   return creation;
+}
+
+/// Chunks are written whole, so none is kept.
+Handle without_cache() {
+  Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "no access list");
+  require(H5Pset_chunk_cache(access.id(), 0, 0, 0.0), "no array without a cache");
+  return access;
 }
 
 /// The shape of an array, and the part of it that is one frame.
@@ -119,7 +127,7 @@ Handle::~Handle() {
 
 MemoryFile::MemoryFile() : m_file(new_file(this)) {}
 
-MemoryFile::MemoryFile(std::string_view image) : m_image(image), m_file(file_of(this, m_image)) {}
+MemoryFile::MemoryFile(std::string_view image) : m_size(image.size()), m_file(file_of(this, image)) {}
 
 std::string_view MemoryFile::view() const {
   require(H5Fflush(m_file.id(), H5F_SCOPE_GLOBAL), "the file could not be flushed");
@@ -196,7 +204,7 @@ template <class Number>
 std::vector<Number> MemoryFile::read(const std::string& name, hid_t type, std::size_t columns) const {
   std::size_t rows = 0;
   const Handle data = open(name, type, columns, rows);
-  if (rows * columns * sizeof(Number) > m_image.size()) fail(fmt::format("{} is longer than the file", name));
+  if (rows * columns * sizeof(Number) > m_size) fail(fmt::format("{} is longer than the file", name));
   std::vector<Number> values(rows * columns);
   require(H5Dread(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), fmt::format("{} not read", name));
   return values;
@@ -275,7 +283,7 @@ std::vector<hsize_t> FrameArray::shape_of(std::size_t frames, std::size_t entrie
 FrameArray::FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
                        std::string_view unit)
     : m_type(type), m_shape(std::move(shape)),
-      m_data(new_array(file.m_file, name, type, m_shape, frame_by_frame(m_shape).id())) {
+      m_data(new_array(file.m_file, name, type, m_shape, frame_by_frame(m_shape).id(), without_cache().id())) {
   add_unit(m_data, unit);
 }
 

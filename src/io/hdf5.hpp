@@ -86,7 +86,7 @@ private:
   template <class Number>
   std::vector<Number> read_frame(const std::string& name, hid_t type, std::size_t frame) const;
 
-  std::string m_image; ///< what the file is read from
+  std::size_t m_size = 0; ///< of the image that is read [bytes]
   Handle m_file;
 };
 

@@ -1,13 +1,17 @@
 #include "io/field_file.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "cell/geometry.hpp"
 #include "frames.hpp"
+#include "io/frame_log.hpp"
 #include "io/hdf5.hpp"
 #include "markup.hpp"
 #include "observe/tracks.hpp"
 
 #include <gtest/gtest.h>
+
+#include <unistd.h>
 
 namespace matrigrate::io {
 namespace {
@@ -50,10 +54,29 @@ TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
   EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
 }
 
+TEST(FieldFile, IsMadeOfALogFrameByFrame) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("matrigrate-fields-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  const Film film = SmallRun().film();
+  EXPECT_THROW(write_field_files(folder), InputOutputError) << "without a log";
+  write_file(folder / frame_log_name, log_bytes(film));
+  write_field_files(folder);
+  EXPECT_EQ(read_file(folder / field_file_name, 1U << 30U), field_file(film));
+  EXPECT_EQ(difference(read_film(folder), film), "");
+  std::filesystem::remove(folder / frame_log_name);
+  EXPECT_EQ(difference(read_film(folder), film), "") << "of fields.h5";
+  write_file(folder / frame_log_name, log_bytes({.head = film.head, .frames = {}}));
+  write_field_files(folder);
+  EXPECT_TRUE(read_field_film(folder).frames.empty());
+  std::filesystem::remove_all(folder);
+}
+
 TEST(FieldFile, RefusesWhatItIsNot) { EXPECT_THROW(read_field_file("nonsense"), InputOutputError); }
 
 TEST(FieldIndex, NamesGridsTimesAndArrays) {
-  const std::string xml = field_index(SmallRun().film());
+  const Film film = SmallRun().film();
+  const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t});
   EXPECT_TRUE(parsed(xml.substr(xml.find("<Xdmf"))));
   EXPECT_EQ(count(xml, "GridType=\"Uniform\""), 4U) << "matrix and outline, twice";
   EXPECT_EQ(count(xml, "<Time Value=\"600\"/>"), 2U);
