@@ -81,6 +81,7 @@ Json protrusions_json(const ProtrusionFrame& p) {
 
 Limits usual_limits(const Film& film, const Floats& (*field)(const Frame&)) {
   std::vector<float> values;
+  values.reserve(film.frames.size() * film.head.particles()); // without growing: it is a large part of all memory
   for (const Frame& frame : film.frames) {
     const Floats& all = field(frame);
     for (std::size_t i = 0; i < all.size(); ++i)

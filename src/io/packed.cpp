@@ -33,6 +33,7 @@ nlohmann::ordered_json packed(const Packing& packing, std::size_t frames, const 
   std::vector<std::uint16_t> before;
   for (std::size_t k = 0; k < frames; ++k) {
     const std::vector<std::uint16_t> q = quantised(packing, values(k));
+    if (k == 0) bytes.reserve(frames * q.size() * (packing.wide ? 2 : 1));
     std::vector<std::uint16_t> d = q;
     if (packing.delta && k > 0)
       for (std::size_t i = 0; i < d.size(); ++i) d[i] = static_cast<std::uint16_t>(q[i] - before[i]);
