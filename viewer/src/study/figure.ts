@@ -32,7 +32,11 @@ export function axis(title: string, more: Json = {}): Json {
   };
 }
 
+/** Without a pointer there is nothing to hover with, and a drag should scroll the page. */
+const touch = matchMedia("(hover: none)").matches;
+
 const config: Json = {
+  displayModeBar: touch ? false : "hover",
   displaylogo: false,
   responsive: true,
   modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
@@ -63,10 +67,11 @@ export function figure(
         plot_bgcolor: "rgba(0,0,0,0)",
         hovermode: "closest",
         showlegend: false,
-        dragmode: "zoom",
+        dragmode: touch ? false : "zoom",
         font: { family: 'system-ui, "Segoe UI", Helvetica, Arial, sans-serif', size: 13, color: colours.text },
         margin: { l: 56, r: 12, t: 12, b: 44 },
         hoverlabel: { font: { size: 13 } },
+        modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.line, activecolor: colours.soft },
         ...layout,
         height: Number(plot.style.height.replace("px", "")),
       },
