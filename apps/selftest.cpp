@@ -84,7 +84,7 @@ Json found_by(const std::string& program) {
   std::string text(largest_answer, '\0');
   std::rewind(output.get());
   text.resize(std::fread(text.data(), 1, text.size(), output.get()));
-  const Json json = Json::parse(text, nullptr, false);
+  Json json = Json::parse(text, nullptr, false);
   if (child.ended() != done || !json.is_object() || !json.contains("hash"))
     throw InputOutputError(program + ": its self-test failed");
   return json;

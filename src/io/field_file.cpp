@@ -19,7 +19,7 @@ namespace matrigrate::io {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{64} << 30U;
-constexpr std::string_view outline = "outline/", protrusions = "protrusions/";
+constexpr std::string_view protrusions = "protrusions/";
 
 /// Vectors of two components with a third one, 0; all else as it is.
 Floats in_space(const Floats& values, std::uint32_t components) {
