@@ -38,7 +38,7 @@ std::string remark(const State& s) {
 class Simulation {
 public:
   Simulation(Beginning beginning, const Manner& manner)
-      : m_manner(manner), m_s(std::move(beginning.s)), m_p(beginning.p), m_before(std::move(beginning.before)),
+      : m_manner(manner), m_s(std::move(beginning.s)), m_p(beginning.p), m_before(beginning.before),
         m_new(beginning.memory.rows.empty()), m_earlier_march_time(beginning.memory.march_wall_time),
         m_counts(beginning.memory.counts) {
     m_record.configuration_hash = configuration_hash(m_p);
