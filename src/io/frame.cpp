@@ -2,10 +2,13 @@
 
 #include "cell/actomyosin.hpp"
 #include "cell/geometry.hpp"
+#include "ecm/fluid.hpp"
 #include "ecm/material.hpp"
 #include "observe/fields.hpp"
 #include "protrusion/adhesion.hpp"
+#include "sph/neighbours.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -32,18 +35,30 @@ void add(Floats& to, const Vec2& x) {
   to.push_back(static_cast<float>(x.y()));
 }
 
+/// Pressure of the fluid where it is now, 0 in the solid: of the state alone, so that a run that goes on has it too.
+std::vector<double> fluid_pressures(const EcmState& ecm, const EcmParameters& p) {
+  std::vector<double> pressures(ecm.size(), 0.0);
+  if (std::ranges::none_of(ecm.f, [](double f) { return f <= 0.0; })) return pressures;
+  const Kernel kernel(p.smoothing_length);
+  const double rho_lattice = lattice_density(p);
+  const Adjacency pairs = neighbours_within(ecm.x, kernel.support(), ecm.period_x);
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if (ecm.f[i] <= 0.0) pressures[i] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, i);
+  return pressures;
+}
+
 MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w) {
   const EcmState& ecm = s.ecm;
   const double K = moduli(p.ecm).K;
+  const std::vector<double> fluid = fluid_pressures(ecm, p.ecm);
   MatrixFrame m;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     const Vec2 u = ecm.displacement(i);
     const bool solid = ecm.f[i] > 0.0;
-    const double fluid = i < w.fluid_pressure.size() ? w.fluid_pressure[i] : 0.0;
     m.displacement.insert(m.displacement.end(), {fixed(u.x()), fixed(u.y())});
     m.velocity.insert(m.velocity.end(), {short_float(ecm.v[i].x()), short_float(ecm.v[i].y())});
     m.f_degr.push_back(static_cast<float>(ecm.f[i]));
-    m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K) : fluid)));
+    m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K) : fluid[i])));
     m.von_mises.push_back(solid ? short_float(Pa * von_mises(ecm.S[i])) : 0.0F);
   }
   if (!w.fibres.empty())

@@ -86,7 +86,7 @@ std::span<const FrameField<Bytes>> byte_fields();
 
 FrameHead frame_head(const State& s, const Parameters& p);
 
-/// @param w  after the step that led to s, or before the first one: the pressure of the fluid is that of the step
+/// @param w  for its fibres; all else is of the state, so that a run that goes on writes the same frames
 Frame frame(const State& s, const Parameters& p, const Workspace& w);
 
 } // namespace matrigrate::io

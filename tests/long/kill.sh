@@ -20,6 +20,7 @@ initiation_rate = "4e-4 1/s"
 [output]
 track_interval = "4 s"
 snapshot_interval = "30 s"
+field_interval = "11 s"
 checkpoint_interval = "7 s"
 kept_checkpoint_interval = "60 s"
 END
@@ -40,7 +41,7 @@ for signal in "${signals[@]}"; do
     kill -s "$signal" $process 2>/dev/null && stopped=$((stopped + 1))
     wait $process 2>/dev/null || true
     "$program" run s.toml -o here --quiet >/dev/null
-    for file in tracks.csv health.csv protrusions.csv summary.json snapshots.svg; do
+    for file in tracks.csv health.csv protrusions.csv summary.json snapshots.svg fields.h5 fields.xdmf; do
       cmp -s "whole/$file" "here/$file" || { echo "$signal after $after ms: $file differs" && failed=1; }
     done
     [ "$(hash whole)" = "$(hash here)" ] || { echo "$signal after $after ms: another trajectory" && failed=1; }

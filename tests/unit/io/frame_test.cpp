@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace matrigrate::io {
 namespace {
 
@@ -24,6 +26,19 @@ TEST(Frame, HoldsTheFieldsOfAState) {
   EXPECT_EQ(f.matrix.von_mises[3], 0.0F) << "fluid";
   EXPECT_EQ(f.matrix.f_degr[4], 0.5F);
   EXPECT_TRUE(f.matrix.fibre_von_mises.empty());
+}
+
+TEST(Frame, HoldsThePressureOfTheFluidWhereItIs) {
+  SmallRun run;
+  for (std::size_t i = 0; i < run.s.ecm.size(); ++i) {
+    run.s.ecm.x[i] = 0.97 * run.s.ecm.X[i];
+    run.s.ecm.f[i] = 0.0;
+  }
+  const Floats pressed = run.film().frames[0].matrix.pressure;
+  const double K = moduli(run.p.ecm).K;
+  EXPECT_NEAR(*std::ranges::max_element(pressed), 1e3 * pressure(1.0 / (0.97 * 0.97), K), 0.3e3 * K)
+      << "inside; kernel sums over few neighbours are rough";
+  EXPECT_EQ(*std::ranges::min_element(pressed), 0.0F) << "at the edge, where half of the neighbours are missing";
 }
 
 TEST(Frame, HoldsTheFibresWhereThereAreAny) {
