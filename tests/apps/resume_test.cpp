@@ -70,6 +70,20 @@ TEST_F(Resume, GoesOnAfterBeingKilled) {
   }
 }
 
+TEST_F(Resume, WritesTheLastFilesAgainWhereItWasKilledAmongThem) {
+  const std::string options = " --set 'run.duration=120 s' --quiet";
+  ASSERT_EQ(run("run s.toml -o here" + options).code, 0);
+  std::filesystem::copy(folder / "here", folder / "whole", std::filesystem::copy_options::recursive);
+  json changed = record("here");
+  changed["status"] = "running";
+  write("here/run.json", changed.dump());
+  std::filesystem::remove(folder / "here/report.html");
+  ASSERT_EQ(run("run s.toml -o here" + options).code, 0);
+  EXPECT_TRUE(exists("here/report.html"));
+  for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json", "fields.h5", "fields.xdmf"})
+    EXPECT_EQ(text_of(folder / "here" / file), text_of(folder / "whole" / file)) << file;
+}
+
 TEST_F(Resume, StopsAtTheLimitOfWallTime) {
   ASSERT_EQ(run("run s.toml -o here --hours 24 --wall-time '0.2 s' --quiet").code, 75);
   EXPECT_TRUE(contains(record("here").at("reason"), "limit of wall time"));
