@@ -117,6 +117,7 @@ void RunFolder::require_health(const State& s, const HealthRow& row) const {
 }
 
 HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch& watch) const {
+  if (m_memory.last && m_memory.last->step == s.step) return *m_memory.last;
   HealthRow row = watch.row(s, m_p, w.health);
   row.force_imbalance = force_imbalance(w);
   return row;
@@ -124,7 +125,8 @@ HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch&
 
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time) {
   HealthWatch watch = m_memory.watch; // a copy: the next row still tells of the steps so far
-  require_health(s, health_row(s, w, watch));
+  m_memory.last = health_row(s, w, watch);
+  require_health(s, *m_memory.last);
   if (m_frames) m_frames->flush();
   m_memory.counts = w.health;
   m_memory.march_wall_time = march_wall_time;
@@ -151,7 +153,7 @@ void RunFolder::see_last(const State& s, const Workspace& w) {
 }
 
 void RunFolder::finish(const State& s, const std::string& status, bool failed) {
-  if (m_frames) io::write_field_files(m_folder);
+  if (m_frames) io::write_field_files(m_folder, m_memory.frames);
   write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);

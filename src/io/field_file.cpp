@@ -224,7 +224,7 @@ std::string field_file(const Film& film) {
   return std::string(file.view());
 }
 
-void write_field_files(const std::filesystem::path& folder) {
+void write_field_files(const std::filesystem::path& folder, std::size_t frames) {
   const std::filesystem::path log = folder / frame_log_name;
   MemoryFile file;
   std::vector<double> times;
@@ -236,6 +236,8 @@ void write_field_files(const std::filesystem::path& folder) {
       times.push_back(frame->t);
       if (!first) first = std::move(frame);
     }
+    if (times.size() != frames)
+      throw InputOutputError(fmt::format("holds {} whole frames of {}", times.size(), frames));
     write_head(file, reader.head(), times);
     if (!first) return;
     std::ifstream again(log, std::ios::binary);

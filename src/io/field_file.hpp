@@ -28,8 +28,9 @@ inline constexpr const char* field_index_name = "fields.xdmf";
 std::string field_file(const Film& film);
 
 /// Writes fields.h5 and fields.xdmf of a run's log into its folder; takes one frame at a time.
-/// @throws InputOutputError naming the path and the reason, or if HDF5 refuses
-void write_field_files(const std::filesystem::path& folder);
+/// @param frames  that the log must hold
+/// @throws InputOutputError naming the path and the reason: also if some are no longer whole
+void write_field_files(const std::filesystem::path& folder, std::size_t frames);
 
 /// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
 std::string frame_path(std::size_t k, std::string_view name);

@@ -131,6 +131,7 @@ Json list(const std::vector<T>& all) {
 std::string to_text(const RunMemory& memory) {
   return Json{{"rows", list(memory.rows)},
               {"health", list(memory.health)},
+              {"last", memory.last ? json_of(*memory.last) : Json()},
               {"most_iterations", memory.watch.most_iterations},
               {"largest_residual", memory.watch.largest_residual},
               {"counts", json_of(memory.counts)},
@@ -147,11 +148,12 @@ RunMemory parse_memory(const std::string& text) {
     RunMemory memory;
     for (const Json& row : json.at("rows")) memory.rows.push_back(track_of(row));
     for (const Json& row : json.at("health")) memory.health.push_back(health_of(row));
+    if (!json.at("last").is_null()) memory.last = health_of(json.at("last"));
     memory.watch = {.most_iterations = integer<int>(json.at("most_iterations")),
                     .largest_residual = number(json.at("largest_residual"))};
     memory.counts = counts_of(json.at("counts"));
     for (const Json& scene : json.at("scenes")) memory.scenes.push_back(scene_of(scene));
-    if (json.contains("frames")) memory.frames = integer<std::size_t>(json.at("frames")); // older ones have none
+    memory.frames = integer<std::size_t>(json.at("frames"));
     memory.trajectory = integer<std::uint64_t>(json.at("trajectory"));
     memory.march_wall_time = number(json.at("march_wall_time_s"));
     return memory;

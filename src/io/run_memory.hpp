@@ -5,6 +5,7 @@
 #include "observe/tracks.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct RunMemory {
   std::vector<TrackRow> rows;    ///< of tracks.csv
   std::vector<HealthRow> health; ///< of health.csv
   HealthWatch watch;             ///< since the last row
+  std::optional<HealthRow> last; ///< of the last checkpoint's state: a run that goes on from it has not made its step
   StepHealth counts;             ///< since the start
   std::vector<CellScene> scenes; ///< of the contact sheet
   std::size_t frames = 0;        ///< kept of fields.part

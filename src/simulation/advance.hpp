@@ -14,7 +14,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {
 /// What a step may do.
 struct StepBounds {
   double furthest_move;  ///< of a particle of matrix or cortex [um]
-  bool may_cross = true; ///< whether the cortex may come to cross itself, which repulsion prevents in short steps
+  bool may_cross = true; ///< whether the cortex may come to cross itself in the step
 };
 
 /// The same with other bounds.

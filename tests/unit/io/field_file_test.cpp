@@ -59,15 +59,19 @@ TEST(FieldFile, IsMadeOfALogFrameByFrame) {
       std::filesystem::temp_directory_path() / ("matrigrate-fields-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
   const Film film = SmallRun().film();
-  EXPECT_THROW(write_field_files(folder), InputOutputError) << "without a log";
-  write_file(folder / frame_log_name, log_bytes(film));
-  write_field_files(folder);
+  EXPECT_THROW(write_field_files(folder, 2), InputOutputError) << "without a log";
+  const std::string log = log_bytes(film);
+  write_file(folder / frame_log_name, log.substr(0, log.size() - 1));
+  EXPECT_THROW(write_field_files(folder, 2), InputOutputError) << "a frame is cut short";
+  EXPECT_FALSE(std::filesystem::exists(folder / field_file_name));
+  write_file(folder / frame_log_name, log);
+  write_field_files(folder, 2);
   EXPECT_EQ(read_file(folder / field_file_name, 1U << 30U), field_file(film));
   EXPECT_EQ(difference(read_film(folder), film), "");
   std::filesystem::remove(folder / frame_log_name);
   EXPECT_EQ(difference(read_film(folder), film), "") << "of fields.h5";
   write_file(folder / frame_log_name, log_bytes({.head = film.head, .frames = {}}));
-  write_field_files(folder);
+  write_field_files(folder, 0);
   EXPECT_TRUE(read_field_film(folder).frames.empty());
   std::filesystem::remove_all(folder);
 }

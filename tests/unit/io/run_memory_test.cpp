@@ -14,6 +14,7 @@ RunMemory example() {
   memory.rows = {{.t = 1.0 / 3.0, .step = 7, .centre = {0.1, -0.2}, .area = 5.0, .polarization = {}, .initiated = 2},
                  {.t = 60.0, .step = 9, .polarization = 0.3, .in_phase = {1, 0, 2, 3}}};
   memory.health = {{.t = 60.0, .step = 9, .most_iterations = 4, .density_min = 0.9, .crosses_itself = true}};
+  memory.last = {.t = 61.2, .step = 11, .iterations = 5, .fastest = 0.1};
   memory.watch = {.most_iterations = 3, .largest_residual = 1e-5};
   memory.counts = {.solve = {.iterations = 2, .residual = 0.5, .converged = true}, .orphans = 3, .list_builds = 8};
   memory.scenes.emplace_back();
@@ -35,6 +36,7 @@ TEST(RunMemory, GivesTheSameBitsBack) {
   EXPECT_FALSE(read.rows[0].polarization);
   EXPECT_EQ(read.rows[1].in_phase[3], 3U);
   EXPECT_TRUE(read.health[0].crosses_itself);
+  EXPECT_EQ(read.last->iterations, 5);
   EXPECT_EQ(read.counts.list_builds, 8U);
   EXPECT_EQ(read.scenes[0].protrusions[0].anchor->y(), 6.0);
 }
