@@ -8,7 +8,8 @@
 #include "protrusion/adhesion.hpp"
 #include "sph/neighbours.hpp"
 
-#include <algorithm>
+#include <Eigen/Geometry>
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -35,15 +36,31 @@ void add(Floats& to, const Vec2& x) {
   to.push_back(static_cast<float>(x.y()));
 }
 
-/// Pressure of the fluid where it is now, 0 in the solid: of the state alone, so that a run that goes on has it too.
+/// Pressure of the fluid where it is now, 0 in the solid [kPa]: of the state alone, so that a run that goes on has it
+/// too. Neighbours are looked for in the box around the fluid only.
 std::vector<double> fluid_pressures(const EcmState& ecm, const EcmParameters& p) {
-  std::vector<double> pressures(ecm.size(), 0.0);
-  if (std::ranges::none_of(ecm.f, [](double f) { return f <= 0.0; })) return pressures;
   const Kernel kernel(p.smoothing_length);
-  const double rho_lattice = lattice_density(p);
-  const Adjacency pairs = neighbours_within(ecm.x, kernel.support(), ecm.period_x);
+  Eigen::AlignedBox2d box;
   for (std::size_t i = 0; i < ecm.size(); ++i)
-    if (ecm.f[i] <= 0.0) pressures[i] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, i);
+    if (ecm.f[i] <= 0.0) box.extend(ecm.x[i]);
+  std::vector<double> pressures(ecm.size(), 0.0);
+  if (box.isEmpty()) return pressures;
+  const Vec2 reach = Vec2::Constant(kernel.support());
+  box = {box.min() - reach, box.max() + reach};
+  EcmState part;
+  part.V0 = ecm.V0;
+  part.period_x = ecm.period_x;
+  std::vector<std::size_t> of_part;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.period_x == 0.0 && !box.contains(ecm.x[i])) continue;
+    part.x.push_back(ecm.x[i]);
+    part.f.push_back(ecm.f[i]);
+    of_part.push_back(i);
+  }
+  const double rho_lattice = lattice_density(p);
+  const Adjacency pairs = neighbours_within(part.x, kernel.support(), part.period_x);
+  for (std::size_t k = 0; k < of_part.size(); ++k)
+    if (part.f[k] <= 0.0) pressures[of_part[k]] = fluid_pressure(part, p, pairs, kernel, rho_lattice, k);
   return pressures;
 }
 
