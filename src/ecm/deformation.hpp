@@ -16,25 +16,25 @@ Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t
 /// Its rate, from the velocities of `ecm` [1/s].
 Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i);
 
-/// The same for the particles of a row, t of them, and any field a: displacements give F - I, velocities dF/dt.
+/// The same for the particles of a row and any field a: displacements give F - I, velocities dF/dt; 0 in the fluid.
 /// @param fa   f_j a_j of all particles
 /// @param own  own(i) is a_i
-/// @param use  use(i, gradient) for each particle; 0 for fluid ones
-template <class Own, class Use>
+template <class Own>
 void row_gradients(const EcmState& ecm, const Reference& ref, const RowTerms& terms, const VectorPlanes& fa,
-                   const Own& own, const Use& use) {
-  RowTensors sum;
-  sum_gradient(terms, fa, sum);
+                   const Own& own, RowTensors& gradient) {
+  sum_gradient(terms, fa, gradient);
   const double lattice = ecm.V0 * ref.lattice_correction();
   for (std::size_t t = 0; t < terms.row.count; ++t) {
     const std::size_t i = terms.row.begin + t;
-    if (ref.whole(i) && ecm.f[i] == 1.0) {
-      use(i, Mat2(lattice * sum[t]));
+    if (ref.plain(ecm, i)) continue;
+    if (ecm.f[i] <= 0.0) {
+      gradient.set(t, Mat2::Zero());
       continue;
     }
-    const Mat2 gradient = sum[t] - own(i) * ref.moments(i).grad_W.transpose();
-    use(i, ecm.f[i] > 0.0 ? Mat2(ecm.V0 * gradient * ref.B(i)) : Mat2(Mat2::Zero()));
+    const Mat2 sum = gradient[t] - own(i) * ref.moments(i).grad_W.transpose();
+    gradient.set(t, ecm.V0 / lattice * sum * ref.B(i));
   }
+  scale(lattice, terms.row.count, gradient);
 }
 
 } // namespace matrigrate

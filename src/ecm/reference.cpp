@@ -64,7 +64,7 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
     const Mat2 A = support_tensor(i, intact, ecm.V0);
     m_intact[i] = std::clamp(Eigen2(A, Eigen::EigenvaluesOnly).eigenvalues()(0), 1e-6, 1.0);
   });
-  m_rows = find_rows(m_pairs, m_X_ij);
+  m_rows = ParticleRows(m_pairs, m_X_ij, m_grad_W, m_W_over_r2);
   parallel_for(ecm.size(), [&](std::size_t i) { correct(i, ecm); });
   m_f_seen = ecm.f;
 }

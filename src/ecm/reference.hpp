@@ -32,10 +32,8 @@ public:
   template <class Body>
   void each_row(const Body& body) const {
     constexpr std::size_t grain = 8;
-    const auto of_row = [&](std::size_t r) {
-      body(RowTerms{m_rows[r], m_pairs.index.data(), m_X_ij.data(), m_grad_W.data(), m_W_over_r2.data()});
-    };
-    parallel_for(m_rows.size(), of_row, grain);
+    parallel_for(
+        m_rows.size(), [&](std::size_t r) { body(m_rows.terms(r)); }, grain);
   }
 
   const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }      ///< X_i - X_j of entry k of pairs() [um]
@@ -48,6 +46,8 @@ public:
 
   /// Whether B and the moments of particle i are those of an intact lattice: multiples of the identity, or 0.
   bool whole(std::size_t i) const { return m_whole[i] != 0; }
+  /// Whether particle i is intact, and all its neighbours are there and intact.
+  bool plain(const EcmState& ecm, std::size_t i) const { return whole(i) && ecm.f[i] == 1.0; }
   double lattice_correction() const { return m_B_lattice(0, 0); }
   const DegradationMoments& lattice_moments() const { return m_lattice_moments; }
 
@@ -60,7 +60,7 @@ private:
 
   double m_support_floor;
   Adjacency m_pairs;
-  std::vector<ParticleRow> m_rows;
+  ParticleRows m_rows;
   std::vector<Vec2> m_X_ij;
   std::vector<Vec2> m_grad_W;
   std::vector<double> m_W_over_r2;

@@ -1,142 +1,283 @@
 #include "ecm/rows.hpp"
 
+#include "base/pack.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace matrigrate {
 
 namespace {
 
-/// Whether the neighbours of particle i lie like those of particle i - 1.
-bool like_previous(const Adjacency& pairs, const std::vector<Vec2>& X_ij, std::size_t i) {
+constexpr std::size_t lanes = ParticleRows::lanes;
+
+/// Whether partners lie alike, but for rounding.
+bool alike(const RowPartner& a, const RowPartner& b) {
+  return std::abs(a.half_X - b.half_X) + std::abs(a.half_Y - b.half_Y)
+         <= 1e-9 * (std::abs(a.half_X) + std::abs(a.half_Y));
+}
+
+/// Whether the partners of particle i lie like those of particle i - 1.
+bool like_previous(const Adjacency& pairs, std::span<const RowPartner> all, std::size_t i) {
   const std::uint32_t before = pairs.first[i - 1];
   const std::uint32_t here = pairs.first[i];
   const std::uint32_t count = pairs.first[i + 1] - here;
   if (here - before != count) return false;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    if (pairs.index[here + k] != pairs.index[before + k] + 1) return false;
-    if ((X_ij[here + k] - X_ij[before + k]).squaredNorm() > 1e-18 * X_ij[here + k].squaredNorm()) return false;
-  }
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (all[here + k].distance != all[before + k].distance || !alike(all[here + k], all[before + k])) return false;
   return true;
 }
 
-/// Particles whose sums are made at once, in registers.
-constexpr std::size_t lanes = 8;
+/// Calls add(t) for the first of `lanes` particles at a time; the last turn overlaps the one before where the row does
+/// not come out even.
+template <class Add>
+[[gnu::always_inline]] inline void over_row(std::size_t n, const Add& add) {
+  for (std::size_t t = 0; t + lanes <= n; t += lanes) add(t);
+  if (n % lanes != 0) add(n - lanes);
+}
 
-/// Calls add(t) for t = 0, lanes, 2 lanes, ...; the last turn overlaps the one before where the row does not come out
-/// even. Rows that are too short are for single(t).
-template <class Packed, class Single>
-[[gnu::always_inline]] inline void over_row(std::size_t n, const Packed& packed, const Single& single) {
-  if (n < lanes) {
-    for (std::size_t t = 0; t < n; ++t) single(t);
-    return;
+/// Numbers of a partner, the same for the four particles from l on, 0 for those of a ragged row that lack it.
+template <bool ragged>
+[[gnu::always_inline]] inline void weigh(double number, const double* has, Doubles& weight) {
+  fill(number, weight);
+  if (!ragged) return;
+  Doubles is;
+  load(has, is);
+  weight *= is;
+}
+
+/// The sums of four particles; two of them at a time keep the machine busy.
+struct FourTensors {
+  Doubles xx{}, xy{}, yx{}, yy{};
+
+  [[gnu::always_inline]] void add(const Doubles& ax, const Doubles& ay, const Doubles& bx, const Doubles& by) {
+    xx += ax * bx;
+    xy += ax * by;
+    yx += ay * bx;
+    yy += ay * by;
   }
-  for (std::size_t t = 0; t + lanes <= n; t += lanes) packed(t);
-  if (n % lanes != 0) packed(n - lanes);
+  [[gnu::always_inline]] void keep(std::size_t t, RowTensors& sum) const {
+    store(xx, sum.xx + t);
+    store(xy, sum.xy + t);
+    store(yx, sum.yx + t);
+    store(yy, sum.yy + t);
+  }
+};
+
+/// Where numbers of four particles begin, less what is added to all of these.
+struct AtVectors {
+  AtVectors(const VectorPlanes& a, std::ptrdiff_t i) : x(a.x.data() + i), y(a.y.data() + i) {}
+  const double *x, *y;
+};
+struct AtTensors {
+  AtTensors(const TensorPlanes& A, std::ptrdiff_t i)
+      : xx(A.xx.data() + i), xy(A.xy.data() + i), yx(A.yx.data() + i), yy(A.yy.data() + i) {}
+  const double *xx, *xy, *yx, *yy;
+};
+
+/// A b + a of four particles.
+[[gnu::always_inline]] inline void apply(const AtTensors& A, std::ptrdiff_t i, const Doubles& bx, const Doubles& by,
+                                         Doubles& ax, Doubles& ay) {
+  Doubles Axx, Axy, Ayx, Ayy;
+  load(A.xx + i, Axx);
+  load(A.xy + i, Axy);
+  load(A.yx + i, Ayx);
+  load(A.yy + i, Ayy);
+  ax += Axy * by;
+  ax += Axx * bx;
+  ay += Ayy * by;
+  ay += Ayx * bx;
 }
 
-/// The sums of `width` particles from t on.
-template <std::size_t width>
-[[gnu::always_inline]] inline void keep(const double (&xx)[width], const double (&xy)[width], const double (&yx)[width],
-                                        const double (&yy)[width], std::size_t t, RowTensors& sum) {
-  std::copy_n(xx, width, sum.xx + t);
-  std::copy_n(xy, width, sum.xy + t);
-  std::copy_n(yx, width, sum.yx + t);
-  std::copy_n(yy, width, sum.yy + t);
+template <bool ragged>
+[[gnu::always_inline]] inline void add_gradient(const RowPartner& j, const double* has, const AtVectors& a,
+                                                std::ptrdiff_t l, FourTensors& sum) {
+  Doubles ax, ay, gx, gy;
+  load(a.x + j.distance + l, ax);
+  load(a.y + j.distance + l, ay);
+  weigh<ragged>(j.grad_x, has + l, gx);
+  weigh<ragged>(j.grad_y, has + l, gy);
+  sum.add(ax, ay, gx, gy);
 }
 
-/// sum_gradient of `width` particles from t on.
-template <std::size_t width>
+/// sum_gradient of `lanes` particles from t on.
+template <bool ragged>
 [[gnu::always_inline]] inline void gradient_of(const RowTerms& terms, const VectorPlanes& a, std::size_t t,
                                                RowTensors& sum) {
-  double xx[width] = {}, xy[width] = {}, yx[width] = {}, yy[width] = {};
-  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
-    const double* ax = a.x.data() + terms.index[k] + t;
-    const double* ay = a.y.data() + terms.index[k] + t;
-    const double gx = terms.grad_W[k].x();
-    const double gy = terms.grad_W[k].y();
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < width; ++l) {
-      xx[l] = std::fma(ax[l], gx, xx[l]);
-      xy[l] = std::fma(ax[l], gy, xy[l]);
-      yx[l] = std::fma(ay[l], gx, yx[l]);
-      yy[l] = std::fma(ay[l], gy, yy[l]);
-    }
+  const AtVectors at(a, static_cast<std::ptrdiff_t>(terms.row.begin + t));
+  const double* has = terms.has;
+  FourTensors low, high;
+  for (const RowPartner& j : terms.partners) {
+    add_gradient<ragged>(j, has, at, 0, low);
+    add_gradient<ragged>(j, has, at, 4, high);
+    if (ragged) has += lanes;
   }
-  keep(xx, xy, yx, yy, t, sum);
+  low.keep(t, sum);
+  high.keep(t + 4, sum);
 }
 
-/// sum_hourglass_moment of `width` particles from t on.
-template <std::size_t width>
+/// H_j X_ij/2 + u_j of four particles j.
+[[gnu::always_inline]] inline void half_way(const RowPartner& j, const AtVectors& u, const AtTensors& H,
+                                            std::ptrdiff_t l, Doubles& x, Doubles& y) {
+  Doubles X, Y;
+  fill(j.half_X, X);
+  fill(j.half_Y, Y);
+  load(u.x + j.distance + l, x);
+  load(u.y + j.distance + l, y);
+  apply(H, j.distance + l, X, Y, x, y);
+}
+
+template <bool ragged>
+[[gnu::always_inline]] inline void add_moment(const RowPartner& j, const double* has, const AtVectors& u,
+                                              const AtTensors& H, std::ptrdiff_t l, FourTensors& sum) {
+  Doubles x, y, wx, wy;
+  half_way(j, u, H, l, x, y);
+  weigh<ragged>(j.w_X, has + l, wx);
+  weigh<ragged>(j.w_Y, has + l, wy);
+  sum.add(x, y, wx, wy);
+}
+
+/// sum_hourglass_moment of `lanes` particles from t on.
+template <bool ragged>
 [[gnu::always_inline]] inline void moment_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
                                              std::size_t t, RowTensors& sum) {
-  double xx[width] = {}, xy[width] = {}, yx[width] = {}, yy[width] = {};
-  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
-    const std::size_t j = terms.index[k] + t;
-    const double X = 0.5 * terms.X_ij[k].x();
-    const double Y = 0.5 * terms.X_ij[k].y();
-    const double wx = terms.W_over_r2[k] * terms.X_ij[k].x();
-    const double wy = terms.W_over_r2[k] * terms.X_ij[k].y();
-    const double *ux = &u.x[j], *uy = &u.y[j], *hxx = &H.xx[j], *hxy = &H.xy[j], *hyx = &H.yx[j], *hyy = &H.yy[j];
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < width; ++l) {
-      const double x = std::fma(hxx[l], X, std::fma(hxy[l], Y, ux[l]));
-      const double y = std::fma(hyx[l], X, std::fma(hyy[l], Y, uy[l]));
-      xx[l] = std::fma(x, wx, xx[l]);
-      xy[l] = std::fma(x, wy, xy[l]);
-      yx[l] = std::fma(y, wx, yx[l]);
-      yy[l] = std::fma(y, wy, yy[l]);
-    }
+  const auto i = static_cast<std::ptrdiff_t>(terms.row.begin + t);
+  const AtVectors at_u(u, i);
+  const AtTensors at_H(H, i);
+  const double* has = terms.has;
+  FourTensors low, high;
+  for (const RowPartner& j : terms.partners) {
+    add_moment<ragged>(j, has, at_u, at_H, 0, low);
+    add_moment<ragged>(j, has, at_u, at_H, 4, high);
+    if (ragged) has += lanes;
   }
-  keep(xx, xy, yx, yy, t, sum);
+  low.keep(t, sum);
+  high.keep(t + 4, sum);
 }
 
-/// sum_forces of `width` particles from t on.
-template <std::size_t width>
+struct FourForces {
+  Doubles stress_x{}, stress_y{}, hourglass_x{}, hourglass_y{};
+
+  [[gnu::always_inline]] void keep(std::size_t t, RowVectors& stress, RowVectors& hourglass) const {
+    store(stress_x, stress.x + t);
+    store(stress_y, stress.y + t);
+    store(hourglass_x, hourglass.x + t);
+    store(hourglass_y, hourglass.y + t);
+  }
+};
+
+template <bool ragged>
+[[gnu::always_inline]] inline void add_forces(const RowPartner& j, const double* has, const AtVectors& u,
+                                              const AtTensors& H, const AtTensors& Q, std::ptrdiff_t l,
+                                              FourForces& sum) {
+  Doubles x, y, gx, gy, w;
+  weigh<ragged>(j.grad_x, has + l, gx);
+  weigh<ragged>(j.grad_y, has + l, gy);
+  weigh<ragged>(j.w, has + l, w);
+  apply(Q, j.distance + l, gx, gy, sum.stress_x, sum.stress_y);
+  half_way(j, u, H, l, x, y);
+  sum.hourglass_x += w * x;
+  sum.hourglass_y += w * y;
+}
+
+/// sum_forces of `lanes` particles from t on.
+template <bool ragged>
 [[gnu::always_inline]] inline void forces_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
                                              const TensorPlanes& Q, std::size_t t, RowVectors& stress,
                                              RowVectors& hourglass) {
-  double sx[width] = {}, sy[width] = {}, ex[width] = {}, ey[width] = {};
-  for (std::size_t k = terms.row.entry; k < terms.row.entry + terms.row.partners; ++k) {
-    const std::size_t j = terms.index[k] + t;
-    const double X = 0.5 * terms.X_ij[k].x();
-    const double Y = 0.5 * terms.X_ij[k].y();
-    const double w = terms.W_over_r2[k];
-    const double gx = terms.grad_W[k].x();
-    const double gy = terms.grad_W[k].y();
-    const double *ux = &u.x[j], *uy = &u.y[j], *hxx = &H.xx[j], *hxy = &H.xy[j], *hyx = &H.yx[j], *hyy = &H.yy[j];
-    const double *qxx = &Q.xx[j], *qxy = &Q.xy[j], *qyx = &Q.yx[j], *qyy = &Q.yy[j];
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < width; ++l) {
-      sx[l] = std::fma(qxx[l], gx, std::fma(qxy[l], gy, sx[l]));
-      sy[l] = std::fma(qyx[l], gx, std::fma(qyy[l], gy, sy[l]));
-      ex[l] = std::fma(w, std::fma(hxx[l], X, std::fma(hxy[l], Y, ux[l])), ex[l]);
-      ey[l] = std::fma(w, std::fma(hyx[l], X, std::fma(hyy[l], Y, uy[l])), ey[l]);
-    }
+  const auto i = static_cast<std::ptrdiff_t>(terms.row.begin + t);
+  const AtVectors at_u(u, i);
+  const AtTensors at_H(H, i), at_Q(Q, i);
+  const double* has = terms.has;
+  FourForces low, high;
+  for (const RowPartner& j : terms.partners) {
+    add_forces<ragged>(j, has, at_u, at_H, at_Q, 0, low);
+    add_forces<ragged>(j, has, at_u, at_H, at_Q, 4, high);
+    if (ragged) has += lanes;
   }
-  std::copy_n(sx, width, stress.x + t);
-  std::copy_n(sy, width, stress.y + t);
-  std::copy_n(ex, width, hourglass.x + t);
-  std::copy_n(ey, width, hourglass.y + t);
+  low.keep(t, stress, hourglass);
+  high.keep(t + 4, stress, hourglass);
 }
 
 } // namespace
 
-std::vector<ParticleRow> find_rows(const Adjacency& pairs, const std::vector<Vec2>& X_ij) {
-  std::vector<ParticleRow> rows;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!rows.empty() && rows.back().count < ParticleRow::longest && like_previous(pairs, X_ij, i)) {
-      ++rows.back().count;
-      continue;
+ParticleRows::ParticleRows(const Adjacency& pairs, std::span<const Vec2> X_ij, std::span<const Vec2> grad_W,
+                           std::span<const double> w) {
+  std::vector<RowPartner> all(pairs.pairs()); // beside pairs.index
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
+      const Vec2& X = X_ij[k];
+      all[k] = {static_cast<std::ptrdiff_t>(pairs.index[k]) - static_cast<std::ptrdiff_t>(i),
+                0.5 * X.x(),
+                0.5 * X.y(),
+                grad_W[k].x(),
+                grad_W[k].y(),
+                w[k],
+                w[k] * X.x(),
+                w[k] * X.y()};
     }
-    rows.push_back({static_cast<std::uint32_t>(i), 1, pairs.first[i], pairs.first[i + 1] - pairs.first[i]});
+  const auto n = static_cast<std::uint32_t>(pairs.size());
+  std::uint32_t left = 0; // particles from here on are in no row yet
+  for (std::uint32_t i = 0, end = 0; i < n; i = end) {
+    end = i + 1;
+    while (end < n && end - i < ParticleRow::longest && like_previous(pairs, all, end)) ++end;
+    if (end - i < lanes && end < n) continue;
+    const bool long_enough = end - i >= lanes;
+    for (const std::uint32_t stop = long_enough ? i : end; left < stop;) {
+      const std::uint32_t count = std::min(static_cast<std::uint32_t>(lanes), stop - left);
+      add_ragged(left, count, pairs, all);
+      left += count;
+    }
+    if (long_enough) add_row(i, end - i, pairs, all);
+    left = end;
   }
-  return rows;
+}
+
+void ParticleRows::add_row(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs,
+                           std::span<const RowPartner> all) {
+  const auto of_first = all.subspan(pairs.first[begin], pairs.first[begin + 1] - pairs.first[begin]);
+  m_rows.push_back({begin, count, static_cast<std::uint32_t>(m_partners.size()),
+                    static_cast<std::uint32_t>(of_first.size()), false});
+  m_partners.insert(m_partners.end(), of_first.begin(), of_first.end());
+  m_has.resize(lanes * m_partners.size(), 1.0);
+}
+
+void ParticleRows::add_ragged(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs,
+                              std::span<const RowPartner> all) {
+  struct Entry {
+    RowPartner partner;
+    std::array<double, lanes> has;
+  };
+  std::vector<Entry> entries;
+  for (std::uint32_t l = 0; l < count; ++l)
+    for (std::uint32_t k = pairs.first[begin + l]; k < pairs.first[begin + l + 1]; ++k) {
+      auto found = std::ranges::find_if(entries, [&](const Entry& entry) {
+        return entry.partner.distance == all[k].distance && alike(entry.partner, all[k]);
+      });
+      if (found == entries.end()) found = entries.insert(entries.end(), {all[k], {}});
+      found->has[l] = 1.0;
+    }
+  std::ranges::sort(entries, {}, [](const Entry& entry) {
+    return std::tuple(entry.partner.distance, entry.partner.half_X, entry.partner.half_Y);
+  });
+  m_rows.push_back(
+      {begin, count, static_cast<std::uint32_t>(m_partners.size()), static_cast<std::uint32_t>(entries.size()), true});
+  for (const Entry& entry : entries) {
+    m_partners.push_back(entry.partner);
+    m_has.insert(m_has.end(), entry.has.begin(), entry.has.end());
+  }
 }
 
 void VectorPlanes::resize(std::size_t n) {
   x.resize(n);
   y.resize(n);
+}
+
+TensorPlanes::TensorPlanes(std::span<const Mat2> A) {
+  resize(A.size());
+  for (std::size_t i = 0; i < A.size(); ++i) set(i, A[i]);
 }
 
 void TensorPlanes::resize(std::size_t n) {
@@ -147,26 +288,32 @@ void TensorPlanes::resize(std::size_t n) {
 }
 
 MATRIGRATE_SIMD
+void scale(double by, std::size_t n, RowTensors& A) {
+  for (double* a : {A.xx, A.xy, A.yx, A.yy})
+    for (std::size_t t = 0; t < n; ++t) a[t] *= by;
+}
+
+MATRIGRATE_SIMD
 void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum) {
+  if (terms.row.ragged) return gradient_of<true>(terms, a, 0, sum);
   over_row(
-      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { gradient_of<lanes>(terms, a, t, sum); },
-      [&](std::size_t t) __attribute__((always_inline)) { gradient_of<1>(terms, a, t, sum); });
+      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { gradient_of<false>(terms, a, t, sum); });
 }
 
 MATRIGRATE_SIMD
 void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& sum) {
+  if (terms.row.ragged) return moment_of<true>(terms, u, H, 0, sum);
   over_row(
-      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { moment_of<lanes>(terms, u, H, t, sum); },
-      [&](std::size_t t) __attribute__((always_inline)) { moment_of<1>(terms, u, H, t, sum); });
+      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { moment_of<false>(terms, u, H, t, sum); });
 }
 
 MATRIGRATE_SIMD
 void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, const TensorPlanes& Q,
                 RowVectors& stress, RowVectors& hourglass) {
+  if (terms.row.ragged) return forces_of<true>(terms, u, H, Q, 0, stress, hourglass);
   over_row(
-      terms.row.count,
-      [&](std::size_t t) __attribute__((always_inline)) { forces_of<lanes>(terms, u, H, Q, t, stress, hourglass); },
-      [&](std::size_t t) __attribute__((always_inline)) { forces_of<1>(terms, u, H, Q, t, stress, hourglass); });
+      terms.row.count, [&](std::size_t t)
+                           __attribute__((always_inline)) { forces_of<false>(terms, u, H, Q, t, stress, hourglass); });
 }
 
 } // namespace matrigrate

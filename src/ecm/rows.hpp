@@ -5,37 +5,94 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 /// Sums over reference neighbours for many particles at once. Test: tests/unit/ecm/rows_test.cpp
 namespace matrigrate {
 
-/// Consecutive particles whose neighbours lie alike: neighbour k of particle begin + t is t further than neighbour k of
-/// particle begin, at the same distance. On a lattice these are its rows; at the edge of the body they are short.
+/// Consecutive particles whose sums are made at once. Partner k of all of them is as far behind in the list of
+/// particles, and lies alike: on a lattice these are its rows. Ragged rows gather what is left at the edge of a body:
+/// some of their particles lack some of the partners.
 struct ParticleRow {
   static constexpr std::size_t longest = 128;
 
   std::uint32_t begin = 0;    ///< first particle
-  std::uint32_t count = 0;    ///< particles, at most `longest`
-  std::uint32_t entry = 0;    ///< neighbour k is entry + k in the arrays beside the list of pairs
-  std::uint32_t partners = 0; ///< neighbours of each particle
+  std::uint32_t count = 0;    ///< particles, at most `longest`; of a ragged row at most `lanes`
+  std::uint32_t first = 0;    ///< the first partner, in ParticleRows
+  std::uint32_t partners = 0; ///< partners of each particle
+  bool ragged = false;
 };
 
-/// Cuts all particles into rows, in their order.
-/// @param X_ij  reference separations beside pairs.index [um]
-std::vector<ParticleRow> find_rows(const Adjacency& pairs, const std::vector<Vec2>& X_ij);
+/// A partner of the particles of a row.
+struct RowPartner {
+  std::ptrdiff_t distance; ///< partner minus particle
+  double half_X, half_Y;   ///< X_ij/2 = (X_i - X_j)/2 [um]
+  double grad_x, grad_y;   ///< grad_0 W_ij [1/um^3]
+  double w, w_X, w_Y;      ///< w_ij = W_0,ij/|X_ij|^2 [1/um^4], w_ij X_ij [1/um^3]
+};
+
+/// What the sums of a row go over.
+struct RowTerms {
+  ParticleRow row;
+  std::span<const RowPartner> partners;
+  const double* has; ///< of a ragged row: `lanes` numbers a partner, 1 for the particles that have it, else 0
+};
+
+/// All particles, cut into rows in their order.
+class ParticleRows {
+public:
+  /// Particles whose sums are made at once, in registers.
+  static constexpr std::size_t lanes = 8;
+
+  ParticleRows() = default;
+
+  /// @param X_ij    reference separations beside pairs.index [um]
+  /// @param grad_W  gradients there [1/um^3]   @param w  W_0,ij/|X_ij|^2 there [1/um^4]
+  ParticleRows(const Adjacency& pairs, std::span<const Vec2> X_ij, std::span<const Vec2> grad_W,
+               std::span<const double> w);
+
+  std::size_t size() const { return m_rows.size(); }
+  RowTerms terms(std::size_t r) const {
+    const ParticleRow& row = m_rows[r];
+    return {row, {m_partners.data() + row.first, row.partners}, m_has.data() + lanes * row.first};
+  }
+
+private:
+  void add_row(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs, std::span<const RowPartner> all);
+  void add_ragged(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs, std::span<const RowPartner> all);
+
+  std::vector<ParticleRow> m_rows;
+  std::vector<RowPartner> m_partners;
+  std::vector<double> m_has;
+};
+
+/// One number a particle, framed by zeros: `lanes` of them may be read from any particle on, and before it.
+class Plane {
+public:
+  void resize(std::size_t n) { m_values.resize(n + 2 * ParticleRows::lanes); }
+  double* data() { return m_values.data() + ParticleRows::lanes; }
+  const double* data() const { return m_values.data() + ParticleRows::lanes; }
+  double& operator[](std::size_t i) { return data()[i]; }
+  double operator[](std::size_t i) const { return data()[i]; }
+
+private:
+  std::vector<double> m_values;
+};
 
 /// A field of vectors or of tensors, component by component.
 struct VectorPlanes {
-  std::vector<double> x, y;
+  Plane x, y;
 
   void resize(std::size_t n);
   void set(std::size_t i, const Vec2& a) { x[i] = a.x(), y[i] = a.y(); }
 };
 
 struct TensorPlanes {
-  std::vector<double> xx, xy, yx, yy;
+  Plane xx, xy, yx, yy;
 
+  TensorPlanes() = default;
+  explicit TensorPlanes(std::span<const Mat2> A);
   void resize(std::size_t n);
   void set(std::size_t i, const Mat2& A) { xx[i] = A(0, 0), xy[i] = A(0, 1), yx[i] = A(1, 0), yy[i] = A(1, 1); }
   Mat2 operator[](std::size_t i) const { return (Mat2() << xx[i], xy[i], yx[i], yy[i]).finished(); }
@@ -52,16 +109,11 @@ struct RowTensors {
   double xx[ParticleRow::longest], xy[ParticleRow::longest], yx[ParticleRow::longest], yy[ParticleRow::longest];
 
   Mat2 operator[](std::size_t t) const { return (Mat2() << xx[t], xy[t], yx[t], yy[t]).finished(); }
+  void set(std::size_t t, const Mat2& A) { xx[t] = A(0, 0), xy[t] = A(0, 1), yx[t] = A(1, 0), yy[t] = A(1, 1); }
 };
 
-/// What the sums go over; the arrays belong to Reference.
-struct RowTerms {
-  ParticleRow row;
-  const std::uint32_t* index; ///< neighbours beside the entries
-  const Vec2* X_ij;           ///< X_i - X_j beside the entries [um]
-  const Vec2* grad_W;         ///< grad_0 W_ij beside the entries [1/um^3]
-  const double* W_over_r2;    ///< W_0,ij / |X_ij|^2 beside the entries [1/um^4]
-};
+/// Multiplies the first n of them by a number.
+void scale(double by, std::size_t n, RowTensors& A);
 
 /// Sums that depend on the degradation of the neighbours alone: the same field times these is what a particle's own
 /// value adds to the sums below.

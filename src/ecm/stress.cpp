@@ -4,8 +4,6 @@
 #include "ecm/deformation.hpp"
 #include "ecm/material.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 
 namespace matrigrate {
@@ -23,6 +21,40 @@ inline void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const
   const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
   ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
   ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, G);
+}
+
+/// P_i B_i of all particles of a row as if they were plain: c (J sigma F^-T + a (F - I) + b moment).
+/// @param S  components xx, yx, xy, yy one after the other, particle by particle
+MATRIGRATE_SIMD
+void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& F,
+                      const RowTensors& moment, double K, double a, double b, double c, TensorPlanes& PB) {
+  const double *Fxx = &F.xx.data()[begin], *Fxy = &F.xy.data()[begin];
+  const double *Fyx = &F.yx.data()[begin], *Fyy = &F.yy.data()[begin];
+  double* __restrict xx = PB.xx.data() + begin, * __restrict xy = PB.xy.data() + begin;
+  double* __restrict yx = PB.yx.data() + begin, * __restrict yy = PB.yy.data() + begin;
+  for (std::size_t t = 0; t < n; ++t) {
+    const double pressure = K * (rho[t] - 1.0);
+    const double sxx = S[4 * t] - pressure, syx = S[4 * t + 1], sxy = S[4 * t + 2], syy = S[4 * t + 3] - pressure;
+    xx[t] = c * ((sxx * Fyy[t] - sxy * Fxy[t]) + (a * (Fxx[t] - 1.0) + b * moment.xx[t]));
+    xy[t] = c * ((sxy * Fxx[t] - sxx * Fyx[t]) + (a * Fxy[t] + b * moment.xy[t]));
+    yx[t] = c * ((syx * Fyy[t] - syy * Fxy[t]) + (a * Fyx[t] + b * moment.yx[t]));
+    yy[t] = c * ((syy * Fxx[t] - syx * Fyx[t]) + (a * (Fyy[t] - 1.0) + b * moment.yy[t]));
+  }
+}
+
+/// Rates of deformation of a row become velocity gradients: L = dF/dt F^-1.
+MATRIGRATE_SIMD
+void velocity_gradients(std::size_t n, std::size_t begin, const TensorPlanes& F, RowTensors& L) {
+  const double *Fxx = &F.xx.data()[begin], *Fxy = &F.xy.data()[begin];
+  const double *Fyx = &F.yx.data()[begin], *Fyy = &F.yy.data()[begin];
+  for (std::size_t t = 0; t < n; ++t) {
+    const double per_J = 1.0 / (Fxx[t] * Fyy[t] - Fxy[t] * Fyx[t]);
+    const double xx = L.xx[t], xy = L.xy[t], yx = L.yx[t], yy = L.yy[t];
+    L.xx[t] = per_J * (xx * Fyy[t] - xy * Fyx[t]);
+    L.xy[t] = per_J * (xy * Fxx[t] - xx * Fxy[t]);
+    L.yx[t] = per_J * (yx * Fyy[t] - yy * Fyx[t]);
+    L.yy[t] = per_J * (yy * Fxx[t] - yx * Fxy[t]);
+  }
 }
 
 } // namespace
@@ -47,7 +79,7 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force) {
-  std::vector<Mat2>& F = solid.F;
+  TensorPlanes& F = solid.F;
   const std::size_t n = ecm.size();
   const double K = moduli(p).K;
   const double scale = hourglass_scale(ecm, p);
@@ -58,30 +90,36 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
   F.resize(n);
   parallel_for(n, [&](std::size_t i) { solid.u.set(i, ecm.f[i] * ecm.displacement(i)); });
   ref.each_row([&](const RowTerms& terms) {
-    const auto keep = [&](std::size_t i, const Mat2& H) {
-      F[i] = Mat2::Identity() + H;
-      solid.H.set(i, ecm.f[i] * H);
-    };
+    RowTensors H;
     row_gradients(
-        ecm, ref, terms, solid.u, [&](std::size_t i) { return ecm.displacement(i); }, keep);
+        ecm, ref, terms, solid.u, [&](std::size_t i) { return ecm.displacement(i); }, H);
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      F.xx[i] = 1.0 + H.xx[t], F.xy[i] = H.xy[t], F.yx[i] = H.yx[t], F.yy[i] = 1.0 + H.yy[t];
+    }
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      const double f = ecm.f[i];
+      solid.H.xx[i] = f * H.xx[t], solid.H.xy[i] = f * H.xy[t];
+      solid.H.yx[i] = f * H.yx[t], solid.H.yy[i] = f * H.yy[t];
+    }
   });
   ref.each_row([&](const RowTerms& terms) {
     RowTensors sum;
     sum_hourglass_moment(terms, solid.u, solid.H, sum);
+    const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
+    const std::size_t begin = terms.row.begin;
+    corrected_stress(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), F, sum, K,
+                     per_own * 0.5 * lattice.wXX(0, 0), per_own, ref.lattice_correction(), solid.PB);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
+      const std::size_t i = begin + t;
+      if (ref.plain(ecm, i)) continue;
       if (ecm.f[i] <= 0.0) {
         solid.PB.set(i, Mat2::Zero());
         continue;
       }
-      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
-      const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
-      if (ref.whole(i) && ecm.f[i] == 1.0) {
-        const Mat2 own = (0.5 * lattice.wXX(0, 0)) * (F[i] - Mat2::Identity());
-        solid.PB.set(i, ref.lattice_correction() * (P + per_own * (own + sum[t])));
-        continue;
-      }
       const DegradationMoments& m = ref.moments(i);
+      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
       const Mat2 own = 0.5 * (F[i] - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
       solid.PB.set(i, ecm.f[i] * (P + per_own * (own + sum[t])) * ref.B(i));
     }
@@ -93,7 +131,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
       const std::size_t i = terms.row.begin + t;
       const double f = ecm.f[i];
       if (f <= 0.0) continue;
-      if (ref.whole(i) && f == 1.0) {
+      if (ref.plain(ecm, i)) {
         const Vec2 of_hourglass = hourglass[t] - lattice.w * ecm.displacement(i);
         force[i] += p.thickness * (ecm.V0 * ecm.V0 * stress[t] + scale * of_hourglass);
         continue;
@@ -116,11 +154,14 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
   solid.v.resize(ecm.size());
   parallel_for(ecm.size(), [&](std::size_t i) { solid.v.set(i, ecm.f[i] * ecm.v[i]); });
   ref.each_row([&](const RowTerms& terms) {
-    const auto advance = [&](std::size_t i, const Mat2& rate) {
-      if (ecm.f[i] > 0.0) advance_stress_of(ecm, i, rate * solid.F[i].inverse(), p, G, dt);
-    };
+    RowTensors L;
     row_gradients(
-        ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, advance);
+        ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, L);
+    velocity_gradients(terms.row.count, terms.row.begin, solid.F, L);
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      if (ecm.f[i] > 0.0) advance_stress_of(ecm, i, L[t], p, G, dt);
+    }
   });
   return count_density_bounds(ecm, p);
 }

@@ -1,5 +1,6 @@
 #include "ecm/viscosity.hpp"
 
+#include "base/pack.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
@@ -24,48 +25,59 @@ struct DragLaw {
   float per_support, soft, scale;
 };
 
+/// |x_ij|^2 of the eight particles from row on and their partners at a distance.
+[[gnu::always_inline]] inline void squared_distances(const double* x_i, const double* y_i, std::ptrdiff_t distance,
+                                                     const DragLaw& law, float* r2) {
+  if (law.period_x > 0.0) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const Vec2 x_ij(x_i[l] - x_i[static_cast<std::ptrdiff_t>(l) + distance],
+                      y_i[l] - y_i[static_cast<std::ptrdiff_t>(l) + distance]);
+      r2[l] = static_cast<float>(nearest_image(x_ij, law.period_x).squaredNorm());
+    }
+    return;
+  }
+  for (std::size_t l = 0; l < lanes; l += pack_size<Doubles>) {
+    Doubles x, y, x_j, y_j;
+    load(x_i + l, x);
+    load(y_i + l, y);
+    load(x_i + distance + l, x_j);
+    load(y_i + distance + l, y_j);
+    x -= x_j;
+    y -= y_j;
+    store(__builtin_convertvector(x * x + y * y, HalfFloats), r2 + l);
+  }
+}
+
 /// G_ij of the eight particles from row on and their partners at the distances, 0 for those out of reach; distances
 /// without any within reach are left out. Adds the sums over partners to D.
 /// @return the number of distances that remain
 MATRIGRATE_SIMD
 std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law, std::span<std::int32_t> distances,
                        float* G, double* D) {
-  const double* x_i = x.x() + row;
-  const double* y_i = x.y() + row;
+  for (std::size_t k = 0; k < distances.size(); ++k)
+    squared_distances(x.x() + row, x.y() + row, distances[k], law, G + lanes * k);
   const float per_support = law.per_support, soft = law.soft, scale = law.scale;
-  double sum[lanes] = {};
-  std::size_t count = 0;
-  for (const std::int32_t distance : distances) {
-    const double* x_j = x_i + distance;
-    const double* y_j = y_i + distance;
-    float r2[lanes];
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const double dx = x_i[l] - x_j[l];
-      const double dy = y_i[l] - y_j[l];
-      r2[l] = static_cast<float>(dx * dx + dy * dy);
-    }
-    if (law.period_x > 0.0)
-      for (std::size_t l = 0; l < lanes; ++l) {
-        const Vec2 x_ij = nearest_image(Vec2(x_i[l] - x_j[l], y_i[l] - y_j[l]), law.period_x);
-        r2[l] = static_cast<float>(x_ij.squaredNorm());
-      }
-    float g[lanes];
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const float left = 1.0F - std::sqrt(r2[l]) * per_support;
-      const float a = 0.5F * (left + std::abs(left)); // 0 beyond the support
-      g[l] = scale * (a * a * a) * (r2[l] / (r2[l] + soft));
-      sum[l] += static_cast<double>(g[l]);
-    }
-    std::uint32_t bits = 0;
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < lanes; ++l) bits |= std::bit_cast<std::uint32_t>(g[l]);
-    std::copy_n(g, lanes, G + lanes * count);
-    distances[count] = distance;
-    if (bits != 0) ++count;
+  for (std::size_t k = 0; k < lanes * distances.size(); ++k) {
+    const float r2 = G[k];
+    const float left = 1.0F - std::sqrt(r2) * per_support;
+    const float a = 0.5F * (left + std::abs(left)); // 0 beyond the support
+    G[k] = scale * (a * a * a) * (r2 / (r2 + soft));
   }
-  std::copy_n(sum, lanes, D);
+  Doubles low{}, high{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    HalfFloats g_low, g_high;
+    load(G + lanes * k, g_low);
+    load(G + lanes * k + 4, g_high);
+    store(g_low, G + lanes * count);
+    store(g_high, G + lanes * count + 4);
+    low += __builtin_convertvector(g_low, Doubles);
+    high += __builtin_convertvector(g_high, Doubles);
+    distances[count] = distances[k];
+    if (any(g_low + g_high)) ++count; // none is negative
+  }
+  store(low, D);
+  store(high, D + 4);
   return count;
 }
 
@@ -122,7 +134,6 @@ void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPa
   A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
   A.diagonal.resize(ecm.size());
   A.F.assign(ecm.size(), Vec2::Zero());
-  A.position = ecm.x;
   Field free;
   free.resize(ecm.size());
   bool given_move = false;

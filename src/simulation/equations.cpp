@@ -70,7 +70,6 @@ void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  w.drag.position.insert(w.drag.position.end(), s.cortex.x.begin(), s.cortex.x.end());
   add_viscous_contact(s.ecm, s.cortex, p, *w.cell.grid, w.drag);
 }
 

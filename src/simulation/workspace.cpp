@@ -21,6 +21,7 @@ std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
   const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, ecm.period_x);
   DragSystem reference;
   assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), reference);
+  reference.position = ecm.x;
   return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, p.solver.tolerance, p.solver.max_iterations);
 }
 

@@ -59,9 +59,10 @@ struct Parts {
 
 CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
   const std::size_t n = reference.pairs.size();
-  if (n == 0 || reference.position.size() < n) return;
+  if (n == 0 || reference.position.size() != n) return;
   Sparse A = pair_drag_matrix(reference);
-  std::vector<Vec2> x(reference.position.begin(), reference.position.begin() + static_cast<std::ptrdiff_t>(n));
+  m_X = reference.position;
+  std::vector<Vec2> x = m_X;
   std::vector<std::uint8_t> free(n);
   for (std::size_t i = 0; i < n; ++i) free[i] = reference.given[i] == 0 ? 1 : 0;
   Grid grid(x, spacing);
@@ -98,13 +99,10 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
   m_b.resize(static_cast<long>(grid.size()), 2);
 }
 
-void CoarseLevels::locate(const DragSystem& A, const Elimination& elimination) {
-  m_located = !m_levels.empty() && A.position.size() >= A.pairs.size();
-  if (!m_located) return;
-  m_free.resize(A.pairs.size());
-  parallel_for(m_free.size(), [&](std::size_t i) { m_free[i] = A.given[i] == 0 ? 1 : 0; });
-  m_levels[0].grid.locate(std::span(A.position).first(A.pairs.size()), m_free);
-  elimination.lump(A, m_links);
+void CoarseLevels::take_links(const DragSystem& A, const Elimination& elimination) {
+  m_fits = !m_levels.empty() && m_X.size() == A.pairs.size();
+  if (!m_fits) return;
+  elimination.lump(A, m_X, m_links);
   m_linked.resize(m_links.size());
   const std::vector<std::uint8_t> all(m_links.size(), 1);
   for (std::size_t k = 0; k < m_links.size(); ++k) m_linked.x()[k] = m_linked.y()[k] = m_links.drag(k);
@@ -133,7 +131,7 @@ void CoarseLevels::residual(Level& level) {
 }
 
 void CoarseLevels::add_correction(const Field& r, Field& z) {
-  if (!m_located) return;
+  if (!m_fits) return;
   m_levels[0].grid.restrict_to(r, m_levels[0].b);
   cycle(0);
   m_levels[0].grid.interpolate(m_levels[0].x, z);

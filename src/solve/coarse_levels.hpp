@@ -14,16 +14,18 @@ namespace matrigrate {
 
 /// Smooth velocity fields of the matrix: bilinear on square grids, each twice as coarse as the one before. Their
 /// operators are the Galerkin products P^T A P of a reference system, made once, and P^T E P of the present links
-/// (LumpedLinks). Interpolation follows the nodes wherever they have moved. So a correction depends on the present
-/// system and on the reference alone, on no earlier step. Test: tests/unit/solve/multigrid_test.cpp
+/// (LumpedLinks). Fields are smooth over where the nodes were in the reference: they move with the matrix. So a
+/// correction depends on the present system and on the reference alone, on no earlier step.
+/// Test: tests/unit/solve/multigrid_test.cpp
 class CoarseLevels {
 public:
   /// @param reference  a system at rest with its positions; its terms are ignored
   /// @param spacing    of the finest grid [um], > 0
   CoarseLevels(const DragSystem& reference, double spacing);
 
-  /// Takes the positions and the links of A.   @param elimination  factorised for A
-  void locate(const DragSystem& A, const Elimination& elimination);
+  /// Takes the links of A; a system that has not the nodes of the reference is left without corrections.
+  /// @param elimination  factorised for A
+  void take_links(const DragSystem& A, const Elimination& elimination);
 
   /// z += P B P^T r, where B is one V-cycle on the grids, symmetric and positive definite.
   void add_correction(const Field& r, Field& z);
@@ -38,8 +40,8 @@ private:
   void cycle(std::size_t level);
   void residual(Level& level);
 
-  bool m_located = false;
-  std::vector<std::uint8_t> m_free; // nodes of the matrix whose velocity is not given
+  bool m_fits = false;
+  std::vector<Vec2> m_X; // of the nodes of the reference
   std::vector<Level> m_levels;
   Eigen::MatrixXf m_coarsest; ///< of the last level, without links
   Eigen::LLT<Eigen::MatrixXf> m_factor;

@@ -60,7 +60,7 @@ struct DragSystem {
   std::vector<double> diagonal;    ///< D_ii > 0, one a node; terms not included [nN s/um]
   DragTerms<double> links;         ///< terms that treat both components alike
   DragTerms<Vec2> directed;        ///< terms along a direction
-  std::vector<Vec2> position;      ///< where the nodes are, for solvers that use it [um]
+  std::vector<Vec2> position;      ///< of the nodes of the matrix, for solvers that are made for this system [um]
   std::vector<Vec2> F;             ///< right-hand side [nN]
 
   std::size_t size() const { return diagonal.size(); }

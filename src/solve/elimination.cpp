@@ -183,10 +183,9 @@ void Elimination::scatter(const Add& add) {
   }
 }
 
-void Elimination::lump(const DragSystem& A, LumpedLinks& links) const {
+void Elimination::lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks& links) const {
   links.clear(std::span(A.diagonal).subspan(m_matrix));
-  if (A.position.size() >= m_matrix)
-    for (const Linked& linked : m_linked) links.add(A.position[linked.node], linked.drag);
+  for (const Linked& linked : m_linked) links.add(X[linked.node], linked.drag);
   links.close();
 }
 

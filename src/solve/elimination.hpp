@@ -28,8 +28,8 @@ public:
   /// For each row of A_mm a bound from above of diagonal() and what all other terms can add [nN s/um].
   std::span<const double> bound() const { return m_bound; }
 
-  /// The links for smooth fields, at the present positions of A.
-  void lump(const DragSystem& A, LumpedLinks& links) const;
+  /// The links for smooth fields.   @param X  where these see the nodes of the matrix [um]
+  void lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks& links) const;
 
   /// y += (S - diagonal() + G) x.
   void add_product(const Field& x, Field& y);

@@ -49,7 +49,7 @@ void Multigrid::prepare(const DragSystem& A) {
   const std::size_t n = A.pairs.size();
   m_elimination.factorise(A);
   m_pairs = &A.pairs;
-  m_coarse.locate(A, m_elimination);
+  m_coarse.take_links(A, m_elimination);
   if (m_x.size() != n)
     for (Field* field : {&m_diagonal, &m_smoother, &m_x, &m_r, &m_z, &m_p, &m_q}) field->resize(n);
   const std::span<const double> D = m_elimination.diagonal();

@@ -152,7 +152,6 @@ inline void add_cell(Body& body, int protrusions) {
   const auto first = static_cast<std::uint32_t>(body.x.size());
   const auto node = [&](std::size_t a) { return first + static_cast<std::uint32_t>(a % n); };
   A.diagonal.resize(first + n, 0.04);
-  A.position.insert(A.position.end(), ring.begin(), ring.end());
   for (std::size_t a = 0; a < n; ++a) A.F.emplace_back(0.1 * std::cos(0.3 * static_cast<double>(a)), 0.05);
   for (std::size_t a = 100; a < 105; ++a) A.diagonal[first + a] = 1000.0;
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+/// Some numbers side by side, computed with at once. What the compiler's own vectors cannot say stands here; loops over
+/// packs stay loops over packs, where a compiler left to itself may turn loops inside out. Functions that use them are
+/// marked MATRIGRATE_SIMD. Test: tests/unit/base/pack_test.cpp
+namespace matrigrate {
+
+inline constexpr std::size_t pack_bytes = 32; // a register of AVX2, two of SSE2 or NEON
+
+using Doubles = double __attribute__((vector_size(pack_bytes))); ///< four of them
+using Floats = float __attribute__((vector_size(pack_bytes)));   ///< eight of them
+using HalfFloats = float __attribute__((vector_size(pack_bytes / 2)));
+
+template <class Pack>
+inline constexpr std::size_t pack_size = sizeof(Pack) / sizeof(Pack{}[0]);
+
+/// Reads the pack that begins at p, wherever that is.
+template <class Pack, class Number>
+[[gnu::always_inline]] inline void load(const Number* p, Pack& a) {
+  static_assert(sizeof(a[0]) == sizeof(Number));
+  std::memcpy(&a, p, sizeof a);
+}
+
+template <class Pack, class Number>
+[[gnu::always_inline]] inline void store(const Pack& a, Number* p) {
+  static_assert(sizeof(a[0]) == sizeof(Number));
+  std::memcpy(p, &a, sizeof a);
+}
+
+/// Sets all numbers of a.
+template <class Pack, class Number>
+[[gnu::always_inline]] inline void fill(Number value, Pack& a) {
+  for (std::size_t l = 0; l < pack_size<Pack>; ++l) a[l] = value;
+}
+
+/// Whether a number of a has a bit set: is anything but 0.
+[[gnu::always_inline]] inline bool any(const HalfFloats& a) {
+  std::uint64_t bits[2];
+  std::memcpy(bits, &a, sizeof a);
+  return (bits[0] | bits[1]) != 0;
+}
+
+} // namespace matrigrate
