@@ -15,14 +15,6 @@ double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
   return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0;
 }
 
-/// advance_stress_of with the shear modulus G at hand.
-inline void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double G,
-                              double dt) {
-  const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
-  ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
-  ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, G);
-}
-
 /// P_i B_i of all particles of a row as if they were plain: c (J sigma F^-T + a (F - I) + b moment).
 /// @param S  components xx, yx, xy, yy one after the other, particle by particle
 MATRIGRATE_SIMD
@@ -42,18 +34,37 @@ void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const
   }
 }
 
-/// Rates of deformation of a row become velocity gradients: L = dF/dt F^-1.
+/// Density and stress of a row after dt, all of its particles solid.
+struct Advanced {
+  double rho[ParticleRow::longest];
+  RowTensors S;
+};
+
+/// advance_stress_of for the particles of a row, from their rates of deformation: L = dF/dt F^-1.
+/// @param S  components xx, yx, xy, yy one after the other, particle by particle
 MATRIGRATE_SIMD
-void velocity_gradients(std::size_t n, std::size_t begin, const TensorPlanes& F, RowTensors& L) {
+void advance_row(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& F,
+                 const RowTensors& rate, const EcmParameters& p, double G, double dt, Advanced& to) {
   const double *Fxx = &F.xx.data()[begin], *Fxy = &F.xy.data()[begin];
   const double *Fyx = &F.yx.data()[begin], *Fyy = &F.yy.data()[begin];
+  const double least = p.density_min, most = p.density_max;
   for (std::size_t t = 0; t < n; ++t) {
     const double per_J = 1.0 / (Fxx[t] * Fyy[t] - Fxy[t] * Fyx[t]);
-    const double xx = L.xx[t], xy = L.xy[t], yx = L.yx[t], yy = L.yy[t];
-    L.xx[t] = per_J * (xx * Fyy[t] - xy * Fyx[t]);
-    L.xy[t] = per_J * (xy * Fxx[t] - xx * Fxy[t]);
-    L.yx[t] = per_J * (yx * Fyy[t] - yy * Fyx[t]);
-    L.yy[t] = per_J * (yy * Fxx[t] - yx * Fxy[t]);
+    const double Lxx = per_J * (rate.xx[t] * Fyy[t] - rate.xy[t] * Fyx[t]);
+    const double Lxy = per_J * (rate.xy[t] * Fxx[t] - rate.xx[t] * Fxy[t]);
+    const double Lyx = per_J * (rate.yx[t] * Fyy[t] - rate.yy[t] * Fyx[t]);
+    const double Lyy = per_J * (rate.yy[t] * Fxx[t] - rate.yx[t] * Fxy[t]);
+    const double density = rho[t] - dt * rho[t] * (Lxx + Lyy);
+    const double raised = density < least ? least : density;
+    to.rho[t] = raised > most ? most : raised;
+    const double sxx = S[4 * t], syx = S[4 * t + 1], sxy = S[4 * t + 2], syy = S[4 * t + 3]; // jaumann_rate
+    const double mean = (Lxx + Lyy) / 3.0;
+    const double turn = 0.5 * (Lxy - Lyx);
+    const double shear = G * (Lxy + Lyx) + turn * (syy - sxx);
+    to.S.xx[t] = sxx + dt * (2.0 * G * (Lxx - mean) + turn * (syx + sxy));
+    to.S.yy[t] = syy + dt * (2.0 * G * (Lyy - mean) - turn * (syx + sxy));
+    to.S.xy[t] = sxy + dt * shear;
+    to.S.yx[t] = syx + dt * shear;
   }
 }
 
@@ -145,7 +156,9 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
 }
 
 void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt) {
-  advance_stress_of(ecm, i, L, p, moduli(p).G, dt);
+  const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
+  ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
+  ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, moduli(p).G);
 }
 
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
@@ -154,13 +167,16 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
   solid.v.resize(ecm.size());
   parallel_for(ecm.size(), [&](std::size_t i) { solid.v.set(i, ecm.f[i] * ecm.v[i]); });
   ref.each_row([&](const RowTerms& terms) {
-    RowTensors L;
+    RowTensors rate;
     row_gradients(
-        ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, L);
-    velocity_gradients(terms.row.count, terms.row.begin, solid.F, L);
+        ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, rate);
+    const std::size_t begin = terms.row.begin;
+    Advanced to;
+    advance_row(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.F, rate, p, G, dt, to);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
-      if (ecm.f[i] > 0.0) advance_stress_of(ecm, i, L[t], p, G, dt);
+      if (ecm.f[begin + t] <= 0.0) continue;
+      ecm.rho[begin + t] = to.rho[t];
+      ecm.S[begin + t] = to.S[t];
     }
   });
   return count_density_bounds(ecm, p);

@@ -55,7 +55,7 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBou
                                        p.solver.tolerance));
   const double furthest = bounds.furthest_move / p.run.time_step;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    if (v[i].allFinite() && v[i].norm() <= furthest) continue;
+    if (v[i].squaredNorm() <= furthest * furthest) continue; // false for what is not a number
     throw StepTooLong(fmt::format(
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
         "beyond the limit of {:.3g} um; {}",

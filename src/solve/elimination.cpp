@@ -17,6 +17,12 @@ std::span<const Weight> weights(const DragTerms<Weight>& terms, std::size_t m) {
   return {terms.weight.data() + terms.first[m], terms.weight.data() + terms.first[m + 1]};
 }
 
+bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+  if (a.cols() != b.cols() || a.nonZeros() != b.nonZeros()) return false;
+  return std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr())
+         && std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 } // namespace
 
 void Elimination::factorise(const DragSystem& A) {
@@ -130,7 +136,9 @@ void Elimination::factorise_behind() {
         }
     }
   matrix.finalize();
-  m_factor.compute(matrix);
+  if (!same_pattern(matrix, m_pattern)) m_factor.analyzePattern(matrix); // depends on the pattern alone
+  m_factor.factorize(matrix);
+  m_pattern = std::move(matrix);
   std::vector<Update> updates;
   updates.swap(m_updates);
   for (Update& update : updates) { // each with the ones before in place

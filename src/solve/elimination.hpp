@@ -78,7 +78,8 @@ private:
   std::vector<double> m_sums;            // of m_mixed, over its matrix nodes
   std::vector<Update> m_updates;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper> m_factor;
-  Eigen::VectorXd m_t; // nodes behind, x and y in turn
+  Eigen::SparseMatrix<double> m_pattern; // of A_cc for which m_factor is ordered
+  Eigen::VectorXd m_t;                   // nodes behind, x and y in turn
 };
 
 } // namespace matrigrate

@@ -1,5 +1,7 @@
 #include "solve/row_blocks.hpp"
 
+#include "base/pack.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,48 +19,50 @@ void products(std::span<const std::uint32_t> first, const std::int32_t* distance
     const std::size_t row = (block + n) * lanes;
     const float* at_x = x.x() + row;
     const float* at_y = x.y() + row;
-    float sx[lanes] = {}, sy[lanes] = {}, tx[lanes] = {}, ty[lanes] = {}; // even and odd entries
+    Floats sum_x{}, sum_y{}, odd_x{}, odd_y{};
+    const auto add = [=](std::uint32_t k, Floats & of_x, Floats & of_y) __attribute__((always_inline)) {
+      Floats c, x_j, y_j;
+      matrigrate::load(coefficient + lanes * k, c);
+      matrigrate::load(at_x + distance[k], x_j);
+      matrigrate::load(at_y + distance[k], y_j);
+      of_x += c * x_j;
+      of_y += c * y_j;
+    };
     std::uint32_t k = first[n];
     for (; k + 1 < first[n + 1]; k += 2) {
-      const float* c = coefficient + lanes * k;
-      const float *x0 = at_x + distance[k], *x1 = at_x + distance[k + 1];
-      const float *y0 = at_y + distance[k], *y1 = at_y + distance[k + 1];
-      MATRIGRATE_LANES
-      for (std::size_t l = 0; l < lanes; ++l) {
-        sx[l] = std::fma(c[l], x0[l], sx[l]);
-        sy[l] = std::fma(c[l], y0[l], sy[l]);
-        tx[l] = std::fma(c[lanes + l], x1[l], tx[l]);
-        ty[l] = std::fma(c[lanes + l], y1[l], ty[l]);
-      }
+      add(k, sum_x, sum_y);
+      add(k + 1, odd_x, odd_y);
     }
-    if (k < first[n + 1]) {
-      const float* c = coefficient + lanes * k;
-      MATRIGRATE_LANES
-      for (std::size_t l = 0; l < lanes; ++l) {
-        sx[l] = std::fma(c[l], at_x[distance[k] + static_cast<std::ptrdiff_t>(l)], sx[l]);
-        sy[l] = std::fma(c[l], at_y[distance[k] + static_cast<std::ptrdiff_t>(l)], sy[l]);
-      }
-    }
-    const float* d = D.x() + row;
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < lanes; ++l) {
-      sx[l] = std::fma(d[l], at_x[l], -(sx[l] + tx[l]));
-      sy[l] = std::fma(d[l], at_y[l], -(sy[l] + ty[l]));
-    }
+    if (k < first[n + 1]) add(k, sum_x, sum_y);
+    Floats d, x_i, y_i;
+    load(D.x() + row, d);
+    load(at_x, x_i);
+    load(at_y, y_i);
+    Floats to_x = d * x_i - (sum_x + odd_x);
+    Floats to_y = d * y_i - (sum_y + odd_y);
     if (b != nullptr) {
-      const float *bx = b->x() + row, *by = b->y() + row;
-      MATRIGRATE_LANES
-      for (std::size_t l = 0; l < lanes; ++l) {
-        sx[l] = bx[l] - sx[l];
-        sy[l] = by[l] - sy[l];
-      }
+      Floats b_x, b_y;
+      load(b->x() + row, b_x);
+      load(b->y() + row, b_y);
+      to_x = b_x - to_x;
+      to_y = b_y - to_y;
     }
-    std::copy_n(sx, lanes, y.x() + row);
-    std::copy_n(sy, lanes, y.y() + row);
+    store(to_x, y.x() + row);
+    store(to_y, y.y() + row);
   }
 }
 
-/// y = b - (D x - G x) in double precision; rows behind `size` are left alone.
+/// y = b - (D x - G x) of four rows.
+[[gnu::always_inline]] inline void subtract(const Doubles& sum, const double* D, const double* b, const double* x,
+                                            double* y) {
+  Doubles d, of_b, of_x;
+  load(D, d);
+  load(b, of_b);
+  load(x, of_x);
+  store(of_b - (d * of_x - sum), y);
+}
+
+/// y = b - (D x - G x) in double precision; D has no frame, and rows behind `size` are left alone.
 MATRIGRATE_SIMD
 void residuals(std::span<const std::uint32_t> first, const std::int32_t* distance, const float* coefficient,
                std::size_t block, std::size_t size, const double* D, const DoubleField& b, const DoubleField& x,
@@ -67,27 +71,38 @@ void residuals(std::span<const std::uint32_t> first, const std::int32_t* distanc
     const std::size_t row = (block + n) * lanes;
     const double* at_x = x.x() + row;
     const double* at_y = x.y() + row;
-    double sx[lanes] = {}, sy[lanes] = {};
+    Doubles x_low{}, x_high{}, y_low{}, y_high{};
     for (std::uint32_t k = first[n]; k < first[n + 1]; ++k) {
-      const float* c = coefficient + lanes * k;
-      const double *x0 = at_x + distance[k], *y0 = at_y + distance[k];
-      MATRIGRATE_LANES
-      for (std::size_t l = 0; l < lanes; ++l) {
-        sx[l] = std::fma(static_cast<double>(c[l]), x0[l], sx[l]);
-        sy[l] = std::fma(static_cast<double>(c[l]), y0[l], sy[l]);
-      }
+      HalfFloats g_low, g_high;
+      load(coefficient + lanes * k, g_low);
+      load(coefficient + lanes * k + 4, g_high);
+      const Doubles low = __builtin_convertvector(g_low, Doubles);
+      const Doubles high = __builtin_convertvector(g_high, Doubles);
+      Doubles x0, x1, y0, y1;
+      load(at_x + distance[k], x0);
+      load(at_x + distance[k] + 4, x1);
+      load(at_y + distance[k], y0);
+      load(at_y + distance[k] + 4, y1);
+      x_low += low * x0;
+      x_high += high * x1;
+      y_low += low * y0;
+      y_high += high * y1;
     }
     if (row + lanes <= size) {
-      MATRIGRATE_LANES
-      for (std::size_t l = 0; l < lanes; ++l) {
-        y.x()[row + l] = b.x()[row + l] - std::fma(D[row + l], at_x[l], -sx[l]);
-        y.y()[row + l] = b.y()[row + l] - std::fma(D[row + l], at_y[l], -sy[l]);
-      }
+      subtract(x_low, D + row, b.x() + row, at_x, y.x() + row);
+      subtract(x_high, D + row + 4, b.x() + row + 4, at_x + 4, y.x() + row + 4);
+      subtract(y_low, D + row, b.y() + row, at_y, y.y() + row);
+      subtract(y_high, D + row + 4, b.y() + row + 4, at_y + 4, y.y() + row + 4);
       continue;
     }
+    double sx[lanes], sy[lanes];
+    store(x_low, sx);
+    store(x_high, sx + 4);
+    store(y_low, sy);
+    store(y_high, sy + 4);
     for (std::size_t l = 0; row + l < size; ++l) {
-      y.x()[row + l] = b.x()[row + l] - std::fma(D[row + l], at_x[l], -sx[l]);
-      y.y()[row + l] = b.y()[row + l] - std::fma(D[row + l], at_y[l], -sy[l]);
+      y.x()[row + l] = b.x()[row + l] - (D[row + l] * at_x[l] - sx[l]);
+      y.y()[row + l] = b.y()[row + l] - (D[row + l] * at_y[l] - sy[l]);
     }
   }
 }

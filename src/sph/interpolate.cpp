@@ -1,5 +1,7 @@
 #include "sph/interpolate.hpp"
 
+#include <cmath>
+
 namespace matrigrate {
 
 PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point) {
@@ -7,7 +9,7 @@ PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2
   const double support = kernel.support();
   double sum = 0.0;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (ecm.f[i] <= 0.0) continue;
+    if (std::abs(ecm.x[i].y() - point.y()) >= support || ecm.f[i] <= 0.0) continue; // most are far away
     const Vec2 d = nearest_image(ecm.x[i] - point, ecm.period_x);
     if (d.squaredNorm() >= support * support) continue;
     w.index.push_back(static_cast<std::uint32_t>(i));
