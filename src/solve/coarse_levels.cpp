@@ -76,10 +76,11 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
     grid.leave_out(keep);
     if (grid.size() == 0) return;
     grid.locate(x, free);
-    A = Sparse(grid.P().transpose()) * A * grid.P();
+    const Sparse P = grid.P();
+    A = Sparse(P.transpose()) * A * P;
 
     Level& level = m_levels.emplace_back();
-    level.grid = grid;
+    level.P = Interpolation(grid, x.size());
     level.at_links = grid.without_nodes();
     for (Field* field : {&level.b, &level.x, &level.r, &level.diagonal, &level.inverse_diagonal, &level.smoother})
       field->resize(grid.size());
@@ -111,7 +112,7 @@ void CoarseLevels::take_links(const DragSystem& A, const Elimination& eliminatio
     if (&l == &m_levels.back()) break;
     l.smoother = l.inverse_diagonal;
     l.at_links.restrict_to(m_linked, l.r);
-    for (std::size_t q = 0; q < l.grid.size(); ++q)
+    for (std::size_t q = 0; q < l.at_links.size(); ++q)
       if (l.r.x()[q] > 0.0F)
         l.smoother.x()[q] = l.smoother.y()[q] = 1.0F / (1.0F / l.inverse_diagonal.x()[q] + links_share * l.r.x()[q]);
   }
@@ -132,9 +133,9 @@ void CoarseLevels::residual(Level& level) {
 
 void CoarseLevels::add_correction(const Field& r, Field& z) {
   if (!m_fits) return;
-  m_levels[0].grid.restrict_to(r, m_levels[0].b);
+  m_levels[0].P.restrict_to(r, m_levels[0].b);
   cycle(0);
-  m_levels[0].grid.interpolate(m_levels[0].x, z);
+  m_levels[0].P.interpolate(m_levels[0].x, z);
 }
 
 void CoarseLevels::cycle(std::size_t level) {
@@ -154,9 +155,9 @@ void CoarseLevels::cycle(std::size_t level) {
   Level& next = m_levels[level + 1];
   assign_product(l.smoother, l.b, l.x);
   residual(l);
-  next.grid.restrict_to(l.r, next.b);
+  next.P.restrict_to(l.r, next.b);
   cycle(level + 1);
-  next.grid.interpolate(next.x, l.x);
+  next.P.interpolate(next.x, l.x);
   residual(l);
   matrigrate::add_product(l.smoother, l.r, l.x);
 }

@@ -3,6 +3,7 @@
 #include "solve/drag_system.hpp"
 #include "solve/elimination.hpp"
 #include "solve/grid.hpp"
+#include "solve/interpolation.hpp"
 #include "solve/lumped_links.hpp"
 #include "solve/row_blocks.hpp"
 
@@ -32,9 +33,9 @@ public:
 
 private:
   struct Level {
-    Grid grid;       ///< interpolates to the level before, the first one to the nodes
-    Grid at_links;   ///< its points around the linked nodes
-    RowBlocks pairs; ///< of the reference, beside its diagonal
+    Interpolation P;                                     ///< to the level before, of the first one to the nodes
+    Grid at_links;                                       ///< its points around the linked nodes
+    RowBlocks pairs;                                     ///< of the reference, beside its diagonal
     Field diagonal, inverse_diagonal, smoother, b, x, r; ///< the smoother knows the links
   };
   void cycle(std::size_t level);
