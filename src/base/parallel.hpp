@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -29,9 +30,16 @@ private:
   char m_before = 0, m_after = 0; // their addresses are what the order hangs on
 };
 
+/// Whether there is but one thread to work with.
+inline bool alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1; }
+
 /// Calls body(k) for every k in [0, n), in any order, each as a piece of work of its own.
 template <class Body>
 void parallel_parts(std::size_t n, const Body& body) {
+  if (alone()) {
+    for (std::size_t k = 0; k < n; ++k) body(k);
+    return;
+  }
   const LoopOrder order;
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
     order.enter();
@@ -44,6 +52,10 @@ void parallel_parts(std::size_t n, const Body& body) {
 /// @param grain  a thread takes about so many at least
 template <class Body>
 void parallel_for(std::size_t n, const Body& body, std::size_t grain = parallel_block) {
+  if (alone()) {
+    for (std::size_t i = 0; i < n; ++i) body(i);
+    return;
+  }
   const LoopOrder order;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
     order.enter();

@@ -2,7 +2,10 @@
 
 #include "cell/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace matrigrate {
@@ -19,25 +22,39 @@ struct Touch {
   Vec2 n; // from the segment to the particle
 };
 
+/// Marks the segments whose middle is within its limit of a point.
+MATRIGRATE_SIMD
+void mark_close(const Vec2& a, std::span<const double> x, std::span<const double> y, std::span<const double> limit2,
+                std::span<std::uint8_t> close) {
+  const double ax = a.x(), ay = a.y();
+  for (std::size_t j = 0; j < close.size(); ++j) {
+    const double dx = x[j] - ax, dy = y[j] - ay;
+    close[j] = dx * dx + dy * dy < limit2[j] ? 1 : 0;
+  }
+}
+
 std::vector<Touch> touches(const CortexState& c, double reach) {
   const std::size_t n = c.size();
-  std::vector<Vec2> middle(n);
-  std::vector<double> limit2(n);
+  std::vector<double> x(n), y(n), limit2(n); // of the middles of segments
   for (std::size_t j = 0; j < n; ++j) {
     const Vec2 e = c.x[c.next(j)] - c.x[j];
-    middle[j] = c.x[j] + 0.5 * e;
+    x[j] = c.x[j].x() + 0.5 * e.x();
+    y[j] = c.x[j].y() + 0.5 * e.y();
     limit2[j] = std::pow(0.5 * e.norm() + reach, 2);
   }
+  std::vector<std::uint8_t> close(n);
   std::vector<Touch> found;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      if ((c.x[i] - middle[j]).squaredNorm() >= limit2[j]) continue;
+  for (std::size_t i = 0; i < n; ++i) {
+    mark_close(c.x[i], x, y, limit2, close);
+    for (auto at = std::ranges::find(close, 1); at != close.end(); at = std::find(at + 1, close.end(), 1)) {
+      const auto j = static_cast<std::size_t>(at - close.begin());
       if (c.apart(i, j) < nearest_partner || c.apart(i, c.next(j)) < nearest_partner) continue;
       const ClosestPoint q = closest_point(c.x[i], c.x[j], c.x[c.next(j)]);
       const double d = q.from.norm();
       if (d >= reach || d <= 0.0) continue;
       found.push_back({i, j, q.s, d, q.from / d});
     }
+  }
   return found;
 }
 
