@@ -113,56 +113,81 @@ void add_drag_of_given(const EcmState& ecm, std::size_t row, std::span<const std
     }
 }
 
-/// Positions, framed by particles that are nowhere.
-void place(const EcmState& ecm, DoubleField& x) {
-  if (x.size() != ecm.size()) {
-    x.resize(ecm.size());
-    std::ranges::fill(x.values(), nowhere);
+} // namespace
+
+/// Marks the blocks of all particles that are not where they were, and of their neighbours.
+void MatrixDrag::mark(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern) {
+  const bool all = m_marks.size() != pattern.blocks();
+  m_marks.assign(pattern.blocks(), all ? 1 : 0);
+  if (m_x.size() != x.size()) {
+    m_x.resize(x.size());
+    std::ranges::fill(m_x.values(), nowhere);
   }
-  parallel_for(ecm.size(), [&](std::size_t i) {
-    x.x()[i] = ecm.x[i].x();
-    x.y()[i] = ecm.x[i].y();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (m_x.x()[i] == x[i].x() && m_x.y()[i] == x[i].y()) continue;
+    m_x.x()[i] = x[i].x();
+    m_x.y()[i] = x[i].y();
+    if (all) continue;
+    m_marks[i / lanes] = 1;
+    for (const std::uint32_t j : pairs.of(i)) m_marks[j / lanes] = 1;
+  }
+}
+
+void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const EcmParameters& p, const Adjacency& pairs,
+                          const RowPattern& pattern, DragSystem& A, double share) {
+  const std::size_t n = ecm.size();
+  const bool anew = m_marks.size() != pattern.blocks();
+  mark(x, pairs, pattern);
+  A.diagonal.resize(n);
+  A.F.assign(n, Vec2::Zero());
+  bool given_move = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!ecm.clamped[i]) continue;
+    A.F[i] = ecm.v[i];
+    given_move = given_move || ecm.v[i] != Vec2(0.0, 0.0);
+  }
+  if (given_move) std::ranges::fill(m_marks, std::uint8_t{1}); // their drag on others is added on the way
+  if (anew) {
+    A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
+    m_free.resize(n);
+    for (std::size_t i = 0; i < n; ++i) m_free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
+  }
+  const DragLaw law(ecm, p, Kernel(p.smoothing_length), 1.0 + share);
+  const auto fill = [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
+    const std::size_t row = block * lanes;
+    double D[lanes];
+    const std::size_t count = pair_drags(m_x, row, law, distances, G, D);
+    for (std::size_t i = row; i < std::min(row + lanes, n);
+         ++i) { // a particle without partners feels no force: it stays
+      A.given[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0;
+      A.diagonal[i] = A.given[i] ? 1.0 : D[i - row];
+    }
+    if (!pattern.meets_given(block)) return count;
+    if (given_move) add_drag_of_given(ecm, row, distances.first(count), G, A.F);
+    return leave_out_given(m_free, row, distances.first(count), G);
+  };
+  if (anew)
+    A.pairs.assign(pattern, fill);
+  else
+    A.pairs.refill(pattern, m_marks, fill);
+  if (share == 0.0) return;
+  m_drag.resize(n); // minus the drag at the velocities of ecm
+  residual(A, A.F, ecm.v, m_drag, m_fields);
+  parallel_for(n, [&](std::size_t i) {
+    if (!A.given[i]) A.F[i] -= share / (1.0 + share) * m_drag[i];
   });
 }
 
-} // namespace
+void follow(EcmState& ecm, const EcmParameters& p) {
+  if (ecm.x_drag.size() != ecm.size()) ecm.x_drag = ecm.x;
+  const double furthest = p.drag_lag * p.drag_lag;
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if ((ecm.x[i] - ecm.x_drag[i]).squaredNorm() > furthest) ecm.x_drag[i] = ecm.x[i];
+}
 
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,
                         double share) {
-  DoubleField x;
-  place(ecm, x);
-  A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
-  A.diagonal.resize(ecm.size());
-  A.F.assign(ecm.size(), Vec2::Zero());
-  Field free;
-  free.resize(ecm.size());
-  bool given_move = false;
-  for (std::size_t i = 0; i < ecm.size(); ++i) {
-    free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
-    given_move = given_move || (ecm.clamped[i] && ecm.v[i] != Vec2(0.0, 0.0));
-  }
-  const DragLaw law(ecm, p, Kernel(p.smoothing_length), 1.0 + share);
-  A.pairs.assign(pattern, [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
-    const std::size_t row = block * lanes;
-    double D[lanes];
-    const std::size_t count = pair_drags(x, row, law, distances, G, D);
-    std::copy_n(D, std::min(lanes, ecm.size() - row), A.diagonal.begin() + static_cast<std::ptrdiff_t>(row));
-    if (!pattern.meets_given(block)) return count;
-    if (given_move) add_drag_of_given(ecm, row, distances.first(count), G, A.F);
-    return leave_out_given(free, row, distances.first(count), G);
-  });
-  parallel_for(ecm.size(), [&](std::size_t i) {
-    if (ecm.clamped[i]) A.F[i] = ecm.v[i];
-    if (A.diagonal[i] == 0.0) A.given[i] = 1; // a particle without partners feels no force and stays
-    if (A.given[i]) A.diagonal[i] = 1.0;
-  });
-  if (share == 0.0) return;
-  std::vector<Vec2> r(ecm.size()); // minus the drag at the velocities of ecm
-  ResidualFields fields;
-  residual(A, A.F, ecm.v, r, fields);
-  parallel_for(ecm.size(), [&](std::size_t i) {
-    if (!A.given[i]) A.F[i] -= share / (1.0 + share) * r[i];
-  });
+  MatrixDrag().assemble(ecm, ecm.x, p, {}, pattern, A, share);
 }
 
 } // namespace matrigrate

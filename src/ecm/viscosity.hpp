@@ -5,6 +5,10 @@
 #include "sph/kernel.hpp"
 #include "state/ecm.hpp"
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 namespace matrigrate {
 
 /// Drag between two particles, viscous term of Heck et al. 2020, Eq. (2):
@@ -27,5 +31,31 @@ inline double pair_drag(double r2, double W_slope, double V, double mu, double t
 /// @param share    of the drag that resists changes of the velocities of `ecm`, beside the drag itself; theta >= 0
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,
                         double share = 0.0);
+
+/// The drag of the matrix from step to step: only rows near particles that have moved are made anew, and their
+/// coefficients have the same bits as if all were. Test: tests/unit/ecm/viscosity_test.cpp
+class MatrixDrag {
+public:
+  /// Fills A as assemble_viscosity() does, with the drag at the positions x.
+  /// @param pairs    the list of which `pattern` is made
+  /// @param A        that of the call before, but for what is no drag of the matrix
+  void assemble(const EcmState& ecm, std::span<const Vec2> x, const EcmParameters& p, const Adjacency& pairs,
+                const RowPattern& pattern, DragSystem& A, double share);
+
+  /// Makes all rows anew in the next call: after another pattern, or where others change the coefficients of A.
+  void forget() { m_marks.clear(); }
+
+private:
+  void mark(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern);
+
+  DoubleField m_x;                   // where the particles are, framed by ones that are nowhere
+  Field m_free;                      // 1, or 0 for given ones
+  std::vector<std::uint8_t> m_marks; // of the blocks that are made anew
+  std::vector<Vec2> m_drag;
+  ResidualFields m_fields;
+};
+
+/// Lets the positions at which the drag is taken follow: of particles that have moved further than drag_lag from there.
+void follow(EcmState& ecm, const EcmParameters& p);
 
 } // namespace matrigrate

@@ -83,7 +83,8 @@ State small_parts_of(const Json& json) {
 /// What a whole file may still have wrong: arrays that do not belong together.
 void require_consistent(const State& s) {
   const std::size_t n = s.ecm.size();
-  const bool matrix = s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n && s.ecm.S.size() == n
+  const bool lags = s.ecm.x_drag.empty() || s.ecm.x_drag.size() == n;
+  const bool matrix = lags && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n && s.ecm.S.size() == n
                       && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
   const bool cortex = s.cortex.v.size() == s.cortex.size() && s.cortex.l0.size() == s.cortex.size();
   if (!matrix || !cortex || n == 0) throw std::invalid_argument("its arrays do not belong together");
@@ -99,6 +100,7 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   MemoryFile file;
   file.write("/ecm/X", s.ecm.X, "um");
   file.write("/ecm/x", s.ecm.x, "um");
+  file.write("/ecm/x_drag", s.ecm.x_drag, "um");
   file.write("/ecm/v", s.ecm.v, "um/s");
   file.write("/ecm/rho", s.ecm.rho, "1");
   file.write("/ecm/S", s.ecm.S, "kPa");
@@ -137,6 +139,7 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     s = parse_state_parts(file.text("/state.json"));
     s.ecm.X = file.vectors("/ecm/X");
     s.ecm.x = file.vectors("/ecm/x");
+    s.ecm.x_drag = file.vectors("/ecm/x_drag");
     s.ecm.v = file.vectors("/ecm/v");
     s.ecm.rho = file.doubles("/ecm/rho");
     s.ecm.S = file.matrices("/ecm/S");

@@ -41,6 +41,7 @@ struct EcmParameters {
   double density_min = 0.6;      ///< lower bound of rho/rho_0 [-]
   double density_max = 1.8;      ///< upper bound of rho/rho_0 [-]
   double verlet_skin = 0.5;      ///< neighbours are listed up to 2h + skin [um]
+  double drag_lag = 0.001;       ///< drag is taken at positions up to so far behind [um]
 };
 
 /// Which reference neighbours are joined by fibres.

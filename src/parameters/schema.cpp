@@ -101,6 +101,8 @@ constexpr std::array rows{
         "", "MODEL.md, D7", "Upper bound of the density over its initial value", numerical},
     Row{"ecm.verlet_skin", [](Parameters& p) -> double& { return p.ecm.verlet_skin; }, "um", above(0, 50),
         "", chosen, "Neighbours are listed up to this distance beyond the support; never changes a result", numerical},
+    Row{"ecm.drag_lag", [](Parameters& p) -> double& { return p.ecm.drag_lag; }, "um", closed(0, 0.1),
+        "", "MODEL.md, D30", "The drag of a particle is taken anew when it has moved further than this", numerical},
 
     Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
         "", methods, "Fibres between all neighbouring matrix particles, between those along one direction, or none"},

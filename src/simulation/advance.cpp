@@ -8,6 +8,7 @@
 #include "ecm/degradation.hpp"
 #include "ecm/stress.hpp"
 #include "ecm/updated_lagrangian.hpp"
+#include "ecm/viscosity.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/deflection.hpp"
 #include "protrusion/growth.hpp"
@@ -127,6 +128,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
+  follow(s.ecm, p.ecm);
   update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);

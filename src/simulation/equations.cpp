@@ -49,6 +49,7 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
 void update_neighbours(const State& s, Workspace& w) {
   if (!w.neighbours.update(s.ecm.x, s.ecm.period_x)) return;
   w.drag_pattern = RowPattern(w.neighbours.pairs(), s.ecm.clamped);
+  w.matrix_drag.forget();
   ++w.health.list_builds;
 }
 
@@ -66,7 +67,8 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
 void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
   w.drag.links.clear();
   w.drag.directed.clear();
-  assemble_viscosity(s.ecm, p.ecm, w.drag_pattern, w.drag, w.elastic_share);
+  if (!w.fibres.empty()) w.matrix_drag.forget(); // they add to it
+  w.matrix_drag.assemble(s.ecm, s.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());

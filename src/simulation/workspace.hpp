@@ -4,6 +4,7 @@
 #include "ecm/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "ecm/stress.hpp"
+#include "ecm/viscosity.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
 #include "simulation/step_limits.hpp"
@@ -46,6 +47,7 @@ struct Workspace {
   FibreNetwork fibres;
   VerletList neighbours;
   RowPattern drag_pattern; ///< of the neighbours
+  MatrixDrag matrix_drag;
   CellShape cell;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]

@@ -13,9 +13,9 @@ constexpr std::size_t lanes = RowBlocks::lanes;
 
 /// y = b - (D x - G x), or y = D x - G x without b, for the blocks from `block` on whose entries are given.
 MATRIGRATE_SIMD
-void products(std::span<const std::uint32_t> first, const std::int32_t* distance, const float* coefficient,
-              std::size_t block, const Field& D, const Field* b, const Field& x, Field& y) {
-  for (std::size_t n = 0; n + 1 < first.size(); ++n) {
+void products(std::span<const std::uint32_t> first, std::span<const std::uint32_t> count, const std::int32_t* distance,
+              const float* coefficient, std::size_t block, const Field& D, const Field* b, const Field& x, Field& y) {
+  for (std::size_t n = 0; n < first.size(); ++n) {
     const std::size_t row = (block + n) * lanes;
     const float* at_x = x.x() + row;
     const float* at_y = x.y() + row;
@@ -29,11 +29,12 @@ void products(std::span<const std::uint32_t> first, const std::int32_t* distance
       of_y += c * y_j;
     };
     std::uint32_t k = first[n];
-    for (; k + 1 < first[n + 1]; k += 2) {
+    const std::uint32_t end = k + count[n];
+    for (; k + 1 < end; k += 2) {
       add(k, sum_x, sum_y);
       add(k + 1, odd_x, odd_y);
     }
-    if (k < first[n + 1]) add(k, sum_x, sum_y);
+    if (k < end) add(k, sum_x, sum_y);
     Floats d, x_i, y_i;
     load(D.x() + row, d);
     load(at_x, x_i);
@@ -64,15 +65,15 @@ void products(std::span<const std::uint32_t> first, const std::int32_t* distance
 
 /// y = b - (D x - G x) in double precision; D has no frame, and rows behind `size` are left alone.
 MATRIGRATE_SIMD
-void residuals(std::span<const std::uint32_t> first, const std::int32_t* distance, const float* coefficient,
-               std::size_t block, std::size_t size, const double* D, const DoubleField& b, const DoubleField& x,
-               DoubleField& y) {
-  for (std::size_t n = 0; n + 1 < first.size(); ++n) {
+void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32_t> count, const std::int32_t* distance,
+               const float* coefficient, std::size_t block, std::size_t size, const double* D, const DoubleField& b,
+               const DoubleField& x, DoubleField& y) {
+  for (std::size_t n = 0; n < first.size(); ++n) {
     const std::size_t row = (block + n) * lanes;
     const double* at_x = x.x() + row;
     const double* at_y = x.y() + row;
     Doubles x_low{}, x_high{}, y_low{}, y_high{};
-    for (std::uint32_t k = first[n]; k < first[n + 1]; ++k) {
+    for (std::uint32_t k = first[n]; k < first[n] + count[n]; ++k) {
       HalfFloats g_low, g_high;
       load(coefficient + lanes * k, g_low);
       load(coefficient + lanes * k + 4, g_high);
@@ -164,7 +165,7 @@ float* RowBlocks::find(std::size_t i, std::size_t j) {
   const std::size_t block = i / lanes;
   Part& part = m_parts[block / blocks_per_part];
   const auto begin = part.distance.begin() + part.first[block % blocks_per_part];
-  const auto end = part.distance.begin() + part.first[block % blocks_per_part + 1];
+  const auto end = begin + part.count[block % blocks_per_part];
   const auto distance = static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i);
   const auto found = std::lower_bound(begin, end, distance);
   if (found == end || *found != distance) return nullptr;
@@ -179,19 +180,19 @@ void RowBlocks::each_part(const Body& body) const {
 
 void RowBlocks::multiply(const Field& D, const Field& x, Field& y) const {
   each_part([&](const Part& part, std::size_t block) {
-    products(part.first, part.distance.data(), part.coefficient.data(), block, D, nullptr, x, y);
+    products(part.first, part.count, part.distance.data(), part.coefficient.data(), block, D, nullptr, x, y);
   });
 }
 
 void RowBlocks::residual(const Field& D, const Field& b, const Field& x, Field& y) const {
   each_part([&](const Part& part, std::size_t block) {
-    products(part.first, part.distance.data(), part.coefficient.data(), block, D, &b, x, y);
+    products(part.first, part.count, part.distance.data(), part.coefficient.data(), block, D, &b, x, y);
   });
 }
 
 void RowBlocks::residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y) const {
   each_part([&](const Part& part, std::size_t block) {
-    residuals(part.first, part.distance.data(), part.coefficient.data(), block, m_size, D.data(), b, x, y);
+    residuals(part.first, part.count, part.distance.data(), part.coefficient.data(), block, m_size, D.data(), b, x, y);
   });
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/adjacency.hpp"
+#include "base/parallel.hpp"
 #include "solve/field.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -48,6 +50,10 @@ public:
   template <class Fill>
   void assign(const RowPattern& pattern, const Fill& fill);
 
+  /// Fills the blocks anew that are marked with 1.   @param pattern  that of assign()
+  template <class Fill>
+  void refill(const RowPattern& pattern, std::span<const std::uint8_t> marks, const Fill& fill);
+
   /// From G beside pairs.index.
   void assign(const Adjacency& pairs, std::span<const double> G);
 
@@ -72,7 +78,7 @@ private:
 
   /// Some consecutive blocks, built and multiplied by one thread.
   struct Part {
-    std::vector<std::uint32_t> first; // entries of block b: first[b] .. first[b + 1] - 1
+    std::vector<std::uint32_t> first, count; // entries of block b: count[b] of them from first[b] on
     std::vector<std::int32_t> distance;
     std::vector<float> coefficient; // eight an entry
   };
@@ -87,20 +93,33 @@ template <class Fill>
 void RowBlocks::assign(const RowPattern& pattern, const Fill& fill) {
   m_size = pattern.size();
   m_parts.resize((pattern.blocks() + blocks_per_part - 1) / blocks_per_part);
-  parallel_parts(m_parts.size(), [&](std::size_t p) {
+  for (std::size_t p = 0; p < m_parts.size(); ++p) {
     Part& part = m_parts[p];
     const std::size_t end = std::min(pattern.blocks(), (p + 1) * blocks_per_part);
-    std::size_t most = 0;
-    for (std::size_t b = p * blocks_per_part; b < end; ++b) most += pattern.distances(b).size();
-    part.first.assign(1, 0);
-    part.distance.resize(most);
-    part.coefficient.resize(lanes * most);
-    std::uint32_t count = 0;
+    part.first.clear();
+    std::uint32_t room = 0;
     for (std::size_t b = p * blocks_per_part; b < end; ++b) {
-      const std::span<std::int32_t> distances(part.distance.data() + count, pattern.distances(b).size());
-      std::ranges::copy(pattern.distances(b), distances.begin());
-      count += static_cast<std::uint32_t>(fill(b, distances, part.coefficient.data() + lanes * count));
-      part.first.push_back(count);
+      part.first.push_back(room);
+      room += static_cast<std::uint32_t>(pattern.distances(b).size());
+    }
+    part.count.resize(part.first.size());
+    part.distance.resize(room);
+    part.coefficient.resize(lanes * room);
+  }
+  refill(pattern, std::vector<std::uint8_t>(pattern.blocks(), 1), fill);
+}
+
+template <class Fill>
+void RowBlocks::refill(const RowPattern& pattern, std::span<const std::uint8_t> marks, const Fill& fill) {
+  parallel_parts(m_parts.size(), [&](std::size_t p) {
+    Part& part = m_parts[p];
+    for (std::size_t b = 0; b < part.first.size(); ++b) {
+      const std::size_t block = p * blocks_per_part + b;
+      if (marks[block] == 0) continue;
+      const std::span<std::int32_t> distances(part.distance.data() + part.first[b], pattern.distances(block).size());
+      std::ranges::copy(pattern.distances(block), distances.begin());
+      part.count[b] =
+          static_cast<std::uint32_t>(fill(block, distances, part.coefficient.data() + lanes * part.first[b]));
     }
   });
 }
@@ -110,7 +129,7 @@ void RowBlocks::each_of_row(std::size_t i, const Visit& visit) const {
   const std::size_t block = i / lanes;
   const Part& part = m_parts[block / blocks_per_part];
   const std::size_t b = block % blocks_per_part;
-  for (std::uint32_t k = part.first[b]; k < part.first[b + 1]; ++k)
+  for (std::uint32_t k = part.first[b]; k < part.first[b] + part.count[b]; ++k)
     if (const float G = part.coefficient[lanes * k + i % lanes]; G != 0.0F)
       visit(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + part.distance[k]), G);
 }
