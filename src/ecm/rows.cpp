@@ -129,76 +129,71 @@ template <bool ragged>
   apply(H, j.distance + l, X, Y, x, y);
 }
 
-template <bool ragged>
-[[gnu::always_inline]] inline void add_moment(const RowPartner& j, const double* has, const AtVectors& u,
-                                              const AtTensors& H, std::ptrdiff_t l, FourTensors& sum) {
-  Doubles x, y, wx, wy;
-  half_way(j, u, H, l, x, y);
-  weigh<ragged>(j.w_X, has + l, wx);
-  weigh<ragged>(j.w_Y, has + l, wy);
-  sum.add(x, y, wx, wy);
-}
+/// What sum_hourglass makes for four particles.
+struct FourHourglass {
+  FourTensors moment;
+  Doubles x{}, y{};
 
-/// sum_hourglass_moment of `lanes` particles from t on.
-template <bool ragged>
-[[gnu::always_inline]] inline void moment_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
-                                             std::size_t t, RowTensors& sum) {
-  const auto i = static_cast<std::ptrdiff_t>(terms.row.begin + t);
-  const AtVectors at_u(u, i);
-  const AtTensors at_H(H, i);
-  const double* has = terms.has;
-  FourTensors low, high;
-  for (const RowPartner& j : terms.partners) {
-    add_moment<ragged>(j, has, at_u, at_H, 0, low);
-    add_moment<ragged>(j, has, at_u, at_H, 4, high);
-    if (ragged) has += lanes;
+  template <bool ragged>
+  [[gnu::always_inline]] void add(const RowPartner& j, const double* has, const AtVectors& u, const AtTensors& H,
+                                  std::ptrdiff_t l) {
+    Doubles X, Y, wx, wy, w;
+    half_way(j, u, H, l, X, Y);
+    weigh<ragged>(j.w_X, has + l, wx);
+    weigh<ragged>(j.w_Y, has + l, wy);
+    moment.add(X, Y, wx, wy);
+    weigh<ragged>(j.w, has + l, w);
+    x += w * X;
+    y += w * Y;
   }
-  low.keep(t, sum);
-  high.keep(t + 4, sum);
-}
-
-struct FourForces {
-  Doubles stress_x{}, stress_y{}, hourglass_x{}, hourglass_y{};
-
-  [[gnu::always_inline]] void keep(std::size_t t, RowVectors& stress, RowVectors& hourglass) const {
-    store(stress_x, stress.x + t);
-    store(stress_y, stress.y + t);
-    store(hourglass_x, hourglass.x + t);
-    store(hourglass_y, hourglass.y + t);
+  [[gnu::always_inline]] void keep(std::size_t t, RowTensors& of_moment, RowVectors& of_force) const {
+    moment.keep(t, of_moment);
+    store(x, of_force.x + t);
+    store(y, of_force.y + t);
   }
 };
 
+/// sum_hourglass of `lanes` particles from t on.
 template <bool ragged>
-[[gnu::always_inline]] inline void add_forces(const RowPartner& j, const double* has, const AtVectors& u,
-                                              const AtTensors& H, const AtTensors& Q, std::ptrdiff_t l,
-                                              FourForces& sum) {
-  Doubles x, y, gx, gy, w;
-  weigh<ragged>(j.grad_x, has + l, gx);
-  weigh<ragged>(j.grad_y, has + l, gy);
-  weigh<ragged>(j.w, has + l, w);
-  apply(Q, j.distance + l, gx, gy, sum.stress_x, sum.stress_y);
-  half_way(j, u, H, l, x, y);
-  sum.hourglass_x += w * x;
-  sum.hourglass_y += w * y;
+[[gnu::always_inline]] inline void hourglass_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
+                                                std::size_t t, RowTensors& moment, RowVectors& force) {
+  for (std::size_t half = t; half < t + lanes; half += pack_size<Doubles>) {
+    const auto i = static_cast<std::ptrdiff_t>(terms.row.begin + half);
+    const AtVectors at_u(u, i);
+    const AtTensors at_H(H, i);
+    const double* has = terms.has + (half - t);
+    FourHourglass sum;
+    for (const RowPartner& j : terms.partners) {
+      sum.add<ragged>(j, has, at_u, at_H, 0);
+      if (ragged) has += lanes;
+    }
+    sum.keep(half, moment, force);
+  }
 }
 
-/// sum_forces of `lanes` particles from t on.
+/// sum_stress of `lanes` particles from t on.
 template <bool ragged>
-[[gnu::always_inline]] inline void forces_of(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H,
-                                             const TensorPlanes& Q, std::size_t t, RowVectors& stress,
-                                             RowVectors& hourglass) {
-  const auto i = static_cast<std::ptrdiff_t>(terms.row.begin + t);
-  const AtVectors at_u(u, i);
-  const AtTensors at_H(H, i), at_Q(Q, i);
+[[gnu::always_inline]] inline void stress_of(const RowTerms& terms, const TensorPlanes& Q, std::size_t t,
+                                             RowVectors& sum) {
+  const AtTensors at(Q, static_cast<std::ptrdiff_t>(terms.row.begin + t));
   const double* has = terms.has;
-  FourForces low, high;
+  Doubles x_low{}, y_low{}, x_high{}, y_high{};
   for (const RowPartner& j : terms.partners) {
-    add_forces<ragged>(j, has, at_u, at_H, at_Q, 0, low);
-    add_forces<ragged>(j, has, at_u, at_H, at_Q, 4, high);
-    if (ragged) has += lanes;
+    Doubles gx, gy;
+    weigh<ragged>(j.grad_x, has, gx);
+    weigh<ragged>(j.grad_y, has, gy);
+    apply(at, j.distance, gx, gy, x_low, y_low);
+    if (ragged) {
+      weigh<ragged>(j.grad_x, has + 4, gx);
+      weigh<ragged>(j.grad_y, has + 4, gy);
+      has += lanes;
+    }
+    apply(at, j.distance + 4, gx, gy, x_high, y_high);
   }
-  low.keep(t, stress, hourglass);
-  high.keep(t + 4, stress, hourglass);
+  store(x_low, sum.x + t);
+  store(x_high, sum.x + t + 4);
+  store(y_low, sum.y + t);
+  store(y_high, sum.y + t + 4);
 }
 
 } // namespace
@@ -301,19 +296,19 @@ void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum)
 }
 
 MATRIGRATE_SIMD
-void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& sum) {
-  if (terms.row.ragged) return moment_of<true>(terms, u, H, 0, sum);
+void sum_hourglass(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& moment,
+                   RowVectors& force) {
+  if (terms.row.ragged) return hourglass_of<true>(terms, u, H, 0, moment, force);
   over_row(
-      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { moment_of<false>(terms, u, H, t, sum); });
+      terms.row.count, [&](std::size_t t)
+                           __attribute__((always_inline)) { hourglass_of<false>(terms, u, H, t, moment, force); });
 }
 
 MATRIGRATE_SIMD
-void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, const TensorPlanes& Q,
-                RowVectors& stress, RowVectors& hourglass) {
-  if (terms.row.ragged) return forces_of<true>(terms, u, H, Q, 0, stress, hourglass);
+void sum_stress(const RowTerms& terms, const TensorPlanes& Q, RowVectors& sum) {
+  if (terms.row.ragged) return stress_of<true>(terms, Q, 0, sum);
   over_row(
-      terms.row.count, [&](std::size_t t)
-                           __attribute__((always_inline)) { forces_of<false>(terms, u, H, Q, t, stress, hourglass); });
+      terms.row.count, [&](std::size_t t) __attribute__((always_inline)) { stress_of<false>(terms, Q, t, sum); });
 }
 
 } // namespace matrigrate

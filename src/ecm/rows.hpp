@@ -86,6 +86,7 @@ struct VectorPlanes {
 
   void resize(std::size_t n);
   void set(std::size_t i, const Vec2& a) { x[i] = a.x(), y[i] = a.y(); }
+  Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
 };
 
 struct TensorPlanes {
@@ -127,11 +128,11 @@ struct DegradationMoments {
 /// sum_j a_j (x) grad_0 W_ij.
 void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum);
 
-/// sum_j w_ij (H_j X_ij/2 + u_j) (x) X_ij.
-void sum_hourglass_moment(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& sum);
+/// Sums of w_ij (H_j X_ij/2 + u_j): what hourglass forces need, and (x) X_ij what their moment needs.
+void sum_hourglass(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& moment,
+                   RowVectors& force);
 
-/// Sums of Q_j grad_0 W_ij (stress) and of w_ij (H_j X_ij/2 + u_j) (hourglass).
-void sum_forces(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, const TensorPlanes& Q,
-                RowVectors& stress, RowVectors& hourglass);
+/// sum_j Q_j grad_0 W_ij.
+void sum_stress(const RowTerms& terms, const TensorPlanes& Q, RowVectors& sum);
 
 } // namespace matrigrate

@@ -97,6 +97,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
   const DegradationMoments& lattice = ref.lattice_moments();
   solid.u.resize(n);
   solid.H.resize(n);
+  solid.hourglass.resize(n);
   solid.PB.resize(n);
   F.resize(n);
   parallel_for(n, [&](std::size_t i) { solid.u.set(i, ecm.f[i] * ecm.displacement(i)); });
@@ -117,7 +118,10 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
   });
   ref.each_row([&](const RowTerms& terms) {
     RowTensors sum;
-    sum_hourglass_moment(terms, solid.u, solid.H, sum);
+    RowVectors hourglass;
+    sum_hourglass(terms, solid.u, solid.H, sum, hourglass);
+    std::copy_n(hourglass.x, terms.row.count, solid.hourglass.x.data() + terms.row.begin);
+    std::copy_n(hourglass.y, terms.row.count, solid.hourglass.y.data() + terms.row.begin);
     const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
     const std::size_t begin = terms.row.begin;
     corrected_stress(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), F, sum, K,
@@ -136,20 +140,20 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
     }
   });
   ref.each_row([&](const RowTerms& terms) {
-    RowVectors stress, hourglass;
-    sum_forces(terms, solid.u, solid.H, solid.PB, stress, hourglass);
+    RowVectors stress;
+    sum_stress(terms, solid.PB, stress);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
       const std::size_t i = terms.row.begin + t;
       const double f = ecm.f[i];
       if (f <= 0.0) continue;
       if (ref.plain(ecm, i)) {
-        const Vec2 of_hourglass = hourglass[t] - lattice.w * ecm.displacement(i);
+        const Vec2 of_hourglass = solid.hourglass[i] - lattice.w * ecm.displacement(i);
         force[i] += p.thickness * (ecm.V0 * ecm.V0 * stress[t] + scale * of_hourglass);
         continue;
       }
       const DegradationMoments& m = ref.moments(i);
       const Vec2 of_stress = stress[t] + (solid.PB[i] / f) * m.grad_W;
-      const Vec2 of_hourglass = hourglass[t] + 0.5 * (F[i] - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
+      const Vec2 of_hourglass = solid.hourglass[i] + 0.5 * (F[i] - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
       force[i] += p.thickness * f * (ecm.V0 * ecm.V0 * of_stress + scale * of_hourglass);
     }
   });

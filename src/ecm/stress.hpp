@@ -28,11 +28,12 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 
 /// Workspace of the sums over neighbours: deformation of the solid, and fields component by component, times f_degr.
 struct SolidFields {
-  TensorPlanes F{};  ///< deformation gradient [-]
-  VectorPlanes u{};  ///< displacement [um]
-  VectorPlanes v{};  ///< velocity [um/s]
-  TensorPlanes H{};  ///< deformation gradient less the identity, F - I [-]
-  TensorPlanes PB{}; ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
+  TensorPlanes F{};         ///< deformation gradient [-]
+  VectorPlanes u{};         ///< displacement [um]
+  VectorPlanes v{};         ///< velocity [um/s]
+  TensorPlanes H{};         ///< deformation gradient less the identity, F - I [-]
+  VectorPlanes hourglass{}; ///< sums of sum_hourglass() [1/um^3]
+  TensorPlanes PB{};        ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
 };
 
 /// Adds the elastic forces to `force` [nN]. On particle i

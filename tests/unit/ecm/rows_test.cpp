@@ -116,8 +116,8 @@ TEST(Rows, ForcesEqualThoseOfSinglePairs) {
   ref.each_row([&](const RowTerms& terms) {
     RowVectors stress, hourglass;
     RowTensors moment;
-    sum_forces(terms, u, H, Q, stress, hourglass);
-    sum_hourglass_moment(terms, u, H, moment);
+    sum_hourglass(terms, u, H, moment, hourglass);
+    sum_stress(terms, Q, stress);
     for (std::size_t t = 0; t < terms.row.count; ++t, ++seen) {
       const std::size_t i = terms.row.begin + t;
       Vec2 of_stress = Vec2::Zero(), of_hourglass = Vec2::Zero();
