@@ -83,9 +83,10 @@ State small_parts_of(const Json& json) {
 /// What a whole file may still have wrong: arrays that do not belong together.
 void require_consistent(const State& s) {
   const std::size_t n = s.ecm.size();
+  const bool knows_before = s.v_before.empty() || s.v_before.size() == n + s.cortex.size();
   const bool lags = s.ecm.x_drag.empty() || s.ecm.x_drag.size() == n;
-  const bool matrix = lags && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n && s.ecm.S.size() == n
-                      && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
+  const bool matrix = lags && knows_before && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n
+                      && s.ecm.S.size() == n && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
   const bool cortex = s.cortex.v.size() == s.cortex.size() && s.cortex.l0.size() == s.cortex.size();
   if (!matrix || !cortex || n == 0) throw std::invalid_argument("its arrays do not belong together");
   for (const Protrusion& p : s.protrusions)
@@ -106,6 +107,7 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   file.write("/ecm/S", s.ecm.S, "kPa");
   file.write("/ecm/f", s.ecm.f, "1");
   file.write("/ecm/clamped", s.ecm.clamped);
+  file.write("/v_before", s.v_before, "um/s");
   file.write("/cortex/x", s.cortex.x, "um");
   file.write("/cortex/v", s.cortex.v, "um/s");
   file.write("/cortex/l0", s.cortex.l0, "um");
@@ -145,6 +147,7 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     s.ecm.S = file.matrices("/ecm/S");
     s.ecm.f = file.doubles("/ecm/f");
     s.ecm.clamped = file.bytes("/ecm/clamped");
+    s.v_before = file.vectors("/v_before");
     s.cortex.x = file.vectors("/cortex/x");
     s.cortex.v = file.vectors("/cortex/v");
     s.cortex.l0 = file.doubles("/cortex/l0");

@@ -43,11 +43,19 @@ void require_no_crossing(const State& s, const Parameters& p, std::span<const Ve
                                 s.step + 1, s.t, p.run.time_step));
 }
 
-/// Solves A v = F into the velocities of matrix and cortex, starting from those of the last step.
-void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBounds& bounds) {
-  std::vector<Vec2>& v = w.v;
+/// Velocities of matrix and cortex if they go on changing as in the last step.
+void extrapolate(const State& s, std::vector<Vec2>& v) {
   v = s.ecm.v;
   v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
+  if (s.v_before.size() != v.size()) return;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (i >= s.ecm.size() || !s.ecm.clamped[i]) v[i] = 2.0 * v[i] - s.v_before[i];
+}
+
+/// Solves A v = F into the velocities of matrix and cortex.
+void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBounds& bounds) {
+  std::vector<Vec2>& v = w.v;
+  extrapolate(s, v);
   w.health.solve = w.solver->solve(w.drag, v);
   if (!w.health.solve.converged)
     throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the drag system was not solved: relative residual "
@@ -64,6 +72,8 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBou
         v[i].norm() * p.run.time_step, p.run.time_step, bounds.furthest_move, describe(w.limits)));
   }
   if (!bounds.may_cross) require_no_crossing(s, p, v);
+  s.v_before = s.ecm.v;
+  s.v_before.insert(s.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
   const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
   s.ecm.v.assign(v.begin(), cell);
   s.cortex.v.assign(cell, v.end());

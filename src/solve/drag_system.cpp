@@ -2,48 +2,78 @@
 
 #include "base/parallel.hpp"
 
+#include <algorithm>
+
 namespace matrigrate {
 
 namespace {
 
 /// y -= what the terms make of x.
-void subtract_products(const DragTerms<double>& terms, std::span<const Vec2> x, std::span<Vec2> y) {
+void subtract_products(const DragTerms<double>& terms, const NodeVectors& x, NodeVectors& y) {
   for (std::size_t m = 0; m < terms.size(); ++m) {
     Vec2 sum = Vec2::Zero();
     for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) sum += terms.weight[k] * x[terms.node[k]];
-    sum *= terms.c[m];
-    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y[terms.node[k]] -= terms.weight[k] * sum;
+    sum *= -terms.c[m];
+    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y.add(terms.node[k], terms.weight[k] * sum);
   }
 }
 
-void subtract_products(const DragTerms<Vec2>& terms, std::span<const Vec2> x, std::span<Vec2> y) {
+void subtract_products(const DragTerms<Vec2>& terms, const NodeVectors& x, NodeVectors& y) {
   for (std::size_t m = 0; m < terms.size(); ++m) {
     double sum = 0.0;
     for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) sum += terms.weight[k].dot(x[terms.node[k]]);
-    sum *= terms.c[m];
-    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y[terms.node[k]] -= sum * terms.weight[k];
+    sum *= -terms.c[m];
+    for (std::uint32_t k = terms.first[m]; k < terms.first[m + 1]; ++k) y.add(terms.node[k], sum * terms.weight[k]);
   }
 }
 
 } // namespace
 
-void residual(const DragSystem& A, std::span<const Vec2> F, std::span<const Vec2> x, std::span<Vec2> r,
-              ResidualFields& fields) {
+void NodeVectors::resize(std::size_t of_matrix, std::size_t of_all) {
+  if (matrix.size() != of_matrix) matrix.resize(of_matrix);
+  behind.resize(of_all - of_matrix);
+}
+
+void NodeVectors::add(std::size_t k, const Vec2& a) {
+  if (k >= matrix.size()) {
+    behind[k - matrix.size()] += a;
+    return;
+  }
+  matrix.x()[k] += a.x();
+  matrix.y()[k] += a.y();
+}
+
+void split(std::span<const Vec2> a, std::size_t matrix, NodeVectors& b) {
+  b.resize(matrix, a.size());
+  double *x = b.matrix.x(), *y = b.matrix.y();
+  parallel_for(matrix, [=](std::size_t i) {
+    x[i] = a[i].x();
+    y[i] = a[i].y();
+  });
+  std::ranges::copy(a.subspan(matrix), b.behind.begin());
+}
+
+void join(const NodeVectors& a, std::span<Vec2> b) {
+  const double *x = a.matrix.x(), *y = a.matrix.y();
+  parallel_for(a.matrix.size(), [=](std::size_t i) { b[i] = Vec2(x[i], y[i]); });
+  std::ranges::copy(a.behind, b.begin() + static_cast<std::ptrdiff_t>(a.matrix.size()));
+}
+
+void residual(const DragSystem& A, const NodeVectors& F, const NodeVectors& x, NodeVectors& r) {
   const std::size_t matrix = A.pairs.size();
-  if (fields.x.size() != matrix)
-    for (DoubleField* field : {&fields.b, &fields.x, &fields.r}) field->resize(matrix);
-  parallel_for(matrix, [&](std::size_t i) {
-    fields.b.x()[i] = F[i].x();
-    fields.b.y()[i] = F[i].y();
-    fields.x.x()[i] = x[i].x();
-    fields.x.y()[i] = x[i].y();
-  });
-  A.pairs.residual(A.diagonal, fields.b, fields.x, fields.r);
-  parallel_for(A.size(), [&](std::size_t i) {
-    r[i] = i < matrix ? Vec2(fields.r.x()[i], fields.r.y()[i]) : Vec2(F[i] - A.diagonal[i] * x[i]);
-  });
+  r.resize(matrix, A.size());
+  A.pairs.residual(A.diagonal, F.matrix, x.matrix, r.matrix);
+  for (std::size_t a = 0; a < r.behind.size(); ++a) r.behind[a] = F.behind[a] - A.diagonal[matrix + a] * x.behind[a];
   subtract_products(A.links, x, r);
   subtract_products(A.directed, x, r);
+}
+
+void residual(const DragSystem& A, std::span<const Vec2> F, std::span<const Vec2> x, std::span<Vec2> r,
+              ResidualFields& fields) {
+  split(F, A.pairs.size(), fields.b);
+  split(x, A.pairs.size(), fields.x);
+  residual(A, fields.b, fields.x, fields.r);
+  join(fields.r, r);
 }
 
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y) {

@@ -69,12 +69,29 @@ struct DragSystem {
 /// y = A x.
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
 
-/// Workspace of residual().
-struct ResidualFields {
-  DoubleField b, x, r;
+/// Velocities or forces of all nodes: those of the matrix as a field, those behind it as they are.
+struct NodeVectors {
+  DoubleField matrix;
+  std::vector<Vec2> behind;
+
+  void resize(std::size_t of_matrix, std::size_t of_all);
+  Vec2 operator[](std::size_t k) const {
+    return k < matrix.size() ? Vec2(matrix.x()[k], matrix.y()[k]) : behind[k - matrix.size()];
+  }
+  void add(std::size_t k, const Vec2& a);
 };
 
+/// The same numbers.   @param matrix  how many nodes come first
+void split(std::span<const Vec2> a, std::size_t matrix, NodeVectors& b);
+void join(const NodeVectors& a, std::span<Vec2> b);
+
 /// r = F - A x for any F.
+void residual(const DragSystem& A, const NodeVectors& F, const NodeVectors& x, NodeVectors& r);
+
+/// Workspace of the next one.
+struct ResidualFields {
+  NodeVectors b, x, r;
+};
 void residual(const DragSystem& A, std::span<const Vec2> F, std::span<const Vec2> x, std::span<Vec2> r,
               ResidualFields& fields);
 

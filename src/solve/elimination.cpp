@@ -208,24 +208,24 @@ void Elimination::add_product(const Field& x, Field& y) {
   });
 }
 
-void Elimination::reduce(std::span<Vec2> r) {
+void Elimination::reduce(NodeVectors& r) {
   if (m_behind == 0) return;
-  for (std::size_t a = 0; a < m_behind; ++a) m_t.segment<2>(static_cast<long>(2 * a)) = r[m_matrix + a];
+  for (std::size_t a = 0; a < m_behind; ++a) m_t.segment<2>(static_cast<long>(2 * a)) = r.behind[a];
   solve_behind();
   std::ranges::fill(m_sums, 0.0);
-  scatter([r](std::uint32_t k, const Vec2& a) { r[k] += a; });
+  scatter([&r](std::uint32_t k, const Vec2& a) { r.add(k, a); });
 }
 
-void Elimination::recover(std::span<const Vec2> r, std::span<Vec2> v) {
+void Elimination::recover(std::span<const Vec2> r_c, const Field& v_m, std::span<Vec2> v_c) {
   if (m_behind == 0) return;
   m_t.setZero();
-  gather([v](std::uint32_t k) { return v[k]; });
+  gather([&v_m](std::uint32_t k) { return Vec2(v_m.x()[k], v_m.y()[k]); });
   for (std::size_t a = 0; a < m_behind; ++a) {
     auto t = m_t.segment<2>(static_cast<long>(2 * a));
-    t = r[m_matrix + a] - t;
+    t = r_c[a] - t;
   }
   solve_behind();
-  for (std::size_t a = 0; a < m_behind; ++a) v[m_matrix + a] = m_t.segment<2>(static_cast<long>(2 * a));
+  for (std::size_t a = 0; a < m_behind; ++a) v_c[a] = m_t.segment<2>(static_cast<long>(2 * a));
 }
 
 } // namespace matrigrate

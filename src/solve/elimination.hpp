@@ -35,10 +35,10 @@ public:
   void add_product(const Field& x, Field& y);
 
   /// From a right-hand side r of A that of S, in part m: r_m := r_m - A_mc A_cc^-1 r_c.
-  void reduce(std::span<Vec2> r);
+  void reduce(NodeVectors& r);
 
-  /// v_c := A_cc^-1 (r_c - A_cm v_m).
-  void recover(std::span<const Vec2> r, std::span<Vec2> v);
+  /// v_c := A_cc^-1 (r_c - A_cm v_m).   @param v_c  of the nodes behind the matrix
+  void recover(std::span<const Vec2> r_c, const Field& v_m, std::span<Vec2> v_c);
 
 private:
   /// A 2x2 block of A_cc at or below the diagonal.

@@ -42,6 +42,16 @@ private:
 using Field = FieldOf<float>;        ///< of corrections
 using DoubleField = FieldOf<double>; ///< of solutions and their residuals
 
+/// |a|^2 over both components.
+inline double squared_norm(const DoubleField& a) {
+  using Lanes = Eigen::Array<double, 4, 1>;
+  const double* p = a.values().data();
+  const Lanes sum = ordered_sum<Lanes>(a.values().size() / 4, Lanes::Zero(), [p](std::size_t k) -> Lanes {
+    return Eigen::Map<const Lanes>(p + 4 * k).square();
+  });
+  return sum.sum();
+}
+
 /// a . b over both components, summed in double precision.
 inline double dot(const Field& a, const Field& b) {
   using Lanes = Eigen::Array<double, 4, 1>;

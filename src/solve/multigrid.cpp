@@ -13,36 +13,43 @@ constexpr double least_reduction = 2e-5; // of a residual in one pass in single 
 constexpr double margin = 0.8;           // a pass aims at this much of the goal
 constexpr int most_idle = 3;             // passes that do not halve the residual before giving up
 
+double norm(const NodeVectors& a) {
+  double behind = 0.0;
+  for (const Vec2& b : a.behind) behind += b.squaredNorm();
+  return std::sqrt(squared_norm(a.matrix) + behind);
+}
+
 } // namespace
 
 SolveReport Multigrid::solve(const DragSystem& A, std::span<Vec2> v) {
   SolveReport report;
-  const double F2 = ordered_sum(A.size(), 0.0, [&A](std::size_t i) { return A.F[i].squaredNorm(); });
-  if (F2 == 0.0) { // nothing moves
+  split(A.F, A.pairs.size(), m_F);
+  const double F = norm(m_F);
+  if (F == 0.0) { // nothing moves
     std::fill(v.begin(), v.end(), Vec2::Zero());
     report.converged = true;
     return report;
   }
-  const double F = std::sqrt(F2);
+  split(v, A.pairs.size(), m_v);
   const double goal = m_tolerance * F;
-  double r = residual(A, v);
+  double r = residual(A);
   if (r > goal) prepare(A);
   int idle = 0;
   while (r > goal && report.iterations < m_max_iterations && idle < most_idle) {
-    correct(std::max(margin * goal / r, least_reduction), v, report);
+    correct(r, std::max(margin * goal / r, least_reduction), report);
     const double before = r;
-    r = residual(A, v);
+    r = residual(A);
     if (!(r < 0.5 * before)) ++idle;
   }
+  join(m_v, v);
   report.residual = r / F;
   report.converged = r <= goal;
   return report;
 }
 
-double Multigrid::residual(const DragSystem& A, std::span<const Vec2> v) {
-  m_residual.resize(A.size());
-  matrigrate::residual(A, A.F, v, m_residual, m_fields);
-  return std::sqrt(ordered_sum(A.size(), 0.0, [this](std::size_t i) { return m_residual[i].squaredNorm(); }));
+double Multigrid::residual(const DragSystem& A) {
+  matrigrate::residual(A, m_F, m_v, m_residual);
+  return norm(m_residual);
 }
 
 void Multigrid::prepare(const DragSystem& A) {
@@ -60,42 +67,37 @@ void Multigrid::prepare(const DragSystem& A) {
   });
 }
 
-/// Adds to v a correction that takes the residual down to `reduction` of itself, up to rounding.
-void Multigrid::correct(double reduction, std::span<Vec2> v, SolveReport& report) {
-  const std::size_t n = m_smoother.size();
-  m_correction = m_residual;
-  m_elimination.reduce(m_correction);
-  double scale = 0.0;
-  for (std::size_t i = 0; i < n; ++i) scale = std::max(scale, m_correction[i].lpNorm<Eigen::Infinity>());
+/// Adds to v a correction that takes the residual, r in all, down to `reduction` of itself, up to rounding.
+void Multigrid::correct(double r, double reduction, SolveReport& report) {
+  m_elimination.reduce(m_residual);
+  const double per_r = 1.0 / r; // what is solved for is of order 1, whatever the units
+  const double* from = m_residual.matrix.values().data();
+  float* to = m_r.values().data();
+  parallel_for(m_r.values().size(), [=](std::size_t k) { to[k] = static_cast<float>(per_r * from[k]); });
   m_x.set_zero();
-  if (scale > 0.0) {
-    parallel_for(n, [&](std::size_t i) {
-      m_r.x()[i] = static_cast<float>(m_correction[i].x() / scale);
-      m_r.y()[i] = static_cast<float>(m_correction[i].y() / scale);
-    });
-    const double goal = reduction * reduction * ordered_sum(m_residual.size(), 0.0, [&](std::size_t i) {
-                          return (m_residual[i] / scale).squaredNorm();
-                        });
-    double r_z = 0.0;
-    while (dot(m_r, m_r) > goal && report.iterations < m_max_iterations) {
-      precondition();
-      const double r_z_old = r_z;
-      r_z = dot(m_r, m_z);
-      if (r_z_old == 0.0)
-        m_p = m_z;
-      else
-        extend(m_z, static_cast<float>(r_z / r_z_old), m_p);
-      multiply(m_p, m_q);
-      const double alpha = r_z / dot(m_p, m_q);
-      if (!(alpha > 0.0) || !std::isfinite(alpha)) break; // beyond what single precision resolves
-      add_multiple(static_cast<float>(alpha), m_p, m_x);
-      add_multiple(static_cast<float>(-alpha), m_q, m_r);
-      ++report.iterations;
-    }
+  double r_z = 0.0;
+  while (dot(m_r, m_r) > reduction * reduction && report.iterations < m_max_iterations) {
+    precondition();
+    const double r_z_old = r_z;
+    r_z = dot(m_r, m_z);
+    if (r_z_old == 0.0)
+      m_p = m_z;
+    else
+      extend(m_z, static_cast<float>(r_z / r_z_old), m_p);
+    multiply(m_p, m_q);
+    const double alpha = r_z / dot(m_p, m_q);
+    if (!(alpha > 0.0) || !std::isfinite(alpha)) break; // beyond what single precision resolves
+    add_multiple(static_cast<float>(alpha), m_p, m_x);
+    add_multiple(static_cast<float>(-alpha), m_q, m_r);
+    ++report.iterations;
   }
-  parallel_for(n, [&](std::size_t i) { m_correction[i] = scale * Vec2(m_x.x()[i], m_x.y()[i]); });
-  m_elimination.recover(m_residual, m_correction);
-  parallel_for(v.size(), [&](std::size_t i) { v[i] += m_correction[i]; });
+  for (Vec2& a : m_residual.behind) a *= per_r;
+  m_behind.resize(m_residual.behind.size());
+  m_elimination.recover(m_residual.behind, m_x, m_behind);
+  const float* x = m_x.values().data();
+  double* v = m_v.matrix.values().data();
+  parallel_for(m_x.values().size(), [=](std::size_t k) { v[k] += r * static_cast<double>(x[k]); });
+  for (std::size_t a = 0; a < m_behind.size(); ++a) m_v.behind[a] += r * m_behind[a];
 }
 
 /// y = S x.

@@ -26,8 +26,8 @@ public:
 
 private:
   void prepare(const DragSystem& A);
-  double residual(const DragSystem& A, std::span<const Vec2> v);
-  void correct(double goal, std::span<Vec2> v, SolveReport& report);
+  double residual(const DragSystem& A);
+  void correct(double r, double reduction, SolveReport& report);
   void multiply(const Field& x, Field& y);
   void precondition();
 
@@ -35,9 +35,9 @@ private:
   int m_max_iterations;
   CoarseLevels m_coarse;
   Elimination m_elimination;
-  ResidualFields m_fields;
   const RowBlocks* m_pairs = nullptr; ///< of the system that is solved
-  std::vector<Vec2> m_residual, m_correction;
+  NodeVectors m_F, m_v, m_residual;
+  std::vector<Vec2> m_behind; ///< correction of the nodes behind the matrix
   Field m_diagonal, m_smoother, m_x, m_r, m_z, m_p,
       m_q; // of the correction: solution, residual, the same preconditioned, direction
 };

@@ -16,6 +16,7 @@ struct State {
   double t = 0.0;         ///< [s]
   EcmState ecm;
   CortexState cortex;
+  std::vector<Vec2> v_before; ///< velocities of all nodes a step before ecm.v and cortex.v; empty: unknown [um/s]
   std::vector<Protrusion> protrusions; ///< those that live, in the order of initiation
   std::vector<ProtrusionRecord> ended; ///< those that have ended, in the order of their end
   std::optional<double> polarization;  ///< angle of d_pol [rad]; none before the first protrusion

@@ -75,7 +75,8 @@ TEST(Elimination, SolvesWithASolutionOfTheRest) {
   for (std::size_t i = 0; i < s.body.A.size(); ++i) F.segment<2>(static_cast<long>(2 * i)) = s.body.A.F[i];
   const Eigen::VectorXd exact = A.llt().solve(F);
 
-  std::vector<Vec2> r = s.body.A.F;
+  NodeVectors r;
+  split(s.body.A.F, s.body.x.size(), r);
   s.elimination.reduce(r);
   const Eigen::MatrixXd S =
       A.topLeftCorner(n, n) - A.topRightCorner(n, c) * A.bottomRightCorner(c, c).llt().solve(A.bottomLeftCorner(c, n));
@@ -83,9 +84,20 @@ TEST(Elimination, SolvesWithASolutionOfTheRest) {
   for (std::size_t i = 0; i < s.body.x.size(); ++i)
     EXPECT_NEAR((r[i] - reduced.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-9);
 
-  std::vector<Vec2> v(s.body.A.size(), Vec2::Zero());
-  for (std::size_t i = 0; i < s.body.x.size(); ++i) v[i] = exact.segment<2>(static_cast<long>(2 * i));
-  s.elimination.recover(s.body.A.F, v);
-  for (std::size_t i = 0; i < v.size(); ++i)
-    EXPECT_NEAR((v[i] - exact.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-9);
+  Field v_m;
+  v_m.resize(s.body.x.size());
+  Eigen::VectorXd x(n); // v_m as it is, in double precision
+  for (std::size_t i = 0; i < s.body.x.size(); ++i)
+    for (long e = 0; e < 2; ++e) {
+      const long k = 2 * static_cast<long>(i) + e;
+      (e == 0 ? v_m.x() : v_m.y())[i] = static_cast<float>(exact[k]);
+      x[k] = static_cast<float>(exact[k]);
+    }
+  const std::span<const Vec2> F_c = std::span<const Vec2>(s.body.A.F).subspan(s.body.x.size());
+  std::vector<Vec2> v_c(F_c.size());
+  s.elimination.recover(F_c, v_m, v_c);
+  const Eigen::VectorXd expected =
+      A.bottomRightCorner(c, c).llt().solve(F.tail(c) - A.bottomLeftCorner(c, n) * x);
+  for (std::size_t k = 0; k < v_c.size(); ++k)
+    EXPECT_NEAR((v_c[k] - expected.segment<2>(static_cast<long>(2 * k))).norm(), 0.0, 1e-9);
 }
