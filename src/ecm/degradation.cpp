@@ -15,8 +15,8 @@ void fluidize(EcmState& ecm, std::size_t i) {
 std::size_t fluidize_torn(EcmState& ecm, const EcmParameters& p) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
     if (ecm.rho[i] > p.density_min && ecm.rho[i] < p.density_max) continue;
+    if (ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
     fluidize(ecm, i);
     ++count;
   }
@@ -29,7 +29,7 @@ std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& r
     ref.update(ecm);
     found = 0;
     for (std::size_t i = 0; i < ecm.size(); ++i) {
-      if (ecm.clamped[i] || ecm.f[i] <= 0.0 || ref.relative_support(i) >= p.orphan_support) continue;
+      if (ref.relative_support(i) >= p.orphan_support || ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
       fluidize(ecm, i);
       ++found;
     }

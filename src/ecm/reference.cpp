@@ -78,7 +78,7 @@ Mat2 Reference::support_tensor(std::size_t i, std::span<const double> f, double 
 
 void Reference::correct(std::size_t i, const EcmState& ecm) {
   const Eigen2 eigen(support_tensor(i, ecm.f, ecm.V0));
-  m_support[i] = eigen.eigenvalues()(0);
+  m_support[i] = eigen.eigenvalues()(0) / m_intact[i];
   if (ecm.clamped[i]) {
     m_B[i] = m_B_lattice;
   } else {

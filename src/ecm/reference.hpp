@@ -52,7 +52,7 @@ public:
   const DegradationMoments& lattice_moments() const { return m_lattice_moments; }
 
   /// Smallest eigenvalue of A_i, over that of the intact particle where it is below 1 [-].
-  double relative_support(std::size_t i) const { return m_support[i] / m_intact[i]; }
+  double relative_support(std::size_t i) const { return m_support[i]; }
 
 private:
   Mat2 support_tensor(std::size_t i, std::span<const double> f, double V0) const;
@@ -70,7 +70,7 @@ private:
   DegradationMoments m_lattice_moments;
   std::vector<std::uint8_t> m_whole;
   std::vector<double> m_intact;  // min(1, smallest eigenvalue of A_i with all f = 1)
-  std::vector<double> m_support; // smallest eigenvalue of A_i
+  std::vector<double> m_support; // smallest eigenvalue of A_i over the intact one
   std::vector<double> m_f_seen;  // the f for which m_B and m_moments hold
 };
 

@@ -171,10 +171,13 @@ void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const Ec
   else
     A.pairs.refill(pattern, m_marks, fill);
   if (share == 0.0) return;
-  m_drag.resize(n); // minus the drag at the velocities of ecm
-  residual(A, A.F, ecm.v, m_drag, m_fields);
+  split(ecm.v, n, m_v);
+  if (m_zero.size() != n) m_zero.resize(n);
+  if (m_drag.size() != n) m_drag.resize(n);
+  A.pairs.residual(A.diagonal, m_zero, m_v.matrix, m_drag);
+  const double *x_drag = m_drag.x(), *y_drag = m_drag.y();
   parallel_for(n, [&](std::size_t i) {
-    if (!A.given[i]) A.F[i] -= share / (1.0 + share) * m_drag[i];
+    if (!A.given[i]) A.F[i] -= share / (1.0 + share) * (A.F[i] + Vec2(x_drag[i], y_drag[i]));
   });
 }
 

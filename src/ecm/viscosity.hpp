@@ -51,8 +51,8 @@ private:
   DoubleField m_x;                   // where the particles are, framed by ones that are nowhere
   Field m_free;                      // 1, or 0 for given ones
   std::vector<std::uint8_t> m_marks; // of the blocks that are made anew
-  std::vector<Vec2> m_drag;
-  ResidualFields m_fields;
+  NodeVectors m_v;
+  DoubleField m_zero, m_drag; // minus the drag at the velocities of the last step
 };
 
 /// Lets the positions at which the drag is taken follow: of particles that have moved further than drag_lag from there.

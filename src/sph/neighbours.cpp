@@ -69,20 +69,25 @@ Grid make_grid(std::span<const Vec2> x, double reach, double period_x) {
   return g;
 }
 
-/// Calls found(j) for each j != i within reach of i; three neighbouring cells of a row lie side by side in `sorted`.
-template <class Found>
-void each_partner(const Grid& g, std::span<const Vec2> x, std::size_t i, double reach, double period_x,
-                  const Found& found) {
+/// Appends each j != i within reach of i.
+void add_partners(const Grid& g, std::span<const Vec2> x, std::size_t i, double reach, double period_x,
+                  std::vector<std::uint32_t>& partners) {
   const int column = g.column_of(x[i]);
   const int row = g.row_of(x[i]);
   for (int r = std::max(0, row - 1); r <= std::min(g.rows - 1, row + 1); ++r)
     for (int c = column - 1; c <= column + 1; ++c) {
       if (!g.periodic && (c < 0 || c >= g.columns)) continue;
       const std::size_t cell = g.index((c + g.columns) % g.columns, r);
-      for (std::uint32_t k = g.first[cell]; k < g.first[cell + 1]; ++k) {
+      std::size_t count = partners.size();
+      partners.resize(count + g.first[cell + 1] - g.first[cell]);
+      for (std::uint32_t k = g.first[cell]; k < g.first[cell + 1];
+           ++k) { // without branches, which nobody could foretell
         const std::uint32_t j = g.sorted[k];
-        if (j != i && nearest_image(x[i] - x[j], period_x).squaredNorm() <= reach * reach) found(j);
+        const bool close = nearest_image(x[i] - x[j], period_x).squaredNorm() <= reach * reach;
+        partners[count] = j;
+        count += static_cast<std::size_t>(close & (j != i));
       }
+      partners.resize(count);
     }
 }
 
@@ -98,7 +103,7 @@ Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period
     const std::size_t end = std::min(x.size(), (b + 1) * parallel_block);
     for (std::size_t i = b * parallel_block; i < end; ++i) {
       const std::size_t before = partners[b].size();
-      each_partner(g, x, i, reach, period_x, [&](std::uint32_t j) { partners[b].push_back(j); });
+      add_partners(g, x, i, reach, period_x, partners[b]);
       std::sort(partners[b].begin() + static_cast<std::ptrdiff_t>(before), partners[b].end());
       list.first[i + 1] = static_cast<std::uint32_t>(partners[b].size() - before);
     }
