@@ -270,11 +270,6 @@ void VectorPlanes::resize(std::size_t n) {
   y.resize(n);
 }
 
-TensorPlanes::TensorPlanes(std::span<const Mat2> A) {
-  resize(A.size());
-  for (std::size_t i = 0; i < A.size(); ++i) set(i, A[i]);
-}
-
 void TensorPlanes::resize(std::size_t n) {
   xx.resize(n);
   xy.resize(n);

@@ -92,8 +92,6 @@ struct VectorPlanes {
 struct TensorPlanes {
   Plane xx, xy, yx, yy;
 
-  TensorPlanes() = default;
-  explicit TensorPlanes(std::span<const Mat2> A);
   void resize(std::size_t n);
   void set(std::size_t i, const Mat2& A) { xx[i] = A(0, 0), xy[i] = A(0, 1), yx[i] = A(1, 0), yy[i] = A(1, 1); }
   Mat2 operator[](std::size_t i) const { return (Mat2() << xx[i], xy[i], yx[i], yy[i]).finished(); }

@@ -4,6 +4,8 @@
 #include "ecm/deformation.hpp"
 #include "ecm/material.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 
 namespace matrigrate {
@@ -18,23 +20,24 @@ double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
 /// P_i B_i of all particles of a row as if they were plain: c (J sigma F^-T + a (F - I) + b moment).
 /// @param S  components xx, yx, xy, yy one after the other, particle by particle
 MATRIGRATE_SIMD
-void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& F,
+void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& H,
                       const RowTensors& moment, double K, double a, double b, double c, TensorPlanes& PB) {
-  const double *Fxx = &F.xx.data()[begin], *Fxy = &F.xy.data()[begin];
-  const double *Fyx = &F.yx.data()[begin], *Fyy = &F.yy.data()[begin];
+  const double *Hxx = &H.xx.data()[begin], *Hxy = &H.xy.data()[begin];
+  const double *Hyx = &H.yx.data()[begin], *Hyy = &H.yy.data()[begin];
   double* __restrict xx = PB.xx.data() + begin, * __restrict xy = PB.xy.data() + begin;
   double* __restrict yx = PB.yx.data() + begin, * __restrict yy = PB.yy.data() + begin;
   for (std::size_t t = 0; t < n; ++t) {
+    const double Fxx = 1.0 + Hxx[t], Fxy = Hxy[t], Fyx = Hyx[t], Fyy = 1.0 + Hyy[t];
     const double pressure = K * (rho[t] - 1.0);
     const double sxx = S[4 * t] - pressure, syx = S[4 * t + 1], sxy = S[4 * t + 2], syy = S[4 * t + 3] - pressure;
-    xx[t] = c * ((sxx * Fyy[t] - sxy * Fxy[t]) + (a * (Fxx[t] - 1.0) + b * moment.xx[t]));
-    xy[t] = c * ((sxy * Fxx[t] - sxx * Fyx[t]) + (a * Fxy[t] + b * moment.xy[t]));
-    yx[t] = c * ((syx * Fyy[t] - syy * Fxy[t]) + (a * Fyx[t] + b * moment.yx[t]));
-    yy[t] = c * ((syy * Fxx[t] - syx * Fyx[t]) + (a * (Fyy[t] - 1.0) + b * moment.yy[t]));
+    xx[t] = c * ((sxx * Fyy - sxy * Fxy) + (a * Hxx[t] + b * moment.xx[t]));
+    xy[t] = c * ((sxy * Fxx - sxx * Fyx) + (a * Hxy[t] + b * moment.xy[t]));
+    yx[t] = c * ((syx * Fyy - syy * Fxy) + (a * Hyx[t] + b * moment.yx[t]));
+    yy[t] = c * ((syy * Fxx - syx * Fyx) + (a * Hyy[t] + b * moment.yy[t]));
   }
 }
 
-/// Density and stress of a row after dt, all of its particles solid.
+/// Density and stress of a row after dt, all of its particles intact.
 struct Advanced {
   double rho[ParticleRow::longest];
   RowTensors S;
@@ -43,17 +46,18 @@ struct Advanced {
 /// advance_stress_of for the particles of a row, from their rates of deformation: L = dF/dt F^-1.
 /// @param S  components xx, yx, xy, yy one after the other, particle by particle
 MATRIGRATE_SIMD
-void advance_row(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& F,
+void advance_row(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& H,
                  const RowTensors& rate, const EcmParameters& p, double G, double dt, Advanced& to) {
-  const double *Fxx = &F.xx.data()[begin], *Fxy = &F.xy.data()[begin];
-  const double *Fyx = &F.yx.data()[begin], *Fyy = &F.yy.data()[begin];
+  const double *Hxx = &H.xx.data()[begin], *Hxy = &H.xy.data()[begin];
+  const double *Hyx = &H.yx.data()[begin], *Hyy = &H.yy.data()[begin];
   const double least = p.density_min, most = p.density_max;
   for (std::size_t t = 0; t < n; ++t) {
-    const double per_J = 1.0 / (Fxx[t] * Fyy[t] - Fxy[t] * Fyx[t]);
-    const double Lxx = per_J * (rate.xx[t] * Fyy[t] - rate.xy[t] * Fyx[t]);
-    const double Lxy = per_J * (rate.xy[t] * Fxx[t] - rate.xx[t] * Fxy[t]);
-    const double Lyx = per_J * (rate.yx[t] * Fyy[t] - rate.yy[t] * Fyx[t]);
-    const double Lyy = per_J * (rate.yy[t] * Fxx[t] - rate.yx[t] * Fxy[t]);
+    const double Fxx = 1.0 + Hxx[t], Fxy = Hxy[t], Fyx = Hyx[t], Fyy = 1.0 + Hyy[t];
+    const double per_J = 1.0 / (Fxx * Fyy - Fxy * Fyx);
+    const double Lxx = per_J * (rate.xx[t] * Fyy - rate.xy[t] * Fyx);
+    const double Lxy = per_J * (rate.xy[t] * Fxx - rate.xx[t] * Fxy);
+    const double Lyx = per_J * (rate.yx[t] * Fyy - rate.yy[t] * Fyx);
+    const double Lyy = per_J * (rate.yy[t] * Fxx - rate.yx[t] * Fxy);
     const double density = rho[t] - dt * rho[t] * (Lxx + Lyy);
     const double raised = density < least ? least : density;
     to.rho[t] = raised > most ? most : raised;
@@ -69,6 +73,21 @@ void advance_row(std::size_t n, std::size_t begin, const double* rho, const doub
 }
 
 } // namespace
+
+void SolidFields::resize(std::size_t n) {
+  u.resize(n);
+  v.resize(n);
+  H.resize(n);
+  hourglass.resize(n);
+  PB.resize(n);
+  F_partial.resize(n, Mat2::Identity());
+}
+
+SolidFields undeformed(std::size_t n) {
+  SolidFields solid;
+  solid.resize(n);
+  return solid;
+}
 
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
                      std::uint32_t k) {
@@ -90,16 +109,11 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force) {
-  TensorPlanes& F = solid.F;
   const std::size_t n = ecm.size();
   const double K = moduli(p).K;
   const double scale = hourglass_scale(ecm, p);
   const DegradationMoments& lattice = ref.lattice_moments();
-  solid.u.resize(n);
-  solid.H.resize(n);
-  solid.hourglass.resize(n);
-  solid.PB.resize(n);
-  F.resize(n);
+  solid.resize(n);
   parallel_for(n, [&](std::size_t i) { solid.u.set(i, ecm.f[i] * ecm.displacement(i)); });
   ref.each_row([&](const RowTerms& terms) {
     RowTensors H;
@@ -107,13 +121,13 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
         ecm, ref, terms, solid.u, [&](std::size_t i) { return ecm.displacement(i); }, H);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
       const std::size_t i = terms.row.begin + t;
-      F.xx[i] = 1.0 + H.xx[t], F.xy[i] = H.xy[t], F.yx[i] = H.yx[t], F.yy[i] = 1.0 + H.yy[t];
-    }
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
       const double f = ecm.f[i];
       solid.H.xx[i] = f * H.xx[t], solid.H.xy[i] = f * H.xy[t];
       solid.H.yx[i] = f * H.yx[t], solid.H.yy[i] = f * H.yy[t];
+    }
+    for (std::size_t t = 0; t < terms.row.count; ++t) {
+      const std::size_t i = terms.row.begin + t;
+      if (ecm.f[i] < 1.0) solid.F_partial[i] = Mat2::Identity() + H[t]; // the identity in the fluid
     }
   });
   ref.each_row([&](const RowTerms& terms) {
@@ -124,7 +138,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
     std::copy_n(hourglass.y, terms.row.count, solid.hourglass.y.data() + terms.row.begin);
     const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
     const std::size_t begin = terms.row.begin;
-    corrected_stress(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), F, sum, K,
+    corrected_stress(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, sum, K,
                      per_own * 0.5 * lattice.wXX(0, 0), per_own, ref.lattice_correction(), solid.PB);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
       const std::size_t i = begin + t;
@@ -134,8 +148,9 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
         continue;
       }
       const DegradationMoments& m = ref.moments(i);
-      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F[i]);
-      const Mat2 own = 0.5 * (F[i] - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
+      const Mat2 F = solid.F(ecm, i);
+      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F);
+      const Mat2 own = 0.5 * (F - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
       solid.PB.set(i, ecm.f[i] * (P + per_own * (own + sum[t])) * ref.B(i));
     }
   });
@@ -153,7 +168,8 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
       }
       const DegradationMoments& m = ref.moments(i);
       const Vec2 of_stress = stress[t] + (solid.PB[i] / f) * m.grad_W;
-      const Vec2 of_hourglass = solid.hourglass[i] + 0.5 * (F[i] - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
+      const Vec2 of_hourglass =
+          solid.hourglass[i] + 0.5 * (solid.F(ecm, i) - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
       force[i] += p.thickness * f * (ecm.V0 * ecm.V0 * of_stress + scale * of_hourglass);
     }
   });
@@ -168,7 +184,6 @@ void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmPar
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt) {
   const double G = moduli(p).G;
-  solid.v.resize(ecm.size());
   parallel_for(ecm.size(), [&](std::size_t i) { solid.v.set(i, ecm.f[i] * ecm.v[i]); });
   ref.each_row([&](const RowTerms& terms) {
     RowTensors rate;
@@ -176,11 +191,15 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
         ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, rate);
     const std::size_t begin = terms.row.begin;
     Advanced to;
-    advance_row(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.F, rate, p, G, dt, to);
+    advance_row(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, rate, p, G, dt, to);
     for (std::size_t t = 0; t < terms.row.count; ++t) {
-      if (ecm.f[begin + t] <= 0.0) continue;
-      ecm.rho[begin + t] = to.rho[t];
-      ecm.S[begin + t] = to.S[t];
+      const std::size_t i = begin + t;
+      if (ecm.f[i] == 1.0) {
+        ecm.rho[i] = to.rho[t];
+        ecm.S[i] = to.S[t];
+      } else if (ecm.f[i] > 0.0) {
+        advance_stress_of(ecm, i, rate[t] * solid.F(ecm, i).inverse(), p, dt);
+      }
     }
   });
   return count_density_bounds(ecm, p);

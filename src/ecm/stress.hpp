@@ -26,21 +26,32 @@ Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vecto
 /// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2. The forces below contain exactly its negative gradient.
 double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F);
 
-/// Workspace of the sums over neighbours: deformation of the solid, and fields component by component, times f_degr.
+/// Workspace of the sums over neighbours: fields component by component, times f_degr.
 struct SolidFields {
-  TensorPlanes F{};         ///< deformation gradient [-]
-  VectorPlanes u{};         ///< displacement [um]
-  VectorPlanes v{};         ///< velocity [um/s]
-  TensorPlanes H{};         ///< deformation gradient less the identity, F - I [-]
-  VectorPlanes hourglass{}; ///< sums of sum_hourglass() [1/um^3]
-  TensorPlanes PB{};        ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
+  VectorPlanes u{};              ///< displacement [um]
+  VectorPlanes v{};              ///< velocity [um/s]
+  TensorPlanes H{};              ///< deformation gradient less the identity, F - I [-]
+  VectorPlanes hourglass{};      ///< sums of sum_hourglass() [1/um^3]
+  TensorPlanes PB{};             ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
+  std::vector<Mat2> F_partial{}; ///< deformation gradient of particles with 0 < f < 1 [-]
+
+  void resize(std::size_t n);
+
+  /// Deformation gradient of particle i, the identity in the fluid [-].
+  Mat2 F(const EcmState& ecm, std::size_t i) const {
+    if (ecm.f[i] <= 0.0) return Mat2::Identity();
+    return ecm.f[i] < 1.0 ? F_partial[i] : Mat2(Mat2::Identity() + H[i]);
+  }
 };
+
+/// Fields of n particles that have not moved.
+SolidFields undeformed(std::size_t n);
 
 /// Adds the elastic forces to `force` [nN]. On particle i
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// @param solid  computed here; F is the identity in the fluid
+/// @param solid  computed here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);
 

@@ -26,7 +26,7 @@ bool stable(const Parameters& p, double dt) {
     if (!a.s.ecm.clamped[i]) a.s.ecm.x[i] += size * Vec2(std::sin(12.9898 * s), std::sin(78.233 * s));
   }
   // displaced particles must carry the stress of their displacement, or there is nothing to return to
-  SolidFields at_rest{.F = TensorPlanes(std::vector<Mat2>(a.s.ecm.size(), Mat2::Identity()))};
+  SolidFields at_rest = undeformed(a.s.ecm.size());
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i) a.s.ecm.v[i] = a.s.ecm.displacement(i);
   advance_stress(a.s.ecm, q.ecm, a.w.reference, at_rest, 1.0);
   for (Vec2& v : a.s.ecm.v) v.setZero();

@@ -37,7 +37,7 @@ Reading read(const Specimen& a) {
     Y.push_back(ecm.X[i].y());
     u_x.push_back(ecm.displacement(i).x());
     u_y.push_back(ecm.displacement(i).y());
-    P_xx += piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), a.w.solid.F[i])(0, 0);
+    P_xx += piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), a.w.solid.F(ecm, i))(0, 0);
   }
   const Vec2 grip = clamp_force(a.s, a.p, a.w, [](const Vec2& at) { return at.x() > 0.0; });
   return {.strain_x = fit_line(X, u_x).slope,

@@ -192,7 +192,7 @@ TEST(ElasticShare, BearsStepsBeyondTheLimitOfTheExplicitStep) {
       s.ecm.x[i] += s.ecm.v[i];
     }
     Workspace w(s, q);
-    SolidFields at_rest{.F = TensorPlanes(std::vector<Mat2>(s.ecm.size(), Mat2::Identity()))};
+    SolidFields at_rest = undeformed(s.ecm.size());
     advance_stress(s.ecm, q.ecm, w.reference, at_rest, 1.0); // the stress of the displacement
     double before = 0.0, after = 0.0;
     for (const Mat2& S : s.ecm.S) before += S.squaredNorm();

@@ -39,7 +39,7 @@ TEST(UpdatedLagrangian, StressStartsAsInTheTotalLagrangianForm) {
   for (std::size_t i = 0; i < current.size(); ++i) current.v[i] = Vec2(1e-3 * current.X[i].y(), 0.0);
   EcmState total = current;
   advance_current_stress(current, p, neighbours_within(current.x, 5.2, 0.0), 0.4);
-  SolidFields solid{.F = TensorPlanes(std::vector<Mat2>(total.size(), Mat2::Identity()))};
+  SolidFields solid = undeformed(total.size());
   advance_stress(total, p, Reference(total, p), solid, 0.4);
   const std::size_t middle = 10 * 20 + 10;
   EXPECT_NEAR(total.S[middle](0, 1), moduli(p).G * 0.4e-3, 1e-12);
