@@ -6,6 +6,8 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 using namespace matrigrate;
 
 namespace {
@@ -102,4 +104,66 @@ TEST(DragMatrix, AShareAgainstChangesOfVelocityChangesNothingAtThePresentOnes) {
     EXPECT_LT((r[i] - r_B[i]).norm(), 1e-5);
     EXPECT_NEAR(B.diagonal[i], (ecm.clamped[i] ? 1.0 : 1.5) * a.A.diagonal[i], 1e-5 * a.A.diagonal[i]);
   }
+}
+
+namespace {
+
+/// The matrix as it is, coefficient by coefficient.
+void expect_same(const DragSystem& a, const DragSystem& b) {
+  EXPECT_EQ(a.diagonal, b.diagonal);
+  EXPECT_EQ(a.given, b.given);
+  EXPECT_EQ(a.F, b.F);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::vector<std::pair<std::size_t, float>> of_a, of_b;
+    a.pairs.each_of_row(i, [&](std::size_t j, float G) { of_a.emplace_back(j, G); });
+    b.pairs.each_of_row(i, [&](std::size_t j, float G) { of_b.emplace_back(j, G); });
+    EXPECT_EQ(of_a, of_b) << "row " << i;
+  }
+}
+
+} // namespace
+
+TEST(MatrixDrag, HasTheSameBitsAsIfAllWereMadeAnew) {
+  const EcmParameters p;
+  for (const bool clamp_moves : {false, true}) {
+    EcmState ecm = deformed_body(p);
+    for (std::size_t i = 0; i < 30; ++i) ecm.clamped[i] = 1;
+    if (!clamp_moves)
+      for (std::size_t i = 0; i < 30; ++i) ecm.v[i].setZero();
+    const Adjacency pairs = neighbours_within(ecm.x, 8.0, ecm.period_x);
+    const RowPattern pattern(pairs, ecm.clamped);
+    MatrixDrag drag;
+    DragSystem kept;
+    for (int step = 0; step < 4; ++step) {
+      drag.assemble(ecm, ecm.x, p, pairs, pattern, kept, 0.3);
+      DragSystem anew;
+      assemble_viscosity(ecm, p, pattern, anew, 0.3);
+      expect_same(kept, anew);
+      for (std::size_t i = 0; i < ecm.size(); i += 37) ecm.x[i] += Vec2(0.1 * step, -0.2);
+    }
+    const Adjacency fewer = neighbours_within(ecm.x, 7.0, ecm.period_x);
+    const RowPattern other(fewer, ecm.clamped);
+    drag.forget();
+    drag.assemble(ecm, ecm.x, p, fewer, other, kept, 0.3);
+    DragSystem anew;
+    assemble_viscosity(ecm, p, other, anew, 0.3);
+    expect_same(kept, anew);
+  }
+}
+
+TEST(Drag, FollowsParticlesThatHaveMovedFurtherThanItsLag) {
+  EcmParameters p;
+  p.drag_lag = 0.01;
+  EcmState ecm = rectangle(p, 10.0, 10.0, 0.0);
+  follow(ecm, p);
+  EXPECT_EQ(ecm.x_drag, ecm.x);
+  const std::vector<Vec2> before = ecm.x;
+  ecm.x[3] += Vec2(0.009, 0.0);
+  ecm.x[4] += Vec2(0.0, -0.011);
+  follow(ecm, p);
+  EXPECT_EQ(ecm.x_drag[3], before[3]);
+  EXPECT_EQ(ecm.x_drag[4], ecm.x[4]);
+  p.drag_lag = 0.0;
+  follow(ecm, p);
+  EXPECT_EQ(ecm.x_drag, ecm.x);
 }

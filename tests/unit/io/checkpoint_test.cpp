@@ -32,7 +32,10 @@ State lively_state() {
     s.ecm.S[i] << a, 2 * a, 3 * a, 4 * a;
     s.ecm.f[i] = std::abs(a);
   }
+  s.ecm.x_drag = s.ecm.x;
+  s.ecm.x_drag[7] += Vec2(1e-3 / 3.0, 0.0);
   s.cortex.v.assign(s.cortex.size(), Vec2(0.1, 0.7));
+  s.v_before.assign(s.ecm.size() + s.cortex.size(), Vec2(0.2 / 3.0, -1.0));
   s.polarization = 0.1 + 0.2;
   s.initiated = 4;
   s.protrusions = {{.centre = 3, .since = 0.1, .phase = Growing{{0.6, 0.8}}, .record = {.id = 1}},
@@ -71,6 +74,8 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
   EXPECT_EQ(after.memory, before.memory);
   EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
   EXPECT_TRUE(std::signbit(after.state.ecm.v[0].x()));
+  EXPECT_EQ(after.state.ecm.x_drag, before.state.ecm.x_drag);
+  EXPECT_EQ(after.state.v_before, before.state.v_before);
   EXPECT_EQ(after.state.polarization, before.state.polarization);
   EXPECT_EQ(after.state.protrusions.size(), 4U);
   EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).steps, 4);
@@ -84,7 +89,7 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
   std::string other = image;
   other[22] = '1';
-  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads format 2"));
+  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads format 3"));
   for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
     EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;
   EXPECT_NE(refusal(image + "x").find("cut short"), std::string::npos);

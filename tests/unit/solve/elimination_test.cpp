@@ -96,8 +96,7 @@ TEST(Elimination, SolvesWithASolutionOfTheRest) {
   const std::span<const Vec2> F_c = std::span<const Vec2>(s.body.A.F).subspan(s.body.x.size());
   std::vector<Vec2> v_c(F_c.size());
   s.elimination.recover(F_c, v_m, v_c);
-  const Eigen::VectorXd expected =
-      A.bottomRightCorner(c, c).llt().solve(F.tail(c) - A.bottomLeftCorner(c, n) * x);
+  const Eigen::VectorXd expected = A.bottomRightCorner(c, c).llt().solve(F.tail(c) - A.bottomLeftCorner(c, n) * x);
   for (std::size_t k = 0; k < v_c.size(); ++k)
     EXPECT_NEAR((v_c[k] - expected.segment<2>(static_cast<long>(2 * k))).norm(), 0.0, 1e-9);
 }

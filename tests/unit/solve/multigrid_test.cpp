@@ -115,8 +115,8 @@ TEST_P(MultigridOn, TakesNoIterationFromTheSolution) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, MultigridOn,
                          testing::Values(Case{"matrix", false, false, -1, 12},
-                                         Case{"stirred_matrix", false, true, -1, 18}, Case{"cell", false, false, 0, 20},
-                                         Case{"stirred_cell", false, true, 3, 30},
+                                         Case{"stirred_matrix", false, true, -1, 50}, Case{"cell", false, false, 0, 20},
+                                         Case{"stirred_cell", false, true, 3, 50},
                                          Case{"hexagonal_cell", true, false, 2, 20}),
                          [](const auto& test) { return test.param.name; });
 
