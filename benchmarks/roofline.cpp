@@ -39,7 +39,7 @@ template <class Number, std::size_t width>
   for (int k = 0; k < turns; ++k) {
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < chains; ++c) {
-      MATRIGRATE_LANES
+#pragma GCC unroll 1
       for (std::size_t l = 0; l < width; ++l) sum[c][l] = std::fma(sum[c][l], Number(0.999), Number(0.001));
     }
   }

@@ -8,19 +8,14 @@ target_compile_options(
             -fno-math-errno
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 warns falsely on std::string (GCC bug 105651)
 
-# Marks for hot loops. MATRIGRATE_SIMD: compile this function for newer instruction sets as well; the loader picks the
-# best one for the machine, and the bits are the same, since operations are fused only where std::fma says so and keep
-# their order. MATRIGRATE_LANES: the turns of this loop do not depend on each other, and they are so few that they
-# become vector instructions as a whole.
+# Mark for hot loops. MATRIGRATE_SIMD: compile this function for newer instruction sets as well; the loader picks the
+# best one for the machine, and the bits are the same, since no operations are fused and all keep their order.
 set(simd "")
-set(lanes "")
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(lanes "_Pragma(\"GCC unroll 1\")") # unrolled too early, they stay scalar
-  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT MATRIGRATE_SANITIZE) # sanitizers start later than the choice
-    set(simd "__attribute__((target_clones(\"arch=x86-64-v3\",\"default\")))")
-  endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64"
+   AND NOT MATRIGRATE_SANITIZE) # sanitizers start later than the choice
+  set(simd "__attribute__((target_clones(\"arch=x86-64-v3\",\"default\")))")
 endif()
-target_compile_definitions(matrigrate_options INTERFACE "MATRIGRATE_SIMD=${simd}" "MATRIGRATE_LANES=${lanes}")
+target_compile_definitions(matrigrate_options INTERFACE "MATRIGRATE_SIMD=${simd}")
 
 if(MATRIGRATE_SANITIZE)
   target_compile_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE} -fno-omit-frame-pointer

@@ -38,10 +38,13 @@ template <class Pack, class Number>
 }
 
 /// Whether a number of a has a bit set: is anything but 0.
-[[gnu::always_inline]] inline bool any(const HalfFloats& a) {
-  std::uint64_t bits[2];
+template <class Pack>
+[[gnu::always_inline]] inline bool any(const Pack& a) {
+  std::uint64_t bits[sizeof a / sizeof(std::uint64_t)];
   std::memcpy(bits, &a, sizeof a);
-  return (bits[0] | bits[1]) != 0;
+  std::uint64_t all = 0;
+  for (const std::uint64_t b : bits) all |= b;
+  return all != 0;
 }
 
 } // namespace matrigrate

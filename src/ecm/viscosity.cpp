@@ -4,7 +4,6 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace matrigrate {
@@ -74,7 +73,7 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law
     low += __builtin_convertvector(g_low, Doubles);
     high += __builtin_convertvector(g_high, Doubles);
     distances[count] = distances[k];
-    if (any(g_low + g_high)) ++count; // none is negative
+    if (any(g_low) || any(g_high)) ++count;
   }
   store(low, D);
   store(high, D + 4);
@@ -84,19 +83,17 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law
 /// Takes the given particles out of the coefficients of a block, as pair_drags.   @param free  1, or 0 for given ones
 MATRIGRATE_SIMD
 std::size_t leave_out_given(const Field& free, std::size_t row, std::span<std::int32_t> distances, float* G) {
-  const float* free_i = free.x() + row;
+  Floats of_i;
+  load(free.x() + row, of_i);
   std::size_t count = 0;
   for (std::size_t k = 0; k < distances.size(); ++k) {
-    const float* free_j = free_i + distances[k];
-    float g[lanes];
-    std::uint32_t bits = 0;
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < lanes; ++l) g[l] = G[lanes * k + l] * free_i[l] * free_j[l];
-    MATRIGRATE_LANES
-    for (std::size_t l = 0; l < lanes; ++l) bits |= std::bit_cast<std::uint32_t>(g[l]);
-    std::copy_n(g, lanes, G + lanes * count);
+    Floats g, of_j;
+    load(G + lanes * k, g);
+    load(free.x() + row + distances[k], of_j);
+    g *= of_i * of_j;
+    store(g, G + lanes * count);
     distances[count] = distances[k];
-    if (bits != 0) ++count;
+    if (any(g)) ++count;
   }
   return count;
 }
