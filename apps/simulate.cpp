@@ -16,6 +16,8 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <malloc.h>
+
 #include <chrono>
 #include <new>
 #include <stdexcept>
@@ -54,7 +56,8 @@ public:
       march_to_end();
       const bool failed = m_record.status == "failed";
       m_folder->see_last(m_s, *m_w);
-      m_w.reset(); // frees the memory that all frames together need
+      m_w.reset();      // frees the memory that all frames together need,
+      ::malloc_trim(0); // and gives it back
       m_folder->finish(m_s, status_text(), failed);
       m_record.trajectory_hash = m_folder->trajectory_hash();
       m_record.end = std::chrono::system_clock::now();
