@@ -138,7 +138,7 @@ void Elimination::factorise_behind() {
   matrix.finalize();
   if (!same_pattern(matrix, m_pattern)) m_factor.analyzePattern(matrix); // depends on the pattern alone
   m_factor.factorize(matrix);
-  m_pattern = std::move(matrix);
+  m_pattern.swap(matrix);
   std::vector<Update> updates;
   updates.swap(m_updates);
   for (Update& update : updates) { // each with the ones before in place
