@@ -14,11 +14,13 @@ namespace matrigrate::apps {
 
 namespace {
 
-// Measured with one thread on a server (AMD EPYC), release build, the baseline's first minutes: 7.9 ms a step for
-// 17,665 particles of radius 150 um, 23.2 ms for 49,077 of 250 um, 16.3 ms with h = 4 um; 50, 128 and 91 MB. A decade
-// of the tolerance costs 0.55 ms at 150 um. Conjugate gradients took 3.4 R/h iterations to 1e-6.
-constexpr double seconds_a_pair = 9.1e-9;
-constexpr double seconds_a_pair_and_decade = 1.08e-9;
+// Measured with one thread on a server (AMD EPYC), release build: six hours of the baseline at 3.3 ms a step of 17,665
+// particles, 7,200 adaptive steps of 3 s at 5.8 ms; a decade of the tolerance costs 0.35 ms. First minutes take 50 MB,
+// 128 MB with 49,077 particles (radius 250 um), 91 MB with h = 4 um. Conjugate gradients took 3.4 R/h iterations to
+// 1e-6.
+constexpr double seconds_a_pair = 4.2e-9;
+constexpr double seconds_a_pair_and_decade = 0.8e-9;
+constexpr double of_longer_steps = 1.7; // a step of the adaptive integrator, halved ones included
 constexpr double seconds_a_pair_and_iteration = 1.0e-9;
 constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
 constexpr double bytes_alone = 6e6;
@@ -86,15 +88,16 @@ Derived derived(const Parameters& p) {
   const double solve = p.solver.method == SolverMethod::multigrid
                            ? seconds_a_pair_and_decade
                            : seconds_a_pair_and_iteration * iterations_a_radius * p.ecm.radius / p.ecm.smoothing_length;
-  d.wall_time = d.steps * n * listed * (seconds_a_pair + decades * solve);
+  const double longer = p.run.integrator == Integrator::adaptive ? of_longer_steps : 1.0;
+  d.wall_time = longer * d.steps * n * listed * (seconds_a_pair + decades * solve);
   return d;
 }
 
 std::string wall_time_basis() {
-  return "The wall time rests on the measured cost of the baseline on one core of a server: 9.1 ns a step for each\n"
-         "listed pair of particles, and 1.1 ns for each decade of solver.tolerance. A machine with other work to do "
-         "takes\n"
-         "longer.";
+  return "The wall time rests on the measured cost of the baseline on one core of a server: 4.2 ns a step for each\n"
+         "listed pair of particles, and 0.8 ns for each decade of solver.tolerance; 1.7 times that for each step of "
+         "the\n"
+         "adaptive integrator. A machine with other work to do takes longer.";
 }
 
 std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
