@@ -15,16 +15,15 @@ namespace matrigrate::apps {
 namespace {
 
 // Measured with one thread on a server (AMD EPYC), release build: six hours of the baseline at 3.3 ms a step of 17,665
-// particles, 7,200 adaptive steps of 3 s at 5.8 ms; a decade of the tolerance costs 0.35 ms. First minutes take 50 MB,
-// 128 MB with 49,077 particles (radius 250 um), 91 MB with h = 4 um. Conjugate gradients took 3.4 R/h iterations to
-// 1e-6.
+// particles, 7,200 adaptive steps of 3 s at 5.8 ms; a decade of the tolerance costs 0.35 ms. A run takes 66 MB before
+// its end. Conjugate gradients took 3.4 R/h iterations to 1e-6.
 constexpr double seconds_a_pair = 4.2e-9;
 constexpr double seconds_a_pair_and_decade = 0.8e-9;
 constexpr double of_longer_steps = 1.7; // a step of the adaptive integrator, halved ones included
 constexpr double seconds_a_pair_and_iteration = 1.0e-9;
 constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
-constexpr double bytes_alone = 6e6;
-constexpr double bytes_a_particle = 665.0;
+constexpr double bytes_alone = 20e6;
+constexpr double bytes_a_particle = 600.0;
 constexpr double bytes_a_pair = 75.0;
 
 /// Mean number of particles within a distance of a point of the lattice, itself left out.
@@ -39,8 +38,8 @@ double frames(const Parameters& p) {
   return p.output.field_interval > 0.0 ? times(p, p.output.field_interval) + 1.0 : 0.0;
 }
 
-// Measured: 62 MB without frames, 147 MB with 73 frames of 17,665 particles, which are all there at the end of a run.
-constexpr double bytes_a_particle_and_frame = 75.0;
+// Measured: 95 to 102 MB at the end of a run with 73 frames of 17,665 particles, when little else is left.
+constexpr double bytes_a_particle_and_frame = 61.0;
 
 // Measured: six hours of the baseline, 17,665 particles, leave 22.4 MB of fields and 2.2 MB of report in 73 frames,
 // 1.86 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
@@ -83,7 +82,7 @@ Derived derived(const Parameters& p) {
   const double listed = particles_within(2.0 * p.ecm.smoothing_length + p.ecm.verlet_skin, p.ecm);
   d.disk_bytes = disk_bytes(p, n);
   d.memory_bytes =
-      bytes_alone + n * (bytes_a_particle + listed * bytes_a_pair + frames(p) * bytes_a_particle_and_frame);
+      bytes_alone + n * std::max(bytes_a_particle + listed * bytes_a_pair, frames(p) * bytes_a_particle_and_frame);
   const double decades = -std::log10(p.solver.tolerance);
   const double solve = p.solver.method == SolverMethod::multigrid
                            ? seconds_a_pair_and_decade
