@@ -70,7 +70,7 @@ private:
 };
 
 std::string block(std::string_view content) {
-  const std::string stored = deflated(content, 3);
+  const std::string stored = deflated(content, 1);
   std::string bytes;
   put(bytes, BlockHead{stored.size(), content.size(), XXH3_64bits(stored.data(), stored.size())});
   return bytes + stored;

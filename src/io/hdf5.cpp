@@ -73,7 +73,7 @@ Handle undated() {
 
 /// One chunk a frame, compressed.
 Handle frame_by_frame(std::vector<hsize_t> shape) {
-  constexpr unsigned level = 5; // of 9
+  constexpr unsigned level = 2; // of 9
   Handle creation = undated();
   shape[0] = 1;
   require(H5Pset_chunk(creation.id(), static_cast<int>(shape.size()), shape.data()), "no chunks");
