@@ -34,7 +34,7 @@ FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Referen
 
 Workspace::Workspace(const State& s, const Parameters& p)
     : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
-      neighbours(2.0 * (p.ecm.smoothing_length + p.ecm.drag_lag), p.ecm.verlet_skin), solver(make_solver(s, p)), limits(step_limits(p)),
-      elastic_share(matrigrate::elastic_share(p, limits)) {}
+      neighbours(2.0 * (p.ecm.smoothing_length + p.ecm.drag_lag), p.ecm.verlet_skin), solver(make_solver(s, p)),
+      limits(step_limits(p)), elastic_share(matrigrate::elastic_share(p, limits)) {}
 
 } // namespace matrigrate
