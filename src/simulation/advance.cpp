@@ -19,7 +19,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -171,30 +170,19 @@ constexpr int halvings = 6; // of a step, at most
 
 double shortest_step(const Parameters& p) { return p.run.time_step / (1 << halvings); }
 
-/// Speed of the fastest particle in the last step [um/s].
-double fastest(const State& s) {
-  double v2 = 0.0;
-  for (const Vec2& v : s.ecm.v) v2 = std::max(v2, v.squaredNorm());
-  for (const Vec2& v : s.cortex.v) v2 = std::max(v2, v.squaredNorm());
-  return std::sqrt(v2);
-}
-
 /// The next step of the adaptive integrator: as long as s.t, a multiple of it, allows, and halved until nothing moves
-/// further than a step of the paper lets it at a recoil. What the last speeds would not allow is not tried.
+/// further than a step of the paper lets it at a recoil.
 void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   const double shortest = shortest_step(p);
   const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << halvings);
   Parameters now = p;
   now.run.time_step =
       at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
-  const double furthest = 0.2 * p.ecm.particle_spacing;
-  const double speed = fastest(s);
-  while (now.run.time_step > 1.5 * shortest && speed * now.run.time_step > furthest) now.run.time_step *= 0.5;
   for (;; now.run.time_step *= 0.5) {
     const bool last = now.run.time_step < 1.5 * shortest;
     try {
       return advance(s, now, w, loads,
-                     {.furthest_move = last ? 0.5 * p.ecm.particle_spacing : furthest, .may_cross = last});
+                     {.furthest_move = (last ? 0.5 : 0.2) * p.ecm.particle_spacing, .may_cross = last});
     } catch (const StepTooLong&) {
       if (last) throw;
     }

@@ -1,3 +1,4 @@
+#include "ecm/deformation.hpp"
 #include "ecm/material.hpp"
 #include "ecm/stress.hpp"
 #include "observe/reaction.hpp"
@@ -37,7 +38,7 @@ Reading read(const Specimen& a) {
     Y.push_back(ecm.X[i].y());
     u_x.push_back(ecm.displacement(i).x());
     u_y.push_back(ecm.displacement(i).y());
-    P_xx += piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), a.w.solid.F(ecm, i))(0, 0);
+    P_xx += piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), deformation_gradient(ecm, a.w.reference, i))(0, 0);
   }
   const Vec2 grip = clamp_force(a.s, a.p, a.w, [](const Vec2& at) { return at.x() > 0.0; });
   return {.strain_x = fit_line(X, u_x).slope,

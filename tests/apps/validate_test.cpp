@@ -52,12 +52,12 @@ TEST_F(Program, ValidateWritesNothingOnABadConfiguration) {
 }
 
 TEST_F(Program, ACaseThatDoesNotHoldIsWrittenAndIsAFailure) {
-  // Solved to 10 % only, the layer cannot creep to within 1 % of the closed form.
-  const Ended ended = run("validate creep --set solver.tolerance=0.1");
+  // Solved to 10 % only, the layer cannot relax as the closed form does.
+  const Ended ended = run("validate relaxation --set solver.tolerance=0.1");
   EXPECT_EQ(ended.code, 4);
   EXPECT_TRUE(contains(ended.out, "does not hold")) << ended.out;
-  for (const char* file : {"creep.csv", "creep.svg", "report.html"})
-    EXPECT_TRUE(exists(std::string("validate-creep/") + file)) << file;
+  for (const char* file : {"relaxation.csv", "relaxation.svg", "report.html"})
+    EXPECT_TRUE(exists(std::string("validate-relaxation/") + file)) << file;
 }
 
 TEST_F(Program, ANumericalFailureEndsItsCaseOnly) {
