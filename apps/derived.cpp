@@ -41,8 +41,8 @@ double frames(const Parameters& p) {
 // Measured: 95 to 102 MB at the end of a run with 73 frames of 17,665 particles, when little else is left.
 constexpr double bytes_a_particle_and_frame = 61.0;
 
-// Measured: six hours of the baseline, 17,665 particles, leave 22.4 MB of fields and 2.2 MB of report in 73 frames,
-// 1.86 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
+// Measured: six hours of the baseline, 17,665 particles, leave 23.0 MB of fields and 2.2 MB of report in 73 frames,
+// 3.17 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
 double disk_bytes(const Parameters& p, double particles) {
   const OutputParameters& out = p.output;
   const bool fibres = p.fibres.arrangement != FibreArrangement::none;
@@ -50,7 +50,7 @@ double disk_bytes(const Parameters& p, double particles) {
       out.pictures ? 1.0 + (out.displacement_layer ? 1.0 : 0.0) + (fibres && out.fibre_stress_layer ? 1.0 : 0.0) : 0.0;
   return 8e4 + 250.0 * (times(p, out.track_interval) + 2.0)
          + particles
-               * (frames(p) * (17.4 + (out.report ? 1.7 : 0.0)) + 105.0 * (2.0 + times(p, out.kept_checkpoint_interval))
+               * (frames(p) * (17.9 + (out.report ? 1.7 : 0.0)) + 180.0 * (2.0 + times(p, out.kept_checkpoint_interval))
                   + 17.0 * layers * (times(p, out.snapshot_interval) + 1.0));
 }
 

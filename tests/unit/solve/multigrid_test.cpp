@@ -113,6 +113,8 @@ TEST_P(MultigridOn, TakesNoIterationFromTheSolution) {
   EXPECT_EQ(v, before);
 }
 
+// Iterations from rest to 1e-6, at most. The grids stay over the reference: a matrix stirred through 6 radians
+// takes 43.
 INSTANTIATE_TEST_SUITE_P(Cases, MultigridOn,
                          testing::Values(Case{"matrix", false, false, -1, 12},
                                          Case{"stirred_matrix", false, true, -1, 50}, Case{"cell", false, false, 0, 20},
