@@ -14,12 +14,12 @@ namespace matrigrate::apps {
 
 namespace {
 
-// Measured with one thread on a server (AMD EPYC), release build: six hours of the baseline at 3.3 ms a step of 17,665
-// particles, 7,200 adaptive steps of 3 s at 5.8 ms; a decade of the tolerance costs 0.35 ms. A run takes 66 MB before
+// Measured with one thread on a server (AMD EPYC), release build: six hours of the baseline at 2.9 ms a step of 17,665
+// particles, 9,000 adaptive steps of 2.4 s at 3.8 ms; a decade of the tolerance costs 0.3 ms. A run takes 70 MB before
 // its end. Conjugate gradients took 3.4 R/h iterations to 1e-6.
-constexpr double seconds_a_pair = 4.2e-9;
-constexpr double seconds_a_pair_and_decade = 0.8e-9;
-constexpr double of_longer_steps = 1.7; // a step of the adaptive integrator, halved ones included
+constexpr double seconds_a_pair = 3.8e-9;
+constexpr double seconds_a_pair_and_decade = 0.7e-9;
+constexpr double of_longer_steps = 1.3; // a step of the adaptive integrator, halved ones included
 constexpr double seconds_a_pair_and_iteration = 1.0e-9;
 constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
 constexpr double bytes_alone = 20e6;
@@ -38,11 +38,11 @@ double frames(const Parameters& p) {
   return p.output.field_interval > 0.0 ? times(p, p.output.field_interval) + 1.0 : 0.0;
 }
 
-// Measured: 95 to 102 MB at the end of a run with 73 frames of 17,665 particles, when little else is left.
-constexpr double bytes_a_particle_and_frame = 61.0;
+// Measured: 76 to 85 MB at the end of a run with 73 frames of 17,665 particles, when little else is left.
+constexpr double bytes_a_particle_and_frame = 50.0;
 
-// Measured: six hours of the baseline, 17,665 particles, leave 23.0 MB of fields and 2.2 MB of report in 73 frames,
-// 3.17 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
+// Measured: six hours of the baseline, 17,665 particles, leave 25.4 MB of fields and 2.3 MB of report in 73 frames,
+// 3.2 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
 double disk_bytes(const Parameters& p, double particles) {
   const OutputParameters& out = p.output;
   const bool fibres = p.fibres.arrangement != FibreArrangement::none;
@@ -50,7 +50,7 @@ double disk_bytes(const Parameters& p, double particles) {
       out.pictures ? 1.0 + (out.displacement_layer ? 1.0 : 0.0) + (fibres && out.fibre_stress_layer ? 1.0 : 0.0) : 0.0;
   return 8e4 + 250.0 * (times(p, out.track_interval) + 2.0)
          + particles
-               * (frames(p) * (17.9 + (out.report ? 1.7 : 0.0)) + 180.0 * (2.0 + times(p, out.kept_checkpoint_interval))
+               * (frames(p) * (19.7 + (out.report ? 1.7 : 0.0)) + 180.0 * (2.0 + times(p, out.kept_checkpoint_interval))
                   + 17.0 * layers * (times(p, out.snapshot_interval) + 1.0));
 }
 
@@ -93,8 +93,8 @@ Derived derived(const Parameters& p) {
 }
 
 std::string wall_time_basis() {
-  return "The wall time rests on the measured cost of the baseline on one core of a server: 4.2 ns a step for each\n"
-         "listed pair of particles, and 0.8 ns for each decade of solver.tolerance; 1.7 times that for each step of "
+  return "The wall time rests on the measured cost of the baseline on one core of a server: 3.8 ns a step for each\n"
+         "listed pair of particles, and 0.7 ns for each decade of solver.tolerance; 1.3 times that for each step of "
          "the\n"
          "adaptive integrator. A machine with other work to do takes longer.";
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <malloc.h>
+
 #include <csignal>
 #include <exception>
 #include <system_error>
@@ -71,7 +73,8 @@ int complain(std::string_view what, ExitCode code) {
 int main(int argc, char** argv) {
   using namespace matrigrate;
   using namespace matrigrate::apps;
-  std::signal(SIGXFSZ, SIG_IGN); // a file that passes a size limit is an error like others, not the end
+  ::mallopt(M_MMAP_THRESHOLD, 4 << 20); // what is larger grows in place, and goes back to the system at once
+  std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {

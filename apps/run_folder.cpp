@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include <malloc.h>
+
 #include <cmath>
 #include <span>
 #include <utility>
@@ -162,6 +164,7 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed) {
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
   if (!m_p.output.report) return;
+  ::malloc_trim(0); // before all frames that are played are in memory
   const io::Film film = m_frames ? io::read_film(m_folder, io::keep_what_is_played) : io::Film{};
   write_file(m_folder / "report.html",
              io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p),

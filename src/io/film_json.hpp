@@ -8,7 +8,7 @@
 namespace matrigrate::io {
 
 /// Takes away what the player does not show, where memory counts.
-inline void keep_what_is_played(Frame& frame) { frame.matrix.velocity = {}; }
+inline void keep_what_is_played(Frame& frame) { Floats().swap(frame.matrix.velocity); }
 
 /// @return null if there are no frames
 nlohmann::ordered_json film_json(const Film& film);

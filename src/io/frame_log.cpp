@@ -1,13 +1,13 @@
 #include "io/frame_log.hpp"
 
 #include "base/failure.hpp"
+#include "io/deflate.hpp"
 
 #include <xxhash.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
-#include <new>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -28,13 +28,10 @@ void put(std::string& to, const T& value) {
   to.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// The bytes of all numbers, first ones first: neighbouring numbers begin alike, which compresses better.
 template <class T>
 void put_planes(std::string& to, const std::vector<T>& values) {
   put(to, std::uint64_t{values.size()});
-  const auto* bytes = reinterpret_cast<const char*>(values.data());
-  for (std::size_t plane = 0; plane < sizeof(T); ++plane)
-    for (std::size_t i = 0; i < values.size(); ++i) to += bytes[i * sizeof(T) + plane];
+  to += byte_planes(std::span<const T>(values));
 }
 
 /// Takes values from the front of bytes.
@@ -70,7 +67,7 @@ private:
 };
 
 std::string block(std::string_view content) {
-  const std::string stored = deflated(content, 1);
+  const std::string stored = deflated_fast(content);
   std::string bytes;
   put(bytes, BlockHead{stored.size(), content.size(), XXH3_64bits(stored.data(), stored.size())});
   return bytes + stored;
@@ -134,26 +131,6 @@ Frame frame_of(const std::string& content) {
 }
 
 } // namespace
-
-std::string deflated(std::string_view bytes, int level) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(),
-                level)
-      != Z_OK)
-    throw std::bad_alloc();
-  out.resize(size);
-  return out;
-}
-
-std::string inflated(std::string_view bytes, std::size_t size) {
-  std::string out(size, '\0');
-  uLongf got = size;
-  const int status = uncompress(reinterpret_cast<Bytef*>(out.data()), &got,
-                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-  if (status != Z_OK || got != size) throw InputOutputError("compressed bytes cannot be read");
-  return out;
-}
 
 std::string log_bytes(const Film& film) {
   std::string bytes = head_bytes(film.head);

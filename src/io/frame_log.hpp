@@ -18,14 +18,6 @@ namespace matrigrate::io {
 
 inline constexpr const char* frame_log_name = "fields.part";
 
-/// Bytes compressed by zlib, as one stream (RFC 1950). @param level  1 fast to 9 small
-std::string deflated(std::string_view bytes, int level);
-
-/// What deflated() was given.
-/// @param size  of it
-/// @throws InputOutputError if the bytes are no such stream, or give another size
-std::string inflated(std::string_view bytes, std::size_t size);
-
 /// The bytes of a log of these frames.
 std::string log_bytes(const Film& film);
 

@@ -32,9 +32,16 @@ Handle access_in_memory() {
 /// HDF5 takes files in memory of one name for one file, so each has one of its own.
 std::string name_of(const void* owner) { return fmt::format("memory-{}", owner); }
 
+/// HDF5 would keep the memory that a file has used.
+herr_t close_file(hid_t file) {
+  const herr_t status = H5Fclose(file);
+  H5garbage_collect();
+  return status;
+}
+
 Handle new_file(const void* owner) {
   const Handle access = access_in_memory();
-  return {H5Fcreate(name_of(owner).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
+  return {H5Fcreate(name_of(owner).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), close_file,
           "no file could be made"};
 }
 
@@ -42,7 +49,7 @@ Handle file_of(const void* owner, std::string_view image) {
   const Handle access = access_in_memory();
   void* bytes = const_cast<char*>(image.data()); // they are copied
   require(H5Pset_file_image(access.id(), bytes, image.size()), "the image could not be taken");
-  return {H5Fopen(name_of(owner).c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "not an HDF5 file"};
+  return {H5Fopen(name_of(owner).c_str(), H5F_ACC_RDONLY, access.id()), close_file, "not an HDF5 file"};
 }
 
 void add_unit(const Handle& data, std::string_view unit) {
@@ -73,7 +80,7 @@ Handle undated() {
 
 /// One chunk a frame, compressed.
 Handle frame_by_frame(std::vector<hsize_t> shape) {
-  constexpr unsigned level = 2; // of 9
+  constexpr unsigned level = 1; // the least: the chunks are compressed here, and any reader expands them
   Handle creation = undated();
   shape[0] = 1;
   require(H5Pset_chunk(creation.id(), static_cast<int>(shape.size()), shape.data()), "no chunks");
@@ -282,16 +289,22 @@ std::vector<hsize_t> FrameArray::shape_of(std::size_t frames, std::size_t entrie
 
 FrameArray::FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
                        std::string_view unit)
-    : m_type(type), m_shape(std::move(shape)),
+    : m_shape(std::move(shape)),
       m_data(new_array(file.m_file, name, type, m_shape, frame_by_frame(m_shape).id(), without_cache().id())) {
   add_unit(m_data, unit);
 }
 
-void FrameArray::write(std::size_t frame, const void* values, std::size_t size) {
-  const Slab slab = slab_of(m_data, frame);
-  if (slab.size != size) throw std::invalid_argument("a frame is larger or smaller than the others");
-  const Handle memory(H5Screate_simple(1, &slab.size, nullptr), H5Sclose, "no space");
-  require(H5Dwrite(m_data.id(), m_type, memory.id(), slab.space.id(), H5P_DEFAULT, values), "a frame was not written");
+void FrameArray::require_size(std::size_t size) const {
+  hsize_t of_frame = 1;
+  for (std::size_t d = 1; d < m_shape.size(); ++d) of_frame *= m_shape[d];
+  if (size != of_frame) throw std::invalid_argument("a frame is larger or smaller than the others");
+}
+
+void FrameArray::write_chunk(std::size_t frame, const std::string& bytes) {
+  std::vector<hsize_t> offset(m_shape.size(), 0);
+  offset[0] = frame;
+  require(H5Dwrite_chunk(m_data.id(), H5P_DEFAULT, 0, offset.data(), bytes.size(), bytes.data()),
+          "a frame was not written");
 }
 
 } // namespace matrigrate::io

@@ -60,13 +60,5 @@ TEST(FrameLog, EndsWhereItHasBeenChanged) {
   EXPECT_THROW(read_log(log_bytes(film).substr(0, 60)), InputOutputError);
 }
 
-TEST(Deflated, ComesBackAndRefusesWhatItIsNot) {
-  const std::string text(1000, 'x');
-  EXPECT_LT(deflated(text, 6).size(), 50U);
-  EXPECT_EQ(inflated(deflated(text, 6), 1000), text);
-  EXPECT_THROW(inflated(deflated(text, 6), 999), InputOutputError);
-  EXPECT_THROW(inflated("nonsense", 8), InputOutputError);
-}
-
 } // namespace
 } // namespace matrigrate::io

@@ -1,6 +1,6 @@
 #include "io/packed.hpp"
 
-#include "io/frame_log.hpp"
+#include "io/deflate.hpp"
 
 #include <gtest/gtest.h>
 
