@@ -7,6 +7,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace matrigrate {
 
@@ -72,11 +74,45 @@ void advance_row(std::size_t n, std::size_t begin, const double* rho, const doub
   }
 }
 
+/// F - I of the particles of a row [-].
+void displacement_gradients(const EcmState& ecm, const Reference& ref, const RowTerms& terms, const VectorPlanes& fu,
+                            RowTensors& H) {
+  row_gradients(
+      ecm, ref, terms, fu, [&](std::size_t i) { return ecm.displacement(i); }, H);
+}
+
+/// Puts F - I of a row where the sums over neighbours read it, times f, and where partial particles have their F.
+void keep_deformation(const EcmState& ecm, const ParticleRow& row, const RowTensors& H, SolidFields& solid) {
+  for (std::size_t t = 0; t < row.count; ++t) {
+    const std::size_t i = row.begin + t;
+    const double f = ecm.f[i];
+    solid.H.xx[i] = f * H.xx[t], solid.H.xy[i] = f * H.xy[t];
+    solid.H.yx[i] = f * H.yx[t], solid.H.yy[i] = f * H.yy[t];
+  }
+  for (std::size_t t = 0; t < row.count; ++t) {
+    const std::size_t i = row.begin + t;
+    if (ecm.f[i] < 1.0) solid.F_partial[i] = Mat2::Identity() + H[t]; // the identity in the fluid
+  }
+}
+
+/// Rates of deformation [1/s] of a row from the gradients at both ends of a step, where it is intact.
+MATRIGRATE_SIMD
+void rates_of_row(std::size_t n, std::size_t begin, const TensorPlanes& before, const RowTensors& after, double per_dt,
+                  RowTensors& rate) {
+  const double *xx = &before.xx.data()[begin], *xy = &before.xy.data()[begin];
+  const double *yx = &before.yx.data()[begin], *yy = &before.yy.data()[begin];
+  for (std::size_t t = 0; t < n; ++t) {
+    rate.xx[t] = per_dt * (after.xx[t] - xx[t]);
+    rate.xy[t] = per_dt * (after.xy[t] - xy[t]);
+    rate.yx[t] = per_dt * (after.yx[t] - yx[t]);
+    rate.yy[t] = per_dt * (after.yy[t] - yy[t]);
+  }
+}
+
 } // namespace
 
 void SolidFields::resize(std::size_t n) {
-  u.resize(n);
-  v.resize(n);
+  fu.resize(n);
   H.resize(n);
   hourglass.resize(n);
   PB.resize(n);
@@ -86,6 +122,7 @@ void SolidFields::resize(std::size_t n) {
 SolidFields undeformed(std::size_t n) {
   SolidFields solid;
   solid.resize(n);
+  solid.f.assign(n, 1.0);
   return solid;
 }
 
@@ -107,33 +144,62 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
   });
 }
 
+void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& solid) {
+  const std::size_t n = ecm.size();
+  const bool anew = solid.f.size() != n;
+  solid.resize(n);
+  solid.f.resize(n);
+  std::vector<std::uint32_t> changed;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 fu = ecm.f[i] * ecm.displacement(i);
+    if (!anew && ecm.f[i] == solid.f[i] && fu == solid.fu[i]) continue;
+    solid.f[i] = ecm.f[i];
+    solid.fu.set(i, fu);
+    changed.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (changed.empty()) return;
+  constexpr std::size_t few = 16; // one particle in so many
+  std::vector<std::uint8_t> stale(n, few * changed.size() < n ? 0 : 1);
+  if (few * changed.size() < n)
+    for (const std::uint32_t i : changed) {
+      stale[i] = 1;
+      for (const std::uint32_t j : ref.pairs().of(i)) stale[j] = 1;
+    }
+  ref.each_row([&](const RowTerms& terms) {
+    const auto first = stale.begin() + terms.row.begin;
+    constexpr std::size_t lanes = ParticleRows::lanes;
+    std::size_t t = 0;
+    while (t < terms.row.count) { // stretches of stale particles, as long as sums are made at once, or longer
+      const auto end = first + terms.row.count;
+      const auto begin = std::find(first + static_cast<std::ptrdiff_t>(t), end, 1);
+      if (begin == end) break;
+      const auto from = static_cast<std::size_t>(begin - first);
+      t = static_cast<std::size_t>(std::find(begin, end, 0) - first);
+      RowTensors H;
+      RowTerms stretch = terms;
+      if (!terms.row.ragged) {
+        t = std::min<std::size_t>(terms.row.count, std::max(t, from + lanes));
+        stretch.row.begin += static_cast<std::uint32_t>(std::min(from, t - lanes));
+        stretch.row.count = static_cast<std::uint32_t>(terms.row.begin + t - stretch.row.begin);
+      } else {
+        t = terms.row.count;
+      }
+      displacement_gradients(ecm, ref, stretch, solid.fu, H);
+      keep_deformation(ecm, stretch.row, H, solid);
+    }
+  });
+}
+
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force) {
-  const std::size_t n = ecm.size();
   const double K = moduli(p).K;
   const double scale = hourglass_scale(ecm, p);
   const DegradationMoments& lattice = ref.lattice_moments();
-  solid.resize(n);
-  parallel_for(n, [&](std::size_t i) { solid.u.set(i, ecm.f[i] * ecm.displacement(i)); });
-  ref.each_row([&](const RowTerms& terms) {
-    RowTensors H;
-    row_gradients(
-        ecm, ref, terms, solid.u, [&](std::size_t i) { return ecm.displacement(i); }, H);
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
-      const double f = ecm.f[i];
-      solid.H.xx[i] = f * H.xx[t], solid.H.xy[i] = f * H.xy[t];
-      solid.H.yx[i] = f * H.yx[t], solid.H.yy[i] = f * H.yy[t];
-    }
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
-      if (ecm.f[i] < 1.0) solid.F_partial[i] = Mat2::Identity() + H[t]; // the identity in the fluid
-    }
-  });
+  follow_deformation(ecm, ref, solid);
   ref.each_row([&](const RowTerms& terms) {
     RowTensors sum;
     RowVectors hourglass;
-    sum_hourglass(terms, solid.u, solid.H, sum, hourglass);
+    sum_hourglass(terms, solid.fu, solid.H, sum, hourglass);
     std::copy_n(hourglass.x, terms.row.count, solid.hourglass.x.data() + terms.row.begin);
     std::copy_n(hourglass.y, terms.row.count, solid.hourglass.y.data() + terms.row.begin);
     const double per_own = 0.5 * scale / ecm.V0; // what is conjugate to the pair errors, through F_i
@@ -184,23 +250,26 @@ void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmPar
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt) {
   const double G = moduli(p).G;
-  parallel_for(ecm.size(), [&](std::size_t i) { solid.v.set(i, ecm.f[i] * ecm.v[i]); });
+  parallel_for(ecm.size(), [&](std::size_t i) { solid.fu.set(i, ecm.f[i] * ecm.displacement(i)); });
   ref.each_row([&](const RowTerms& terms) {
-    RowTensors rate;
-    row_gradients(
-        ecm, ref, terms, solid.v, [&](std::size_t i) { return ecm.v[i]; }, rate);
     const std::size_t begin = terms.row.begin;
+    const std::size_t n = terms.row.count;
+    RowTensors H, rate;
+    displacement_gradients(ecm, ref, terms, solid.fu, H);
+    rates_of_row(n, begin, solid.H, H, 1.0 / dt, rate);
     Advanced to;
-    advance_row(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, rate, p, G, dt, to);
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
+    advance_row(n, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, rate, p, G, dt, to);
+    for (std::size_t t = 0; t < n; ++t) {
       const std::size_t i = begin + t;
       if (ecm.f[i] == 1.0) {
         ecm.rho[i] = to.rho[t];
         ecm.S[i] = to.S[t];
       } else if (ecm.f[i] > 0.0) {
-        advance_stress_of(ecm, i, rate[t] * solid.F(ecm, i).inverse(), p, dt);
+        const Mat2 change = Mat2::Identity() + H[t] - solid.F_partial[i];
+        advance_stress_of(ecm, i, change / dt * solid.F_partial[i].inverse(), p, dt);
       }
     }
+    keep_deformation(ecm, terms.row, H, solid);
   });
   return count_density_bounds(ecm, p);
 }

@@ -28,8 +28,8 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 
 /// Workspace of the sums over neighbours: fields component by component, times f_degr.
 struct SolidFields {
-  VectorPlanes u{};              ///< displacement [um]
-  VectorPlanes v{};              ///< velocity [um/s]
+  std::vector<double> f{};       ///< degradation for which the fields hold; empty: for none [-]
+  VectorPlanes fu{};             ///< displacement times f [um]
   TensorPlanes H{};              ///< deformation gradient less the identity, F - I [-]
   VectorPlanes hourglass{};      ///< sums of sum_hourglass() [1/um^3]
   TensorPlanes PB{};             ///< corrected first Piola-Kirchhoff stress P_i B_i, 0 in the fluid [kPa]
@@ -47,11 +47,15 @@ struct SolidFields {
 /// Fields of n particles that have not moved.
 SolidFields undeformed(std::size_t n);
 
+/// Brings f, fu, H and F_partial up to date with `ecm`: only around particles of which f or the displacement differs
+/// from what they hold. They have the same bits as if all were computed.
+void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& solid);
+
 /// Adds the elastic forces to `force` [nN]. On particle i
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// @param solid  computed here
+/// @param solid  brought up to date here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);
 
@@ -61,9 +65,10 @@ struct DensityBounds {
   std::size_t above = 0; ///< particles held at density_max
 };
 
-/// Advances density and deviatoric stress of the solid by dt with the velocities of `ecm` (explicit Euler), using
-/// L = dF/dt F^-1 over reference neighbours.
-/// @param solid  F at the start of the step; v is computed here
+/// Advances density and deviatoric stress of the solid by a step of dt that has led to the positions of `ecm` (explicit
+/// Euler), with L = (F_new - F)/dt F^-1 over reference neighbours.
+/// @param solid  at the start of the step, for the degradation of `ecm`; f, fu, H and F_partial at its end are left
+/// there
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace matrigrate {
 
@@ -112,6 +113,11 @@ void add_drag_of_given(const EcmState& ecm, std::size_t row, std::span<const std
 
 } // namespace
 
+void MatrixDrag::forget(std::span<const std::uint8_t> changed) {
+  m_changed.resize(changed.size(), 0);
+  for (std::size_t i = 0; i < changed.size(); ++i) m_changed[i] |= changed[i]; // beside those that wait already
+}
+
 /// Marks the blocks of all particles that are not where they were, and of their neighbours.
 void MatrixDrag::mark(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern) {
   const bool all = m_marks.size() != pattern.blocks();
@@ -119,14 +125,20 @@ void MatrixDrag::mark(std::span<const Vec2> x, const Adjacency& pairs, const Row
   if (m_x.size() != x.size()) {
     m_x.resize(x.size());
     std::ranges::fill(m_x.values(), nowhere);
+    m_seen.assign(x.size(), Vec2(nowhere, nowhere));
   }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (m_x.x()[i] == x[i].x() && m_x.y()[i] == x[i].y()) continue;
-    m_x.x()[i] = x[i].x();
-    m_x.y()[i] = x[i].y();
-    if (all) continue;
-    m_marks[i / lanes] = 1;
-    for (const std::uint32_t j : pairs.of(i)) m_marks[j / lanes] = 1;
+  for (std::size_t row = 0; row < x.size(); row += lanes) {
+    const std::size_t end = std::min(row + lanes, x.size());
+    if (std::memcmp(&m_seen[row], &x[row], (end - row) * sizeof(Vec2)) == 0) continue;
+    m_marks[row / lanes] = 1;
+    for (std::size_t i = row; i < end; ++i) {
+      if (m_seen[i] == x[i]) continue;
+      m_seen[i] = x[i];
+      m_x.x()[i] = x[i].x();
+      m_x.y()[i] = x[i].y();
+      if (all) continue;
+      for (const std::uint32_t j : pairs.of(i)) m_marks[j / lanes] = 1;
+    }
   }
 }
 
@@ -163,6 +175,8 @@ void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const Ec
     if (given_move) add_drag_of_given(ecm, row, distances.first(count), G, A.F);
     return leave_out_given(m_free, row, distances.first(count), G);
   };
+  if (!anew && !m_changed.empty()) A.pairs.fit(pattern, m_changed, m_marks);
+  m_changed.clear();
   if (anew)
     A.pairs.assign(pattern, fill);
   else
@@ -178,9 +192,9 @@ void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const Ec
   });
 }
 
-void follow(EcmState& ecm, const EcmParameters& p) {
+void follow(EcmState& ecm, double lag) {
   if (ecm.x_drag.size() != ecm.size()) ecm.x_drag = ecm.x;
-  const double furthest = p.drag_lag * p.drag_lag;
+  const double furthest = lag * lag;
   for (std::size_t i = 0; i < ecm.size(); ++i)
     if ((ecm.x[i] - ecm.x_drag[i]).squaredNorm() > furthest) ecm.x_drag[i] = ecm.x[i];
 }

@@ -42,20 +42,26 @@ public:
   void assemble(const EcmState& ecm, std::span<const Vec2> x, const EcmParameters& p, const Adjacency& pairs,
                 const RowPattern& pattern, DragSystem& A, double share);
 
-  /// Makes all rows anew in the next call: after another pattern, or where others change the coefficients of A.
+  /// Makes all rows anew in the next call: where others change the coefficients of A.
   void forget() { m_marks.clear(); }
+
+  /// After rows of the list, and so of the pattern, have changed.   @param changed  1 for each row that has
+  void forget(std::span<const std::uint8_t> changed);
 
 private:
   void mark(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern);
 
-  DoubleField m_x;                   // where the particles are, framed by ones that are nowhere
-  Field m_free;                      // 1, or 0 for given ones
-  std::vector<std::uint8_t> m_marks; // of the blocks that are made anew
+  std::vector<Vec2> m_seen;            // where the particles were in the last call
+  DoubleField m_x;                     // the same, framed by particles that are nowhere
+  Field m_free;                        // 1, or 0 for given ones
+  std::vector<std::uint8_t> m_marks;   // of the blocks that are made anew
+  std::vector<std::uint8_t> m_changed; // rows of the pattern since the last call; empty: none
   NodeVectors m_v;
   DoubleField m_zero, m_drag; // minus the drag at the velocities of the last step
 };
 
-/// Lets the positions at which the drag is taken follow: of particles that have moved further than drag_lag from there.
-void follow(EcmState& ecm, const EcmParameters& p);
+/// Lets the positions at which the drag is taken follow: of particles that have moved further than `lag` [um] from
+/// there.
+void follow(EcmState& ecm, double lag);
 
 } // namespace matrigrate

@@ -102,7 +102,7 @@ constexpr std::array rows{
     Row{"ecm.verlet_skin", [](Parameters& p) -> double& { return p.ecm.verlet_skin; }, "um", above(0, 50),
         "", chosen, "Neighbours are listed up to this distance beyond the support; never changes a result", numerical},
     Row{"ecm.drag_lag", [](Parameters& p) -> double& { return p.ecm.drag_lag; }, "um", closed(0, 0.1),
-        "", "MODEL.md, D30", "The drag of a particle is taken anew when it has moved further than this", numerical},
+        "", "MODEL.md, D30", "The drag of a particle is taken anew when it has moved further than this, or the adaptive integrator further in proportion to its step", numerical},
 
     Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
         "", methods, "Fibres between all neighbouring matrix particles, between those along one direction, or none"},
@@ -261,7 +261,7 @@ constexpr std::array rows{
     Row{"solver.method", choice([](Parameters& p) -> SolverMethod& { return p.solver.method; }, solver_methods), "", none,
         "", chosen, "Conjugate gradients, with a multigrid cycle or with the diagonal as preconditioner", numerical},
     Row{"solver.tolerance", [](Parameters& p) -> double& { return p.solver.tolerance; }, "1", above(0, 0.1),
-        "", chosen, "Relative residual at which the drag system counts as solved", numerical},
+        "", chosen, "Relative residual at which the drag system counts as solved; ten times it with multigrid and the adaptive integrator", numerical},
     Row{"solver.max_iterations", [](Parameters& p) -> int& { return p.solver.max_iterations; }, "1", closed(1, 1000000),
         "", chosen, "Iterations after which the solver gives up", numerical},
 };

@@ -55,13 +55,13 @@ void extrapolate(const State& s, std::vector<Vec2>& v) {
 /// Solves A v = F into the velocities of matrix and cortex.
 void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBounds& bounds) {
   std::vector<Vec2>& v = w.v;
-  extrapolate(s, v);
+  if (!bounds.tried_once) extrapolate(s, v);
   w.health.solve = w.solver->solve(w.drag, v);
   if (!w.health.solve.converged)
     throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the drag system was not solved: relative residual "
                                        "{:.3g} after {} iterations, wanted {:.3g}",
                                        s.step + 1, s.t, w.health.solve.residual, w.health.solve.iterations,
-                                       p.solver.tolerance));
+                                       solver_tolerance(p)));
   const double furthest = bounds.furthest_move / p.run.time_step;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].squaredNorm() <= furthest * furthest) continue; // false for what is not a number
@@ -79,20 +79,30 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBou
   s.cortex.v.assign(cell, v.end());
 }
 
-void advance_material(State& s, const Parameters& p, Workspace& w) {
-  const double dt = p.run.time_step;
-  const DensityBounds bounds = p.ecm.formulation == Formulation::total_lagrangian
-                                   ? advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt)
-                                   : advance_current_stress(s.ecm, p.ecm, w.neighbours.pairs(), dt);
-  w.health.density_bounds = bounds.below + bounds.above;
-}
-
 void advance_positions(State& s, const Parameters& p, const Workspace& w) {
   const double dt = p.run.time_step;
   parallel_for(s.ecm.size(), [&](std::size_t i) { s.ecm.x[i] += dt * s.ecm.v[i]; });
   for (std::size_t i = 0; i < s.cortex.size(); ++i) s.cortex.x[i] += dt * s.cortex.v[i];
   spread_evenly(s, p.protrusion, dt);
   move_anchors(s, w.cell.anchor_weights, dt);
+}
+
+/// Positions, density and stress. Reference neighbours give the change of F over the step, current ones its rate at the
+/// start.
+void move(State& s, const Parameters& p, Workspace& w) {
+  const double dt = p.run.time_step;
+  DensityBounds bounds;
+  switch (p.ecm.formulation) {
+  case Formulation::total_lagrangian:
+    advance_positions(s, p, w);
+    bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
+    break;
+  case Formulation::updated_lagrangian:
+    bounds = advance_current_stress(s.ecm, p.ecm, w.neighbours.pairs(), dt);
+    advance_positions(s, p, w);
+    break;
+  }
+  w.health.density_bounds = bounds.below + bounds.above;
 }
 
 /// Degradation around tips, protrusions and body, of the particles met at x(t).
@@ -138,7 +148,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
-  follow(s.ecm, p.ecm);
+  follow(s.ecm, drag_lag(p));
   update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);
@@ -148,9 +158,8 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, co
   assemble_forces(s, p, w, loads);
   solve_velocities(s, p, w, bounds);
 
-  // density, stress, positions
-  advance_material(s, p, w);
-  advance_positions(s, p, w);
+  // positions, density, stress
+  move(s, p, w);
   ++s.step;
   s.t = (std::round(s.t / p.run.time_step) + 1.0) * p.run.time_step;
 
@@ -178,11 +187,12 @@ void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads
   Parameters now = p;
   now.run.time_step =
       at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
-  for (;; now.run.time_step *= 0.5) {
+  for (bool tried_once = false;; tried_once = true, now.run.time_step *= 0.5) {
     const bool last = now.run.time_step < 1.5 * shortest;
     try {
-      return advance(s, now, w, loads,
-                     {.furthest_move = (last ? 0.5 : 0.2) * p.ecm.particle_spacing, .may_cross = last});
+      return advance(
+          s, now, w, loads,
+          {.furthest_move = (last ? 0.5 : 0.2) * p.ecm.particle_spacing, .may_cross = last, .tried_once = tried_once});
     } catch (const StepTooLong&) {
       if (last) throw;
     }

@@ -13,8 +13,9 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {
 
 /// What a step may do.
 struct StepBounds {
-  double furthest_move;  ///< of a particle of matrix or cortex [um]
-  bool may_cross = true; ///< whether the cortex may come to cross itself in the step
+  double furthest_move;    ///< of a particle of matrix or cortex [um]
+  bool may_cross = true;   ///< whether the cortex may come to cross itself in the step
+  bool tried_once = false; ///< whether Workspace::v are the velocities of a longer step from here, which broke a bound
 };
 
 /// The same with other bounds.

@@ -47,9 +47,10 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
 } // namespace
 
 void update_neighbours(const State& s, Workspace& w) {
-  if (!w.neighbours.update(s.ecm.x, s.ecm.period_x)) return;
-  w.drag_pattern = RowPattern(w.neighbours.pairs(), s.ecm.clamped);
-  w.matrix_drag.forget();
+  const std::span<const std::uint8_t> changed = w.neighbours.update(s.ecm.x, s.ecm.period_x);
+  if (changed.empty()) return;
+  w.drag_pattern.update(w.neighbours.pairs(), s.ecm.clamped, changed);
+  w.matrix_drag.forget(changed);
   ++w.health.list_builds;
 }
 

@@ -117,6 +117,17 @@ double elastic_share(const Parameters& p, const StepLimits& limits) {
   return std::max(0.0, 0.5 * p.run.time_step * both - 0.4);
 }
 
+double solver_tolerance(const Parameters& p) {
+  const bool looser = p.run.integrator == Integrator::adaptive && p.solver.method == SolverMethod::multigrid;
+  return (looser ? 10.0 : 1.0) * p.solver.tolerance;
+}
+
+double drag_lag(const Parameters& p) {
+  constexpr double paper = 0.4; // [s]
+  const double steps = p.run.integrator == Integrator::adaptive ? std::max(1.0, p.run.time_step / paper) : 1.0;
+  return steps * p.ecm.drag_lag;
+}
+
 double largest_step(const Parameters& p, const StepLimits& limits) {
   constexpr double beyond = 2.0; // with elastic_share; further out it would govern the motion
   return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * limits.smallest();

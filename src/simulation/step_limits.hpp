@@ -4,7 +4,8 @@
 
 #include <string>
 
-/// How large an explicit step may be. Test: tests/physics/advance_test.cpp; measured by `validate step-limit`.
+/// How large an explicit step may be, and what a longer one leaves open. Test: tests/physics/advance_test.cpp; measured
+/// by `validate step-limit`.
 namespace matrigrate {
 
 /// Largest stable steps of the explicit Euler update; the drag itself is implicit and sets none.
@@ -34,6 +35,14 @@ StepLimits step_limits(const Parameters& p);
 /// for;
 ///         0 for the reference integrator
 double elastic_share(const Parameters& p, const StepLimits& limits);
+
+/// Relative residual at which a step's system counts as solved: solver.tolerance, and ten times it where the adaptive
+/// integrator uses multigrid, whose error stays a hundred times below that of its steps (MODEL.md, D29) [-].
+double solver_tolerance(const Parameters& p);
+
+/// How far a particle may move before its drag is taken anew: ecm.drag_lag, with the adaptive integrator as many times
+/// as its step is longer than the paper's 0.4 s (MODEL.md, D30) [um].
+double drag_lag(const Parameters& p);
 
 /// The largest step that p.run.integrator takes [s].
 double largest_step(const Parameters& p, const StepLimits& limits);

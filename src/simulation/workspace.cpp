@@ -14,15 +14,16 @@ EcmState at_reference(EcmState ecm) {
   return ecm;
 }
 
-std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
+/// @param share  theta, which scales the drag of the matrix, and so its grids
+std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p, double share) {
   if (p.solver.method == SolverMethod::conjugate_gradient || s.ecm.period_x > 0.0)
-    return std::make_unique<ConjugateGradient>(p.solver.tolerance, p.solver.max_iterations);
+    return std::make_unique<ConjugateGradient>(solver_tolerance(p), p.solver.max_iterations);
   const EcmState ecm = at_reference(s.ecm);
   const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, ecm.period_x);
   DragSystem reference;
-  assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), reference);
+  assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), reference, share);
   reference.position = ecm.x;
-  return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, p.solver.tolerance, p.solver.max_iterations);
+  return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, solver_tolerance(p), p.solver.max_iterations);
 }
 
 FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Reference& reference) {
@@ -34,7 +35,7 @@ FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Referen
 
 Workspace::Workspace(const State& s, const Parameters& p)
     : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
-      neighbours(2.0 * (p.ecm.smoothing_length + p.ecm.drag_lag), p.ecm.verlet_skin), solver(make_solver(s, p)),
-      limits(step_limits(p)), elastic_share(matrigrate::elastic_share(p, limits)) {}
+      neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p)), p.ecm.verlet_skin), limits(step_limits(p)),
+      elastic_share(matrigrate::elastic_share(p, limits)), solver(make_solver(s, p, elastic_share)) {}
 
 } // namespace matrigrate

@@ -27,7 +27,7 @@ struct StepHealth {
   std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
   std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
   std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
-  std::size_t list_builds = 0;    ///< neighbour lists built since the start
+  std::size_t list_builds = 0;    ///< times that neighbours were listed anew since the start, here or everywhere
 };
 
 /// The cell at x(t), as far as it is derived from State: its shape, its protrusions, and whom it meets.
@@ -53,9 +53,9 @@ struct Workspace {
   std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]
   Vec2 outer_force = Vec2::Zero(); ///< their part from outside: growth, and loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
+  StepLimits limits;               ///< of the explicit step
+  double elastic_share;            ///< of the drag, against changes of velocity; see step_limits.hpp [-]
   std::unique_ptr<DragSolver> solver;
-  StepLimits limits;                  ///< of the explicit step
-  double elastic_share;               ///< of the drag, against changes of velocity; see step_limits.hpp [-]
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;

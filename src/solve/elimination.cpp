@@ -197,14 +197,14 @@ void Elimination::lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks
   links.close();
 }
 
-void Elimination::add_product(const Field& x, Field& y) {
+void Elimination::add_product(float factor, const Field& x, Field& y) {
   if (m_linked.empty() && m_mixed.size() == 0) return;
   m_t.setZero();
   gather([&x](std::uint32_t k) { return Vec2(x.x()[k], x.y()[k]); });
   if (m_behind > 0) solve_behind();
-  scatter([&y](std::uint32_t k, const Vec2& a) {
-    y.x()[k] += static_cast<float>(a.x());
-    y.y()[k] += static_cast<float>(a.y());
+  scatter([&y, factor](std::uint32_t k, const Vec2& a) {
+    y.x()[k] += factor * static_cast<float>(a.x());
+    y.y()[k] += factor * static_cast<float>(a.y());
   });
 }
 

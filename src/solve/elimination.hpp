@@ -31,8 +31,8 @@ public:
   /// The links for smooth fields.   @param X  where these see the nodes of the matrix [um]
   void lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks& links) const;
 
-  /// y += (S - diagonal() + G) x.
-  void add_product(const Field& x, Field& y);
+  /// y += factor (S - diagonal() + G) x.
+  void add_product(float factor, const Field& x, Field& y);
 
   /// From a right-hand side r of A that of S, in part m: r_m := r_m - A_mc A_cc^-1 r_c.
   void reduce(NodeVectors& r);

@@ -10,8 +10,9 @@ namespace matrigrate {
 namespace {
 
 constexpr double least_reduction = 2e-5; // of a residual in one pass in single precision
-constexpr double margin = 0.8;           // a pass aims at this much of the goal
-constexpr int most_idle = 3;             // passes that do not halve the residual before giving up
+constexpr double trusted = 1e-4; // down to this reduction what a pass says of its residual is true to some per cent
+constexpr double margin = 0.9;   // a pass aims at this much of the goal
+constexpr int most_idle = 3;     // passes that do not halve the residual before giving up
 
 double norm(const NodeVectors& a) {
   double behind = 0.0;
@@ -36,9 +37,10 @@ SolveReport Multigrid::solve(const DragSystem& A, std::span<Vec2> v) {
   if (r > goal) prepare(A);
   int idle = 0;
   while (r > goal && report.iterations < m_max_iterations && idle < most_idle) {
-    correct(r, std::max(margin * goal / r, least_reduction), report);
+    const double reduction = std::max(margin * goal / r, least_reduction);
+    const double left = correct(r, reduction, report);
     const double before = r;
-    r = residual(A);
+    r = left <= reduction && reduction >= trusted ? left * r : residual(A);
     if (!(r < 0.5 * before)) ++idle;
   }
   join(m_v, v);
@@ -68,7 +70,8 @@ void Multigrid::prepare(const DragSystem& A) {
 }
 
 /// Adds to v a correction that takes the residual, r in all, down to `reduction` of itself, up to rounding.
-void Multigrid::correct(double r, double reduction, SolveReport& report) {
+/// @return what is left of it, by the recurrence of conjugate gradients
+double Multigrid::correct(double r, double reduction, SolveReport& report) {
   m_elimination.reduce(m_residual);
   const double per_r = 1.0 / r; // what is solved for is of order 1, whatever the units
   const double* from = m_residual.matrix.values().data();
@@ -91,6 +94,7 @@ void Multigrid::correct(double r, double reduction, SolveReport& report) {
     add_multiple(static_cast<float>(-alpha), m_q, m_r);
     ++report.iterations;
   }
+  const double left = std::sqrt(dot(m_r, m_r));
   for (Vec2& a : m_residual.behind) a *= per_r;
   m_behind.resize(m_residual.behind.size());
   m_elimination.recover(m_residual.behind, m_x, m_behind);
@@ -98,22 +102,27 @@ void Multigrid::correct(double r, double reduction, SolveReport& report) {
   double* v = m_v.matrix.values().data();
   parallel_for(m_x.values().size(), [=](std::size_t k) { v[k] += r * static_cast<double>(x[k]); });
   for (std::size_t a = 0; a < m_behind.size(); ++a) m_v.behind[a] += r * m_behind[a];
+  return left;
 }
 
 /// y = S x.
 void Multigrid::multiply(const Field& x, Field& y) {
   m_pairs->multiply(m_diagonal, x, y);
-  m_elimination.add_product(x, y);
+  m_elimination.add_product(1.0F, x, y);
+}
+
+/// y = r - S x.
+void Multigrid::residual_after(const Field& x, Field& y) {
+  m_pairs->residual(m_diagonal, m_r, x, y);
+  m_elimination.add_product(-1.0F, x, y);
 }
 
 /// z = M^-1 r: smoothed before and after the correction on the grids. Uses q.
 void Multigrid::precondition() {
   assign_product(m_smoother, m_r, m_z);
-  multiply(m_z, m_q);
-  extend(m_r, -1.0F, m_q);
+  residual_after(m_z, m_q);
   m_coarse.add_correction(m_q, m_z);
-  multiply(m_z, m_q);
-  extend(m_r, -1.0F, m_q);
+  residual_after(m_z, m_q);
   add_product(m_smoother, m_q, m_z);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace matrigrate {
 
@@ -110,14 +111,31 @@ void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32
 
 } // namespace
 
-RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given) : m_size(pairs.size()) {
+RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given) { update(pairs, given, {}); }
+
+void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> given,
+                        std::span<const std::uint8_t> changed) {
+  const bool all = m_size != pairs.size() || m_first.empty();
+  const RowPattern before = std::move(*this);
+  *this = {};
+  m_size = pairs.size();
+  m_first.reserve(before.m_first.size());
+  m_distance.reserve(before.m_distance.size());
   m_first.push_back(0);
   const auto is_given = [given](std::size_t i) { return !given.empty() && given[i] != 0; };
-  std::vector<std::int32_t> distances, of_row;
+  std::vector<std::int32_t> distances, of_row, both;
   for (std::size_t row = 0; row < m_size; row += lanes) {
+    const std::size_t end = std::min(m_size, row + lanes);
+    if (!all && std::ranges::find(changed.subspan(row, end - row), 1) == changed.subspan(row, end - row).end()) {
+      const auto same = before.distances(row / lanes);
+      m_distance.insert(m_distance.end(), same.begin(), same.end());
+      m_first.push_back(static_cast<std::uint32_t>(m_distance.size()));
+      m_meets_given.push_back(before.m_meets_given[row / lanes]);
+      continue;
+    }
     distances.clear();
     bool meets = false;
-    for (std::size_t i = row; i < std::min(m_size, row + lanes); ++i) {
+    for (std::size_t i = row; i < end; ++i) {
       if (is_given(i)) {
         meets = true;
         continue;
@@ -127,13 +145,34 @@ RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> giv
         of_row.push_back(static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i));
         meets = meets || is_given(j);
       }
-      if (of_row != distances) distances.insert(distances.end(), of_row.begin(), of_row.end());
+      if (of_row == distances) continue;
+      both.clear();
+      std::ranges::set_union(distances, of_row, std::back_inserter(both));
+      distances.swap(both);
     }
-    std::ranges::sort(distances);
-    distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
     m_distance.insert(m_distance.end(), distances.begin(), distances.end());
     m_first.push_back(static_cast<std::uint32_t>(m_distance.size()));
     m_meets_given.push_back(meets ? 1 : 0);
+  }
+}
+
+void RowBlocks::fit(const RowPattern& pattern, std::span<const std::uint8_t> changed, std::span<std::uint8_t> marks) {
+  for (std::size_t p = 0; p < m_parts.size(); ++p) {
+    const std::size_t begin = p * blocks_per_part;
+    const std::size_t end = std::min(pattern.blocks(), begin + blocks_per_part);
+    const auto rows = changed.subspan(begin * lanes, std::min(m_size, end * lanes) - begin * lanes);
+    if (std::ranges::find(rows, 1) == rows.end()) continue;
+    Part& part = m_parts[p];
+    part.first.clear();
+    std::uint32_t room = 0;
+    for (std::size_t b = begin; b < end; ++b) {
+      part.first.push_back(room);
+      room += static_cast<std::uint32_t>(pattern.distances(b).size());
+      marks[b] = 1;
+    }
+    part.count.resize(part.first.size());
+    part.distance.resize(room);
+    part.coefficient.resize(lanes * room);
   }
 }
 

@@ -20,6 +20,9 @@ public:
   /// @param given  1 for nodes whose velocity is given, 0 for the others; empty: none. Their rows need no partners.
   explicit RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given = {});
 
+  /// After rows of the list have changed; a pattern of another size is made anew.   @param changed  1 for each that has
+  void update(const Adjacency& pairs, std::span<const std::uint8_t> given, std::span<const std::uint8_t> changed);
+
   std::size_t size() const { return m_size; } ///< rows
   std::size_t blocks() const { return m_first.empty() ? 0 : m_first.size() - 1; }
   std::span<const std::int32_t> distances(std::size_t block) const {
@@ -50,7 +53,11 @@ public:
   template <class Fill>
   void assign(const RowPattern& pattern, const Fill& fill);
 
-  /// Fills the blocks anew that are marked with 1.   @param pattern  that of assign()
+  /// Makes room for a pattern of which rows have changed since assign(), and marks the blocks which have lost their
+  /// coefficients thereby with 1.   @param changed  1 for each row that has
+  void fit(const RowPattern& pattern, std::span<const std::uint8_t> changed, std::span<std::uint8_t> marks);
+
+  /// Fills the blocks anew that are marked with 1.   @param pattern  that of assign(), or of fit() since
   template <class Fill>
   void refill(const RowPattern& pattern, std::span<const std::uint8_t> marks, const Fill& fill);
 
@@ -91,22 +98,11 @@ private:
 
 template <class Fill>
 void RowBlocks::assign(const RowPattern& pattern, const Fill& fill) {
+  std::vector<std::uint8_t> marks(pattern.blocks());
   m_size = pattern.size();
   m_parts.resize((pattern.blocks() + blocks_per_part - 1) / blocks_per_part);
-  for (std::size_t p = 0; p < m_parts.size(); ++p) {
-    Part& part = m_parts[p];
-    const std::size_t end = std::min(pattern.blocks(), (p + 1) * blocks_per_part);
-    part.first.clear();
-    std::uint32_t room = 0;
-    for (std::size_t b = p * blocks_per_part; b < end; ++b) {
-      part.first.push_back(room);
-      room += static_cast<std::uint32_t>(pattern.distances(b).size());
-    }
-    part.count.resize(part.first.size());
-    part.distance.resize(room);
-    part.coefficient.resize(lanes * room);
-  }
-  refill(pattern, std::vector<std::uint8_t>(pattern.blocks(), 1), fill);
+  fit(pattern, std::vector<std::uint8_t>(m_size, 1), marks);
+  refill(pattern, marks, fill);
 }
 
 template <class Fill>

@@ -115,14 +115,63 @@ Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period
   return list;
 }
 
-bool VerletList::update(std::span<const Vec2> x, double period_x) {
-  bool valid = m_x_built.size() == x.size();
+std::span<const std::uint8_t> VerletList::update(std::span<const Vec2> x, double period_x) {
+  constexpr std::size_t few = 8; // one particle in so many
+  const bool listed = m_x_listed.size() == x.size();
   const double safe = 0.5 * m_skin;
-  for (std::size_t i = 0; valid && i < x.size(); ++i) valid = (x[i] - m_x_built[i]).squaredNorm() <= safe * safe;
-  if (valid) return false;
+  bool valid = listed;
+  for (std::size_t i = 0; valid && i < x.size(); ++i) valid = (x[i] - m_x_listed[i]).squaredNorm() <= safe * safe;
+  if (valid) return {};
+  const std::vector<std::uint32_t> from_there = listed ? moved(x) : std::vector<std::uint32_t>();
+  if (listed && few * from_there.size() < x.size()) {
+    mend(x, period_x, from_there);
+    return m_changed;
+  }
   m_pairs = neighbours_within(x, m_reach + m_skin, period_x);
-  m_x_built.assign(x.begin(), x.end());
-  return true;
+  m_x_listed.assign(x.begin(), x.end());
+  m_changed.assign(x.size(), 1);
+  return m_changed;
+}
+
+/// Those that would have to be listed anew soon, or at once.
+std::vector<std::uint32_t> VerletList::moved(std::span<const Vec2> x) const {
+  const double soon = 0.25 * m_skin;
+  std::vector<std::uint32_t> moved;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (!((x[i] - m_x_listed[i]).squaredNorm() <= soon * soon)) moved.push_back(static_cast<std::uint32_t>(i));
+  return moved;
+}
+
+/// Lists the moved particles where they are now: their rows, and those of all whom they met or meet, are made anew.
+void VerletList::mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved) {
+  m_changed.assign(x.size(), 0);
+  for (const std::uint32_t i : moved) {
+    m_x_listed[i] = x[i];
+    m_changed[i] = 1;
+    for (const std::uint32_t j : m_pairs.of(i)) m_changed[j] = 1;
+  }
+  const double reach = m_reach + m_skin;
+  const Grid grid = make_grid(m_x_listed, reach, period_x);
+  std::vector<std::uint32_t> partners;
+  for (const std::uint32_t i : moved) add_partners(grid, m_x_listed, i, reach, period_x, partners);
+  for (const std::uint32_t j : partners) m_changed[j] = 1;
+
+  Adjacency list;
+  list.first.reserve(m_pairs.first.size());
+  list.index.reserve(m_pairs.index.size() + partners.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto begin = static_cast<std::ptrdiff_t>(list.index.size());
+    list.first.push_back(static_cast<std::uint32_t>(begin));
+    if (m_changed[i] == 0) {
+      const auto row = m_pairs.of(i);
+      list.index.insert(list.index.end(), row.begin(), row.end());
+      continue;
+    }
+    add_partners(grid, m_x_listed, i, reach, period_x, list.index);
+    std::sort(list.index.begin() + begin, list.index.end());
+  }
+  list.first.push_back(static_cast<std::uint32_t>(list.index.size()));
+  std::swap(m_pairs, list);
 }
 
 } // namespace matrigrate

@@ -3,6 +3,7 @@
 #include "base/adjacency.hpp"
 #include "base/vector.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,25 +18,31 @@ namespace matrigrate {
 /// @throws std::invalid_argument if a period holds fewer than three cells of size `reach`, or a position is not finite
 Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period_x);
 
-/// A list that stays valid while particles move: it reaches `skin` further than asked for and is built again once two
-/// particles could have come closer than that unseen (Verlet 1967). Pairs in the skin carry zero kernel weights, and
-/// rows are sorted, so sums over the list have the same bits whenever it was last built.
+/// A list that stays valid while particles move: it reaches `skin` further than asked for and is mended once two
+/// particles could have come closer than that unseen (Verlet 1967), where particles have moved if these are few. Pairs
+/// in the skin carry zero kernel weights, and rows are sorted, so sums over the list have the same bits whenever it was
+/// last mended.
 class VerletList {
 public:
   /// @param reach  pairs up to this distance are always listed [um]
   /// @param skin   extra distance [um], > 0
   VerletList(double reach, double skin) : m_reach(reach), m_skin(skin) {}
 
-  /// Makes the list valid for the positions x.  @return whether it was built again
-  bool update(std::span<const Vec2> x, double period_x);
+  /// Makes the list valid for the positions x.
+  /// @return 1 for each row that was made anew, 0 for the others; empty if none was
+  std::span<const std::uint8_t> update(std::span<const Vec2> x, double period_x);
 
   const Adjacency& pairs() const { return m_pairs; }
 
 private:
+  std::vector<std::uint32_t> moved(std::span<const Vec2> x) const;
+  void mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved);
+
   double m_reach;
   double m_skin;
-  std::vector<Vec2> m_x_built;
-  Adjacency m_pairs;
+  std::vector<Vec2> m_x_listed; // where each particle was when its row was last made
+  Adjacency m_pairs;            // those of neighbours_within(m_x_listed, m_reach + m_skin)
+  std::vector<std::uint8_t> m_changed;
 };
 
 } // namespace matrigrate

@@ -35,6 +35,10 @@ void move_rigidly(EcmState& ecm, double angle, const Vec2& shift, double spin, c
   }
 }
 
+void move_on(EcmState& ecm, double dt) {
+  for (std::size_t i = 0; i < ecm.size(); ++i) ecm.x[i] += dt * ecm.v[i];
+}
+
 struct Forces {
   SolidFields solid;
   std::vector<Vec2> force;
@@ -56,6 +60,7 @@ std::pair<double, double> stress_and_force(const Parameters& p) {
   const double force_scale = p.ecm.youngs_modulus * p.ecm.particle_spacing * p.ecm.thickness;
   double force = 0.0;
   for (const Vec2& f : a.force) force = std::max(force, f.norm() / force_scale);
+  move_on(ecm, p.run.time_step);
   advance_stress(ecm, p.ecm, ref, a.solid, p.run.time_step);
   double stress = 0.0;
   for (std::size_t i = 0; i < ecm.size(); ++i)
@@ -73,6 +78,7 @@ double turned_stress_error(const Parameters& p, int n) {
   for (int k = 0; k < n; ++k) {
     move_rigidly(ecm, k * step, Vec2::Zero(), step, Vec2::Zero());
     SolidFields solid = elastic_forces(ecm, p, ref).solid;
+    move_on(ecm, 1.0);
     advance_stress(ecm, p.ecm, ref, solid, 1.0);
   }
   const Mat2 R = Eigen::Rotation2Dd(0.5 * std::numbers::pi).toRotationMatrix();

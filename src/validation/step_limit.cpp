@@ -27,9 +27,7 @@ bool stable(const Parameters& p, double dt) {
   }
   // displaced particles must carry the stress of their displacement, or there is nothing to return to
   SolidFields at_rest = undeformed(a.s.ecm.size());
-  for (std::size_t i = 0; i < a.s.ecm.size(); ++i) a.s.ecm.v[i] = a.s.ecm.displacement(i);
   advance_stress(a.s.ecm, q.ecm, a.w.reference, at_rest, 1.0);
-  for (Vec2& v : a.s.ecm.v) v.setZero();
   try {
     for (int step = 0; step < 400; ++step) advance(a.s, q, a.w);
   } catch (const NumericalFailure&) {

@@ -209,6 +209,20 @@ TEST(ElasticShare, BearsStepsBeyondTheLimitOfTheExplicitStep) {
   EXPECT_GT(energy_left(p), 1e3);
 }
 
+TEST(AdaptiveStep, LeavesOpenWhatIsSmallBesideItsOwnError) {
+  Parameters p = small();
+  EXPECT_EQ(solver_tolerance(p), p.solver.tolerance);
+  EXPECT_EQ(drag_lag(p), p.ecm.drag_lag);
+  p.run.integrator = Integrator::adaptive;
+  p.run.time_step = 2.4;
+  EXPECT_DOUBLE_EQ(solver_tolerance(p), 10.0 * p.solver.tolerance);
+  EXPECT_DOUBLE_EQ(drag_lag(p), 6.0 * p.ecm.drag_lag);
+  p.run.time_step = 0.1;
+  EXPECT_EQ(drag_lag(p), p.ecm.drag_lag);
+  p.solver.method = SolverMethod::conjugate_gradient; // whose error is thirty times that of multigrid
+  EXPECT_EQ(solver_tolerance(p), p.solver.tolerance);
+}
+
 TEST(AdaptiveStep, MeetsTheMultiplesOfTheLongestStepAndHalvesWhereThingsMoveFar) {
   Parameters p = small();
   p.run.integrator = Integrator::adaptive;

@@ -126,11 +126,50 @@ TEST(StressUpdate, HoldsAndCountsTheBoundsOfDensity) {
   EcmState ecm = rectangle(p, 30.0, 24.0, 0.0);
   const Reference ref(ecm, p);
   SolidFields solid = undeformed(ecm.size());
-  for (std::size_t i = 0; i < ecm.size(); ++i) ecm.v[i] = -0.5 * ecm.X[i]; // implosion
+  const auto implode = [&](double share) {
+    for (std::size_t i = 0; i < ecm.size(); ++i) ecm.x[i] = (1.0 - share) * ecm.X[i];
+  };
+  implode(0.05);
   EXPECT_EQ(advance_stress(ecm, p, ref, solid, 0.1).above, 0U);
   EXPECT_NEAR(ecm.rho[0], 1.1, 1e-12);
+  implode(0.9);
   EXPECT_EQ(advance_stress(ecm, p, ref, solid, 2.0).above, ecm.size());
   EXPECT_EQ(ecm.rho[0], p.density_max);
+}
+
+namespace {
+
+void expect_same(const SolidFields& a, const SolidFields& b, const EcmState& ecm) {
+  EXPECT_EQ(a.f, b.f);
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    EXPECT_EQ(a.fu[i], b.fu[i]);
+    EXPECT_EQ(a.H[i], b.H[i]);
+    EXPECT_EQ(a.F(ecm, i), b.F(ecm, i));
+  }
+}
+
+} // namespace
+
+TEST(Deformation, FollowedHereAndThereHasTheSameBitsAsIfAllWereComputed) {
+  const EcmParameters p;
+  EcmState ecm = deformed_body(p);
+  Reference ref(ecm, p);
+  SolidFields kept;
+  for (std::size_t step = 0; step < 5; ++step) {
+    follow_deformation(ecm, ref, kept);
+    SolidFields anew;
+    follow_deformation(ecm, ref, anew);
+    expect_same(kept, anew, ecm);
+    for (std::size_t i = 0; i < ecm.size(); ++i) ecm.x[i] += 0.01 * ecm.v[i];
+    advance_stress(ecm, p, ref, kept, 0.01);
+    SolidFields after;
+    follow_deformation(ecm, ref, after);
+    expect_same(kept, after, ecm);
+    ecm.f[37 + 5 * step] *= 0.5; // what happens between steps
+    ecm.f[101 + step] = 0.0;
+    ecm.x[150 - step] += Vec2(0.1, -0.2);
+    ref.update(ecm);
+  }
 }
 
 TEST(StressUpdate, LeavesFluidAlone) {
@@ -139,6 +178,7 @@ TEST(StressUpdate, LeavesFluidAlone) {
   const Reference ref(ecm, p);
   const EcmState before = ecm;
   SolidFields solid = forces_of(ecm, p, ref).solid;
+  for (std::size_t i = 0; i < ecm.size(); ++i) ecm.x[i] += 0.1 * ecm.v[i];
   advance_stress(ecm, p, ref, solid, 0.1);
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     EXPECT_EQ(ecm.f[i] == 0.0, ecm.S[i] == before.S[i]);

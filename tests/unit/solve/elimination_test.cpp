@@ -58,7 +58,7 @@ TEST(Elimination, GivesTheSchurComplement) {
     from.x()[i] = static_cast<float>(x[static_cast<long>(2 * i)]);
     from.y()[i] = static_cast<float>(x[static_cast<long>(2 * i + 1)]);
   }
-  s.elimination.add_product(from, to);
+  s.elimination.add_product(1.0F, from, to);
   for (std::size_t i = 0; i < from.size(); ++i) {
     Vec2 y = s.elimination.diagonal()[i] * Vec2(from.x()[i], from.y()[i]) + Vec2(to.x()[i], to.y()[i]);
     s.body.A.pairs.each_of_row(i, [&](std::size_t j, float G) { y -= G * Vec2(from.x()[j], from.y()[j]); });

@@ -82,6 +82,16 @@ TEST_P(MultigridOn, TakesFewIterations) {
   EXPECT_NEAR(report.residual, relative_residual(now.A, v), 1e-10);
 }
 
+TEST_P(MultigridOn, KnowsItsResidualWhereItIsNotComputedAnew) {
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 2e-4}) { // reductions that are believed
+    std::vector<Vec2> v(now.A.size(), Vec2::Zero());
+    const SolveReport report = Multigrid(reference.A, 2.0, tolerance, 200).solve(now.A, v);
+    const double residual = relative_residual(now.A, v);
+    EXPECT_LE(residual, tolerance);
+    EXPECT_NEAR(report.residual, residual, 0.02 * residual) << tolerance;
+  }
+}
+
 TEST_P(MultigridOn, HasTheSameBitsForAnyNumberOfThreads) {
   std::vector<std::vector<Vec2>> v;
   for (const std::size_t threads : {1, 2, 4}) {

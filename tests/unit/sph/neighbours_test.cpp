@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -64,17 +65,62 @@ TEST(Neighbours, RefuseWhatCannotBeListed) {
 TEST(VerletList, IsBuiltAgainBeforeAPairCanBeMissed) {
   std::vector<Vec2> x{{0.0, 0.0}, {7.0, 0.0}};
   VerletList list(5.2, 1.0);
-  EXPECT_TRUE(list.update(x, 0.0));
+  EXPECT_EQ(list.update(x, 0.0).size(), 2U);
   EXPECT_EQ(list.pairs().pairs(), 0U);
   int builds = 0;
   for (int step = 0; step < 40; ++step) { // both approach, 0.1 um a step together
     x[0].x() += 0.05;
     x[1].x() -= 0.05;
-    if (list.update(x, 0.0)) ++builds;
+    if (!list.update(x, 0.0).empty()) ++builds;
     if ((x[1] - x[0]).norm() <= 5.2) {
       EXPECT_EQ(list.pairs().pairs(), 2U);
     }
   }
   EXPECT_GE(builds, 2);
   EXPECT_LE(builds, 5);
+}
+
+TEST(VerletList, MendedWhereParticlesMoveIsAsBuiltThere) {
+  for (const double period : {0.0, 50.0}) {
+    std::vector<Vec2> x = scattered(1000, 50.0, 60.0);
+    constexpr double reach = 4.0, skin = 0.5;
+    VerletList list(reach, skin);
+    list.update(x, period);
+    std::size_t mended = 0;
+    for (int step = 0; step < 60; ++step) { // one swims through the others, a few shake
+      x[17] += Vec2(0.1, 0.07);
+      for (std::size_t k = 100; k < 110; ++k) x[k].x() += 0.04 * std::sin(0.2 * step + static_cast<double>(k));
+      const Adjacency before = list.pairs();
+      const auto changed = list.update(x, period);
+      const Adjacency within = neighbours_within(x, reach, period);
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        const auto row = list.pairs().of(i);
+        EXPECT_TRUE(std::ranges::is_sorted(row));
+        EXPECT_TRUE(std::ranges::includes(row, within.of(i))) << "particle " << i << ", step " << step;
+        for (const std::uint32_t j : row) { // symmetric, and no further than it ever reaches
+          EXPECT_TRUE(std::ranges::binary_search(list.pairs().of(j), static_cast<std::uint32_t>(i)));
+          EXPECT_LE(nearest_image(x[i] - x[j], period).norm(), reach + 2.0 * skin);
+        }
+        if (!changed.empty() && changed[i] == 0) {
+          EXPECT_TRUE(std::ranges::equal(row, before.of(i)));
+          ++kept;
+        }
+      }
+      if (kept > 0) ++mended;
+    }
+    EXPECT_GE(mended, 10U);
+  }
+}
+
+TEST(VerletList, IsBuiltEverywhereWhereAllMove) {
+  std::vector<Vec2> x = scattered(100, 20.0, 20.0);
+  VerletList list(4.0, 0.5);
+  list.update(x, 0.0);
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] *= 1.1;
+  const auto changed = list.update(x, 0.0);
+  EXPECT_EQ(std::ranges::count(changed, 1), 100);
+  const Adjacency all = neighbours_within(x, 4.5, 0.0);
+  EXPECT_EQ(list.pairs().index, all.index);
+  EXPECT_EQ(list.pairs().first, all.first);
 }
