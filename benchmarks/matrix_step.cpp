@@ -79,6 +79,7 @@ void solve(benchmark::State& state) {
 void stress(benchmark::State& state) {
   const Pulled a(static_cast<double>(state.range(0)));
   EcmState ecm = a.s.ecm;
+  follow_deformation(ecm, a.w->reference, a.w->solid);
   for (auto _ : state) benchmark::DoNotOptimize(advance_stress(ecm, a.p.ecm, a.w->reference, a.w->solid, 1e-9));
   count(state, a);
 }
