@@ -19,9 +19,17 @@ namespace matrigrate::apps {
 namespace {
 
 /// What happens between fork and exec; only calls that a signal handler may make.
-[[noreturn]] void become(char* const* arguments, int output, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, int output, pid_t parent, const sigset_t& blocked) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(128 + SIGTERM); // it ended before the line above
+  for (int signal = 1; signal < 32; ++signal) { // what comes from here on is for the command, not for handlers of here
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action.sa_handler = SIG_DFL;
+    action.sa_flags = 0;
+    ::sigaction(signal, &action, nullptr);
+  }
+  ::pthread_sigmask(SIG_SETMASK, &blocked, nullptr);
   const int input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   ::dup2(input, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
@@ -30,15 +38,16 @@ namespace {
   ::_exit(no_such_program);
 }
 
-/// Whether a process catches a signal and none of it is under way: from /proc, where it can be read.
-bool listens(pid_t id, int signal) {
+/// Whether a process catches a signal and does not block it: from /proc, where it can be read.
+bool catches(pid_t id, int signal) {
   std::ifstream status(fmt::format("/proc/{}/status", id));
-  const unsigned long long bit = 1ULL << (signal - 1);
   bool caught = false;
   for (std::string line; std::getline(status, line);) {
-    const auto mask = [&] { return std::stoull(line.substr(line.find(':') + 1), nullptr, 16); };
-    if ((line.starts_with("SigPnd:") || line.starts_with("ShdPnd:")) && (mask() & bit) != 0) return false;
-    if (line.starts_with("SigCgt:")) caught = (mask() & bit) != 0;
+    const auto has = [&] {
+      return ((std::stoull(line.substr(line.find(':') + 1), nullptr, 16) >> (signal - 1)) & 1U) != 0;
+    };
+    if (line.starts_with("SigBlk:") && has()) return false;
+    if (line.starts_with("SigCgt:")) caught = has();
   }
   return caught;
 }
@@ -52,8 +61,13 @@ Child::Child(std::vector<std::string> command, int output) : m_id(-1) {
   for (std::string& word : command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid();
+  sigset_t every;
+  sigset_t before;
+  ::sigfillset(&every);
+  ::pthread_sigmask(SIG_SETMASK, &every, &before);
   m_id = ::fork();
-  if (m_id == 0) become(arguments.data(), output, parent);
+  if (m_id == 0) become(arguments.data(), output, parent, before);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (m_id < 0)
     throw InputOutputError(
         fmt::format("{}: no process can be made: {}", command.front(), std::generic_category().message(errno)));
@@ -68,8 +82,8 @@ std::optional<int> Child::ended() {
 }
 
 void Child::pass_on(int signal) {
-  if (m_told || m_ended || !listens(m_id, signal)) return;
-  m_told = ::kill(m_id, signal) == 0;
+  if (m_told || m_ended || !catches(m_id, signal)) return;
+  m_told = ::sigqueue(m_id, signal, {}) == 0;
 }
 
 } // namespace matrigrate::apps

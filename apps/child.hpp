@@ -21,9 +21,8 @@ public:
   /// How it ended: its exit code, or 128 + the number of the signal that ended it; none while it runs.
   std::optional<int> ended();
 
-  /// Passes on SIGINT or SIGTERM, once, and only when the command listens: while it does not catch the signal it is
-  /// only starting, has received it by another way already, or is writing its last files. To be called again until it
-  /// ends.
+  /// Passes on SIGINT or SIGTERM, once, and only when the command catches it: before, it is only starting. Does nothing
+  /// to a command that has received one by another way already (StopSignal). To be called again until it ends.
   void pass_on(int signal);
 
 private:

@@ -73,7 +73,8 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
       "the break; one that is done is left as it is.\n"
       "--json prints {folder, report, summary: {read-outs}, and all keys of run.json}.\n"
       "Ctrl-C ends the run after its current step with a checkpoint and the exit code 130; SIGTERM, SIGUSR1, SIGHUP\n"
-      "and --wall-time do so with the code 75, which asks to be started again.");
+      "and --wall-time do so with the code 75, which asks to be started again. A second signal, more than a second\n"
+      "later, ends it at once. Under nohup SIGHUP is ignored.");
   const auto options = std::make_shared<Options>();
   options->command_line = std::move(command_line);
   verb->add_option("FILE", options->file, "A scenario file")->required();

@@ -81,7 +81,6 @@ private:
   }
 
   void march_to_end() {
-    const StopSignal stop;
     Progress progress(m_p.run.duration, m_manner.quiet || m_manner.json);
     const Clock::time_point start = Clock::now();
     const auto note_time = [&] {
@@ -193,6 +192,7 @@ private:
     }
   }
 
+  StopSignal m_stop; // before there is a folder, and until its last file is written
   Manner m_manner;
   State m_s;
   Parameters m_p;

@@ -41,6 +41,20 @@ protected:
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(base / "out"), text_of(base / "err")};
   }
 
+  /// Starts the program, waits for one of its files, for as long as it takes, and then sends it a signal.
+  /// @param arguments  as a shell takes them
+  /// @param file       name in the folder of the test
+  /// @param telling    the shell's command that tells process $p
+  /// @return           its exit code
+  int stopped(const std::string& arguments, const std::string& file, const std::string& telling) const {
+    std::ofstream(base / "stop.sh") << "cd '" << folder.string() << "'; setsid '" MATRIGRATE_PROGRAM "' " << arguments
+                                    << " >'" << (base / "out").string() << "' 2>'" << (base / "err").string()
+                                    << "' & p=$!\n"
+                                    << "while [ ! -e '" << file << "' ] && kill -0 $p; do sleep 0.01; done\n"
+                                    << telling << "\nwait $p\n";
+    return WEXITSTATUS(std::system(("bash '" + (base / "stop.sh").string() + "' 2>/dev/null").c_str()));
+  }
+
   static std::string text_of(const std::filesystem::path& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();

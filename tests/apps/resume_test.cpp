@@ -27,13 +27,8 @@ protected:
   /// @return  its exit code
   int stop(const std::string& into, const std::string& signal, const std::string& options = "",
            const std::string& file = "checkpoint.h5", double later = 0.0) const {
-    const std::string script =
-        fmt::format("cd '{}'; '" MATRIGRATE_PROGRAM
-                    "' run s.toml -o {} {} --quiet >/dev/null 2>&1 & p=$!; for i in $(seq 2000); do "
-                    "[ -e '{}/{}/{}' ] && break; sleep 0.01; done; sleep {}; kill -s {} $p; wait $p",
-                    folder.string(), into, options, folder.string(), into, file, later, signal);
-    std::ofstream(base / "stop.sh") << script;
-    return WEXITSTATUS(std::system(("bash '" + (base / "stop.sh").string() + "' 2>/dev/null").c_str()));
+    return stopped(fmt::format("run s.toml -o {} {} --quiet", into, options), into + "/" + file,
+                   fmt::format("sleep {}; kill -s {} $p", later, signal));
   }
 
   void expect_same_files(const std::string& a, const std::string& b) const {
@@ -192,15 +187,12 @@ TEST_F(Resume, RefusesBranchesThatCannotBe) {
 }
 
 TEST_F(Resume, WorksAloneInItsFolder) {
-  const std::string command = fmt::format("cd '{}' && '" MATRIGRATE_PROGRAM
-                                          "' run s.toml -o here --hours 24 --wall-time '4 s' --quiet >/dev/null 2>&1 &",
-                                          folder.string());
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  for (int i = 0; i < 100 && !exists("here/checkpoint.h5"); ++i) ::usleep(20000);
-  const Ended ended = run("resume here");
-  EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "another process")) << ended.err;
-  ::sleep(4);
+  const std::string other = "'" MATRIGRATE_PROGRAM "' resume here 2>other; echo $? >code; kill -s TERM $p";
+  EXPECT_EQ(stopped("run s.toml -o here --hours 1000 --quiet --set protrusion.initiation_rate=1e-12",
+                    "here/checkpoint.h5", other),
+            75);
+  EXPECT_EQ(text_of(folder / "code"), "5\n");
+  EXPECT_TRUE(contains(text_of(folder / "other"), "another process")) << text_of(folder / "other");
 }
 
 TEST_F(Resume, KeepsWhatIsSafeWhereAFileMayNotGrow) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 namespace matrigrate {
 namespace {
@@ -138,15 +139,16 @@ TEST_F(Study, IsGoneOnWithAfterAKill) {
 TEST_F(Study, StopsAtASignal) {
   write("e.toml", "scenario = \"s.toml\"\nreplicates = 4\n[set]\nrun.duration = \"1000 h\"\nprotrusion.initiation_rate "
                   "= 1e-12\n");
-  for (const auto& [signal, code] : {std::pair<std::string, int>{"INT", 130}, {"TERM", 75}}) {
-    // As a terminal and Slurm do: the signal goes to the whole group, the runs among it. The pool must not tell them
-    // a second time, which would end them at once.
-    const std::string command =
-        "cd '" + folder.string() + "' && { setsid '" MATRIGRATE_PROGRAM "' study run e.toml --jobs 2 -o " + signal
-        + " >'" + (base / "out").string() + "' 2>&1 & p=$! ; sleep 1.5 ; kill -s " + signal + " -- -$p ; wait $p ; }";
-    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), code);
+  // Told alone, the pool passes it on; a terminal and Slurm tell the whole group, the runs among it, which must not
+  // count as being told twice.
+  for (const auto& [signal, to, code] :
+       {std::tuple<std::string, std::string, int>{"INT", "-$p", 130}, {"TERM", "-$p", 75}, {"TERM", "$p", 75}}) {
+    const std::string into = signal + (to == "$p" ? "alone" : "group");
+    const std::string telling = "until [ $(ls " + into + "/runs/*/checkpoint.h5 | wc -l) = 2 ]; do sleep 0.01; done; "
+                                + "kill -s " + signal + " -- " + to;
+    EXPECT_EQ(stopped("study run e.toml --jobs 2 -o " + into, into + "/runs", telling), code);
     EXPECT_TRUE(contains(text_of(base / "out"), "0 of 4 runs done")) << text_of(base / "out");
-    const json status = json::parse(run("study status " + signal + " --json").out);
+    const json status = json::parse(run("study status " + into + " --json").out);
     EXPECT_EQ(status.at("count").at("interrupted"), 2);
     EXPECT_EQ(status.at("count").at("missing"), 2);
   }
@@ -156,15 +158,12 @@ TEST_F(Study, OneRunnerAtATime) {
   write(
       "long.toml",
       "scenario = \"s.toml\"\nreplicates = 1\n[set]\nrun.duration = \"1000 h\"\nprotrusion.initiation_rate = 1e-12\n");
-  const std::string start = "cd '" + folder.string()
-                            + "' && { timeout -s TERM 7 '" MATRIGRATE_PROGRAM
-                              "' study run long.toml -o here >/dev/null 2>&1 & } ; sleep 0.5";
-  ASSERT_EQ(std::system(start.c_str()), 0);
-  const Ended second = run("study run long.toml -o here");
-  EXPECT_EQ(second.code, 5);
-  EXPECT_TRUE(contains(second.err, "another process is working in this folder")) << second.err;
-  EXPECT_EQ(run("study status here").code, 0) << "reading is always allowed";
-  EXPECT_EQ(std::system("sleep 3"), 0); // until the first has ended, which is told to after 7 s
+  const std::string others = "'" MATRIGRATE_PROGRAM "' study run long.toml -o here 2>second; echo $? >code; "
+                             "'" MATRIGRATE_PROGRAM "' study status here >/dev/null; echo $? >status; kill -s TERM $p";
+  EXPECT_EQ(stopped("study run long.toml -o here", "here/runs", others), 75);
+  EXPECT_EQ(file("code"), "5\n");
+  EXPECT_TRUE(contains(file("second"), "another process is working in this folder")) << file("second");
+  EXPECT_EQ(file("status"), "0\n") << "reading is always allowed";
 }
 
 TEST_F(Study, GoesOnPastARunWhoseCheckpointsAreBroken) {
