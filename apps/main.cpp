@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   using namespace matrigrate;
   using namespace matrigrate::apps;
   ::mallopt(M_MMAP_THRESHOLD, 4 << 20); // what is larger grows in place, and goes back to the system at once
+  ::mallopt(M_TRIM_THRESHOLD, 8 << 20); // what each step takes and gives back stays
   std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end
   try {
     return run(argc, argv);

@@ -165,7 +165,7 @@ void compare(const Parameters& p, State s) {
     solid += (now_ms() - start) / steps;
     if (w.health.list_builds != lists) assembly.forget();
     lists = w.health.list_builds;
-    follow(before.ecm, drag_lag(p));
+    w.drag_patches.follow(before.ecm, drag_lag(p));
     start = now_ms();
     assembly.assemble(before.ecm, before.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);
     drag += (now_ms() - start) / steps;

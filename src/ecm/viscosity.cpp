@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <utility>
 
 namespace matrigrate {
 
@@ -118,7 +120,7 @@ void MatrixDrag::forget(std::span<const std::uint8_t> changed) {
   for (std::size_t i = 0; i < changed.size(); ++i) m_changed[i] |= changed[i]; // beside those that wait already
 }
 
-/// Marks the blocks of all particles that are not where they were, and of their neighbours.
+/// Marks the blocks of all particles that are not where they were, and of their neighbours; of others now and then.
 void MatrixDrag::mark(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern) {
   const bool all = m_marks.size() != pattern.blocks();
   m_marks.assign(pattern.blocks(), all ? 1 : 0);
@@ -127,18 +129,28 @@ void MatrixDrag::mark(std::span<const Vec2> x, const Adjacency& pairs, const Row
     std::ranges::fill(m_x.values(), nowhere);
     m_seen.assign(x.size(), Vec2(nowhere, nowhere));
   }
-  for (std::size_t row = 0; row < x.size(); row += lanes) {
+  const std::span<std::uint8_t> marks = m_marks;
+  for (std::size_t block = 0; block < pattern.blocks(); ++block) {
+    const std::size_t row = block * lanes;
     const std::size_t end = std::min(row + lanes, x.size());
     if (std::memcmp(&m_seen[row], &x[row], (end - row) * sizeof(Vec2)) == 0) continue;
-    m_marks[row / lanes] = 1;
     for (std::size_t i = row; i < end; ++i) {
-      if (m_seen[i] == x[i]) continue;
       m_seen[i] = x[i];
       m_x.x()[i] = x[i].x();
       m_x.y()[i] = x[i].y();
-      if (all) continue;
-      for (const std::uint32_t j : pairs.of(i)) m_marks[j / lanes] = 1;
     }
+    if (all) continue;
+    marks[block] = 1;
+    if (pattern.meets_given(block)) { // rows of given particles have no partners in the pattern
+      for (std::size_t i = row; i < end; ++i)
+        for (const std::uint32_t j : pairs.of(i)) marks[j / lanes] = 1;
+      continue;
+    }
+    for (const std::int32_t distance : pattern.distances(block))
+      for (const std::size_t i : {row, row + lanes - 1}) {
+        const std::size_t partner = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distance) / lanes;
+        if (partner < marks.size()) marks[partner] = 1; // not so where only other rows have one at that distance
+      }
   }
 }
 
@@ -192,11 +204,27 @@ void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const Ec
   });
 }
 
-void follow(EcmState& ecm, double lag) {
+DragPatches::DragPatches(std::span<const Vec2> X, double spacing) {
+  std::map<std::pair<double, double>, std::vector<std::uint32_t>> patches;
+  const double width = 8.0 * spacing;
+  for (std::uint32_t i = 0; i < X.size(); ++i)
+    patches[{std::floor(X[i].y() / width), std::floor(X[i].x() / width)}].push_back(i);
+  m_first.push_back(0);
+  for (const auto& [place, particles] : patches) {
+    m_particle.insert(m_particle.end(), particles.begin(), particles.end());
+    m_first.push_back(static_cast<std::uint32_t>(m_particle.size()));
+  }
+}
+
+void DragPatches::follow(EcmState& ecm, double lag) const {
   if (ecm.x_drag.size() != ecm.size()) ecm.x_drag = ecm.x;
   const double furthest = lag * lag;
-  for (std::size_t i = 0; i < ecm.size(); ++i)
-    if ((ecm.x[i] - ecm.x_drag[i]).squaredNorm() > furthest) ecm.x_drag[i] = ecm.x[i];
+  for (std::size_t k = 0; k + 1 < m_first.size(); ++k) {
+    const auto patch = std::span(m_particle).subspan(m_first[k], m_first[k + 1] - m_first[k]);
+    if (std::ranges::any_of(patch,
+                            [&](std::uint32_t i) { return (ecm.x[i] - ecm.x_drag[i]).squaredNorm() > furthest; }))
+      for (const std::uint32_t i : patch) ecm.x_drag[i] = ecm.x[i];
+  }
 }
 
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,

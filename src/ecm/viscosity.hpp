@@ -60,8 +60,22 @@ private:
   DoubleField m_zero, m_drag; // minus the drag at the velocities of the last step
 };
 
-/// Lets the positions at which the drag is taken follow: of particles that have moved further than `lag` [um] from
-/// there.
-void follow(EcmState& ecm, double lag);
+/// Squares of the reference lattice, eight spacings wide, whose drag is taken anew together: if each particle had its
+/// own moment, those of neighbours would hardly ever coincide, and nearly all coefficients would change in each step.
+/// Test: tests/unit/ecm/viscosity_test.cpp
+class DragPatches {
+public:
+  /// @param X  reference positions [um]   @param spacing  of the lattice [um]
+  DragPatches(std::span<const Vec2> X, double spacing);
+
+  /// Lets the positions at which the drag is taken follow: of all particles of a patch in which one has moved further
+  /// than `lag` [um] from there.
+  void follow(EcmState& ecm, double lag) const;
+
+private:
+  std::vector<std::uint32_t>
+      m_first; // patch k has the particles m_particle[m_first[k]] .. m_particle[m_first[k + 1] - 1]
+  std::vector<std::uint32_t> m_particle;
+};
 
 } // namespace matrigrate

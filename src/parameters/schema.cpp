@@ -102,7 +102,7 @@ constexpr std::array rows{
     Row{"ecm.verlet_skin", [](Parameters& p) -> double& { return p.ecm.verlet_skin; }, "um", above(0, 50),
         "", chosen, "Neighbours are listed up to this distance beyond the support; never changes a result", numerical},
     Row{"ecm.drag_lag", [](Parameters& p) -> double& { return p.ecm.drag_lag; }, "um", closed(0, 0.1),
-        "", "MODEL.md, D30", "The drag of a particle is taken anew when it has moved further than this, or the adaptive integrator further in proportion to its step", numerical},
+        "", "MODEL.md, D30", "Drag is taken anew in patches of the matrix in which a particle has moved further than this; with the adaptive integrator further in proportion to its step", numerical},
 
     Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
         "", methods, "Fibres between all neighbouring matrix particles, between those along one direction, or none"},

@@ -148,7 +148,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
-  follow(s.ecm, drag_lag(p));
+  w.drag_patches.follow(s.ecm, drag_lag(p));
   update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);

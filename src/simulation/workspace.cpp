@@ -35,7 +35,8 @@ FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Referen
 
 Workspace::Workspace(const State& s, const Parameters& p)
     : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
-      neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p)), p.ecm.verlet_skin), limits(step_limits(p)),
+      neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p)), p.ecm.verlet_skin),
+      drag_patches(s.ecm.X, p.ecm.particle_spacing), limits(step_limits(p)),
       elastic_share(matrigrate::elastic_share(p, limits)), solver(make_solver(s, p, elastic_share)) {}
 
 } // namespace matrigrate

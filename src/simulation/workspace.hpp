@@ -47,6 +47,7 @@ struct Workspace {
   FibreNetwork fibres;
   VerletList neighbours;
   RowPattern drag_pattern; ///< of the neighbours
+  DragPatches drag_patches;
   MatrixDrag matrix_drag;
   CellShape cell;
   DragSystem drag;

@@ -176,17 +176,24 @@ TEST(MatrixDrag, HasTheSameBitsWhereAFewRowsOfTheListChange) {
   EXPECT_GE(mended, 3U);
 }
 
-TEST(Drag, FollowsParticlesThatHaveMovedFurtherThanItsLag) {
+TEST(DragPatches, FollowTogetherWhereOneParticleHasMovedFurtherThanTheLag) {
   const EcmParameters p;
-  EcmState ecm = rectangle(p, 10.0, 10.0, 0.0);
-  follow(ecm, 0.01);
+  EcmState ecm = rectangle(p, 80.0, 40.0, 0.0);
+  const DragPatches patches(ecm.X, p.particle_spacing);
+  patches.follow(ecm, 0.01);
   EXPECT_EQ(ecm.x_drag, ecm.x);
+  const auto patch_of = [&](std::size_t i) {
+    const double width = 8.0 * p.particle_spacing;
+    return std::pair(std::floor(ecm.X[i].x() / width), std::floor(ecm.X[i].y() / width));
+  };
   const std::vector<Vec2> before = ecm.x;
-  ecm.x[3] += Vec2(0.009, 0.0);
-  ecm.x[4] += Vec2(0.0, -0.011);
-  follow(ecm, 0.01);
-  EXPECT_EQ(ecm.x_drag[3], before[3]);
-  EXPECT_EQ(ecm.x_drag[4], ecm.x[4]);
-  follow(ecm, 0.0);
+  const std::size_t far = ecm.size() - 3; // in the last patch
+  ASSERT_NE(patch_of(3), patch_of(far));
+  for (Vec2& x : ecm.x) x += Vec2(0.009, 0.0);
+  ecm.x[3] = before[3] + Vec2(0.0, -0.011);
+  patches.follow(ecm, 0.01);
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    EXPECT_EQ(ecm.x_drag[i], patch_of(i) == patch_of(3) ? ecm.x[i] : before[i]) << i;
+  patches.follow(ecm, 0.0);
   EXPECT_EQ(ecm.x_drag, ecm.x);
 }
