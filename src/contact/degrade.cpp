@@ -23,8 +23,9 @@ void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
     const std::uint32_t k = e.particle;
     if (ecm.f[k] <= 0.0) continue;
     double rate = degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K), p);
+    const Vec2 x = ecm.x[k] - 0.5 * dt * ecm.v[k];
     const bool at_tip =
-        std::ranges::any_of(tips, [&](const Vec2& tip) { return (ecm.x[k] - tip).squaredNorm() < tip_reach2; });
+        std::ranges::any_of(tips, [&](const Vec2& tip) { return (x - tip).squaredNorm() < tip_reach2; });
     if (at_tip) rate = std::max(rate, p.degradation.tip_rate);
     if (rate <= 0.0) continue;
     ecm.f[k] = degraded(ecm.f[k], rate, dt);

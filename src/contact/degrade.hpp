@@ -17,10 +17,10 @@ namespace matrigrate {
 /// @param solid_pressure [kPa]
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p);
 
-/// Degrades for dt: around the tips at tip_rate whatever the pressure, along protrusions and body by
-/// degradation_rate(); the faster one counts. Particles that reach f = 0 become fluid.
+/// Degrades for dt, after positions have moved by dt v: around the tips at tip_rate whatever the pressure, along
+/// protrusions and body by degradation_rate(); the faster one counts. Particles that reach f = 0 become fluid.
 /// @param on_protrusion  1 for the segments that belong to any protrusion
-/// @param tips           positions of the pushing particles of all growing protrusions [um]
+/// @param tips           positions of the pushing particles of all growing protrusions in the middle of the step [um]
 void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
              std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt);
 

@@ -1,6 +1,7 @@
 #include "protrusion/growth.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace matrigrate {
@@ -56,7 +57,7 @@ void add_growth(const State& s, const ProtrusionParameters& p, double area, std:
 }
 
 void spread_evenly(State& s, const ProtrusionParameters& p, double dt) {
-  const double share = std::min(1.0, p.spreading_rate * dt);
+  const double share = 1.0 - std::exp(-p.spreading_rate * dt);
   for (const Protrusion& protrusion : s.protrusions)
     if (std::holds_alternative<Growing>(protrusion.phase))
       for (const int side : {-1, 1}) spread_between(s.cortex, protrusion.centre, side, p.half_width, share);

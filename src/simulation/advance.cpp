@@ -105,13 +105,14 @@ void move(State& s, const Parameters& p, Workspace& w) {
   w.health.density_bounds = bounds.below + bounds.above;
 }
 
-/// Degradation around tips, protrusions and body, of the particles met at x(t).
+/// Degradation around tips, protrusions and body, of the particles met at x(t). Tips act from where they are in the
+/// middle of the step: at its end they would run ahead of their own degradation, the more the longer the step.
 void degrade_around_cell(State& s, const Parameters& p, Workspace& w) {
   std::vector<Vec2> tips;
   for (const Protrusion& protrusion : s.protrusions)
     if (std::holds_alternative<Growing>(protrusion.phase))
       for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p.protrusion))
-        tips.push_back(s.cortex.x[i]);
+        tips.push_back(s.cortex.x[i] - 0.5 * p.run.time_step * s.cortex.v[i]);
   degrade(s.ecm, p, w.cell.met, w.cell.membership.on_protrusion, tips, p.run.time_step);
   w.health.engulfed += fluidize_engulfed(s.ecm, p, w.cell.met);
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace matrigrate::validation {
 
@@ -14,6 +15,8 @@ constexpr std::array<double, 5> steps{0.1, 0.2, 0.4, 0.8, 1.6}; // of the refere
 constexpr std::array<double, 3> adaptive_steps{0.5, 1.0, 2.0};  // the longest of the adaptive one [s]
 constexpr double paper_step = 0.4;                              // [s]
 constexpr std::array<double, 3> times{32.0, 64.0, 96.0};        // [s]
+constexpr double usual_longest_step = 2.4;                      // of the adaptive integrator [s]
+constexpr int directions = 16;
 
 using Tips = std::array<Vec2, times.size()>; ///< of the protrusion at the times [um]
 
@@ -34,6 +37,19 @@ double distance(const Tips& a, const Tips& b) {
   double largest = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, (a[k] - b[k]).norm());
   return largest;
+}
+
+/// l_prot at the end of growth, mean over directions [um].
+double mean_length(Parameters p, Integrator integrator, double dt) {
+  p.run.integrator = integrator;
+  p.run.time_step = dt;
+  double sum = 0.0;
+  for (int k = 0; k < directions; ++k) {
+    SingleProtrusion one(p, 0.1 + 2.0 * std::numbers::pi * k / directions);
+    one.march_for(dt * std::ceil(p.protrusion.growth_time / dt + 1.0));
+    sum += one.protrusion().record.length;
+  }
+  return sum / directions;
 }
 
 /// Slope of the logarithms, by least squares.
@@ -74,6 +90,11 @@ Result time_step(const Parameters& p) {
   for (std::size_t k = 0; k < adaptive.x.size(); ++k)
     result.checks.push_back({fmt::format("tip, adaptive steps of up to {} s [um]", adaptive.x[k]), adaptive.y[k], 0.0,
                              quarter, "a quarter of a spacing, of the way of 23 um"});
+  const double paper_length = mean_length(p, Integrator::reference, paper_step);
+  result.checks.push_back({fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions [um]",
+                                       usual_longest_step, directions),
+                           mean_length(p, Integrator::adaptive, usual_longest_step), paper_length, quarter,
+                           fmt::format("that with reference steps of {} s; a quarter of a spacing", paper_step)});
   result.remarks.push_back(
       fmt::format("Errors are distances of the tip from that with steps of {} s, the largest at {:.0f}, {:.0f} and "
                   "{:.0f} s. Later the direction of growth decides, which is unstable.",

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace matrigrate;
 
 TEST(DegradationRate, HasItsReachOnProtrusionAndBody) {
@@ -65,6 +67,24 @@ TEST(Degrade, WorksAtATipWhateverThePressureAndTheFasterRateCounts) {
     ++at_tip;
   }
   EXPECT_GT(at_tip, 1);
+}
+
+TEST(Degrade, TakesTipsAndParticlesWhereTheyAreInTheMiddleOfTheStep) {
+  Scene rest = touching_scene();
+  const Vec2 tip = rest.c.x[0];
+  const std::vector<std::uint8_t> on_protrusion(rest.c.size(), 0);
+  const auto met = rest.met();
+  Scene moving = rest;
+  const Vec2 v(4.0, -3.0);
+  const double dt = 0.4;
+  for (std::size_t k = 0; k < moving.ecm.size(); ++k) {
+    moving.ecm.v[k] = v;
+    moving.ecm.x[k] += dt * v;
+  }
+  degrade(rest.ecm, rest.p, met, on_protrusion, std::vector<Vec2>{tip}, dt);
+  degrade(moving.ecm, moving.p, met, on_protrusion, std::vector<Vec2>{tip + 0.5 * dt * v}, dt);
+  EXPECT_EQ(moving.ecm.f, rest.ecm.f);
+  EXPECT_LT(std::ranges::min(rest.ecm.f), 1.0);
 }
 
 TEST(Degrade, TurnsAParticleIntoFluidInThirtySecondsAtTheBody) {

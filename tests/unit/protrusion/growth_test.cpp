@@ -83,6 +83,22 @@ TEST(Spreading, EvensOutEachFlankAlongItsContourAndKeepsTipAndBase) {
   EXPECT_NEAR(area(s.cortex), area(before), 0.03 * area(before));
 }
 
+TEST(Spreading, GoesAsFarInOneLongStepAsInManyShortOnes) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  add_protrusion(s, 100, Growing{outward(s, 100)});
+  for (const int side : {-1, 1}) // straight flanks, spaced more and more widely
+    for (int k = 0; k <= 20; ++k) {
+      const double share = k * (k + 1) / 420.0;
+      const Vec2 tip = s.cortex.x[100], base = s.cortex.x[static_cast<std::size_t>(100 + 20 * side)];
+      if (k > 0 && k < 20) s.cortex.x[static_cast<std::size_t>(100 + k * side)] = (1.0 - share) * tip + share * base;
+    }
+  State once = s;
+  spread_evenly(once, p.protrusion, 2.4);
+  for (int k = 0; k < 6; ++k) spread_evenly(s, p.protrusion, 0.4);
+  for (std::size_t i = 0; i < s.cortex.size(); ++i) EXPECT_LT((once.cortex.x[i] - s.cortex.x[i]).norm(), 1e-9) << i;
+}
+
 TEST(Spreading, LeavesOtherPhasesAlone) {
   const Parameters p = small_matrix();
   State s = cell_in_matrix(p);
