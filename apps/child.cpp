@@ -58,6 +58,7 @@ std::string this_program() { return "/proc/self/exe"; }
 
 Child::Child(std::vector<std::string> command, int output) : m_id(-1) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (std::string& word : command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid();
