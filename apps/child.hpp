@@ -21,7 +21,7 @@ public:
   /// How it ended: its exit code, or 128 + the number of the signal that ended it; none while it runs.
   std::optional<int> ended();
 
-  /// Passes on SIGINT or SIGTERM, once, and only when the command catches it: before, it is only starting. Does nothing
+  /// Passes on a signal to stop, once, and only when the command catches it: before, it is only starting. Does nothing
   /// to a command that has received one by another way already (StopSignal). To be called again until it ends.
   void pass_on(int signal);
 
