@@ -17,12 +17,54 @@ std::string verdict(bool holds) {
   return holds ? coloured("holds", Colour::good, Stream::out) : coloured("does not hold", Colour::bad, Stream::out);
 }
 
-/// "at least " for a one-sided check, nothing otherwise.
-std::string at_least(const validation::Check& c) { return c.sense == validation::Sense::at_least ? "at least " : ""; }
+/// "at least " or "at most " for a one-sided check, nothing otherwise.
+std::string bound_word(const validation::Check& c) {
+  switch (c.sense) {
+  case validation::Sense::at_least:
+    return "at least ";
+  case validation::Sense::at_most:
+    return "at most ";
+  case validation::Sense::near:
+    break;
+  }
+  return "";
+}
 
 std::string wanted(const validation::Check& c) {
-  if (c.sense == validation::Sense::at_least) return at_least(c) + number(c.expected);
+  if (c.sense != validation::Sense::near) return bound_word(c) + number(c.expected);
   return fmt::format("{} within {}", number(c.expected), number(c.tolerance));
+}
+
+std::string lines(const std::vector<validation::Check>& checks) {
+  std::string text;
+  for (const validation::Check& check : checks)
+    text += fmt::format("  {}\n    measured {}, expected {} ({}): {}\n", check.quantity, number(check.measured),
+                        wanted(check), check.reason, verdict(check.holds()));
+  return text;
+}
+
+Json rows(const std::vector<validation::Check>& checks) {
+  Json all = Json::array();
+  for (const validation::Check& c : checks) {
+    const char* sense = c.sense == validation::Sense::near       ? "near"
+                        : c.sense == validation::Sense::at_least ? "at_least"
+                                                                 : "at_most";
+    all.push_back({{"quantity", c.quantity},
+                   {"measured", c.measured},
+                   {"expected", c.expected},
+                   {"tolerance", c.tolerance},
+                   {"sense", sense},
+                   {"reason", c.reason},
+                   {"holds", c.holds()}});
+  }
+  return all;
+}
+
+void add_rows(const std::vector<validation::Check>& checks, std::string_view prefix, io::PageSection& section) {
+  for (const validation::Check& c : checks)
+    section.check_rows.push_back(
+        {fmt::format("{}{}", prefix, c.quantity), number(c.measured), bound_word(c) + number(c.expected),
+         c.sense == validation::Sense::near ? number(c.tolerance) : "none", c.reason, io::verdict(c.holds())});
 }
 
 } // namespace
@@ -32,30 +74,18 @@ std::string to_text(const Outcome& outcome) {
       fmt::format("{}: {}\n", coloured(outcome.which->name, Colour::strong, Stream::out), outcome.which->summary);
   if (!outcome.result)
     return text + fmt::format("  {} {}\n\n", coloured("stopped:", Colour::bad, Stream::out), outcome.failure);
-  for (const validation::Check& check : outcome.result->checks)
-    text += fmt::format("  {}\n    measured {}, expected {} ({}): {}\n", check.quantity, number(check.measured),
-                        wanted(check), check.reason, verdict(check.holds()));
+  text += lines(outcome.result->checks);
+  if (!outcome.result->claims.empty()) text += "  The paper's claims:\n" + lines(outcome.result->claims);
   for (const std::string& remark : outcome.result->remarks) text += fmt::format("  note: {}\n", remark);
   return text + fmt::format("  {}, {:.1f} s\n\n", verdict(outcome.holds()), outcome.wall_time);
 }
 
 Json to_json(const Outcome& outcome) {
-  Json checks = Json::array();
-  Json remarks = Json::array();
-  if (outcome.result) {
-    for (const validation::Check& c : outcome.result->checks)
-      checks.push_back({{"quantity", c.quantity},
-                        {"measured", c.measured},
-                        {"expected", c.expected},
-                        {"tolerance", c.tolerance},
-                        {"sense", c.sense == validation::Sense::near ? "near" : "at_least"},
-                        {"reason", c.reason},
-                        {"holds", c.holds()}});
-    remarks = outcome.result->remarks;
-  }
-  return {{"name", outcome.which->name}, {"summary", outcome.which->summary}, {"holds", outcome.holds()},
-          {"failure", outcome.failure},  {"wall_time_s", outcome.wall_time},  {"checks", checks},
-          {"remarks", remarks}};
+  const validation::Result none;
+  const validation::Result& result = outcome.result ? *outcome.result : none;
+  return {{"name", outcome.which->name},   {"summary", outcome.which->summary}, {"holds", outcome.holds()},
+          {"failure", outcome.failure},    {"wall_time_s", outcome.wall_time},  {"checks", rows(result.checks)},
+          {"claims", rows(result.claims)}, {"remarks", result.remarks}};
 }
 
 io::PageSection to_section(const Outcome& outcome) {
@@ -67,10 +97,8 @@ io::PageSection to_section(const Outcome& outcome) {
     section.remarks.push_back("Stopped: " + outcome.failure);
     return section;
   }
-  for (const validation::Check& c : outcome.result->checks)
-    section.check_rows.push_back({c.quantity, number(c.measured), at_least(c) + number(c.expected),
-                                  at_least(c).empty() ? number(c.tolerance) : "none", c.reason,
-                                  io::verdict(c.holds())});
+  add_rows(outcome.result->checks, "", section);
+  add_rows(outcome.result->claims, "The paper's claim: ", section);
   section.remarks = outcome.result->remarks;
   section.figures = outcome.result->figures;
   return section;

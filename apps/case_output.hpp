@@ -24,8 +24,8 @@ struct Outcome {
 /// Measured beside expected, tolerance and its reason, verdict; for a terminal.
 std::string to_text(const Outcome& outcome);
 
-/// {name, summary, holds, failure, wall_time_s, checks: [{quantity, measured, expected, tolerance, reason, holds}],
-/// remarks}
+/// {name, summary, holds, failure, wall_time_s, checks: [{quantity, measured, expected, tolerance, sense, reason,
+/// holds}], claims: [as checks], remarks}
 nlohmann::ordered_json to_json(const Outcome& outcome);
 
 /// The chapter of the report.

@@ -4,8 +4,6 @@
 #include "ecm/deformation.hpp"
 #include "ecm/material.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -19,8 +17,13 @@ double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
   return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0;
 }
 
+/// Deviatoric stress of particle t of a row.   @param S  components xx, yx, xy, yy one after the other, by particles
+[[gnu::always_inline]] inline Tensor stress_of(const double* S, std::size_t t) {
+  return {S[4 * t], S[4 * t + 2], S[4 * t + 1], S[4 * t + 3]};
+}
+
 /// P_i B_i of all particles of a row as if they were plain: c (J sigma F^-T + a (F - I) + b moment).
-/// @param S  components xx, yx, xy, yy one after the other, particle by particle
+/// @param S  as stress_of
 MATRIGRATE_SIMD
 void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& H,
                       const RowTensors& moment, double K, double a, double b, double c, TensorPlanes& PB) {
@@ -29,13 +32,12 @@ void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const
   double* __restrict xx = PB.xx.data() + begin, * __restrict xy = PB.xy.data() + begin;
   double* __restrict yx = PB.yx.data() + begin, * __restrict yy = PB.yy.data() + begin;
   for (std::size_t t = 0; t < n; ++t) {
-    const double Fxx = 1.0 + Hxx[t], Fxy = Hxy[t], Fyx = Hyx[t], Fyy = 1.0 + Hyy[t];
-    const double pressure = K * (rho[t] - 1.0);
-    const double sxx = S[4 * t] - pressure, syx = S[4 * t + 1], sxy = S[4 * t + 2], syy = S[4 * t + 3] - pressure;
-    xx[t] = c * ((sxx * Fyy - sxy * Fxy) + (a * Hxx[t] + b * moment.xx[t]));
-    xy[t] = c * ((sxy * Fxx - sxx * Fyx) + (a * Hxy[t] + b * moment.xy[t]));
-    yx[t] = c * ((syx * Fyy - syy * Fxy) + (a * Hyx[t] + b * moment.yx[t]));
-    yy[t] = c * ((syy * Fxx - syx * Fyx) + (a * Hyy[t] + b * moment.yy[t]));
+    const Tensor F{1.0 + Hxx[t], Hxy[t], Hyx[t], 1.0 + Hyy[t]};
+    const Tensor P = piola_kirchhoff(cauchy_stress(rho[t], stress_of(S, t), K), F);
+    xx[t] = c * (P.xx + (a * Hxx[t] + b * moment.xx[t]));
+    xy[t] = c * (P.xy + (a * Hxy[t] + b * moment.xy[t]));
+    yx[t] = c * (P.yx + (a * Hyx[t] + b * moment.yx[t]));
+    yy[t] = c * (P.yy + (a * Hyy[t] + b * moment.yy[t]));
   }
 }
 
@@ -45,8 +47,7 @@ struct Advanced {
   RowTensors S;
 };
 
-/// advance_stress_of for the particles of a row, from their rates of deformation: L = dF/dt F^-1.
-/// @param S  components xx, yx, xy, yy one after the other, particle by particle
+/// advance_stress_of for the particles of a row, from their rates of deformation.   @param S  as stress_of
 MATRIGRATE_SIMD
 void advance_row(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& H,
                  const RowTensors& rate, const EcmParameters& p, double G, double dt, Advanced& to) {
@@ -54,23 +55,17 @@ void advance_row(std::size_t n, std::size_t begin, const double* rho, const doub
   const double *Hyx = &H.yx.data()[begin], *Hyy = &H.yy.data()[begin];
   const double least = p.density_min, most = p.density_max;
   for (std::size_t t = 0; t < n; ++t) {
-    const double Fxx = 1.0 + Hxx[t], Fxy = Hxy[t], Fyx = Hyx[t], Fyy = 1.0 + Hyy[t];
-    const double per_J = 1.0 / (Fxx * Fyy - Fxy * Fyx);
-    const double Lxx = per_J * (rate.xx[t] * Fyy - rate.xy[t] * Fyx);
-    const double Lxy = per_J * (rate.xy[t] * Fxx - rate.xx[t] * Fxy);
-    const double Lyx = per_J * (rate.yx[t] * Fyy - rate.yy[t] * Fyx);
-    const double Lyy = per_J * (rate.yy[t] * Fxx - rate.yx[t] * Fxy);
-    const double density = rho[t] - dt * rho[t] * (Lxx + Lyy);
+    const Tensor F{1.0 + Hxx[t], Hxy[t], Hyx[t], 1.0 + Hyy[t]};
+    const Tensor L = velocity_gradient(Tensor{rate.xx[t], rate.xy[t], rate.yx[t], rate.yy[t]}, F);
+    const double density = rho[t] + dt * density_rate(rho[t], L);
     const double raised = density < least ? least : density;
     to.rho[t] = raised > most ? most : raised;
-    const double sxx = S[4 * t], syx = S[4 * t + 1], sxy = S[4 * t + 2], syy = S[4 * t + 3]; // jaumann_rate
-    const double mean = (Lxx + Lyy) / 3.0;
-    const double turn = 0.5 * (Lxy - Lyx);
-    const double shear = G * (Lxy + Lyx) + turn * (syy - sxx);
-    to.S.xx[t] = sxx + dt * (2.0 * G * (Lxx - mean) + turn * (syx + sxy));
-    to.S.yy[t] = syy + dt * (2.0 * G * (Lyy - mean) - turn * (syx + sxy));
-    to.S.xy[t] = sxy + dt * shear;
-    to.S.yx[t] = syx + dt * shear;
+    const Tensor old = stress_of(S, t);
+    const Tensor change = jaumann_rate(old, L, G);
+    to.S.xx[t] = old.xx + dt * change.xx;
+    to.S.xy[t] = old.xy + dt * change.xy;
+    to.S.yx[t] = old.yx + dt * change.yx;
+    to.S.yy[t] = old.yy + dt * change.yy;
   }
 }
 
@@ -265,8 +260,8 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
         ecm.rho[i] = to.rho[t];
         ecm.S[i] = to.S[t];
       } else if (ecm.f[i] > 0.0) {
-        const Mat2 change = Mat2::Identity() + H[t] - solid.F_partial[i];
-        advance_stress_of(ecm, i, change / dt * solid.F_partial[i].inverse(), p, dt);
+        const Mat2& F = solid.F_partial[i];
+        advance_stress_of(ecm, i, velocity_gradient(Mat2((Mat2::Identity() + H[t] - F) / dt), F), p, dt);
       }
     }
     keep_deformation(ecm, terms.row, H, solid);

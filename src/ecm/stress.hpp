@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ecm/material.hpp"
 #include "ecm/reference.hpp"
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"
@@ -10,13 +11,6 @@
 /// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2),
 /// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test: tests/unit/ecm/stress_test.cpp
 namespace matrigrate {
-
-/// First Piola-Kirchhoff stress P = J sigma F^-T [kPa].
-inline Mat2 piola_kirchhoff(const Mat2& sigma, const Mat2& F) {
-  Mat2 cofactor; // J F^-T
-  cofactor << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
-  return sigma * cofactor;
-}
 
 /// Deviation of a pair from the deformation around it, e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every linear field.
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,

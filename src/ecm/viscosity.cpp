@@ -216,14 +216,13 @@ DragPatches::DragPatches(std::span<const Vec2> X, double spacing) {
   }
 }
 
-void DragPatches::follow(EcmState& ecm, double lag) const {
-  if (ecm.x_drag.size() != ecm.size()) ecm.x_drag = ecm.x;
+void DragPatches::refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const {
+  if (x_drag.size() != x.size()) x_drag.assign(x.begin(), x.end());
   const double furthest = lag * lag;
   for (std::size_t k = 0; k + 1 < m_first.size(); ++k) {
     const auto patch = std::span(m_particle).subspan(m_first[k], m_first[k + 1] - m_first[k]);
-    if (std::ranges::any_of(patch,
-                            [&](std::uint32_t i) { return (ecm.x[i] - ecm.x_drag[i]).squaredNorm() > furthest; }))
-      for (const std::uint32_t i : patch) ecm.x_drag[i] = ecm.x[i];
+    if (std::ranges::any_of(patch, [&](std::uint32_t i) { return (x[i] - x_drag[i]).squaredNorm() > furthest; }))
+      for (const std::uint32_t i : patch) x_drag[i] = x[i];
   }
 }
 

@@ -68,9 +68,9 @@ public:
   /// @param X  reference positions [um]   @param spacing  of the lattice [um]
   DragPatches(std::span<const Vec2> X, double spacing);
 
-  /// Lets the positions at which the drag is taken follow: of all particles of a patch in which one has moved further
-  /// than `lag` [um] from there.
-  void follow(EcmState& ecm, double lag) const;
+  /// Sets x_drag, the positions at which the drag was last taken, to x for all particles of a patch in which one has
+  /// moved further than `lag` [um] since; everywhere if x_drag has another size than x.
+  void refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const;
 
 private:
   std::vector<std::uint32_t>

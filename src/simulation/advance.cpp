@@ -71,7 +71,8 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBou
         s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
         v[i].norm() * p.run.time_step, p.run.time_step, bounds.furthest_move, describe(w.limits)));
   }
-  if (!bounds.may_cross) require_no_crossing(s, p, v);
+  if (!bounds.may_cross) require_no_crossing(s, p, v); // nothing from here on throws: the state may change
+  s.ecm.x_drag.swap(w.x_drag);
   s.v_before = s.ecm.v;
   s.v_before.insert(s.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
   const auto cell = v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
@@ -149,7 +150,6 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
-  w.drag_patches.follow(s.ecm, drag_lag(p));
   update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);

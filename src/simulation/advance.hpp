@@ -8,7 +8,8 @@ namespace matrigrate {
 /// Advances the state by run.time_step. The order of its lines is a modelling decision: MODEL.md, "Order of a step".
 /// @param loads  forces from outside the model; none by default
 /// @throws NumericalFailure if the drag system cannot be solved, or a particle would move further in the step than half
-///         a spacing; the state is then still that before the step
+///         a spacing: the state is then, bit by bit, that before the step; also if the cell has reached the rim: the
+///         state is then that after the step
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {});
 
 /// What a step may do.
@@ -19,7 +20,7 @@ struct StepBounds {
 };
 
 /// The same with other bounds.
-/// @throws StepTooLong if one is broken; the state is then still that before the step
+/// @throws StepTooLong if one is broken; the state is then, bit by bit, that before the step
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds);
 
 /// Advances until s.t has reached t_end [s] (to within half a step), after a check of the step against step_limits().

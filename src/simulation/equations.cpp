@@ -69,7 +69,9 @@ void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
   w.drag.links.clear();
   w.drag.directed.clear();
   if (!w.fibres.empty()) w.matrix_drag.forget(); // they add to it
-  w.matrix_drag.assemble(s.ecm, s.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
+  w.x_drag = s.ecm.x_drag;
+  w.drag_patches.refresh(s.ecm.x, drag_lag(p), w.x_drag);
+  w.matrix_drag.assemble(s.ecm, w.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());

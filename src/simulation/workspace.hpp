@@ -48,6 +48,7 @@ struct Workspace {
   VerletList neighbours;
   RowPattern drag_pattern; ///< of the neighbours
   DragPatches drag_patches;
+  std::vector<Vec2> x_drag; ///< where this step takes the drag of the matrix; EcmState::x_drag once it is done [um]
   MatrixDrag matrix_drag;
   CellShape cell;
   DragSystem drag;

@@ -10,7 +10,7 @@
 
 namespace matrigrate::validation {
 
-enum class Sense { near, at_least };
+enum class Sense { near, at_least, at_most };
 
 /// One number of a case against what it should be.
 struct Check {
@@ -19,19 +19,21 @@ struct Check {
   double expected = 0.0;
   double tolerance = 0.0;    ///< largest |measured - expected| that holds, in the unit of the quantity
   std::string reason;        ///< where the tolerance comes from
-  Sense sense = Sense::near; ///< at_least: holds from expected - tolerance upwards
+  Sense sense = Sense::near; ///< at_least: holds from expected - tolerance upwards; at_most: up to expected + tolerance
 
   bool holds() const;
 };
 
 /// Everything that a case found; nothing of it is written yet.
 struct Result {
-  std::vector<Check> checks;
+  std::vector<Check> checks; ///< whether the program does what its equations say
+  std::vector<Check> claims; ///< what the paper says of it (rows V1 to V3), by rules on the quantity that it names
   std::vector<std::string> remarks; ///< what is off, and why
   io::Table table;                  ///< the measured curves, written as NAME.csv
   std::vector<io::Figure> figures;  ///< the first one is the case's plot, written as NAME.svg
 
-  bool holds() const; ///< all checks hold, and there is at least one
+  bool holds() const;       ///< all checks hold, and there is at least one
+  bool claims_hold() const; ///< so do all claims, and there is at least one
 };
 
 /// A verification of a part of the model on its own.

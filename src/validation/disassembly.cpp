@@ -64,7 +64,7 @@ Result disassembly(const Parameters& p) {
       result.table.add({z, F, rate, series.y.back()});
     }
     plot.series.push_back(series);
-    result.checks.push_back({fmt::format("lifetime at f_mat F_am = 0.3 nN, zeta_diss = {:.0f} /nN [min]", z),
+    result.claims.push_back({fmt::format("lifetime at f_mat F_am = 0.3 nN, zeta_diss = {:.0f} /nN [min]", z),
                              series.y.back(), 60.0, 0.6, "the paper's Fig 4: it tends to 60 min at high force"});
     result.checks.push_back({fmt::format("force that gives half of that, zeta_diss = {:.0f} /nN [nN]", z),
                              force_of_half_life(a), f_mat * std::log(p.adhesion.r_off_0 / p.adhesion.r_off_min) / z,

@@ -16,9 +16,8 @@ namespace matrigrate::validation {
 namespace {
 
 constexpr double buckling_strain = 0.0008; // d_0
-constexpr double length = 120.0;           // of the specimen along the pull, grips included [um]
-constexpr double height = 40.0;            // [um]
-constexpr double gauge = 20.0;             // half-length of the part whose strain is measured [um]
+constexpr int columns = 12;                // of the strip, one period
+constexpr int rows = 24;                   // of the strip between its ends
 
 /// The root of a function that grows from below 0 at `low`.
 template <class Function>
@@ -83,34 +82,28 @@ Vec2 lattice_stresses(double along, double across, const Parameters& p) {
   return sum / particle_area(p.ecm);
 }
 
-void drive(Specimen& a, double strain, double seconds) {
-  drive_clamped(
-      a, [&](const Vec2& X) { return Vec2(X.x() > 0.0 ? 0.5 * strain * length : -0.5 * strain * length, 0.0); },
-      seconds);
-}
-
+/// Stretch of the strip between its ends, and the pull on the upper one.
 Stretch read(const Specimen& a) {
-  std::vector<double> X, Y, u_x, u_y;
+  std::vector<double> Y, u;
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i) {
-    if (std::abs(a.s.ecm.X[i].x()) > gauge) continue;
-    X.push_back(a.s.ecm.X[i].x());
+    if (a.s.ecm.clamped[i]) continue;
     Y.push_back(a.s.ecm.X[i].y());
-    u_x.push_back(a.s.ecm.displacement(i).x());
-    u_y.push_back(a.s.ecm.displacement(i).y());
+    u.push_back(a.s.ecm.displacement(i).y());
   }
-  const Vec2 grip = clamp_force(a.s, a.p, a.w, [](const Vec2& at) { return at.x() > 0.0; });
-  return {fit_line(X, u_x).slope, fit_line(Y, u_y).slope, grip.x() / (height * a.p.ecm.thickness)};
+  const Vec2 grip = clamp_force(a.s, a.p, a.w, [](const Vec2& X) { return X.y() > 0.0; });
+  return {fit_line(Y, u).slope, 0.0, grip.y() / (a.s.ecm.period_x * a.p.ecm.thickness)};
 }
 
 } // namespace
 
-double semi_affine_stress(double strain, double eps_s, double d_s) {
-  const double across =
-      root(1e-3, 1.0, [&](double l) { return semi_affine_stresses(1.0 + strain, l, eps_s, d_s).y(); });
+double semi_affine_stress(double strain, double eps_s, double d_s, Sides sides) {
+  const double across = sides == Sides::held ? 1.0 : root(1e-3, 1.0, [&](double l) {
+    return semi_affine_stresses(1.0 + strain, l, eps_s, d_s).y();
+  });
   return semi_affine_stresses(1.0 + strain, across, eps_s, d_s).x();
 }
 
-std::vector<Stretch> affine_lattice(const Parameters& p, double largest, int increments) {
+std::vector<Stretch> affine_lattice(const Parameters& p, double largest, int increments, Sides sides) {
   std::vector<Stretch> curve;
   Rest rest;
   for (int k = 1; k <= increments; ++k) {
@@ -118,26 +111,28 @@ std::vector<Stretch> affine_lattice(const Parameters& p, double largest, int inc
     const auto stresses = [&](double lateral) -> Vec2 {
       return rest.stretched(along, lateral, p.ecm).nominal(p.ecm) + lattice_stresses(along, lateral, p);
     };
-    const double lateral = root(0.05, 1.2, [&](double l) { return stresses(l).y(); });
+    const double lateral = sides == Sides::held ? 1.0 : root(0.05, 1.2, [&](double l) { return stresses(l).y(); });
     curve.push_back({along - 1.0, lateral - 1.0, stresses(lateral).x()});
     rest = rest.stretched(along, lateral, p.ecm);
   }
   return curve;
 }
 
-std::vector<Stretch> pull_specimen(const Parameters& p, double largest, int increments) {
-  Specimen a(rectangle(p.ecm, length, height, 2.0 * p.ecm.smoothing_length), p);
-  const double tau = p.ecm.viscosity / moduli(p.ecm).G;
+std::vector<Stretch> pull_strip(const Parameters& p, double largest, int increments) {
+  Parameters q = p;
+  q.fibres.direction_deg += 90.0; // the strip is pulled along y
+  Specimen a(strip(q.ecm, columns * q.ecm.particle_spacing, rows * q.ecm.particle_spacing), q);
+  const double tau = q.ecm.viscosity / moduli(q.ecm).longitudinal(); // fibres only shorten it
+  const double increment = largest / increments;
   std::vector<Stretch> curve;
   for (int k = 0; k < increments; ++k) {
-    drive(a, largest / increments, 0.5 * tau);
-    a.march_for(2.0 * tau);
+    drive_clamped(
+        a, [&](const Vec2& X) { return Vec2(0.0, increment * X.y()); }, tau);
+    a.march_for(6.0 * tau);
     curve.push_back(read(a));
   }
   return curve;
 }
-
-double edge_error(const EcmParameters& p) { return 2.0 * p.particle_spacing / height; }
 
 double stress_at(const std::vector<Stretch>& curve, double strain) {
   Stretch before{0.0, 0.0, 0.0};

@@ -15,6 +15,8 @@ TEST_P(Validation, Holds) {
   for (const Check& check : result.checks)
     EXPECT_TRUE(check.holds()) << check.quantity << ": " << check.measured << ", expected " << check.expected << " +- "
                                << check.tolerance;
+  for (const Check& claim : result.claims) // rows V1 to V3
+    EXPECT_TRUE(claim.holds()) << claim.quantity << ": " << claim.measured << " beside " << claim.expected;
   EXPECT_FALSE(result.table.rows.empty());
   ASSERT_FALSE(result.figures.empty());
   EXPECT_EQ(result.figures.front().name, GetParam().name);

@@ -1,6 +1,7 @@
 #include "ecm/material.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +47,18 @@ TEST(JaumannRate, IsObjective) {
 TEST(Density, FollowsTheContinuityEquation) {
   EXPECT_DOUBLE_EQ(density_rate(1.2, Mat2::Identity()), -2.4);
   EXPECT_DOUBLE_EQ(pressure(1.1, 0.5), 0.5 * (1.1 - 1.0));
+}
+
+TEST(PiolaKirchhoff, IsTheStressTimesTheCofactor) {
+  const Mat2 sigma = (Mat2() << 0.02, 0.005, 0.004, -0.01).finished();
+  const Mat2 F = (Mat2() << 1.1, 0.2, -0.1, 0.9).finished();
+  EXPECT_NEAR((piola_kirchhoff(sigma, F) - F.determinant() * sigma * F.inverse().transpose()).norm(), 0.0, 1e-16);
+}
+
+TEST(VelocityGradient, IsTheRateOverTheDeformation) {
+  const Mat2 rate = (Mat2() << 0.1, 0.4, -0.2, 0.05).finished();
+  const Mat2 F = (Mat2() << 1.1, 0.2, -0.1, 0.9).finished();
+  EXPECT_NEAR((velocity_gradient(rate, F) * F - rate).norm(), 0.0, 1e-15);
 }
 
 TEST(VonMises, OfPureShearIsRootThreeTimesIt) {

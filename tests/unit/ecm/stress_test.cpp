@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace matrigrate;
 
 namespace {
@@ -170,6 +172,50 @@ TEST(Deformation, FollowedHereAndThereHasTheSameBitsAsIfAllWereComputed) {
     ecm.x[150 - step] += Vec2(0.1, -0.2);
     ref.update(ecm);
   }
+}
+
+// The loops over rows of particles against the laws of material.hpp, bit by bit.
+TEST(StressUpdate, OfIntactParticlesIsTheLawOfOneParticle) {
+  EcmParameters p;
+  p.density_max = 1.08; // some particles lie above
+  EcmState ecm = deformed_body(p);
+  const Reference ref(ecm, p);
+  SolidFields solid;
+  follow_deformation(ecm, ref, solid);
+  const SolidFields before = solid;
+  const EcmState start = ecm;
+  const double dt = 0.05;
+  for (std::size_t i = 0; i < ecm.size(); ++i) ecm.x[i] += dt * ecm.v[i];
+  const DensityBounds bounds = advance_stress(ecm, p, ref, solid, dt);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] < 1.0) continue;
+    const Mat2 rate = (1.0 / dt) * (solid.H[i] - before.H[i]);
+    const Mat2 L = velocity_gradient(rate, Mat2::Identity() + before.H[i]);
+    const double rho = start.rho[i] + dt * density_rate(start.rho[i], L);
+    EXPECT_EQ(ecm.rho[i], std::clamp(rho, p.density_min, p.density_max)) << i;
+    const Mat2 S = start.S[i] + dt * jaumann_rate(start.S[i], L, moduli(p).G);
+    EXPECT_EQ(ecm.S[i], S) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 100U);
+  EXPECT_GT(bounds.above, 0U);
+}
+
+TEST(ElasticForces, OfIntactParticlesTakeTheLawOfOneParticle) {
+  EcmParameters p;
+  p.hourglass_weight = 0.0;
+  const EcmState ecm = deformed_body(p);
+  const Reference ref(ecm, p);
+  const SolidFields solid = forces_of(ecm, p, ref).solid;
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (!ref.plain(ecm, i)) continue;
+    const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], moduli(p).K), solid.F(ecm, i));
+    EXPECT_EQ(solid.PB[i], Mat2(ref.lattice_correction() * P)) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 5U);
 }
 
 TEST(StressUpdate, LeavesFluidAlone) {
