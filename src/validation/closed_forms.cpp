@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::validation {
@@ -22,6 +23,29 @@ Vec2 clamped_disc_displacement(const Vec2& force, const Vec2& x, double a, doubl
   const double across = -C * kappa * std::log(r) + c - d * (kappa + 2.0) * r * r;
   const double along_force = force.dot(e_r);
   return radial * along_force * e_r + across * (force - along_force * e_r);
+}
+
+double clamped_disc_compliance(const Kernel& kernel, double a, double G, double nu) {
+  const double step = kernel.support() / 24.0;
+  const auto grid = [&](double offset) { // points and weights of the kernel, on a grid shifted by a part of a step
+    std::vector<std::pair<Vec2, double>> points;
+    double sum = 0.0;
+    for (int row = -25; row <= 25; ++row)
+      for (int column = -25; column <= 25; ++column) {
+        const Vec2 x = step * Vec2(column + offset, row + offset);
+        if (x.norm() >= kernel.support()) continue;
+        points.emplace_back(x, kernel.W(x.norm()));
+        sum += points.back().second;
+      }
+    for (auto& [x, weight] : points) weight /= sum;
+    return points;
+  };
+  double mean = 0.0;
+  const auto loaded = grid(0.0);
+  for (const auto& [x, of_reading] : grid(0.5)) // so that no point is read where it is loaded: ln r is integrable
+    for (const auto& [y, of_load] : loaded)
+      mean += of_reading * of_load * clamped_disc_displacement(Vec2(1.0, 0.0), x - y, a, G, nu).x();
+  return mean;
 }
 
 double lattice_viscosity(const EcmParameters& p) { return sheared_lattice_viscosity(p, 0.0); }

@@ -3,6 +3,7 @@
 #include "base/vector.hpp"
 #include "ecm/material.hpp"
 #include "parameters/parameters.hpp"
+#include "sph/kernel.hpp"
 
 #include <span>
 
@@ -14,6 +15,11 @@ namespace matrigrate::validation {
 /// and 9.1).
 /// @param force  per depth [nN/um]   @param x  [um], not 0   @param a  [um]
 Vec2 clamped_disc_displacement(const Vec2& force, const Vec2& x, double a, double G, double nu);
+
+/// Mean displacement over a kernel at the centre of that disc, along a unit force spread over the same kernel [um/nN
+/// per um of depth]: what a point of the continuum that is loaded and read like an adhesion would have for compliance.
+/// Off-centre parts of the load take the solution of a central one: an error of order (h/a)^2.
+double clamped_disc_compliance(const Kernel& kernel, double a, double G, double nu);
 
 /// Viscosity that the pair drag of Eq. (2) has for long waves on the ideal lattice: mu times a lattice sum that is
 /// slightly below 1, since eta = 0.01 h^2 is added to |x_ij|^2 and the kernel is sampled at few points [nN s/um^2].

@@ -57,3 +57,24 @@ TEST(FluidForces, PushApartAndKeepMomentum) {
   EXPECT_NEAR(torque, 0.0, 1e-13);
   EXPECT_GT(outwards, 0.1);
 }
+
+TEST(FluidForces, PushAWallOfSolidWithHalfTheirPressure) { // the solid has no pressure of its own in these sums
+  const EcmParameters p;
+  EcmState ecm = strip(p, 24.0, 60.0);
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    ecm.f[i] = ecm.X[i].y() < 0.0 ? 0.0 : 1.0;
+    ecm.x[i].y() *= 0.97;
+  }
+  const Adjacency pairs = neighbours_within(ecm.x, 5.2, ecm.period_x);
+  std::vector<double> pressure;
+  std::vector<Vec2> force(ecm.size(), Vec2::Zero());
+  add_fluid_forces(ecm, p, pairs, pressure, force);
+  double on_wall = 0.0;
+  double deep = 0.0; // pressure of the fluid away from the wall
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] > 0.0) on_wall += force[i].y();
+    if (std::abs(ecm.X[i].y() + 15.0) < 1.1) deep = pressure[i];
+  }
+  ASSERT_GT(deep, 0.0);
+  EXPECT_NEAR(on_wall / (ecm.period_x * p.thickness * deep), 0.5, 0.03);
+}
