@@ -50,7 +50,7 @@ AccountingStorageType=accounting_storage/none
 SlurmdParameters=config_overrides
 ReturnToService=2
 KillWait=20
-NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
+NodeName=$host NodeAddr=127.0.0.1 CPUs=2 RealMemory=2000 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 END
 touch "$work/cgroup.conf"
@@ -117,7 +117,7 @@ for field in "Account=lab" "TimeLimit=01:00:00" "MinMemoryNode=200M" "Comment=tw
 done
 for _ in $(seq 200); do [ -z "$(squeue -h -r)" ] && break || sleep 1; done
 ls "$odd/slurm/${job}_0.out" "$odd/slurm/${job}_1.out"
-"$program" study status "$odd" | grep -q "2 of 2 runs done" || { "$program" study status "$odd" >&2; exit 1; }
+"$program" study status "$odd" | grep -qx "2 runs: 2 done" || { "$program" study status "$odd" >&2; exit 1; }
 [ ! -e PWNED ]
 echo "options are handed to Slurm, and a folder may have an odd name"
 
