@@ -164,6 +164,35 @@ Findings missing_files_in_comments(const Source& source, const Tree& tree) {
   return findings;
 }
 
+Findings unknown_commands(const Document& document, const std::set<std::string>& known) {
+  static const std::regex command(R"(\bmatrigrate ([a-z][^`#]*))");
+  static const std::regex verb(R"(^[a-z]+)");
+  static const std::regex option(R"(\s(--[a-z][a-z-]*))");
+  Findings findings;
+  each_line(document.text, [&](int number, const std::string& line) {
+    each_match(line, command, [&](const std::smatch& match) {
+      const std::string words = match[1].str();
+      const std::string own = words.substr(0, words.find(" -- ")); // what follows is for another program
+      std::vector<std::string> named;
+      each_match(own, verb, [&](const std::smatch& found) { named.push_back(found.str()); });
+      each_match(own, option, [&](const std::smatch& found) { named.push_back(found[1]); });
+      for (const std::string& name : named)
+        if (!known.contains(name)) findings.push_back(at(document.path, number, "no such verb or option: " + name));
+    });
+  });
+  return findings;
+}
+
+std::set<std::string> declared_commands(const std::string& source) {
+  static const std::regex declaration(R"re(add_(?:subcommand|option|flag)\(\s*"([^"]+)")re");
+  static const std::regex name("[^,]+");
+  std::set<std::string> found;
+  each_match(source, declaration, [&](const std::smatch& match) {
+    each_match(match[1].str(), name, [&](const std::smatch& part) { found.insert(part.str()); });
+  });
+  return found;
+}
+
 std::set<std::string> listed(std::string_view markdown, const std::string& heading) {
   static const std::regex name("`([^`]+)`");
   std::set<std::string> found;

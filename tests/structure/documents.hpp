@@ -38,6 +38,13 @@ Findings missing_files(const Document& document, const Tree& tree);
 /// The same of the comments of a C++ source; its path is from the root of the project.
 Findings missing_files_in_comments(const Source& source, const Tree& tree);
 
+/// Verbs and options that a page gives in a command `matrigrate ...` and that the program does not have.
+/// @param known  as in the sources: add_subcommand("run", ...), add_option("-o,--output", ...)
+Findings unknown_commands(const Document& document, const std::set<std::string>& known);
+
+/// The verbs and options that are declared in the text of a source.
+std::set<std::string> declared_commands(const std::string& source);
+
 /// The code spans in the first column of the tables of a section: `name` in "| `name` | reason |".
 std::set<std::string> listed(std::string_view markdown, const std::string& heading);
 

@@ -69,6 +69,13 @@ TEST(Documents, ReadmeListsWhatNpmInstalls) {
   EXPECT_EQ(listed(text_of("README.md"), "### From npm"), installed);
 }
 
+TEST(Documents, GiveCommandsThatExist) {
+  std::set<std::string> known;
+  for (const Source& source : sources(root / "apps")) known.merge(declared_commands(source.text));
+  ASSERT_TRUE(known.contains("study") && known.contains("--output"));
+  for (const Document& page : documents(root, tree(root))) expect_none(unknown_commands(page, known));
+}
+
 // The rules themselves, on text that breaks them and text that does not.
 
 TEST(DocumentRules, AnchorsAreThoseOfGitHub) {
@@ -103,6 +110,17 @@ TEST(DocumentRules, FindsMissingFiles) {
                                       files),
             (Findings{"src/io/plot.hpp:1: no such file: tests/no.cpp", "src/io/plot.hpp:1: no such file: a_test.cpp",
                       "src/io/plot.hpp:2: no such file: b.hpp"}));
+}
+
+TEST(DocumentRules, FindsUnknownCommands) {
+  const std::set<std::string> known =
+      declared_commands("app.add_subcommand(\"run\", \"\");\nverb->add_option(\n  \"-o,--output\", x);\n");
+  EXPECT_EQ(known, (std::set<std::string>{"run", "-o", "--output"}));
+  EXPECT_TRUE(
+      unknown_commands({"a.md", "Matrigrate is. `matrigrate run x --output y -- --no` --no # matrigrate"}, known)
+          .empty());
+  EXPECT_EQ(unknown_commands({"a.md", "\nmatrigrate fly --output x --out y   # --no\n"}, known),
+            (Findings{"a.md:2: no such verb or option: fly", "a.md:2: no such verb or option: --out"}));
 }
 
 TEST(DocumentRules, ReadsLists) {
