@@ -76,6 +76,13 @@ TEST(Documents, GiveCommandsThatExist) {
   for (const Document& page : documents(root, tree(root))) expect_none(unknown_commands(page, known));
 }
 
+TEST(Documents, NoticesAreOfTheVersionThatReportsCarry) {
+  const std::string package = text_of("viewer/package.json");
+  std::smatch version;
+  ASSERT_TRUE(std::regex_search(package, version, std::regex(R"re("plotly[^"]*": "([\d.]+)")re")));
+  EXPECT_NE(text_of("NOTICES").find("version " + version[1].str() + ","), std::string::npos);
+}
+
 // The rules themselves, on text that breaks them and text that does not.
 
 TEST(DocumentRules, AnchorsAreThoseOfGitHub) {
