@@ -51,7 +51,7 @@ std::string description(const Parameters& p, const Derived& d) {
   add("cortex", fmt::format("{:.3g} um", d.segment_length),
       fmt::format("a segment of {}; a protrusion takes {:.3g} um", p.cell.particles, d.protrusion_width));
   add("first protrusion", duration_text(d.first_wait),
-      fmt::format("on average; later {} a free front", duration_text(d.wait)));
+      fmt::format("on average; after that a cell without any waits {}", duration_text(d.wait)));
   add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
   add("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)), "set by the " + d.limits.binding());
   add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");

@@ -65,22 +65,32 @@ void add_reading(CLI::App& group, Action& chosen) {
   verb->callback([gather, &chosen] { chosen = [gather] { return collect_study(*gather); }; });
 }
 
+void add_slurm_options(CLI::App& verb, SubmitOptions& options) {
+  SlurmOptions& slurm = options.slurm;
+  verb.add_option("--account", slurm.account, "Slurm's account that the time is charged to");
+  verb.add_option("--partition", slurm.partition, "Slurm's partition, or several with commas between");
+  verb.add_option("--qos", slurm.qos, "Slurm's quality of service");
+  verb.add_option("--time", slurm.time, "Time limit of a task, as in 12:00:00");
+  verb.add_option("--mem", slurm.memory, "Memory of a task, as in 500M");
+  verb.add_option("--mail-user", slurm.mail_user, "Who is told by mail when the job ends or fails");
+  verb.add_option("--throttle", slurm.throttle, "Largest number of tasks at a time (default: as Slurm decides)");
+  verb.add_option("--cpus", slurm.cpus, "Threads per task; never changes a result (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  verb.add_option("--chunk", options.chunk,
+                  "Runs per task, one after the other (default: as few as fit into 1000 tasks)");
+  verb.add_option("SBATCH", slurm.more, "After --: further options for sbatch, as in -- --constraint=avx2");
+}
+
 void add_slurm(CLI::App& group, Action& chosen) {
   const auto submit = std::make_shared<SubmitOptions>();
   CLI::App* verb = group.add_subcommand("submit", "Hand what is missing to Slurm, as a job array");
   add_file(*verb, submit->study);
-  verb->add_option("--throttle", submit->throttle, "Tasks at a time (default: as Slurm likes)");
-  verb->add_option("--chunk", submit->chunk,
-                   "Runs a task, one after the other (default: as few as fit into 1000 tasks)");
-  verb->add_option("--cpus", submit->cpus, "Threads a task; never changes a result (default: 1)")
-      ->check(CLI::Range(1, 1024));
-  verb->add_option("--partition", submit->partition, "Slurm's partition");
-  verb->add_option("--time", submit->time, "Slurm's time limit of a task, as in 12:00:00");
+  add_slurm_options(*verb, *submit);
   add_retry(*verb, submit->study);
   verb->add_flag("--json", submit->study.json, "Print {folder, job, runs, tasks}");
   verb->footer(
       "Writes submit.sh into the folder and calls sbatch. A task that is stopped before its end queues itself\n"
-      "again. The results are those of `study run`, to the bit.");
+      "again. The results are those of `study run`, to the bit. What stands after -- is handed to sbatch as it is.");
   verb->callback([submit, &chosen] { chosen = [submit] { return submit_study(*submit); }; });
   const auto task = std::make_shared<TaskOptions>();
   verb = group.add_subcommand("task", "One task of a job array; called by submit.sh");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/slurm_job.hpp"
 #include "apps/study_folder.hpp"
 #include "apps/study_pool.hpp"
 
@@ -31,12 +32,12 @@ int collect_study(const StudyOptions& options);
 
 struct SubmitOptions {
   StudyOptions study;
-  std::size_t throttle = 0; ///< tasks at a time; 0: no limit
-  std::size_t chunk = 0;    ///< runs a task; 0: as few as fit into 1000 tasks
-  int cpus = 1;             ///< a task
-  std::string partition;
-  std::string time;
+  SlurmOptions slurm;
+  std::size_t chunk = 0; ///< runs per task; 0: as few as fit into 1000 tasks
 };
+/// Writes the job script and hands it to sbatch.
+/// @throws ConfigurationError if the study or an option for Slurm is wrong; nothing is written then
+/// @throws InputOutputError if there is no sbatch, or it refuses; the script is kept then
 int submit_study(const SubmitOptions& options);
 
 struct TaskOptions {

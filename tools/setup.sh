@@ -39,7 +39,7 @@ die() {
 # install_packages LIST: installs what is missing of it, through apt, as root or through sudo; touches nothing otherwise.
 install_packages() {
   local missing="" name reason
-  command -v dpkg-query >/dev/null || die "this installs Debian packages, and needs Debian 12; CONTRIBUTING.md says how to build elsewhere"
+  command -v dpkg-query >/dev/null || die "this installs Debian packages, and needs Debian 12; \"Other systems\" in CONTRIBUTING.md says what a build needs elsewhere"
   while IFS=: read -r name reason; do
     [ -n "$name" ] || continue
     dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null | grep -qx installed && continue

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// The ways in which a call may fail, one type an exit code of the program (see docs/exit-codes in the README).
+/// The ways in which a call may fail, one type per exit code of the program (the table of exit codes is in README.md).
 namespace matrigrate {
 
 /// What is wrong with one place of an input file. Printed as `file:line:column: key: message`.

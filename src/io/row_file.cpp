@@ -15,7 +15,7 @@ namespace {
 struct Text {
   std::string operator()(double value) const { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
   std::string operator()(std::uint64_t value) const { return fmt::format("{}", value); }
-  std::string operator()(std::string_view value) const { return quoted(value); }
+  std::string operator()(std::string_view value) const { return csv_text(value); }
 };
 
 std::string checked_line(const std::string& name, std::size_t columns, const std::vector<Field>& fields) {

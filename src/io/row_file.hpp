@@ -16,7 +16,7 @@ namespace matrigrate::io {
 /// A field of a row: a number in the shortest form that reads back to the same bits (NaN: empty), or a word.
 using Field = std::variant<double, std::uint64_t, std::string_view>;
 
-/// A line of CSV with its end; words with a comma, quote or line break are quoted (RFC 4180).
+/// A line of CSV with its end; words as csv_text (io/table.hpp) writes them.
 std::string csv_line(const std::vector<Field>& fields);
 
 class RowFile {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -18,12 +19,23 @@ void check_length(const Table& table, const std::vector<double>& row) {
         fmt::format("a row of {} numbers does not fit a table of {} columns", row.size(), table.columns.size()));
 }
 
+bool is_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// Whether a spreadsheet would compute a field instead of showing it.
+bool is_formula(std::string_view field) { return field.find_first_of("=+-@\t\r\n") == 0 && !is_number(field); }
+
 } // namespace
 
-std::string quoted(std::string_view field) {
-  if (field.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(field);
+std::string csv_text(std::string_view field) {
+  const std::string shown = (is_formula(field) ? "'" : "") + std::string(field);
+  if (shown.find_first_of(",\"\r\n") == std::string::npos) return shown;
   std::string out = "\"";
-  for (const char c : field) {
+  for (const char c : shown) {
     if (c == '"') out += '"';
     out += c;
   }
@@ -39,7 +51,7 @@ std::string to_csv(const Table& table) {
   std::string out;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (c > 0) out += ',';
-    out += quoted(table.columns[c]);
+    out += csv_text(table.columns[c]);
   }
   out += '\n';
   for (const auto& row : table.rows) {

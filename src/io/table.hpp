@@ -20,7 +20,9 @@ struct Table {
 /// @throws std::invalid_argument if a row is not as long as columns
 std::string to_csv(const Table& table);
 
-/// A field of CSV, in quotes where it holds a character that would end it.
-std::string quoted(std::string_view field);
+/// Text as a field of CSV: in quotes where it holds a character that would end the field, and after an apostrophe where
+/// a spreadsheet would compute it as a formula, that is, where it begins with = + - @, a tab or a line break and is no
+/// number. Test: tests/unit/io/table_test.cpp
+std::string csv_text(std::string_view field);
 
 } // namespace matrigrate::io

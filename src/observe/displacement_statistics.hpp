@@ -25,7 +25,8 @@ std::vector<MsdPoint> mean_square_displacement(std::span<const TrackRow> rows, d
 double msd_slope(std::span<const MsdPoint> points);
 
 /// Mean angle between the path and a direction taken without sign, each step of `interval` weighted by its length: 0
-/// along, 90 across, 57.3 where every direction is as likely [degrees]. NaN without a path.
+/// along, 90 across, 45 on average where all directions in the plane are equally likely
+/// [degrees]. NaN without a path.
 /// @param direction  angle of the fibres [rad]   @param interval  [s]
 double angle_to(std::span<const TrackRow> rows, double direction, double interval);
 

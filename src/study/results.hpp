@@ -10,7 +10,7 @@
 #include <vector>
 
 /// What the runs of a study have come to, from the files of a study folder. May be read at any time.
-/// Test: tests/unit/study/results_test.cpp, tests/apps/study_test.cpp
+/// Test: tests/unit/study/comparison_test.cpp, tests/apps/study_test.cpp
 namespace matrigrate::study {
 
 /// The folder of a run, and the file that its output goes to while it is computed.

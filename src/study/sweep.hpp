@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The points of a study: a grid of lists, points one by one, and a Latin hypercube.
-/// Test: tests/unit/study/read_study_test.cpp, sweep_test.cpp
+/// Test: tests/unit/study/read_study_test.cpp, plan_test.cpp
 namespace matrigrate::study {
 
 /// A point that is being made, and where its settings stand in the file.

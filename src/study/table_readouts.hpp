@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Read-outs of a run that claims of the paper need and that its tables hold: shares, which are no means of a run.
-/// Test: tests/unit/study/results_test.cpp
+/// Test: tests/unit/study/comparison_test.cpp
 namespace matrigrate::study {
 
 /// An adhesion counts as ended "at a low force" below this f_adh_rel (Eq. 9): half of what its maturation stands for.

@@ -222,7 +222,7 @@ TEST_F(Study, WithoutSlurmTheScriptIsKept) {
                                 "' study submit e.toml --throttle 2 --time 1:00:00 2>'"
                               + (base / "err").string() + "'";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 5);
-  EXPECT_TRUE(contains(text_of(base / "err"), "sbatch is not there")) << text_of(base / "err");
+  EXPECT_TRUE(contains(text_of(base / "err"), "sbatch was not found")) << text_of(base / "err");
   const std::string script = file("e-study/submit.sh");
   for (const char* line : {"#SBATCH --array=0-3%2", "#SBATCH --requeue", "#SBATCH --time=1:00:00"})
     EXPECT_TRUE(contains(script, line)) << script;

@@ -50,7 +50,7 @@ AccountingStorageType=accounting_storage/none
 SlurmdParameters=config_overrides
 ReturnToService=2
 KillWait=20
-NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
+NodeName=$host NodeAddr=127.0.0.1 CPUs=2 RealMemory=2000 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 END
 touch "$work/cgroup.conf"
@@ -104,6 +104,22 @@ cmp slurm/results.csv local/results.csv
 cmp slurm/statistics.csv local/statistics.csv
 "$program" study submit study.toml -o slurm | grep -q "nothing to submit"
 echo "the same results from Slurm and from the local pool"
+
+# What a cluster may ask for, sbatch's own options, and a folder whose name Slurm could misread.
+sed 's/^replicates.*/replicates = 1/' study.toml >few.toml
+odd="100 %A \$(touch PWNED) 'x' # y"
+"$program" study submit few.toml -o "$odd" --account lab --time 1:00:00 --mem 200M --mail-user nobody --json \
+  -- --comment="two words" --nice=7 >job.json
+job=$(sed -n 's/.*"job": "\([0-9]*\)".*/\1/p' job.json)
+scontrol show job "${job}_0" >job.txt
+for field in "Account=lab" "TimeLimit=01:00:00" "MinMemoryNode=200M" "Comment=two words" "Nice=7"; do
+  grep -qF "$field" job.txt || { echo "the job has no $field" >&2; cat job.txt >&2; exit 1; }
+done
+for _ in $(seq 200); do [ -z "$(squeue -h -r)" ] && break || sleep 1; done
+ls "$odd/slurm/${job}_0.out" "$odd/slurm/${job}_1.out"
+"$program" study status "$odd" | grep -qx "2 runs: 2 done" || { "$program" study status "$odd" >&2; exit 1; }
+[ ! -e PWNED ]
+echo "options are handed to Slurm, and a folder may have an odd name"
 
 # A task that nears its time limit is queued again. What is cancelled stays cancelled.
 sed 's/^replicates.*/replicates = 1/; s/^\[sweep\]/[set]\nrun.duration = "1000 h"\nprotrusion.initiation_rate = 0\n[sweep]/' study.toml >long.toml

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace matrigrate::io {
 namespace {
@@ -51,6 +52,16 @@ TEST(Table, WritesMissingNumbersAsEmptyFields) {
 TEST(Table, QuotesColumnsThatHoldSeparators) {
   const Table table{{"a,b", "say \"x\"", "plain"}, {}};
   EXPECT_EQ(to_csv(table), "\"a,b\",\"say \"\"x\"\"\",plain\n");
+}
+
+TEST(Table, NoSpreadsheetComputesText) {
+  EXPECT_EQ(csv_text("=cmd|'/c calc'!A1"), "'=cmd|'/c calc'!A1");
+  EXPECT_EQ(csv_text("=HYPERLINK(\"x\",1)"), "\"'=HYPERLINK(\"\"x\"\",1)\"");
+  for (const std::string text : {"+1+2", "-1+cmd|' /C calc'!A1", "-10 %", "@SUM(A1)", "\t=1", "-", "+"})
+    EXPECT_EQ(csv_text(text), "'" + text);
+  EXPECT_EQ(csv_text("\r=1"), "\"'\r=1\"");
+  for (const std::string text : {"-1.5", "+1.5", "-1e-3", "-inf", "0", "", "50 Pa", "E = 50 Pa", "a-b", "'=1"})
+    EXPECT_EQ(csv_text(text), text) << "left as it is";
 }
 
 TEST(Table, RefusesRowsOfAnotherLength) {

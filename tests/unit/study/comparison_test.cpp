@@ -58,6 +58,18 @@ TEST(Results, ColumnsCarryUnits) {
   EXPECT_NE(csv.find(",50,none,1,0,done,"), std::string::npos) << csv;
 }
 
+TEST(Results, LabelsAreNoFormulas) {
+  const Study s = read("readouts = [\"f_mat\"]\n[[points]]\nlabel = \"=cmd|'/c calc'!A1\"\nprotrusion.number = 1\n"
+                       "[[points]]\nlabel = \"-1.5\"\nprotrusion.number = 2\n");
+  const std::vector<Result> results = results_of("f_mat", {{0.5, 0.6}, {0.7, 0.8}});
+  for (const std::string& csv :
+       {results_csv(s, results), groups_csv(s, results), statistics_csv(s, comparisons(s, results))}) {
+    EXPECT_NE(csv.find(",'=cmd|'/c calc'!A1,"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find(",=cmd"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",-1.5,"), std::string::npos) << csv;
+  }
+}
+
 TEST(Results, NumbersOfAColumn) {
   const std::string csv = "a,b_um,c\n1,2.5,x\n,,y\n3,-1e-3,z\n";
   const auto b = csv_column(csv, "b_um");
