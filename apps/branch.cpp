@@ -71,15 +71,20 @@ void require_multiple(double t, const Parameters& p) {
           .message = fmt::format("{:.6g} s is no multiple of run.time_step, {:.6g} s", t, p.run.time_step)}});
 }
 
+Parameters changed(const Parameters& before, const BranchOptions& options) {
+  try {
+    return apply_overrides(before, all_overrides(options));
+  } catch (const ConfigurationError& error) {
+    throw naming_options(error, options);
+  }
+}
+
 } // namespace
 
 int branch(const fs::path& from, const BranchOptions& options, const Manner& manner) {
-  const Parameters before = read_parameters(from / "scenario.resolved.toml");
-  std::vector<std::string> overrides = options.overrides;
-  if (options.hours) overrides.push_back(fmt::format("run.duration={} h", *options.hours));
-  if (options.seed) overrides.push_back(fmt::format("run.seed={}", *options.seed));
-  if (options.threads) overrides.push_back(fmt::format("run.threads={}", *options.threads));
-  const Parameters after = apply_overrides(before, overrides);
+  const Parameters before = scenario_of(from);
+  const std::vector<std::string> overrides = all_overrides(options);
+  const Parameters after = changed(before, options);
   require_same_start(before, after);
   require_stable_step(after);
   const double at = options.at.empty() ? std::numeric_limits<double>::infinity() : wall_time_of(options.at);
