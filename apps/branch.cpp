@@ -1,5 +1,6 @@
 #include "apps/branch.hpp"
 
+#include "apps/occupied_folder.hpp"
 #include "apps/provenance.hpp"
 #include "apps/stopped_run.hpp"
 #include "base/failure.hpp"
@@ -119,6 +120,8 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
   beginning.lineage.back()["set"] = overrides;
   beginning.p = after;
   beginning.before = Before{.p = before, .until = until};
+  if (!is_free(manner.folder))
+    throw InputOutputError(manner.folder.string() + ": exists and is not empty; choose another folder with -o");
   make_output_folder(manner.folder, false);
   return simulate(std::move(beginning), manner);
 }

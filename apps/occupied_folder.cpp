@@ -79,17 +79,22 @@ std::string description(const fs::path& folder, const Json& record, const Parame
 
 } // namespace
 
+bool is_free(const fs::path& folder) { return visible_entries(folder).empty(); }
+
 void require_free(const fs::path& folder, const Parameters& p) {
-  if (visible_entries(folder).empty()) return;
+  if (is_free(folder)) return;
   const Json record = record_of(folder);
   const std::string resume = fmt::format("matrigrate resume {}", folder.string());
-  if (record.is_object())
-    throw InputOutputError(fmt::format("{}{} goes on with that run; -o FOLDER writes this run somewhere else; --force "
-                                       "removes that run and starts this one",
-                                       description(folder, record, p), resume));
+  if (record.is_object()) {
+    const bool done = text_of(record, "status") == "done";
+    throw InputOutputError(
+        fmt::format("{}-o FOLDER writes the new run somewhere else; {}{} that run; --force removes it "
+                    "and starts the new one",
+                    description(folder, record, p), resume, done ? " --hours H extends" : " continues"));
+  }
   if (has_checkpoint(folder))
     throw InputOutputError(fmt::format("{}: holds a run whose run.json is missing or damaged; it can be resumed: {}\n"
-                                       "-o FOLDER writes this run somewhere else",
+                                       "-o FOLDER writes the new run somewhere else",
                                        folder.string(), resume));
   throw InputOutputError(fmt::format("{}: exists and is not empty: it holds {}; choose another folder with -o, or pass "
                                      "--force: only files of an older run are removed",

@@ -7,6 +7,9 @@
 /// What a folder holds that a new run would be written into. Test: tests/apps/run_test.cpp
 namespace matrigrate::apps {
 
+/// Whether a folder is not there or empty, hidden files aside.
+bool is_free(const std::filesystem::path& folder);
+
 /// @throws InputOutputError if the folder is not empty, hidden files aside: says which run it holds, in which
 /// parameters
 ///         that run differs from p, and what can be done

@@ -40,7 +40,7 @@ struct LostFrames {
 /// @param there    times of those that are there, ascending [s]
 LostFrames lost_frames(std::span<const double> written, std::span<const double> there);
 
-/// "4 of 11 earlier frames (from 30 s to 2 min) are lost: ..."; empty if none is lost.
+/// "4 of 11 frames (from 30 s to 2 min) are lost: ..."; empty if none is lost.
 std::string to_text(const LostFrames& lost);
 
 /// The times of a film's frames [s].

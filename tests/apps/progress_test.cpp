@@ -21,7 +21,7 @@ TEST(ProgressLine, LeavesOutWhatThereIsNoRoomFor) {
   EXPECT_EQ(progress_line(text, 100),
             "[####--------------------] 15 %  9 min 14 s of 1 h  27 s left  2 protrusions alive of 3");
   EXPECT_EQ(progress_line(text, 79), "[##--------] 15 %  9 min 14 s of 1 h  27 s left  2 protrusions alive of 3");
-  EXPECT_EQ(progress_line(text, 60), "[####--------------------] 15 %  9 min 14 s of 1 h  27 s left");
+  EXPECT_EQ(progress_line(text, 64), "[####--------------------] 15 %  9 min 14 s of 1 h  27 s left");
   EXPECT_EQ(progress_line(text, 39), "15 %  9 min 14 s of 1 h  27 s left");
   EXPECT_EQ(progress_line(text, 20), "15 %  27 s left");
   for (std::size_t width = 0; width < 120; ++width) EXPECT_LE(progress_line(text, width).size(), width);

@@ -201,6 +201,10 @@ TEST_F(Resume, RefusesBranchesThatCannotBe) {
   EXPECT_EQ(run("resume trunk --at '70 s'").code, 3) << "beyond the end";
   EXPECT_EQ(run("resume trunk --at '10.1 s'").code, 3) << "between steps";
   EXPECT_EQ(run("resume trunk --set run.sed=1").code, 3);
+  EXPECT_TRUE(contains(run("resume trunk --hours -1").err, "--hours: run.duration"));
+  const Ended taken = run("resume trunk --at '12 s' --seed 2 -o trunk");
+  EXPECT_EQ(taken.code, 5);
+  EXPECT_TRUE(contains(taken.err, "trunk: exists and is not empty; choose another folder with -o\n")) << taken.err;
   EXPECT_FALSE(exists("trunk-branch"));
 }
 

@@ -97,7 +97,7 @@ TEST_F(Run, SaysInWhatARunInItsFolderDiffers) {
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "here: holds another run (done, 36 s of 36 s):\n")) << ended.err;
   for (const char* line : {"\n  ecm.youngs_modulus: 200 Pa there, 50 Pa here\n", "\n  run.seed: 1 there, 4 here\n",
-                           "\n  run.duration: 36 s there, 7.2 s here\n"})
+                           "\n  run.duration: 0.01 h there, 0.002 h here\n"})
     EXPECT_TRUE(contains(ended.err, line)) << ended.err;
   EXPECT_FALSE(contains(ended.err, "run.threads")) << "which changes no result";
   for (const char* offer : {"matrigrate resume here", "-o FOLDER", "--force"})

@@ -104,9 +104,9 @@ TEST(LostFrames, AreCountedAndTold) {
   EXPECT_EQ(lost.first, 30.0);
   EXPECT_EQ(lost.last, 60.0);
   EXPECT_EQ(to_text(lost),
-            "2 of 4 earlier frames (from 30 s to 1 min) are lost: neither fields.part nor fields.h5 holds them whole");
+            "2 of 4 frames (from 30 s to 1 min) are lost: neither fields.part nor fields.h5 holds them whole");
   EXPECT_EQ(to_text(lost_frames(written, std::vector{0.0, 30.0, 60.0})),
-            "1 of 4 earlier frames (at 1 min 30 s) is lost: neither fields.part nor fields.h5 holds it whole");
+            "1 of 4 frames (at 1 min 30 s) is lost: neither fields.part nor fields.h5 holds it whole");
 }
 
 } // namespace
