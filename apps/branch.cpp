@@ -1,5 +1,6 @@
 #include "apps/branch.hpp"
 
+#include "apps/occupied_folder.hpp"
 #include "apps/provenance.hpp"
 #include "apps/stopped_run.hpp"
 #include "base/failure.hpp"
@@ -71,15 +72,20 @@ void require_multiple(double t, const Parameters& p) {
           .message = fmt::format("{:.6g} s is no multiple of run.time_step, {:.6g} s", t, p.run.time_step)}});
 }
 
+Parameters changed(const Parameters& before, const BranchOptions& options) {
+  try {
+    return apply_overrides(before, all_overrides(options));
+  } catch (const ConfigurationError& error) {
+    throw naming_options(error, options);
+  }
+}
+
 } // namespace
 
 int branch(const fs::path& from, const BranchOptions& options, const Manner& manner) {
-  const Parameters before = read_parameters(from / "scenario.resolved.toml");
-  std::vector<std::string> overrides = options.overrides;
-  if (options.hours) overrides.push_back(fmt::format("run.duration={} h", *options.hours));
-  if (options.seed) overrides.push_back(fmt::format("run.seed={}", *options.seed));
-  if (options.threads) overrides.push_back(fmt::format("run.threads={}", *options.threads));
-  const Parameters after = apply_overrides(before, overrides);
+  const Parameters before = scenario_of(from);
+  const std::vector<std::string> overrides = all_overrides(options);
+  const Parameters after = changed(before, options);
   require_same_start(before, after);
   require_stable_step(after);
   const double at = options.at.empty() ? std::numeric_limits<double>::infinity() : wall_time_of(options.at);
@@ -114,6 +120,8 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
   beginning.lineage.back()["set"] = overrides;
   beginning.p = after;
   beginning.before = Before{.p = before, .until = until};
+  if (!is_free(manner.folder))
+    throw InputOutputError(manner.folder.string() + ": exists and is not empty; choose another folder with -o");
   make_output_folder(manner.folder, false);
   return simulate(std::move(beginning), manner);
 }

@@ -1,23 +1,17 @@
 #pragma once
 
+#include "apps/parameter_options.hpp"
 #include "apps/simulate.hpp"
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
 /// Branches of a run: other parameters, another seed or another end from a moment on.
 /// Test: tests/apps/resume_test.cpp
 namespace matrigrate::apps {
 
-struct BranchOptions {
+struct BranchOptions : ParameterOptions {
   std::string at; ///< time with its unit; empty: the last checkpoint
-  std::vector<std::string> overrides;
-  std::optional<std::uint64_t> seed;
-  std::optional<double> hours;
-  std::optional<int> threads;
 
   bool any() const { return !at.empty() || !overrides.empty() || seed || hours; }
 };

@@ -21,12 +21,16 @@ struct Options {
 };
 
 /// All faults of a file; none if it is good.
-std::vector<Fault> faults_of(const std::string& file) {
+/// @param unreadable  becomes true if it cannot be read
+std::vector<Fault> faults_of(const std::string& file, bool& unreadable) {
   try {
     read_parameters(file);
     return {};
   } catch (const ConfigurationError& error) {
     return error.faults();
+  } catch (const InputOutputError& error) {
+    unreadable = true;
+    return {{.file = {}, .line = 0, .column = 0, .key = {}, .message = error.what()}};
   }
 }
 
@@ -39,9 +43,10 @@ Json to_json(const std::string& file, const std::vector<Fault>& faults) {
 
 int check_files(const Options& options) {
   bool all_good = true;
+  bool unreadable = false;
   Json files = Json::array();
   for (const std::string& file : options.files) {
-    const std::vector<Fault> faults = faults_of(file);
+    const std::vector<Fault> faults = faults_of(file, unreadable);
     all_good = all_good && faults.empty();
     if (options.json) {
       files.push_back(to_json(file, faults));
@@ -52,7 +57,7 @@ int check_files(const Options& options) {
   }
   if (options.json)
     print(Json{{"good", all_good}, {"files", files}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  return all_good ? done : configuration;
+  return unreadable ? input_output : all_good ? done : configuration;
 }
 
 } // namespace
@@ -62,7 +67,7 @@ void add_check(CLI::App& app, Action& chosen) {
   verb->footer(
       "A fault is printed as file:line:column: key: what is wrong and what is allowed.\n"
       "--json prints {good, files: [{file, good, faults: [{line, column, key, message}]}]}; line and column are 0 "
-      "where there is none.\nExit code 3 if any file has a fault.");
+      "where there is none.\nExit code 3 if any file has a fault, 5 if one cannot be read.");
   const auto options = std::make_shared<Options>();
   verb->add_option("FILE", options->files, "Scenario files")->required();
   verb->add_flag("--json", options->json, "Print the findings as JSON");

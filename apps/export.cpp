@@ -1,15 +1,22 @@
 #include "apps/export_pictures.hpp"
 #include "apps/finished_run.hpp"
+#include "apps/own_files.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "io/field_file.hpp"
 #include "io/track_files.hpp"
 #include "io/vtk_files.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace matrigrate::apps {
 
@@ -19,13 +26,52 @@ struct Options {
   std::string folder;
   std::string output;
   std::string layer = "displacement";
-  bool vtk = false, tracks = false, svg = false, png = false, movie = false;
+  bool vtk = false, fields = false, tracks = false, svg = false, png = false, movie = false;
   bool force = false;
 };
 
+bool is_wanted(const Options& options, std::string_view kind) {
+  const std::array<std::pair<std::string_view, bool>, 6> flags{{{"--vtk", options.vtk},
+                                                                {"--fields", options.fields},
+                                                                {"--tracks", options.tracks},
+                                                                {"--svg", options.svg},
+                                                                {"--png", options.png},
+                                                                {"--movie", options.movie}}};
+  return std::ranges::any_of(flags, [&](const auto& flag) { return flag.first == kind && flag.second; });
+}
+
+std::vector<ExportKind> wanted_kinds(const Options& options) {
+  std::vector<ExportKind> kinds;
+  std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
+                       [&](const ExportKind& kind) { return is_wanted(options, kind.option); });
+  if (kinds.empty()) throw UsageError("say what to export: --vtk, --fields, --tracks, --svg, --png or --movie");
+  return kinds;
+}
+
 void require_frames(const FinishedRun& run, const std::string& folder) {
-  if (run.film.frames.empty())
-    throw InputOutputError(fmt::format("{}: holds no frames; output.field_interval was 0", folder));
+  if (!run.film.frames.empty()) return;
+  const bool kept = run.p.output.field_interval > 0.0;
+  throw InputOutputError(fmt::format("{}: holds no frames: {}", folder,
+                                     kept ? "neither fields.part nor fields.h5 has any"
+                                          : "the run was made with output.field_interval = 0"));
+}
+
+/// Makes room for what is exported: other kinds in the folder stay, the same kind is replaced if `force`.
+void prepare(const std::filesystem::path& to, const std::vector<ExportKind>& kinds, bool force) {
+  if (std::filesystem::exists(to / "run.json"))
+    throw InputOutputError(fmt::format("{}: is the folder of a run; export into another one", to.string()));
+  for (const ExportKind& kind : kinds)
+    if (const auto files = files_of(kind, to); !files.empty() && !force)
+      throw InputOutputError(fmt::format("{}: exists; {} --force replaces this kind of export, -o FOLDER writes it "
+                                         "somewhere else",
+                                         files.front().string(), kind.option));
+  make_output_folder(to, true);
+  for (const ExportKind& kind : kinds) std::ranges::for_each(files_of(kind, to), remove_file);
+}
+
+void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
+  write_file(to / io::field_file_name, io::field_file(run.film));
+  write_file(to / io::field_index_name, io::field_index(&run.film.frames.front(), io::times_of(run.film)));
 }
 
 void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
@@ -35,22 +81,26 @@ void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
 }
 
 int export_run(const Options& options) {
-  if (!(options.vtk || options.tracks || options.svg || options.png || options.movie))
-    throw UsageError("say what to export: --vtk, --tracks, --svg, --png or --movie");
+  const std::vector<ExportKind> kinds = wanted_kinds(options);
   const Layer layer = layer_of(options.layer);
   const FinishedRun run = read_run(options.folder);
-  if (options.vtk || options.png || options.movie) require_frames(run, options.folder);
+  if (options.vtk || options.fields || options.png || options.movie) {
+    require_frames(run, options.folder);
+    tell_lost_frames(run);
+  }
   if (options.png || options.movie) {
     require_layer(run, layer);
     require_tools(options.movie);
   }
   const std::filesystem::path to =
       options.output.empty() ? std::filesystem::path(options.folder) / "export" : std::filesystem::path(options.output);
-  make_output_folder(to, options.force);
+  prepare(to, kinds, options.force);
   if (options.vtk) io::write_vtk(to, run.film);
+  if (options.fields) export_fields(run, to);
   if (options.tracks) export_tracks(run, to);
   if (options.svg) export_svg(run, to);
-  if (options.png || options.movie) export_film(run, layer, to, options.movie);
+  if (options.png) export_pictures(run, layer, to);
+  if (options.movie) export_movie(run, layer, to);
   print(fmt::format("exported to {}\n", to.string()));
   return done;
 }
@@ -59,20 +109,23 @@ int export_run(const Options& options) {
 
 void add_export(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("export", "Write a run in other formats: VTK, tracks, pictures, a movie");
-  verb->footer("fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
+  verb->footer("Adds to what the folder holds: several kinds may be exported one after the other.\n"
+               "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
                "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
                "--png and --movie call rsvg-convert and ffmpeg, which have to be installed.");
   const auto options = std::make_shared<Options>();
   verb->add_option("DIR", options->folder, "Folder of a run")->required();
   verb->add_flag("--vtk", options->vtk, "A .vtp file a frame of matrix and outline, and .pvd files with their times");
+  verb->add_flag("--fields", options->fields,
+                 "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
   verb->add_flag("--tracks", options->tracks, "The path for celltrackR (CSV) and TrackMate (CSV, XML)");
   verb->add_flag("--svg", options->svg, "The contact sheet and the path, for a publication");
-  verb->add_flag("--png", options->png, "A picture a frame");
-  verb->add_flag("--movie", options->movie, "movie.mp4 of these pictures");
+  verb->add_flag("--png", options->png, "One picture per frame");
+  verb->add_flag("--movie", options->movie, "movie.mp4 of such pictures");
   verb->add_option("--layer", options->layer,
                    "Of --png and --movie: displacement, von_mises, pressure or fibre_von_mises");
   verb->add_option("-o,--output", options->output, "Folder to write into (default: DIR/export)");
-  verb->add_flag("--force", options->force, "Write into a folder that is not empty");
+  verb->add_flag("--force", options->force, "Replace an earlier export of the same kind");
   verb->callback([options, &chosen] { chosen = [options] { return export_run(*options); }; });
 }
 

@@ -14,11 +14,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 namespace matrigrate::apps {
@@ -104,6 +106,24 @@ std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer,
                     width);
 }
 
+/// A folder that is gone with all that is in it at the end of this object.
+struct TemporaryFolder {
+  explicit TemporaryFolder(const std::filesystem::path& in) {
+    std::string name = (in / ".movie.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw InputOutputError(
+          fmt::format("{}: cannot be written: {}", in.string(), std::generic_category().message(errno)));
+    path = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  std::filesystem::path path;
+};
+
 } // namespace
 
 Layer layer_of(const std::string& name) {
@@ -143,16 +163,21 @@ std::string last_picture(const FinishedRun& run, Layer layer) {
   return picture(run, last.frames.front(), layer, limits_of(last, layer));
 }
 
-void export_film(const FinishedRun& run, Layer layer, const std::filesystem::path& folder, bool movie) {
+void export_pictures(const FinishedRun& run, Layer layer, const std::filesystem::path& folder) {
   const io::Limits limits = limits_of(run.film, layer);
   for (std::size_t k = 0; k < run.film.frames.size(); ++k) {
     const std::string name = (folder / fmt::format("frame_{:04}", k)).string();
     write_file(name + ".svg", picture(run, run.film.frames[k], layer, limits));
     call({"rsvg-convert", "--output", name + ".png", name + ".svg"});
   }
-  if (movie) // with even sides, which H.264 wants
-    call({"ffmpeg", "-loglevel", "error", "-y", "-framerate", "10", "-i", (folder / "frame_%04d.png").string(), "-vf",
-          "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p", (folder / "movie.mp4").string()});
+}
+
+void export_movie(const FinishedRun& run, Layer layer, const std::filesystem::path& folder) {
+  const TemporaryFolder pictures(folder);
+  export_pictures(run, layer, pictures.path);
+  // with even sides, which H.264 wants
+  call({"ffmpeg", "-loglevel", "error", "-y", "-framerate", "10", "-i", (pictures.path / "frame_%04d.png").string(),
+        "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p", (folder / "movie.mp4").string()});
 }
 
 } // namespace matrigrate::apps

@@ -25,8 +25,12 @@ void export_svg(const FinishedRun& run, const std::filesystem::path& folder);
 /// The last frame, with its own colour bar.   @return the SVG document
 std::string last_picture(const FinishedRun& run, Layer layer);
 
-/// Writes frame_0000.svg and frame_0000.png, ..., with one colour bar for all, and movie.mp4 if wanted.
+/// Writes frame_0000.svg and frame_0000.png, ..., with one colour bar for all.
 /// @throws InputOutputError if a tool fails
-void export_film(const FinishedRun& run, Layer layer, const std::filesystem::path& folder, bool movie);
+void export_pictures(const FinishedRun& run, Layer layer, const std::filesystem::path& folder);
+
+/// Writes movie.mp4 of such pictures, which are made in a temporary folder.
+/// @throws InputOutputError if a tool fails
+void export_movie(const FinishedRun& run, Layer layer, const std::filesystem::path& folder);
 
 } // namespace matrigrate::apps

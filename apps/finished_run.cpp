@@ -2,6 +2,7 @@
 
 #include "apps/run_record.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "io/cell_picture.hpp"
@@ -25,8 +26,11 @@ std::string status_of(const FinishedRun& run) {
   const std::string status = run.record.value("status", "unknown");
   const std::string reason = run.record.value("reason", "");
   const std::string reached = fmt::format("{} of {}", io::time_text(run.t), io::time_text(run.p.run.duration));
-  if (status == "done") return fmt::format("Done: {}.", io::time_text(run.t));
-  return fmt::format("Status: {}; {} in the last checkpoint{}{}.", status, reached, reason.empty() ? "" : ": ", reason);
+  const io::LostFrames lost = lost_frames(run);
+  const std::string gone = lost.count == 0 ? "" : fmt::format(" {}.", io::to_text(lost));
+  if (status == "done") return fmt::format("Done: {}.{}", io::time_text(run.t), gone);
+  return fmt::format("Status: {}; {} in the last checkpoint{}{}.{}", status, reached, reason.empty() ? "" : ": ",
+                     reason, gone);
 }
 
 /// What made the numbers, as run.json has it.
@@ -47,10 +51,10 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   FinishedRun run;
   run.record = Json::parse(read_file(folder / "run.json", most_text), nullptr, false);
   if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
-  run.p = read_parameters(folder / "scenario.resolved.toml");
   const bool last = std::filesystem::exists(folder / io::checkpoint_name, error);
-  const io::Checkpoint checkpoint =
-      io::read_checkpoint(folder / (last ? io::checkpoint_name : io::previous_checkpoint_name));
+  const std::filesystem::path file = folder / (last ? io::checkpoint_name : io::previous_checkpoint_name);
+  const io::Checkpoint checkpoint = io::read_checkpoint(file);
+  run.p = parse_parameters(checkpoint.scenario, file.string());
   run.t = checkpoint.state.t;
   run.memory = io::parse_memory(checkpoint.memory);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
@@ -58,6 +62,16 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   run.protrusions = protrusion_records(checkpoint.state);
   run.film = io::read_film(folder);
   return run;
+}
+
+io::LostFrames lost_frames(const FinishedRun& run) {
+  if (run.p.output.field_interval <= 0.0) return {};
+  return io::lost_frames(run.memory.frames, io::times_of(run.film));
+}
+
+void tell_lost_frames(const FinishedRun& run) {
+  if (const std::string text = io::to_text(lost_frames(run)); !text.empty())
+    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
 }
 
 nlohmann::ordered_json page_data(const FinishedRun& run) {

@@ -2,6 +2,7 @@
 
 #include "io/frame.hpp"
 #include "io/run_memory.hpp"
+#include "io/saved_frames.hpp"
 #include "parameters/parameters.hpp"
 #include "state/protrusion.hpp"
 
@@ -23,8 +24,15 @@ struct FinishedRun {
   io::Film film;
 };
 
+/// The scenario is taken from the checkpoint.
 /// @throws InputOutputError if the folder holds no run, or one of its files cannot be read
 FinishedRun read_run(const std::filesystem::path& folder);
+
+/// Frames that the run has written up to its last checkpoint, and that are not in its film.
+io::LostFrames lost_frames(const FinishedRun& run);
+
+/// Says so on the terminal if there are any.
+void tell_lost_frames(const FinishedRun& run);
 
 /// What the page of the run shows (viewer/README.md).
 nlohmann::ordered_json page_data(const FinishedRun& run);

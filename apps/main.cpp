@@ -6,10 +6,14 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
+#include <sstream>
 #include <system_error>
 
 namespace matrigrate::apps {
@@ -25,6 +29,24 @@ void check_verb(const CLI::App& app, int argc, char** argv) {
   if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return;
   throw UsageError(fmt::format("there is no verb \"{}\"{}\nThe verbs are: {}; matrigrate -h tells what they do",
                                argv[1], did_you_mean(nearest(argv[1], verbs)), fmt::join(verbs, ", ")));
+}
+
+/// Help and version are no errors, unless they cannot be written.
+int print_help(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  app.exit(asked, text, text);
+  print(text.str());
+  flush();
+  return done;
+}
+
+/// Opens /dev/null on those of the descriptors 0 to 2 that are closed, so that no file of a run gets their numbers and
+/// with it what is meant for the terminal. Each is opened the wrong way round: reading and writing still fail.
+void secure_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) != -1) continue;
+    if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) std::_Exit(input_output);
+  }
 }
 
 int run(int argc, char** argv) {
@@ -53,7 +75,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error); // help and version are no errors
+    if (error.get_exit_code() == 0) return print_help(app, error);
     throw UsageError(fmt::format("{}\nmatrigrate VERB -h tells how a verb is used", error.what()));
   }
   const int code = chosen();
@@ -73,6 +95,7 @@ int complain(std::string_view what, ExitCode code) {
 int main(int argc, char** argv) {
   using namespace matrigrate;
   using namespace matrigrate::apps;
+  secure_descriptors();
   ::mallopt(M_MMAP_THRESHOLD, 4 << 20); // what is larger grows in place, and goes back to the system at once
   ::mallopt(M_TRIM_THRESHOLD, 8 << 20); // what each step takes and gives back stays
   std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <string_view>
 
 namespace matrigrate::apps {
@@ -36,8 +38,38 @@ std::string wall_time_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-Progress::Progress(double total, bool quiet)
-    : m_total(total), m_quiet(quiet), m_terminal(draws_on_terminal()), m_last(m_start) {}
+std::string time_left(double elapsed, double done, double rest) {
+  if (!(done > 0.0)) return {};
+  return wall_time_text(elapsed * rest / done) + " left";
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  long columns = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+  const char* told = std::getenv("COLUMNS");
+  if (columns == 0 && told != nullptr) columns = std::strtol(told, nullptr, 10);
+  if (columns <= 0) columns = 80;
+  return static_cast<std::size_t>(columns) - 1; // some terminals break the line behind their last column
+}
+
+std::string progress_line(const ProgressText& text, std::size_t width) {
+  const std::string percent = fmt::format("{:.0f} %", 100.0 * text.share);
+  const auto line = [&](int bar_width, std::initializer_list<std::string_view> parts) {
+    std::string joined = bar_width > 0 ? fmt::format("[{}] {}", bar(text.share, bar_width), percent) : percent;
+    for (const std::string_view part : parts)
+      if (!part.empty()) joined.append("  ").append(part);
+    return joined;
+  };
+  for (const std::string& candidate :
+       {line(24, {text.where, text.left, text.remark}), line(10, {text.where, text.left, text.remark}),
+        line(24, {text.where, text.left}), line(10, {text.where, text.left}), line(0, {text.where, text.left}),
+        line(10, {text.left}), line(0, {text.left})})
+    if (candidate.size() <= width) return candidate;
+  return percent.substr(0, width);
+}
+
+Progress::Progress(double start, double total, bool quiet)
+    : m_begin(start), m_total(total), m_quiet(quiet), m_terminal(draws_on_terminal()), m_last(m_start) {}
 
 Progress::~Progress() {
   if (m_drawn) print_error("\r\x1b[K");
@@ -47,16 +79,16 @@ void Progress::show(double t, const std::string& remark) {
   const Clock::time_point now = Clock::now();
   if (m_quiet || now - m_last < (m_terminal ? Clock::duration(200ms) : Clock::duration(1min))) return;
   m_last = now;
-  const double share = t / m_total;
   const double elapsed = std::chrono::duration<double>(now - m_start).count();
-  const std::string rest = wall_time_text(elapsed * (1.0 - share) / share);
-  const std::string where = fmt::format("{} of {}", io::time_text(t), io::time_text(m_total));
+  const ProgressText text{.share = t / m_total,
+                          .where = fmt::format("{} of {}", io::time_text(t), io::time_text(m_total)),
+                          .left = time_left(elapsed, t - m_begin, m_total - t),
+                          .remark = remark};
   if (m_terminal) {
-    print_error(
-        fmt::format("\r\x1b[K[{}] {:.0f} %  {}  {} left  {}", bar(share, 24), 100.0 * share, where, rest, remark));
+    print_error("\r\x1b[K" + progress_line(text, terminal_width()));
     m_drawn = true;
   } else {
-    print_error(fmt::format("{} ({:.0f} %), {}, about {} left\n", where, 100.0 * share, remark, rest));
+    print_error(fmt::format("{} ({:.0f} %), {}, about {}\n", text.where, 100.0 * text.share, remark, text.left));
   }
 }
 

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace matrigrate::apps {
 
-/// How far a run is, on the standard error: a bar that is drawn anew on a terminal, a line a minute elsewhere.
+/// How far a run is, on the standard error: a bar that is redrawn on a terminal, one line per minute elsewhere.
+/// Test: tests/apps/progress_test.cpp
 class Progress {
 public:
+  /// @param start  simulated time at which this process begins: the time left is estimated from what it does itself [s]
   /// @param total  simulated time of the whole run [s]
   /// @param quiet  show nothing
-  Progress(double total, bool quiet);
+  Progress(double start, double total, bool quiet);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress(); ///< leaves the line of the bar
@@ -21,6 +24,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  double m_begin;
   double m_total;
   bool m_quiet;
   bool m_terminal;
@@ -29,10 +33,29 @@ private:
   Clock::time_point m_last;
 };
 
+/// What the bar of a run tells.
+struct ProgressText {
+  double share = 0.0; ///< done of the whole, 0 to 1
+  std::string where;  ///< "12 min of 1 h"
+  std::string left;   ///< "27 s left"; empty while that is not known
+  std::string remark;
+};
+
+/// The bar and its text in one line of at most `width` characters: what there is no room for is left out, the remark
+/// first, the percentage last.
+std::string progress_line(const ProgressText& text, std::size_t width);
+
+/// Characters of a line of the terminal on the standard error that can be written without a line break.
+std::size_t terminal_width();
+
 /// A bar of `width` characters: "####----".
 std::string bar(double share, int width);
 
-/// A stretch of wall time: "45 s", "12 min", "3.2 h".
+/// A duration on the clock: "45 s", "12 min", "3.2 h".
 std::string wall_time_text(double seconds);
+
+/// The time left for the rest of something, judged by the part done so far: "12 min left"; empty if nothing was done.
+/// @param elapsed  on the clock [s]   @param done  in that time   @param rest  still to be done, in the same unit
+std::string time_left(double elapsed, double done, double rest);
 
 } // namespace matrigrate::apps

@@ -26,7 +26,9 @@ int report(const Options& options) {
     write_study_report(study, gathered(study), options.play);
   } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
-    write_file(folder / "report.html", report_of(read_run(folder)));
+    const FinishedRun run = read_run(folder);
+    tell_lost_frames(run);
+    write_file(folder / "report.html", report_of(run));
   } else {
     throw InputOutputError(fmt::format(
         "{}: is the folder of neither a run (no run.json) nor a study (no study.resolved.toml)", folder.string()));

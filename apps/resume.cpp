@@ -47,6 +47,7 @@ int say_done(const Manner& manner, const Json& record) {
 
 int resume_from(const FoundCheckpoint& found, const Manner& manner, const Json& record, std::optional<int> threads) {
   tell_other_program(found);
+  scenario_of(manner.folder); // says so if it cannot be read; it is written again
   Beginning beginning = beginning_of(found, record);
   if (threads) beginning.p.run.threads = *threads;
   beginning.lineage.push_back(event("resumed", found));
@@ -66,7 +67,7 @@ int resume(const Options& options) {
   if (!options.output.empty())
     throw UsageError("-o is for branches: with --at, --set, --seed or --hours; a run goes on in its own folder");
   const Json record = record_of(options.folder);
-  if (!options.previous && text_of(record, "status") == "done") return say_done(manner, record);
+  if (!options.previous && is_done(options.folder, record)) return say_done(manner, record);
   return resume_from(last_checkpoint(options.folder, options.previous), manner, record, options.branch.threads);
 }
 
@@ -79,7 +80,7 @@ bool holds_run(const fs::path& folder, const Parameters& p) {
 
 int go_on(const Manner& manner, const Parameters& p) {
   const Json record = record_of(manner.folder);
-  if (text_of(record, "status") == "done") return say_done(manner, record);
+  if (is_done(manner.folder, record)) return say_done(manner, record);
   if (has_checkpoint(manner.folder)) return resume_from(whole_checkpoint(manner.folder), manner, record, p.run.threads);
   return simulate({.s = initial_state(p), .p = p}, manner); // it was ended before its first checkpoint
 }

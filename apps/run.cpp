@@ -1,3 +1,5 @@
+#include "apps/occupied_folder.hpp"
+#include "apps/parameter_options.hpp"
 #include "apps/resume.hpp"
 #include "apps/simulate.hpp"
 #include "apps/terminal.hpp"
@@ -11,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
 
 namespace matrigrate::apps {
 
@@ -20,10 +21,7 @@ namespace {
 struct Options {
   std::string file;
   std::string folder;
-  std::vector<std::string> overrides;
-  std::optional<std::uint64_t> seed;
-  std::optional<double> hours;
-  std::optional<int> threads;
+  ParameterOptions parameters;
   std::string wall_time;
   bool force = false;
   bool json = false;
@@ -31,21 +29,20 @@ struct Options {
   std::vector<std::string> command_line;
 };
 
-/// The options that stand for a parameter are overrides like any other, and checked like them.
-std::vector<std::string> all_overrides(const Options& options) {
-  std::vector<std::string> all = options.overrides;
-  if (options.hours) all.push_back(fmt::format("run.duration={} h", *options.hours));
-  if (options.seed) all.push_back(fmt::format("run.seed={}", *options.seed));
-  if (options.threads) all.push_back(fmt::format("run.threads={}", *options.threads));
-  return all;
-}
-
 std::string default_folder(const std::string& file, const Parameters& p) {
   return fmt::format("{}-seed{}", std::filesystem::path(file).stem().string(), p.run.seed);
 }
 
+Parameters parameters_of(const Options& options) {
+  try {
+    return read_parameters(options.file, all_overrides(options.parameters));
+  } catch (const ConfigurationError& error) {
+    throw naming_options(error, options.parameters);
+  }
+}
+
 int run(Options options) {
-  const Parameters p = read_parameters(options.file, all_overrides(options));
+  const Parameters p = parameters_of(options);
   require_stable_step(p);
   if (options.folder.empty()) options.folder = default_folder(options.file, p);
   Manner manner{.folder = options.folder,
@@ -54,6 +51,7 @@ int run(Options options) {
                 .command_line = std::move(options.command_line)};
   if (!options.wall_time.empty()) manner.wall_time_limit = wall_time_of(options.wall_time);
   if (!options.force && holds_run(manner.folder, p)) return go_on(manner, p);
+  options.force ? tell_what_stays(manner.folder) : require_free(manner.folder, p);
   Beginning beginning{.s = initial_state(p), .p = p};
   make_output_folder(manner.folder, options.force);
   return simulate(std::move(beginning), manner);
@@ -68,9 +66,9 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
       "summary.json, snapshots/t_<seconds>s.svg, snapshots.svg, report.html, and the exact state in checkpoint.h5,\n"
       "checkpoint_prev.h5 and checkpoints/. Rows are written as they come. Running scenario.resolved.toml again gives\n"
       "the same bits, and so the same trajectory_hash in run.json.\n"
-      "A folder that holds the same scenario and seed is gone on with from its checkpoint, to the same bits as "
-      "without\n"
-      "the break; one that is done is left as it is.\n"
+      "A folder that holds the same scenario and seed is resumed from its checkpoint, to the same bits as without the\n"
+      "break; one that is done is left as it is. A folder that holds another run is refused, naming the parameters\n"
+      "that differ.\n"
       "--json prints {folder, report, summary: {read-outs}, and all keys of run.json}.\n"
       "Ctrl-C ends the run after its current step with a checkpoint and the exit code 130; SIGTERM, SIGUSR1, SIGHUP\n"
       "and --wall-time do so with the code 75, which asks to be started again. A second signal, more than a second\n"
@@ -79,13 +77,14 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
   options->command_line = std::move(command_line);
   verb->add_option("FILE", options->file, "A scenario file")->required();
   verb->add_option("-o,--output", options->folder, "Folder for the results (default: <scenario>-seed<N>)");
-  verb->add_option("--seed", options->seed, "Seed of the random numbers: run.seed");
-  verb->add_option("--hours", options->hours, "Simulated time in hours: run.duration");
-  verb->add_option("--threads", options->threads, "Threads, 0 for all: run.threads; never changes a result");
-  verb->add_option("--set", options->overrides, "key=value, over the file; may be repeated")->allow_extra_args(false);
+  verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
+  verb->add_option("--hours", options->parameters.hours, "Simulated time in hours: run.duration");
+  verb->add_option("--threads", options->parameters.threads, "Threads, 0 for all: run.threads; never changes a result");
+  verb->add_option("--set", options->parameters.overrides, "key=value, over the file; may be repeated")
+      ->allow_extra_args(false);
   verb->add_option("--wall-time", options->wall_time, "Stop with a checkpoint after this time of the clock: \"2 h\"");
   verb->add_flag("--force", options->force,
-                 "Start anew in a folder that is not empty: files of the same name are replaced, others stay");
+                 "Start again in a folder that is not empty: files of an older run are removed, others stay");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");
   verb->add_flag("--quiet", options->quiet, "Show no progress; print only where the report is");
   verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

@@ -1,5 +1,6 @@
 #include "apps/run_folder.hpp"
 
+#include "apps/own_files.hpp"
 #include "apps/provenance.hpp"
 #include "apps/shipped_pages.hpp"
 #include "base/failure.hpp"
@@ -27,24 +28,12 @@ namespace matrigrate::apps {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 30U; // of the frames
-
 /// "t_01800s"; times between full seconds keep their fraction: "t_00000.4s".
 std::string time_name(double t) {
   const double rounded = std::round(1e3 * t) / 1e3;
   const double whole = std::floor(rounded);
   const std::string fraction = rounded > whole ? fmt::format("{:.3g}", rounded - whole).substr(1) : std::string();
   return fmt::format("t_{:05.0f}{}s", whole, fraction);
-}
-
-/// Takes away what writers that were killed have left.
-void remove_unfinished(const std::filesystem::path& folder) {
-  std::error_code error;
-  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("checkpoint_next.h5") || name.starts_with(".checkpoint_next.h5."))
-      std::filesystem::remove(entry.path(), error);
-  }
 }
 
 template <class Row>
@@ -72,8 +61,9 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
       m_frame_cadence(p.output.field_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
-  remove_unfinished(m_folder);
-  write_record(record); // first: it tells whose folder this is
+  remove_temporaries(m_folder);
+  if (s.step == 0 && m_memory.rows.empty()) remove_run_files(m_folder); // of a run that this one replaces
+  write_record(record);                                                 // first: it tells whose folder this is
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
   m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
@@ -147,15 +137,16 @@ void RunFolder::keep_checkpoint(double t) const {
              read_file(m_folder / io::checkpoint_name, std::size_t{1} << 40U));
 }
 
-void RunFolder::see_last(const State& s, const Workspace& w) {
+void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
   add_ended(s);
   if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) add_row(s, w);
-  if (m_p.output.pictures && (m_memory.scenes.empty() || m_memory.scenes.back().t != s.t)) add_snapshot(s, w);
-  if (m_frames && m_last_frame != s.t) add_frame(s, w);
+  const bool drawn = !m_memory.scenes.empty() && m_memory.scenes.back().t == s.t;
+  if (m_p.output.pictures && !drawn && !stopped) add_snapshot(s, w);
+  if (m_frames && (m_frame_times.empty() || m_frame_times.back() != s.t)) add_frame(s, w);
 }
 
 void RunFolder::finish(const State& s, const std::string& status, bool failed) {
-  if (m_frames) io::write_field_files(m_folder, m_memory.frames);
+  if (m_frames) io::write_field_files(m_folder, m_frame_times.size());
   write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
@@ -231,24 +222,27 @@ void RunFolder::add_snapshot(const State& s, const Workspace& w) {
 
 void RunFolder::add_frame(const State& s, const Workspace& w) {
   m_frames->add(io::frame(s, m_p, w));
-  ++m_memory.frames;
-  m_last_frame = s.t;
+  m_frame_times.push_back(s.t);
+  if (m_memory.frames.empty() || m_memory.frames.back() < s.t) m_memory.frames.push_back(s.t);
 }
 
-/// The log of a new run, or with the frames of its past: those that its checkpoint knows of and that are whole.
+/// Begins the log with those frames of the past that a folder still holds.
 void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
-  std::string whole;
-  if (m_memory.frames > 0) {
-    std::error_code error;
-    const std::filesystem::path log = from / io::frame_log_name;
-    if (std::filesystem::exists(log, error)) whole = io::whole_log(read_file(log, most_bytes), m_memory.frames);
-    if (whole.empty()) whole = io::whole_log(io::log_bytes(io::read_field_film(from)), m_memory.frames);
-  }
-  if (whole.empty()) whole = io::log_bytes({.head = io::frame_head(s, m_p), .frames = {}});
-  const io::Film film = io::read_log(whole);
-  m_memory.frames = film.frames.size();
-  if (!film.frames.empty()) m_last_frame = film.frames.back().t;
-  m_frames.emplace(m_folder / io::frame_log_name, whole);
+  const io::FrameShape shape{.head = io::frame_head(s, m_p),
+                             .outline = s.cortex.size(),
+                             .fibres = m_p.fibres.arrangement != FibreArrangement::none};
+  std::string log = io::log_head(shape.head);
+  if (!m_memory.frames.empty())
+    for (const auto& [t, frame] : io::saved_frames(from, shape, m_memory.frames)) {
+      log += frame;
+      m_frame_times.push_back(t);
+    }
+  m_frames.emplace(m_folder / io::frame_log_name, log);
+}
+
+io::LostFrames RunFolder::lost_frames() const {
+  if (!m_frames) return {};
+  return io::lost_frames(m_memory.frames, m_frame_times);
 }
 
 } // namespace matrigrate::apps

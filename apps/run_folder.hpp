@@ -6,6 +6,7 @@
 #include "io/frame_log.hpp"
 #include "io/row_file.hpp"
 #include "io/run_memory.hpp"
+#include "io/saved_frames.hpp"
 #include "observe/readouts.hpp"
 #include "parameters/parameters.hpp"
 #include "simulation/workspace.hpp"
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace matrigrate::apps {
 
@@ -22,7 +24,8 @@ namespace matrigrate::apps {
 /// any moment goes on with what it has computed.
 class RunFolder {
 public:
-  /// Writes scenario.resolved.toml, run.json and the tables with the rows that there are already.
+  /// Writes scenario.resolved.toml, run.json and the tables with the rows that there are already. Removes temporary
+  /// files of processes that were killed and, for a run from the start, the files of an older run.
   /// @param folder  exists; it is locked against other processes
   /// @param memory  of a run that goes on; a new one has none
   /// @param from    the folder whose frames a branch takes over; empty: `folder`
@@ -46,8 +49,9 @@ public:
   /// Whether checkpoints are written at their intervals; they are, unless told otherwise.
   void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
 
-  /// Writes the rows, the snapshot and the frame of the last state, as far as they have not been due.
-  void see_last(const State& s, const Workspace& w);
+  /// Writes the row, the snapshot and the frame of the last state, as far as they have not been due.
+  /// @param stopped  before its end: then no snapshot, which would stay when the run is resumed
+  void see_last(const State& s, const Workspace& w, bool stopped);
 
   /// Writes all that is made at the end: fields.h5, read-outs, contact sheet and report.
   /// @param status  a sentence on how the run ended, for the report
@@ -56,6 +60,9 @@ public:
 
   /// Writes run.json.
   void write_record(const RunRecord& record) const;
+
+  /// Frames of earlier parts of the run that could not be taken over.
+  io::LostFrames lost_frames() const;
 
   const ReadOuts& readouts() const { return m_readouts; }           ///< after finish()
   std::string trajectory_hash() const;                              ///< so far
@@ -87,7 +94,7 @@ private:
   Cadence m_frame_cadence;
   Cadence m_checkpoint_cadence;
   Cadence m_kept_cadence;
-  std::optional<double> m_last_frame; ///< its time [s]
+  std::vector<double> m_frame_times; ///< of the frames in the log [s]
   bool m_keeps_checkpoints = true;
   std::optional<double> m_safe_until;
   ReadOuts m_readouts;

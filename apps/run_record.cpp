@@ -31,6 +31,7 @@ std::string run_title(const Parameters& p) { return fmt::format("Migration run, 
 
 Json to_json(const RunRecord& record, const Parameters& p) {
   const Clock::time_point now = record.end.value_or(Clock::now());
+  const io::LostFrames& lost = record.lost_frames;
   Json json{{"status", record.status},
             {"exit_code", record.exit_code ? Json(*record.exit_code) : Json()},
             {"reason", record.reason},
@@ -43,6 +44,8 @@ Json to_json(const RunRecord& record, const Parameters& p) {
              record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
             {"trajectory_hash", record.trajectory_hash},
             {"configuration_hash", record.configuration_hash},
+            {"frames_lost", lost.count},
+            {"frames_lost_s", lost.count > 0 ? Json{lost.first, lost.last} : Json()},
             {"command_line", record.command_line},
             {"start", utc(record.start)},
             {"end", record.end ? Json(utc(*record.end)) : Json()},

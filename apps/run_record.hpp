@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/saved_frames.hpp"
 #include "parameters/parameters.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,7 @@ struct RunRecord {
   double t = 0.0;                 ///< simulated time reached [s]
   double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
   double earlier_wall_time = 0.0; ///< of this run before it was resumed [s]
+  io::LostFrames lost_frames;
   std::string trajectory_hash;
   std::string configuration_hash;
   std::vector<std::string> command_line;
@@ -36,7 +38,8 @@ std::string configuration_hash(const Parameters& p);
 std::string run_title(const Parameters& p);
 
 /// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
-///  configuration_hash, command_line, start, end, lineage, and the keys of provenance()}
+///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, start, end, lineage, and the
+///  keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::apps

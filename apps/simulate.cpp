@@ -48,6 +48,11 @@ public:
     m_record.lineage = std::move(beginning.lineage);
     m_record.earlier_wall_time = beginning.earlier_wall_time;
     m_folder.emplace(manner.folder, m_p, m_record, m_s, std::move(beginning.memory), beginning.frames_from);
+    m_record.lost_frames = m_folder->lost_frames();
+    if (m_record.lost_frames.count == 0) return;
+    m_folder->write_record(m_record);
+    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err),
+                            io::to_text(m_record.lost_frames)));
   }
 
   /// @return the exit code
@@ -55,7 +60,8 @@ public:
     try {
       march_to_end();
       const bool failed = m_record.status == "failed";
-      m_folder->see_last(m_s, *m_w);
+      m_folder->see_last(m_s, *m_w, m_record.status == "interrupted");
+      m_record.lost_frames = m_folder->lost_frames();
       m_w.reset();      // frees the memory that all frames together need,
       ::malloc_trim(0); // and gives it back
       m_folder->finish(m_s, status_text(), failed);
@@ -81,7 +87,7 @@ private:
   }
 
   void march_to_end() {
-    Progress progress(m_p.run.duration, m_manner.quiet || m_manner.json);
+    Progress progress(m_s.t, m_p.run.duration, m_manner.quiet || m_manner.json);
     const Clock::time_point start = Clock::now();
     const auto note_time = [&] {
       m_record.steps = m_s.step;
@@ -154,9 +160,12 @@ private:
   /// How the run ended, in a sentence.
   std::string status_text() const {
     const std::string reached = fmt::format("{} of {}", io::time_text(m_record.t), io::time_text(m_p.run.duration));
-    if (m_record.status == "done") return fmt::format("Done: {}, {} steps.", io::time_text(m_record.t), m_record.steps);
-    return fmt::format("{} after {}: {}.", m_record.status == "failed" ? "Failed" : "Interrupted", reached,
-                       m_record.reason);
+    const std::string lost =
+        m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", io::to_text(m_record.lost_frames));
+    if (m_record.status == "done")
+      return fmt::format("Done: {}, {} steps.{}", io::time_text(m_record.t), m_record.steps, lost);
+    return fmt::format("{} after {}: {}.{}", m_record.status == "failed" ? "Failed" : "Interrupted", reached,
+                       m_record.reason, lost);
   }
 
   void print_outcome() const {
@@ -187,7 +196,6 @@ private:
     m_record.end = std::chrono::system_clock::now();
     try {
       m_folder->write_record(m_record);
-      if (m_record.status == "done") m_folder->remove_log();
     } catch (const InputOutputError&) { // the first trouble is the one to tell
     }
   }

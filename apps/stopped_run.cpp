@@ -22,6 +22,27 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
+constexpr const char* scenario_name = "scenario.resolved.toml";
+
+/// The scenario that a folder's file holds; none if it is missing or damaged.
+std::optional<Parameters> written_scenario(const fs::path& folder) {
+  try {
+    return read_parameters(folder / scenario_name);
+  } catch (const InputOutputError&) {   // is not there
+  } catch (const ConfigurationError&) { // was damaged
+  }
+  return std::nullopt;
+}
+
+/// Fingerprint of the scenario of a folder, by its file or else by run.json; empty if neither can be read.
+std::string expected_configuration(const fs::path& folder) {
+  const std::optional<Parameters> p = written_scenario(folder);
+  return p ? configuration_hash(*p) : text_of(record_of(folder), "configuration_hash");
+}
+
+void warn(std::string_view text) {
+  print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
+}
 
 } // namespace
 
@@ -37,6 +58,28 @@ std::string text_of(const Json& record, const char* key) {
   return there ? record.at(key).get<std::string>() : std::string();
 }
 
+bool is_done(const fs::path& folder, const Json& record) {
+  if (text_of(record, "status") != "done") return false;
+  try {
+    const FoundCheckpoint found = read_checkpoint_of(folder, folder / io::checkpoint_name);
+    const double t = found.checkpoint.state.t;
+    if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return true;
+    warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}", (folder / "run.json").string(),
+                     io::time_text(t), io::time_text(found.p.run.duration)));
+    return false;
+  } catch (const InputOutputError&) { // then there is nothing to go on from
+    return true;
+  }
+}
+
+Parameters scenario_of(const fs::path& folder) {
+  if (const std::optional<Parameters> p = written_scenario(folder)) return *p;
+  Parameters p = whole_checkpoint(folder).p;
+  warn(fmt::format("{}: cannot be read; its parameters are taken from the checkpoint",
+                   (folder / scenario_name).string()));
+  return p;
+}
+
 std::vector<Json> lineage_of(const Json& record) {
   if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
   return record.at("lineage").get<std::vector<Json>>();
@@ -47,10 +90,10 @@ std::string time_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime
 FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file) {
   FoundCheckpoint found{.checkpoint = io::read_checkpoint(file), .p = {}, .file = file};
   found.p = parse_parameters(found.checkpoint.scenario, file.string());
-  const fs::path scenario = folder / "scenario.resolved.toml";
-  if (configuration_hash(read_parameters(scenario)) != configuration_hash(found.p))
-    throw InputOutputError(
-        fmt::format("{}: is a checkpoint of another scenario than {}", file.string(), scenario.string()));
+  const std::string expected = expected_configuration(folder);
+  if (!expected.empty() && expected != configuration_hash(found.p))
+    throw InputOutputError(fmt::format("{}: is a checkpoint of another scenario than {}", file.string(),
+                                       (folder / scenario_name).string()));
   return found;
 }
 
@@ -86,7 +129,7 @@ FoundCheckpoint whole_checkpoint(const fs::path& folder) {
     } catch (const InputOutputError&) { // then the trouble with the last one is the one to tell
     }
     if (!before) throw;
-    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), trouble.what()));
+    warn(trouble.what());
     return *std::move(before);
   }
 }
@@ -131,9 +174,8 @@ Json event(std::string_view kind, const FoundCheckpoint& found) {
 
 void tell_other_program(const FoundCheckpoint& found) {
   if (found.checkpoint.program == version_line()) return;
-  print_error(fmt::format("{} {} was written by {}, this is {}: the bits may differ from here on\n",
-                          coloured("matrigrate:", Colour::warning, Stream::err), found.file.string(),
-                          found.checkpoint.program, version_line()));
+  warn(fmt::format("{} was written by {}, this is {}: the bits may differ from here on", found.file.string(),
+                   found.checkpoint.program, version_line()));
 }
 
 } // namespace matrigrate::apps

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-/// A run that can be gone on with: its record and its checkpoints. Test: tests/apps/resume_test.cpp
+/// A resumable run: its record and its checkpoints. Test: tests/apps/resume_test.cpp
 namespace matrigrate::apps {
 
 /// run.json of a folder; null where there is none, or it cannot be read.
@@ -18,6 +18,14 @@ nlohmann::ordered_json record_of(const std::filesystem::path& folder);
 
 /// A text of a record; empty where there is none.
 std::string text_of(const nlohmann::ordered_json& record, const char* key);
+
+/// Whether a run is done: its record says so, and its checkpoint, if it is whole, does not say otherwise.
+/// @param record  run.json of the folder
+bool is_done(const std::filesystem::path& folder, const nlohmann::ordered_json& record);
+
+/// The parameters of the run in a folder: scenario.resolved.toml or, with a warning, what its checkpoint holds.
+/// @throws InputOutputError if neither can be read
+Parameters scenario_of(const std::filesystem::path& folder);
 
 /// The restarts and branches that a record tells of.
 std::vector<nlohmann::ordered_json> lineage_of(const nlohmann::ordered_json& record);
@@ -29,7 +37,8 @@ struct FoundCheckpoint {
   std::filesystem::path file;
 };
 
-/// @throws InputOutputError if the file is no whole checkpoint, or not one of the folder's scenario
+/// @throws InputOutputError if the file is no whole checkpoint, or not one of the folder's scenario (as far as
+///         scenario.resolved.toml or run.json can be read)
 FoundCheckpoint read_checkpoint_of(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// The last checkpoint, or the one before.

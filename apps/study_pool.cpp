@@ -74,14 +74,19 @@ public:
     const Clock::time_point now = Clock::now();
     if (m_quiet || now - m_last < (m_terminal ? Clock::duration(500ms) : Clock::duration(1min))) return;
     m_last = now;
-    const double share = static_cast<double>(ended) / static_cast<double>(m_total);
     const double elapsed = std::chrono::duration<double>(now - m_start).count();
-    const std::string left = ended < std::min(m_jobs, m_total)
-                                 ? std::string("time left is known when the first runs end")
-                                 : wall_time_text(elapsed * (1.0 - share) / share) + " left";
-    const std::string text = fmt::format("{} of {} runs, {}{}", ended, m_total, left,
-                                         failed > 0 ? fmt::format(", {} not done", failed) : std::string());
-    print_error(m_terminal ? fmt::format("\r\x1b[K[{}] {}", bar(share, 24), text) : text + "\n");
+    const auto done = static_cast<double>(ended);
+    const auto total = static_cast<double>(m_total);
+    const bool known = ended >= std::min(m_jobs, m_total);
+    const ProgressText text{.share = done / total,
+                            .where = fmt::format("{} of {} runs", ended, m_total),
+                            .left = known ? time_left(elapsed, done, total - done)
+                                          : std::string("time left is known when the first runs end"),
+                            .remark = failed > 0 ? fmt::format("{} not done", failed) : std::string()};
+    if (m_terminal)
+      print_error("\r\x1b[K" + progress_line(text, terminal_width()));
+    else
+      print_error(fmt::format("{}, {}{}{}\n", text.where, text.left, failed > 0 ? ", " : "", text.remark));
     m_drawn = m_terminal;
   }
 

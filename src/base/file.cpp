@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -67,6 +68,14 @@ struct Temporary {
 };
 
 } // namespace
+
+std::optional<std::string> file_of_temporary(const std::string& name) {
+  constexpr std::size_t random = 6; // characters of mkstemp
+  const auto is_random = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  if (name.size() < random + 3 || name.front() != '.' || name[name.size() - random - 1] != '.') return std::nullopt;
+  if (!std::all_of(name.end() - random, name.end(), is_random)) return std::nullopt;
+  return name.substr(1, name.size() - random - 2);
+}
 
 void write_file(const std::filesystem::path& path, std::string_view content) {
   std::error_code ignored;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace matrigrate {
 /// checked.
 /// @throws InputOutputError naming the path and the reason
 void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// The file that a temporary file of write_file() was to become: "f" for ".f.a1B2c3"; none for other names.
+std::optional<std::string> file_of_temporary(const std::string& name);
 
 /// A file that grows by pieces, for programs that may be ended at any moment: it holds whole pieces, but for one that a
 /// crash has cut short.

@@ -182,6 +182,9 @@ Film film_in(const MemoryFile& file) {
           fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
           [&](Frame& f, Bytes v) { field.of(f) = std::move(v); });
   read_protrusions(file, film);
+  const std::size_t fibres = film.frames.front().matrix.fibre_von_mises.empty() ? 0 : film.head.particles();
+  if (!std::ranges::all_of(film.frames, [&](const Frame& frame) { return fits(frame, film.head, fibres); }))
+    throw InputOutputError("its arrays do not belong together");
   return film;
 }
 

@@ -6,7 +6,9 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <span>
 #include <sstream>
 #include <utility>
@@ -73,29 +75,16 @@ std::string block(std::string_view content) {
   return bytes + stored;
 }
 
-/// A whole block at the front of bytes.
-struct Block {
-  BlockHead head;
-  std::string_view stored;
-  std::size_t bytes() const { return sizeof(BlockHead) + stored.size(); }
-};
-
-std::optional<Block> next_block(std::string_view bytes) {
-  Block found{};
-  if (bytes.size() < sizeof(BlockHead)) return std::nullopt;
-  std::memcpy(&found.head, bytes.data(), sizeof(BlockHead));
-  bytes.remove_prefix(sizeof(BlockHead));
-  if (found.head.stored > bytes.size() || found.head.size > most_bytes) return std::nullopt;
-  found.stored = bytes.substr(0, found.head.stored);
-  if (XXH3_64bits(found.stored.data(), found.stored.size()) != found.head.hash) return std::nullopt;
-  return found;
+/// Whether a block can have this head: deflated bytes are hardly longer than what they were made of.
+bool is_plausible(const BlockHead& head) {
+  return head.size > 0 && head.size <= most_bytes && head.stored > 0 && head.stored <= head.size + head.size / 64 + 64;
 }
 
 /// The content of the next block of a stream; none if it is not whole.
 std::optional<std::string> next_content(std::istream& log) {
   constexpr std::size_t piece = std::size_t{1} << 20U; // a length that is wrong must not take all memory
   BlockHead head{};
-  if (!log.read(reinterpret_cast<char*>(&head), sizeof(head)) || head.size > most_bytes) return std::nullopt;
+  if (!log.read(reinterpret_cast<char*>(&head), sizeof(head)) || !is_plausible(head)) return std::nullopt;
   std::string stored;
   while (stored.size() < head.stored) {
     const std::size_t before = stored.size();
@@ -106,20 +95,19 @@ std::optional<std::string> next_content(std::istream& log) {
   return inflated(stored, head.size);
 }
 
-std::string head_bytes(const FrameHead& head) {
-  std::string content;
-  put(content, head.radius);
-  put(content, head.spacing);
-  put_planes(content, head.reference);
-  return std::string(magic) + block(content);
-}
-
-std::string frame_bytes(const Frame& frame) {
-  std::string content;
-  put(content, frame.t);
-  for (const auto& field : float_fields()) put_planes(content, field.in(frame));
-  for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
-  return block(content);
+/// Where the first whole block of at least `smallest` bytes begins; none: npos.
+/// @param budget  bytes that may still be hashed, so that bytes which look like heads everywhere cannot take for ever
+std::size_t find_block(std::string_view bytes, std::size_t smallest, std::size_t& budget) {
+  for (std::size_t at = 0; at + sizeof(BlockHead) <= bytes.size(); ++at) {
+    BlockHead head{};
+    std::memcpy(&head, bytes.data() + at, sizeof(head));
+    const std::string_view rest = bytes.substr(at + sizeof(head));
+    if (!is_plausible(head) || head.size < smallest || head.stored > rest.size()) continue;
+    if (head.stored > budget) return std::string_view::npos;
+    budget -= head.stored;
+    if (XXH3_64bits(rest.data(), head.stored) == head.hash) return at;
+  }
+  return std::string_view::npos;
 }
 
 Frame frame_of(const std::string& content) {
@@ -132,22 +120,40 @@ Frame frame_of(const std::string& content) {
 
 } // namespace
 
-std::string log_bytes(const Film& film) {
-  std::string bytes = head_bytes(film.head);
-  for (const Frame& frame : film.frames) bytes += frame_bytes(frame);
-  return bytes;
+bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
+  const std::size_t outline = frame.outline.f_mat.size();
+  const std::size_t alive = frame.protrusions.id.size();
+  const auto right = [&](const auto& field) {
+    const std::size_t entries = field.name == "matrix/fibre_von_mises"   ? fibres
+                                : field.name.starts_with("matrix/")      ? head.particles()
+                                : field.name.starts_with("protrusions/") ? alive
+                                                                         : outline;
+    return field.in(frame).size() == entries * field.components;
+  };
+  return std::isfinite(frame.t) && std::ranges::all_of(float_fields(), right)
+         && std::ranges::all_of(byte_fields(), right);
 }
 
-std::string whole_log(std::string_view bytes, std::size_t frames) {
-  if (!bytes.starts_with(magic)) return {};
-  std::size_t end = magic.size();
-  for (std::size_t k = 0; k <= frames; ++k) { // the head is a block as well
-    const std::optional<Block> block = next_block(bytes.substr(end));
-    if (!block && k == 0) return {};
-    if (!block) break;
-    end += block->bytes();
-  }
-  return std::string(bytes.substr(0, end));
+std::string log_head(const FrameHead& head) {
+  std::string content;
+  put(content, head.radius);
+  put(content, head.spacing);
+  put_planes(content, head.reference);
+  return std::string(magic) + block(content);
+}
+
+std::string log_frame(const Frame& frame) {
+  std::string content;
+  put(content, frame.t);
+  for (const auto& field : float_fields()) put_planes(content, field.in(frame));
+  for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
+  return block(content);
+}
+
+std::string log_bytes(const Film& film) {
+  std::string bytes = log_head(film.head);
+  for (const Frame& frame : film.frames) bytes += log_frame(frame);
+  return bytes;
 }
 
 Film read_log(std::string_view bytes) {
@@ -165,7 +171,7 @@ Film read_log(std::istream& log, const std::function<void(Frame&)>& each) {
   return film;
 }
 
-FrameReader::FrameReader(std::istream& log) : m_log(log) {
+FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   std::string start(magic.size(), '\0');
   if (!log.read(start.data(), static_cast<std::streamsize>(start.size())) || start != magic)
     throw InputOutputError("is no log of frames");
@@ -178,11 +184,41 @@ FrameReader::FrameReader(std::istream& log) : m_log(log) {
 }
 
 std::optional<Frame> FrameReader::next() {
-  const std::optional<std::string> content = next_content(m_log);
-  if (!content) return std::nullopt;
-  return frame_of(*content);
+  while (true) {
+    const std::streampos start = m_log->tellg();
+    if (start < 0) return std::nullopt;
+    try {
+      if (const std::optional<std::string> content = next_content(*m_log)) {
+        Frame frame = frame_of(*content);
+        if (!m_fibres) m_fibres = frame.matrix.fibre_von_mises.empty() ? 0 : m_head.particles();
+        if (fits(frame, m_head, *m_fibres)) return frame;
+        continue; // whole, but of other bodies
+      }
+    } catch (const InputOutputError&) { // whole, but no frame
+      continue;
+    }
+    if (!find_next(start)) return std::nullopt;
+  }
 }
 
-void FrameLog::add(const Frame& frame) { m_file.append(frame_bytes(frame)); }
+/// Goes to the next whole block behind the place where one was expected.
+bool FrameReader::find_next(std::streampos start) {
+  m_log->clear();
+  m_log->seekg(start);
+  if (m_log != &m_rest) { // from here on in memory, so that much damage does not take many readings of the file
+    m_rest.str(std::string(std::istreambuf_iterator<char>(*m_log), {}));
+    m_log = &m_rest;
+    m_budget = 8 * m_rest.view().size();
+    start = 0;
+  }
+  const std::string_view rest = m_rest.view().substr(static_cast<std::size_t>(start));
+  if (rest.empty()) return false;
+  const std::size_t at = find_block(rest.substr(1), sizeof(double) * m_head.particles(), m_budget);
+  if (at == std::string_view::npos) return false;
+  m_rest.seekg(start + static_cast<std::streamoff>(1 + at));
+  return true;
+}
+
+void FrameLog::add(const Frame& frame) { m_file.append(log_frame(frame)); }
 
 } // namespace matrigrate::io

@@ -153,7 +153,7 @@ RunMemory parse_memory(const std::string& text) {
                     .largest_residual = number(json.at("largest_residual"))};
     memory.counts = counts_of(json.at("counts"));
     for (const Json& scene : json.at("scenes")) memory.scenes.push_back(scene_of(scene));
-    memory.frames = integer<std::size_t>(json.at("frames"));
+    memory.frames = json.at("frames").get<std::vector<double>>();
     memory.trajectory = integer<std::uint64_t>(json.at("trajectory"));
     memory.march_wall_time = number(json.at("march_wall_time_s"));
     return memory;

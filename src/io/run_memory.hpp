@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// What the writer of a run's files has to remember, so that a run that goes on writes what one without a break would
-/// have written. Test: tests/unit/io/run_memory_test.cpp
+/// Output state stored in a checkpoint, so that a resumed run writes the files that one without a break would have
+/// written. Test: tests/unit/io/run_memory_test.cpp
 namespace matrigrate::io {
 
 struct RunMemory {
@@ -20,7 +20,7 @@ struct RunMemory {
   std::optional<HealthRow> last; ///< of the last checkpoint's state: a run that goes on from it has not made its step
   StepHealth counts;             ///< since the start
   std::vector<CellScene> scenes; ///< of the contact sheet
-  std::size_t frames = 0;        ///< kept of fields.part
+  std::vector<double> frames;    ///< times of all frames so far, also of those that were lost since [s]
   std::uint64_t trajectory = 0;  ///< fingerprint of the rows so far
   double march_wall_time = 0.0;  ///< spent in the steps [s]
 };

@@ -65,17 +65,6 @@ public:
     visit(document.table, "", name);
   }
 
-  void read_file(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    try {
-      read_text(matrigrate::read_file(file, largest_file), name);
-    } catch (const InputOutputError& error) {
-      const std::string_view what = error.what();
-      const bool names_itself = what.starts_with(name + ": ");
-      m_faults.push_back({name, 0, 0, "", std::string(names_itself ? what.substr(name.size() + 2) : what)});
-    }
-  }
-
   void override_with(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string key = trimmed(text.substr(0, equals));
@@ -192,7 +181,7 @@ private:
 
 Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Reader reader{Parameters{}};
-  reader.read_file(file);
+  reader.read_text(read_file(file, largest_file), file.string());
   for (const std::string& text : overrides) reader.override_with(text);
   return reader.finish();
 }

@@ -14,7 +14,8 @@
 namespace matrigrate {
 
 /// @param overrides  "key=value" each, as after --set; the value in TOML or bare (400 Pa, hexagonal); the last one wins
-/// @throws ConfigurationError with all faults, also if the file is missing, a folder, binary or over 1 MiB
+/// @throws ConfigurationError with all faults, also if the file is binary
+/// @throws InputOutputError if the file is missing, a folder, or over 1 MiB
 Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// @param name  stands for the file in faults

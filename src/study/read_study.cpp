@@ -212,16 +212,7 @@ Study parse_study(std::string_view text, const std::string& name, const std::fil
 }
 
 Study read_study(const std::filesystem::path& file, const Changes& changes) {
-  std::string text;
-  try {
-    text = read_file(file, largest_file);
-  } catch (const InputOutputError& error) {
-    const std::string name = file.string();
-    const std::string_view what = error.what();
-    const bool names_itself = what.starts_with(name + ": ");
-    throw ConfigurationError({{name, 0, 0, "", std::string(names_itself ? what.substr(name.size() + 2) : what)}});
-  }
-  return parse_study(text, file.string(), file.parent_path(), changes);
+  return parse_study(read_file(file, largest_file), file.string(), file.parent_path(), changes);
 }
 
 } // namespace matrigrate::study

@@ -20,11 +20,13 @@ struct Changes {
 };
 
 /// @throws ConfigurationError with all faults, those of the scenario among them
+/// @throws InputOutputError if the file, or the scenario that it names, cannot be read
 Study read_study(const std::filesystem::path& file, const Changes& changes = {});
 
 /// @param name    stands for the file in faults
 /// @param folder  where the scenario is looked for
 /// @throws ConfigurationError with all faults
+/// @throws InputOutputError if the scenario that it names cannot be read
 Study parse_study(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                   const Changes& changes = {});
 

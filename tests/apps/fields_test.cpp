@@ -58,13 +58,43 @@ TEST_F(Fields, AreExported) {
     EXPECT_TRUE(exists(std::string("out/") + name)) << name;
   const std::string path = text_of(folder / "out/tracks_celltrackr.csv");
   EXPECT_EQ(std::count(path.begin(), path.end(), '\n'), 1 + 6);
-  EXPECT_EQ(run("export here --vtk -o out").code, 5) << "never overwritten";
-  EXPECT_EQ(run("export here --vtk -o out --force").code, 0);
   EXPECT_EQ(run("export here").code, 2);
   EXPECT_EQ(run("export here --png --layer depth -o no").code, 2);
   const Ended no_fibres = run("export here --png --layer fibre_von_mises -o no");
   EXPECT_EQ(no_fibres.code, 2);
   EXPECT_TRUE(contains(no_fibres.err, "its matrix has no fibres")) << no_fibres.err;
+}
+
+TEST_F(Fields, AreExportedBesideOtherExports) {
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
+  ASSERT_EQ(run("export here --vtk").code, 0);
+  ASSERT_EQ(run("export here --tracks").code, 0) << "another kind";
+  EXPECT_TRUE(exists("here/export/matrix.pvd"));
+  EXPECT_TRUE(exists("here/export/tracks_celltrackr.csv"));
+  write("here/export/matrix.pvd", "mine");
+  write("here/export/matrix_0099.vtp", "of a longer run");
+  write("here/export/notes.txt", "mine");
+  const Ended ended = run("export here --svg --vtk");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "here/export/matrix.pvd: exists; --vtk --force replaces")) << ended.err;
+  EXPECT_EQ(text_of(folder / "here/export/matrix.pvd"), "mine");
+  EXPECT_FALSE(exists("here/export/path.svg")) << "nothing is written";
+  EXPECT_EQ(run("export here --vtk --force").code, 0);
+  EXPECT_NE(text_of(folder / "here/export/matrix.pvd"), "mine");
+  EXPECT_FALSE(exists("here/export/matrix_0099.vtp")) << "of the same kind";
+  EXPECT_TRUE(exists("here/export/notes.txt"));
+  EXPECT_TRUE(exists("here/export/tracks_celltrackr.csv"));
+  EXPECT_EQ(run("export here --fields -o here --force").code, 5) << "not into the run";
+}
+
+TEST_F(Fields, OfAnUnfinishedRunAreExported) {
+  const int code = stopped("run s.toml --hours 1000 -o here --quiet", "here/checkpoint.h5",
+                           "until grep -q '^1,40,' here/tracks.csv || ! kill -0 $p; do sleep 0.01; done; "
+                           "'" MATRIGRATE_PROGRAM "' export here --fields >/dev/null; kill -s KILL $p");
+  EXPECT_NE(code, 0);
+  EXPECT_FALSE(exists("here/fields.h5"));
+  EXPECT_TRUE(contains(text_of(folder / "here/export/fields.xdmf"), "fields.h5:/frames/2/matrix/displacement"));
+  EXPECT_TRUE(text_of(folder / "here/export/fields.h5").starts_with("\x89HDF"));
 }
 
 TEST_F(Fields, NeedsToolsForPixels) {

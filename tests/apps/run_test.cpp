@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace matrigrate {
 namespace {
@@ -80,18 +81,62 @@ TEST_F(Run, RefusesAFolderThatIsNotEmpty) {
   write("here/mine", "mine");
   const Ended ended = run("run s.toml --hours 0.002 -o here");
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "--force")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "it holds mine; choose another folder with -o, or pass --force")) << ended.err;
   EXPECT_FALSE(exists("here/run.json"));
-  EXPECT_EQ(run("run s.toml --hours 0.002 -o here --force --quiet").code, 0);
+  const Ended forced = run("run s.toml --hours 0.002 -o here --force --quiet");
+  EXPECT_EQ(forced.code, 0);
+  EXPECT_TRUE(contains(forced.err, "these are not files of a run, and stay: mine")) << forced.err;
   EXPECT_TRUE(exists("here/run.json"));
   EXPECT_EQ(text_of(folder / "here/mine"), "mine");
+}
+
+TEST_F(Run, SaysInWhatARunInItsFolderDiffers) {
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
+  const std::string before = text_of(folder / "here/run.json");
+  const Ended ended = run("run s.toml --hours 0.002 --seed 4 --set ecm.youngs_modulus=50 --threads 2 -o here");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "here: holds another run (done, 36 s of 36 s):\n")) << ended.err;
+  for (const char* line : {"\n  ecm.youngs_modulus: 200 Pa there, 50 Pa here\n", "\n  run.seed: 1 there, 4 here\n",
+                           "\n  run.duration: 0.01 h there, 0.002 h here\n"})
+    EXPECT_TRUE(contains(ended.err, line)) << ended.err;
+  EXPECT_FALSE(contains(ended.err, "run.threads")) << "which changes no result";
+  for (const char* offer : {"matrigrate resume here", "-o FOLDER", "--force"})
+    EXPECT_TRUE(contains(ended.err, offer)) << ended.err;
+  EXPECT_EQ(text_of(folder / "here/run.json"), before);
+}
+
+TEST_F(Run, ReplacesAllFilesOfARunIfForced) {
+  const std::string options = " --quiet --set output.kept_checkpoint_interval=10 --set output.field_interval=12";
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here" + options).code, 0);
+  ASSERT_EQ(run("export here --vtk --tracks --svg").code, 0);
+  for (const char* name : {"snapshots/mine.svg", "export/mine.csv", "notes.txt"})
+    write(std::string("here/") + name, "mine");
+  ASSERT_EQ(run("run s.toml --hours 0.002 --seed 2 -o fresh" + options).code, 0);
+  const Ended ended = run("run s.toml --hours 0.002 --seed 2 -o here --force" + options);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "stay: notes.txt, snapshots/mine.svg, export/mine.csv")) << ended.err;
+  const auto all_of = [&](const std::string& in) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / in))
+      names.push_back(std::filesystem::relative(entry.path(), folder / in));
+    std::ranges::sort(names);
+    return names;
+  };
+  std::vector<std::string> expected = all_of("fresh");
+  expected.insert(expected.end(), {"notes.txt", "snapshots/mine.svg", "export", "export/mine.csv"});
+  std::ranges::sort(expected);
+  EXPECT_EQ(all_of("here"), expected);
 }
 
 TEST_F(Run, WritesNothingOnABadConfiguration) {
   const Ended ended = run("run s.toml --set ecm.radius=1 --hours -1 --set run.sed=3");
   EXPECT_EQ(ended.code, 3);
-  for (const char* key : {"ecm.radius", "run.duration", "run.sed"}) EXPECT_TRUE(contains(ended.err, key)) << ended.err;
-  EXPECT_EQ(run("run none.toml").code, 3);
+  for (const char* key : {"--set: ecm.radius", "--hours: run.duration", "--set: run.sed"})
+    EXPECT_TRUE(contains(ended.err, key)) << ended.err;
+  EXPECT_TRUE(contains(run("run s.toml --set run.duration=-1").err, "--set: run.duration"));
+  const Ended none = run("run none.toml");
+  EXPECT_EQ(none.code, 5);
+  EXPECT_TRUE(contains(none.err, "none.toml: cannot be read: No such file or directory")) << none.err;
   const Ended step = run("run s.toml --set run.time_step=10");
   EXPECT_EQ(step.code, 4);
   EXPECT_TRUE(contains(step.err, "10 s")) << step.err;
@@ -112,7 +157,7 @@ TEST_F(Run, KeepsWhatItHasWhenItFails) {
 TEST_F(Run, StopsAtASignal) {
   for (const auto& [signal, code] : {std::pair<std::string, int>{"INT", 130}, {"TERM", 75}}) {
     // As `timeout` does: it tells the process, and then its group, the process among it.
-    const std::string telling = "kill -s " + signal + " $p; sleep 0.05; kill -s " + signal + " -- -$p";
+    const std::string telling = "kill -s " + signal + " $p; kill -s " + signal + " -- -$p";
     EXPECT_EQ(stopped("run s.toml -o " + signal + " --hours 1000 --quiet --set protrusion.initiation_rate=1e-12",
                       signal + "/checkpoint.h5", telling),
               code);

@@ -202,7 +202,7 @@ TEST_F(Study, WritesNothingOnAFault) {
   EXPECT_TRUE(contains(ended.err, "e.toml:3:14: replicates: 0 is out of range")) << ended.err;
   EXPECT_TRUE(contains(ended.err, "e.toml:6:23: ecm.youngs_modulus: \"50 um\" is a length")) << ended.err;
   EXPECT_TRUE(contains(ended.err, "e.toml:8:14: ecm.radius: \"1 um\" is out of range")) << ended.err;
-  EXPECT_EQ(run("study run none.toml").code, 3);
+  EXPECT_EQ(run("study run none.toml").code, 5);
   EXPECT_EQ(entries(), 2U);
   EXPECT_EQ(run("study").code, 2);
   EXPECT_EQ(run("study nonsense e.toml").code, 2);

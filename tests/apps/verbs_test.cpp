@@ -76,7 +76,7 @@ TEST_F(Program, CheckTellsEveryFaultOfEveryFile) {
   write("good.toml", "[ecm]\nyoungs_modulus = \"50 Pa\"\n");
   write("bad.toml", "[ecm]\nyoungs_modulu = 1\nradius = \"150 Pa\"\nviscosity = 1000 Pa s\n");
   const Ended ended = run("check bad.toml good.toml none.toml");
-  EXPECT_EQ(ended.code, 3);
+  EXPECT_EQ(ended.code, 5) << "none.toml";
   EXPECT_EQ(ended.out, "good.toml: good\n");
   EXPECT_TRUE(ended.err.starts_with(
       "bad.toml:2:1: ecm.youngs_modulu: there is no such parameter; did you mean ecm.youngs_modulus?\nbad.toml:3:10: "
@@ -84,8 +84,9 @@ TEST_F(Program, CheckTellsEveryFaultOfEveryFile) {
       "ecm.viscosity: "))
       << ended.err;
   EXPECT_TRUE(ended.err.ends_with("none.toml: cannot be read: No such file or directory\n")) << ended.err;
+  EXPECT_EQ(run("check bad.toml good.toml").code, 3);
   EXPECT_EQ(run("check good.toml").code, 0);
-  EXPECT_EQ(run("check .").code, 3);
+  EXPECT_EQ(run("check .").code, 5);
 }
 
 TEST_F(Program, CheckSpeaksJson) {
@@ -146,15 +147,30 @@ TEST_F(Program, ExplainWarnsOfAStepBeyondTheLimit) {
   EXPECT_EQ(bad.code, 3);
   EXPECT_EQ(bad.err, "--set: run.time_stp: there is no such parameter; did you mean run.time_step?\n"
                      "--set: ecm.radius: 3 um is out of range; allowed is >= 10 and <= 2000 um\n");
-  EXPECT_EQ(run("explain none.toml").code, 3);
+  EXPECT_EQ(run("explain none.toml").code, 5);
 }
 
 TEST_F(Program, ColourOnlyOnATerminal) { EXPECT_FALSE(contains(run("list").out, "\x1b")); }
 
-TEST_F(Program, AFullDiskIsAnError) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
-  const int status = std::system("'" MATRIGRATE_PROGRAM "' list >/dev/full 2>/dev/null");
-  EXPECT_EQ(WEXITSTATUS(status), 5);
+TEST_F(Program, WhatCannotBePrintedIsAnError) {
+  for (const char* arguments : {"list", "--help", "run --help", "--version"})
+    for (const char* output : {">/dev/full", ">&-"}) {
+      const std::string command = std::string("'" MATRIGRATE_PROGRAM "' ") + arguments + " " + output + " 2>/dev/null";
+      EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 5) << command;
+    }
+}
+
+TEST_F(Program, AFileThatIsNotThereIsAnErrorOfInput) {
+  write("study.toml", "scenario = \"none.toml\"\nreplicates = 2\n[sweep]\necm.youngs_modulus = [\"50 Pa\"]\n");
+  for (const char* arguments :
+       {"check none.toml", "explain none.toml", "run none.toml", "validate patch --scenario none.toml", "resume none",
+        "report none", "export none --svg", "study plan none.toml", "study run none.toml", "study submit none.toml",
+        "study status none", "study collect none", "study plan study.toml"}) {
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.code, 5) << arguments << '\n' << ended.err;
+    EXPECT_TRUE(contains(ended.err, "none")) << ended.err;
+  }
+  EXPECT_EQ(entries(), 1U);
 }
 
 } // namespace

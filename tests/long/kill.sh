@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Ends a run with a signal at random moments, goes on with it, and compares: every trajectory hash and table must be
-# that of the run without a break.
+# Ends a run with a signal at random moments, resumes it, and compares: every trajectory hash, table and snapshot must be
+# that of the run without a break, and no other file may be there.
 #   tests/long/kill.sh PROGRAM [TIMES] [SIGNAL...]      (50 times KILL and 50 times TERM by default)
 set -euo pipefail
 program=$(realpath "$1")
@@ -44,6 +44,9 @@ for signal in "${signals[@]}"; do
     for file in tracks.csv health.csv protrusions.csv summary.json snapshots.svg fields.h5 fields.xdmf; do
       cmp -s "whole/$file" "here/$file" || { echo "$signal after $after ms: $file differs" && failed=1; }
     done
+    diff -rq whole/snapshots here/snapshots || { echo "$signal after $after ms: other snapshots" && failed=1; }
+    [ "$(cd whole && find . | sort)" = "$(cd here && find . | sort)" ] \
+      || { echo "$signal after $after ms: other files: $(diff <(cd whole && find . | sort) <(cd here && find . | sort))" && failed=1; }
     [ "$(hash whole)" = "$(hash here)" ] || { echo "$signal after $after ms: another trajectory" && failed=1; }
     rm -rf here
   done

@@ -72,6 +72,13 @@ TEST_F(File, AFailedWriteLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(File, NamesOfTemporaryFilesAreKnown) {
+  EXPECT_EQ(file_of_temporary(".fields.h5.a1B2c3"), "fields.h5");
+  for (const char* name : {"", ".", ".lock", "fields.h5", ".fields.h5.a1B2c", ".fields.h5.a1B2c34", "fields.h5.a1B2c3",
+                           ".fields.h5.a1B-c3", "..a1B2c3"})
+    EXPECT_FALSE(file_of_temporary(name)) << name;
+}
+
 TEST_F(File, WrittenFilesHaveTheUsualPermissions) {
   write_file(folder / "f", "x");
   std::ofstream(folder / "g") << "x";

@@ -78,6 +78,13 @@ TEST(FieldFile, IsMadeOfALogFrameByFrame) {
 
 TEST(FieldFile, RefusesWhatItIsNot) { EXPECT_THROW(read_field_file("nonsense"), InputOutputError); }
 
+TEST(FieldFile, RefusesArraysThatDoNotBelongTogether) {
+  Film film = SmallRun().film();
+  film.head.reference.insert(film.head.reference.end(), {0.0F, 0.0F});
+  for (Frame& frame : film.frames) frame.matrix.displacement.insert(frame.matrix.displacement.end(), {0.0F, 0.0F});
+  EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
+}
+
 TEST(FieldIndex, NamesGridsTimesAndArrays) {
   const Film film = SmallRun().film();
   const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t});

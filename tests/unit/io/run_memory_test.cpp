@@ -21,7 +21,7 @@ RunMemory example() {
   memory.scenes[0].matrix[3] = {{1.0, 2.0}};
   memory.scenes[0].protrusions = {{.phase = 2, .contour = {{0.1, 0.2}}, .tip = {3, 4}, .anchor = Vec2(5, 6)}};
   memory.scenes[0].path = {{7, 8}, {9, 10}};
-  memory.frames = 4;
+  memory.frames = {0.0, 31.2};
   memory.trajectory = 0xfedcba9876543210U;
   memory.march_wall_time = 12.5;
   return memory;

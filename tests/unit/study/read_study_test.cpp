@@ -48,7 +48,7 @@ TEST(ReadStudy, EachFaultOfTheHead) {
   EXPECT_EQ(fault_of("common_random_numbers = 1\n"),
             "f.toml:3:25: common_random_numbers: is a number; write true or false, without quotes");
   EXPECT_TRUE(fault_of("readouts = [\"n_protrusion\"]\n").ends_with("; did you mean n_protrusions?"));
-  EXPECT_EQ(fault_of("scenario = \"s.toml\"\n").substr(0, 8), "2 faults");
+  EXPECT_THROW(fault_of("scenario = \"s.toml\"\n"), InputOutputError) << "there is no such file";
   EXPECT_EQ(faults_of("preset = \"sotf\"\nreplicates = 1\n").size(), 1U);
   EXPECT_TRUE(faults_of("preset = \"sotf\"\nreplicates = 1\n")[0].ends_with("; did you mean soft?"));
   const auto nothing = faults_of("");
@@ -106,7 +106,7 @@ TEST(ReadStudy, EachFaultOfStatistics) {
 TEST(ReadStudy, AllFaultsAtOnceAndNoHarmInRubbish) {
   EXPECT_EQ(faults_of("replicates = 0\nseed = \"a\"\ntitle =\n[sweep]\necm.radius = [1]\n").size(), 5U);
   EXPECT_EQ(faults_of(std::string("\0\1\2", 3)).size(), 1U);
-  EXPECT_THROW(read_study("/nowhere/f.toml"), ConfigurationError);
+  EXPECT_THROW(read_study("/nowhere/f.toml"), InputOutputError);
 }
 
 TEST(ReadStudy, TheResolvedFormGivesTheSameRuns) {

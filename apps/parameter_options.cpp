@@ -1,0 +1,40 @@
+#include "apps/parameter_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace matrigrate::apps {
+
+namespace {
+
+constexpr const char* duration = "run.duration";
+constexpr const char* seed = "run.seed";
+constexpr const char* threads = "run.threads";
+
+} // namespace
+
+std::vector<std::string> all_overrides(const ParameterOptions& options) {
+  std::vector<std::string> all = options.overrides;
+  if (options.hours) all.push_back(fmt::format("{}={} h", duration, *options.hours));
+  if (options.seed) all.push_back(fmt::format("{}={}", seed, *options.seed));
+  if (options.threads) all.push_back(fmt::format("{}={}", threads, *options.threads));
+  return all;
+}
+
+ConfigurationError naming_options(const ConfigurationError& error, const ParameterOptions& options) {
+  std::vector<Fault> faults = error.faults();
+  const auto name = [&](const std::string& key, bool given, const char* option) {
+    const auto is_set = [&](const std::string& text) { return text.starts_with(key); };
+    if (!given || std::ranges::any_of(options.overrides, is_set)) return;
+    for (Fault& fault : faults)
+      if (fault.file == "--set" && fault.key == key) fault.file = option;
+  };
+  name(duration, options.hours.has_value(), "--hours");
+  name(seed, options.seed.has_value(), "--seed");
+  name(threads, options.threads.has_value(), "--threads");
+  return ConfigurationError(std::move(faults));
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/failure.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Options of the command line that set parameters. Test: tests/apps/run_test.cpp
+namespace matrigrate::apps {
+
+struct ParameterOptions {
+  std::vector<std::string> overrides; ///< --set: "key=value"
+  std::optional<double> hours;
+  std::optional<std::uint64_t> seed;
+  std::optional<int> threads;
+};
+
+/// All of them as "key=value", those of --set first.
+std::vector<std::string> all_overrides(const ParameterOptions& options);
+
+/// The same faults, naming the option that was given: "--hours" where run.duration was not given by --set.
+ConfigurationError naming_options(const ConfigurationError& error, const ParameterOptions& options);
+
+} // namespace matrigrate::apps
