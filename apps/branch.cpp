@@ -7,7 +7,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "simulation/start.hpp"
-#include "simulation/step_limits.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -79,9 +79,8 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
   if (options.hours) overrides.push_back(fmt::format("run.duration={} h", *options.hours));
   if (options.seed) overrides.push_back(fmt::format("run.seed={}", *options.seed));
   if (options.threads) overrides.push_back(fmt::format("run.threads={}", *options.threads));
-  const Parameters after = apply_overrides(before, overrides);
+  const Parameters after = apply_overrides(before, overrides, start_rules());
   require_same_start(before, after);
-  require_stable_step(after);
   const double at = options.at.empty() ? std::numeric_limits<double>::infinity() : wall_time_of(options.at);
   std::optional<FoundCheckpoint> found = checkpoint_before(from, at);
   if (!found && options.at.empty()) throw InputOutputError(from.string() + ": holds no checkpoint to branch from");

@@ -6,7 +6,7 @@
 #include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
-#include "simulation/step_limits.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -45,8 +45,7 @@ std::string default_folder(const std::string& file, const Parameters& p) {
 }
 
 int run(Options options) {
-  const Parameters p = read_parameters(options.file, all_overrides(options));
-  require_stable_step(p);
+  const Parameters p = read_parameters(options.file, all_overrides(options), start_rules());
   if (options.folder.empty()) options.folder = default_folder(options.file, p);
   Manner manner{.folder = options.folder,
                 .json = options.json,
