@@ -43,21 +43,22 @@ std::vector<std::string> options_of(const CLI::App& verb) {
 
 void require_verb(const CLI::App& app, int argc, char** argv) {
   const CLI::App* group = &app;
-  std::string path = "matrigrate";
   for (int i = 1; !verbs_of(*group).empty(); ++i) {
+    const bool top = group == &app;
+    const std::string name = top ? "" : group->get_name();
     const std::vector<std::string> verbs = verbs_of(*group);
-    const std::string list = fmt::format("\nThe verbs are: {}; {} -h tells what they do", fmt::join(verbs, ", "), path);
-    if (i >= argc) throw UsageError(fmt::format("{} needs a verb{}", path, list));
+    const std::string list = fmt::format("\nThe verbs{} are: {}; matrigrate {}-h tells what they do",
+                                         top ? "" : " of " + name, fmt::join(verbs, ", "), top ? "" : name + " ");
+    if (i >= argc) throw UsageError(fmt::format("a verb{} is required{}", top ? "" : " of " + name, list));
     const std::string word = argv[i];
     if (word.starts_with('-')) return;
     if (!contains(verbs, word)) {
-      const bool elsewhere = group != &app && contains(verbs_of(app), word);
-      throw UsageError(fmt::format(
-          "{} has no verb \"{}\"{}{}", path, word,
-          elsewhere ? fmt::format("; did you mean matrigrate {}?", word) : did_you_mean(nearest(word, verbs)), list));
+      const std::string meant = !top && contains(verbs_of(app), word)
+                                    ? fmt::format("; did you mean matrigrate {}?", word)
+                                    : did_you_mean(nearest(word, verbs));
+      throw UsageError(fmt::format("{} no verb \"{}\"{}{}", top ? "there is" : name + " has", word, meant, list));
     }
     group = group->get_subcommand(word);
-    path += " " + word;
   }
 }
 

@@ -91,10 +91,11 @@ TEST_F(Run, WritesNothingOnABadConfiguration) {
   const Ended ended = run("run s.toml --set ecm.radius=1 --hours -1 --set run.sed=3");
   EXPECT_EQ(ended.code, 3);
   for (const char* key : {"ecm.radius", "run.duration", "run.sed"}) EXPECT_TRUE(contains(ended.err, key)) << ended.err;
-  EXPECT_EQ(run("run none.toml").code, 3);
+  EXPECT_EQ(run("run none.toml").code, 5);
   const Ended step = run("run s.toml --set run.time_step=10");
-  EXPECT_EQ(step.code, 4);
-  EXPECT_TRUE(contains(step.err, "10 s")) << step.err;
+  EXPECT_EQ(step.code, 3);
+  EXPECT_TRUE(step.err.starts_with("--set: run.time_step: run.time_step = 10 s is longer than")) << step.err;
+  EXPECT_TRUE(contains(step.err, " s or less")) << step.err;
   EXPECT_EQ(entries(), 1U) << "s.toml alone";
 }
 

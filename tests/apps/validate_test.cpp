@@ -47,7 +47,7 @@ TEST_F(Program, ValidateRefusesAFolderThatIsNotEmpty) {
 
 TEST_F(Program, ValidateWritesNothingOnABadConfiguration) {
   EXPECT_EQ(run("validate patch --set ecm.radius=1").code, 3);
-  EXPECT_EQ(run("validate patch --scenario none.toml").code, 3);
+  EXPECT_EQ(run("validate patch --scenario none.toml").code, 5);
   EXPECT_EQ(entries(), 0u);
 }
 
