@@ -214,7 +214,7 @@ double scaled(const std::string& number, const Unit& unit) {
   const auto apply = [&](long double base, int exponent) {
     (exponent >= 0 ? value : divisor) *= power(base, exponent);
   };
-  apply(std::numbers::pi_v<long double>, unit.pi);
+  apply(std::numbers::pi, unit.pi); // that of a double, so that 60 deg has the bits of pi/3
   apply(2, unit.two);
   apply(3, unit.three);
   apply(10, unit.ten % one); // whole powers of ten are in the number already

@@ -92,7 +92,7 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
                                     Allowance& allowance, FaultList& faults) {
   const toml::node* samples = hypercube.get("samples");
   if (samples == nullptr) faults.add(place_of(hypercube), "latin_hypercube.samples", "is missing; write samples = 50");
-  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, most_points);
+  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, most_runs);
   std::vector<Span> spans;
   for (const Named& named : named_parameters(hypercube, "latin_hypercube", {"samples"}, faults))
     if (const auto span = span_of(named, base, faults)) spans.push_back(*span);

@@ -12,15 +12,15 @@
 #include <vector>
 
 /// From a study file to a study. A file that is not TOML has one fault; otherwise every fault is reported at once,
-/// sorted by line, as for scenarios; the values are checked by the same table of parameters. At most 100,000 points and
-/// 1,000,000 runs are allowed. Test: tests/unit/study/read_study_test.cpp
+/// sorted by line, as for scenarios; the values are checked by the same table of parameters. At most 100,000 runs are
+/// allowed. Test: tests/unit/study/read_study_test.cpp
 namespace matrigrate::study {
 
 /// What the command line changes, and what is checked besides.
 struct Changes {
   std::vector<std::string> overrides; ///< "key=value" each, over what the study fixes
   std::optional<std::size_t> replicates;
-  std::span<const Rule> more; ///< rules that each point must fulfil besides rules()
+  std::span<const Rule> more = {}; ///< rules that each point must fulfil besides rules()
 };
 
 /// @throws InputOutputError if the file, or its scenario, cannot be read or has more than 32 MiB

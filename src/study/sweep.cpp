@@ -33,9 +33,9 @@ std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultLi
                              list == nullptr ? type_of(*named.node) : "empty", value_text(*named.row, base)));
       continue;
     }
-    if (list->size() > most_points) {
+    if (list->size() > most_runs) {
       faults.add(place_of(*named.node), named.row->path,
-                 fmt::format("has {} values; allowed are {}", list->size(), most_points));
+                 fmt::format("has {} values; allowed are {}", list->size(), most_runs));
       continue;
     }
     Axis& axis = all.emplace_back(Axis{named.row, {}, {}});
@@ -70,14 +70,10 @@ std::string label_of(const std::vector<Setting>& settings) {
 bool Allowance::allows(double more, Place place, std::string_view key, FaultList& faults) {
   m_points += more;
   const double runs = m_points * static_cast<double>(m_replicates);
-  if (m_points > static_cast<double>(most_points))
-    faults.add(place, key, fmt::format("makes {} points; allowed are {}", count_text(m_points), most_points));
-  else if (runs > static_cast<double>(most_runs))
-    faults.add(place, key,
-               fmt::format("makes {} points, which times {} replicates are {} runs; allowed are {}",
-                           count_text(m_points), m_replicates, count_text(runs), most_runs));
-  else
-    return true;
+  if (runs <= static_cast<double>(most_runs)) return true;
+  faults.add(place, key,
+             fmt::format("makes {} points, which times {} replicates are {} runs; allowed are {}", count_text(m_points),
+                         m_replicates, count_text(runs), most_runs));
   return false;
 }
 

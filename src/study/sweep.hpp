@@ -19,10 +19,9 @@ struct Draft {
   std::vector<std::pair<std::string, Place>> settings;
 };
 
-inline constexpr std::size_t most_points = 100'000;
-inline constexpr std::size_t most_runs = 1'000'000;
+inline constexpr std::size_t most_runs = 100'000;
 
-/// How many points a study may still have: most_points in all, and most_runs times the replicates.
+/// How many points a study may still have: times the replicates, most_runs.
 class Allowance {
 public:
   explicit Allowance(std::size_t replicates) : m_replicates(replicates) {}

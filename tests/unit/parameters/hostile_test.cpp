@@ -102,7 +102,7 @@ TEST(Hostile, OneSyntaxErrorIsToldAlone) {
       fault_of("[ecm]\nradius = 1\nviscosity = 1000 Pa s\nlattice = 3\n[emc]\n"),
       "f.toml:3:18: cannot be read as TOML: Error while parsing key-value pair: expected a comment or whitespace, "
       "saw 'P'; text, and numbers with a unit, stand in quotes");
-  EXPECT_EQ(fault_of("[ecm]\nradius = 100\nradius = 120\n").substr(0, 12), "f.toml:3:8: ");
+  EXPECT_EQ(fault_of("[ecm]\nradius = 100\nradius = 120\n").substr(0, 12), "f.toml:3:10:");
   EXPECT_EQ(fault_of("[ecm]\n[run]\n[ecm]\n").substr(0, 12), "f.toml:3:1: ");
 }
 
