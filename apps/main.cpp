@@ -38,8 +38,7 @@ int run(int argc, char** argv) {
   add_study(app, chosen);
   add_reproduce(app, chosen);
   add_info(app, chosen);
-  app.get_formatter()->label("SUBCOMMAND", "VERB");
-  for (CLI::App* verb : app.get_subcommands({})) verb->group("Verbs");
+  call_subcommands_verbs(app);
   require_verb(app, argc, argv);
   try {
     app.parse(argc, argv);

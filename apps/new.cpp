@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/nearest.hpp"
+#include "parameters/scan.hpp"
 #include "parameters/write.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ const Preset& preset_of(const std::string& name) {
                                did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
 }
 
-/// Writes the schema beside a scenario, unless something else has its name.
+/// Writes the schema beside a scenario, unless it is there already or something else has its name.
 void write_schema(const std::filesystem::path& scenario) {
   constexpr std::size_t largest = std::size_t{1} << 20U;
   const std::filesystem::path file = scenario.parent_path() / schema_file;
@@ -41,10 +42,13 @@ void write_schema(const std::filesystem::path& scenario) {
     if (there == text || !there.starts_with(start)) return; // current, or not ours
   }
   write_file(file, text);
+  print(fmt::format("{}: for editors that complete and check TOML\n", file.string()));
 }
 
 int write_scenario(const Options& options) {
   const Preset& preset = preset_of(options.preset);
+  if (excerpt(options.schema, options.schema.size()) != options.schema)
+    throw UsageError("--schema: is no path that can stand in a line of text");
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
     throw InputOutputError(options.file + ": exists, and is not overwritten; choose another name or delete it first");
   write_file(options.file, new_scenario(preset, options.schema.empty() ? schema_file : options.schema));

@@ -41,6 +41,14 @@ std::vector<std::string> options_of(const CLI::App& verb) {
 
 } // namespace
 
+void call_subcommands_verbs(CLI::App& app) {
+  app.get_formatter()->label("SUBCOMMAND", "VERB");
+  for (CLI::App* verb : app.get_subcommands({})) {
+    verb->group("Verbs");
+    call_subcommands_verbs(*verb);
+  }
+}
+
 void require_verb(const CLI::App& app, int argc, char** argv) {
   const CLI::App* group = &app;
   for (int i = 1; !verbs_of(*group).empty(); ++i) {

@@ -7,6 +7,9 @@
 /// What is wrong with a command line. Test: tests/apps/usage_test.cpp
 namespace matrigrate::apps {
 
+/// In the help of the program and of its groups of verbs.
+void call_subcommands_verbs(CLI::App& app);
+
 /// @throws UsageError naming the verbs there are, if the command line has none or an unknown one
 void require_verb(const CLI::App& app, int argc, char** argv);
 

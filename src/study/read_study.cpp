@@ -110,7 +110,7 @@ private:
                                preset == nullptr ? "is missing" : "stands beside a preset"));
     if (preset != nullptr) read_preset(*preset);
     try {
-      if (scenario != nullptr) read_scenario(*scenario);
+      if (scenario != nullptr && preset == nullptr) read_scenario(*scenario);
     } catch (const ConfigurationError& error) {
       m_faults.add(error.faults());
     }

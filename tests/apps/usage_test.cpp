@@ -22,6 +22,7 @@ TEST_F(Program, WithoutAVerbItNamesThem) {
   EXPECT_FALSE(contains(run("--quiet").err, "subcommand")) << "one word for one thing";
   EXPECT_FALSE(contains(run("-h").out, "SUBCOMMAND"));
   EXPECT_TRUE(contains(run("-h").out, "\nVerbs:\n"));
+  EXPECT_TRUE(contains(run("study -h").out, "\nVerbs:\n"));
 }
 
 TEST_F(Program, AVerbOfAnotherGroupIsNamed) {

@@ -1,5 +1,6 @@
 #include "simulation/start_rules.hpp"
 
+#include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 
@@ -29,6 +30,7 @@ std::string advised(const std::string& message) {
 TEST(StartRules, DefaultsFulfilThemAndTheirKeysExist) {
   for (const Rule& rule : start_rules()) {
     EXPECT_EQ(rule.broken(Parameters{}), "") << rule.name;
+    for (const Preset& preset : presets()) EXPECT_EQ(rule.broken(parameters_of(preset)), "") << preset.name;
     for (const std::string_view key : rule.keys) EXPECT_NE(find_row(key), nullptr) << key;
   }
 }
@@ -54,8 +56,8 @@ TEST(StartRules, FibresWithoutBondsAreRefused) {
   const std::string fibres = "fibres.arrangement = \"uniaxial\"\nfibres.direction_deg = 13\nfibres.half_angle_deg = ";
   EXPECT_EQ(faults_of(fibres + "5\n"),
             "f.toml:2:24: fibres.direction_deg: no bond of the square lattice lies within fibres.half_angle_deg = 5 of "
-            "fibres.direction_deg = 13, so there would be no fibres; the nearest bonds lie at 0, 26.57, 153.4, 45, "
-            "63.43, 135, 90, 116.6 degrees");
+            "fibres.direction_deg = 13, so there would be no fibres; the nearest bonds lie at 0, 26.57, 45, 153.4, "
+            "63.43, 135, 116.6, 90 degrees");
   EXPECT_EQ(faults_of(fibres + "13.1\n"), "");
 }
 
