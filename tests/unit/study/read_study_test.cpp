@@ -98,9 +98,9 @@ TEST(ReadStudy, EachFaultOfStatistics) {
   EXPECT_EQ(fault_of("[statistics]\nalpa = 1\n"),
             "f.toml:4:1: statistics.alpa: there is no such key; did you mean alpha?");
   const std::string sweep = "[sweep]\nprotrusion.number = [1, 2]\n[statistics]\ncompare = \"control\"\n";
-  EXPECT_TRUE(fault_of(sweep).ends_with("the labels are \"number 1\", \"number 2\"")) << fault_of(sweep);
+  EXPECT_TRUE(fault_of(sweep).ends_with("the labels are \"n_prot 1\", \"n_prot 2\"")) << fault_of(sweep);
   EXPECT_TRUE(fault_of(sweep + "control = \"numbr 1\"\n").ends_with("; did you mean number 1?"));
-  EXPECT_EQ(read(sweep + "control = \"number 2\"\n").comparisons.control, "number 2");
+  EXPECT_EQ(read(sweep + "control = \"n_prot 2\"\n").comparisons.control, "n_prot 2");
 }
 
 TEST(ReadStudy, AllFaultsAtOnceAndNoHarmInRubbish) {

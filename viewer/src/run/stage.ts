@@ -1,6 +1,7 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
 import { h, isDark, onDarkMode } from "../dom";
 import { roundStep } from "../numbers";
+import { onPrint } from "../paper";
 import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
@@ -76,6 +77,10 @@ export class Stage {
     });
     clock.onChange(() => this.draw());
     onDarkMode(() => this.draw());
+    onPrint(this.element, () => {
+      this.fit();
+      this.paint();
+    });
     let first = true;
     new ResizeObserver(() => {
       this.fit();
