@@ -45,6 +45,11 @@ std::string command_text(const std::vector<std::string>& words) {
   return text;
 }
 
+/// "2026-01-31 12:00 UTC" of "2026-01-31T12:00:00Z".
+std::string minute_of(const std::string& time) {
+  return time.size() < 16 ? time : fmt::format("{} {} UTC", time.substr(0, 10), time.substr(11, 5));
+}
+
 std::vector<std::string> words_in(const Json& record, const char* key) {
   std::vector<std::string> words;
   if (const auto found = record.find(key); found != record.end() && found->is_array())
@@ -83,7 +88,8 @@ std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const s
     if (!value.empty()) facts.push_back({name, value});
   };
   add("command", command_text(words_in(record, "command_line")));
-  add("date", text_of(record, record.contains("end") && record.at("end").is_string() ? "end" : "start"));
+  const std::string end = text_of(record, "end");
+  add("date", minute_of(end.empty() ? text_of(record, "start") : end));
   if (const auto time = record.find("wall_time_s"); time != record.end() && time->is_number())
     add("wall time", wall_time_text(time->get<double>()));
   add("trajectory hash", text_of(record, "trajectory_hash"));

