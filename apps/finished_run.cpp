@@ -49,6 +49,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::is_regular_file(folder / "run.json", error))
     throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
   FinishedRun run;
+  run.folder = folder;
   run.record = Json::parse(read_file(folder / "run.json", most_text), nullptr, false);
   if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
   const bool last = std::filesystem::exists(folder / io::checkpoint_name, error);
@@ -75,8 +76,10 @@ void tell_lost_frames(const FinishedRun& run) {
 }
 
 nlohmann::ordered_json page_data(const FinishedRun& run) {
-  return io::run_data({.title = run_title(run.p),
+  const std::string scenario = scenario_name(run.record, run.folder);
+  return io::run_data({.title = run_title(run.p, scenario),
                        .status = status_of(run),
+                       .facts = run_facts(run.p, run.record, scenario),
                        .t_end = run.t,
                        .p = run.p,
                        .readouts = readouts(run.memory.rows, run.protrusions, run.p),

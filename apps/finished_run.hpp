@@ -16,6 +16,7 @@ namespace matrigrate::apps {
 
 /// What the files of a run hold, up to its last checkpoint; frames up to the last one.
 struct FinishedRun {
+  std::filesystem::path folder;
   Parameters p;
   nlohmann::ordered_json record; ///< run.json
   double t = 0.0;                ///< of the checkpoint [s]

@@ -64,10 +64,12 @@ std::vector<std::string> simd_features() {
 
 } // namespace
 
-std::string version_line() {
-  return fmt::format("matrigrate {} ({}{})", build_info::version, std::string_view(build_info::git_hash).substr(0, 8),
+std::string version_text() {
+  return fmt::format("{} ({}{})", build_info::version, std::string_view(build_info::git_hash).substr(0, 8),
                      build_info::git_dirty ? "+" : "");
 }
+
+std::string version_line() { return "matrigrate " + version_text(); }
 
 Json provenance() {
   return {

@@ -7,7 +7,10 @@
 /// What this program is made of and what it runs on.
 namespace matrigrate::apps {
 
-/// "matrigrate 0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
+/// "0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
+std::string version_text();
+
+/// The same after the program's name.
 std::string version_line();
 
 /// {version, git_hash, git_dirty, compiler, flags, build_type, sanitizers, libraries: {name: version},

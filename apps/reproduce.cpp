@@ -232,9 +232,9 @@ int reproduce(const Options& options) {
   for (const study::Claim* claim : claims) rows.push_back(study::judged(*claim, evidence));
   write_reproduction(options.folder, options.id, rows, evidence, figures_of(evidence, options), setting);
   if (options.json)
-    print(reproduction_json(rows, setting, as_published(options)));
+    print(reproduction_json(rows, evidence, setting, as_published(options)));
   else
-    print(reproduction_text(rows) + setting + "\n"
+    print(reproduction_text(rows, evidence) + setting + "\n"
           + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   const auto holds = [](const ReproducedRow& row) { return row.finding.verdict == study::Verdict::holds; };
   return std::ranges::all_of(rows, holds) ? done : numerical;

@@ -1,9 +1,10 @@
 #include "apps/reproduce_output.hpp"
 
 #include "apps/provenance.hpp"
+#include "apps/study_claims.hpp"
 #include "apps/terminal.hpp"
 #include "base/file.hpp"
-#include "io/page.hpp"
+#include "io/claims_page.hpp"
 #include "io/row_file.hpp"
 #include "study/box_plot.hpp"
 
@@ -17,28 +18,29 @@ namespace {
 
 std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
 
-std::string claims_csv(const std::vector<ReproducedRow>& rows) {
+std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
   using View = std::string_view;
-  std::string text =
-      io::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"), View("verdict")});
+  std::string text = io::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
+                                   View("verdict"), View("caveat")});
   for (const ReproducedRow& row : rows) {
     const std::string verdict = to_string(row.finding.verdict);
     const std::string ours = joined(row.finding.ours);
     const std::string statistic = joined(row.finding.conditions);
-    text += io::csv_line(
-        {View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic), View(verdict)});
+    const std::string caveat = claims_caveat(row.id, evidence);
+    text += io::csv_line({View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic),
+                          View(verdict), View(caveat)});
   }
   return text;
 }
 
-io::PageSection section(const ReproducedRow& row) {
-  const std::string verdict = to_string(row.finding.verdict);
-  return {.title = row.id,
-          .summary = row.sentence,
-          .holds = row.finding.verdict == study::Verdict::holds,
-          .check_rows = {{row.sentence, joined(row.finding.ours), row.published, "", joined(row.finding.conditions),
-                          verdict}},
-          .remarks = {},
+io::ClaimSection section(const ReproducedRow& row, const study::Evidence& evidence) {
+  return {.id = row.id,
+          .sentence = row.sentence,
+          .published = row.published,
+          .verdict = to_string(row.finding.verdict),
+          .caveat = claims_caveat(row.id, evidence),
+          .ours = row.finding.ours,
+          .conditions = row.finding.conditions,
           .figures = {}};
 }
 
@@ -53,10 +55,10 @@ Colour colour_of(study::Verdict verdict) {
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
                         const std::map<std::string, io::Figure>& figures, const std::string& setting) {
-  write_file(folder / fmt::format("claims-{}.csv", id), claims_csv(rows));
-  std::vector<io::PageSection> sections;
+  write_file(folder / fmt::format("claims-{}.csv", id), claims_csv(rows, evidence));
+  std::vector<io::ClaimSection> sections;
   for (const ReproducedRow& row : rows) {
-    sections.push_back(section(row));
+    sections.push_back(section(row, evidence));
     if (const auto figure = figures.find(row.id); figure != figures.end())
       sections.back().figures.push_back(figure->second);
   }
@@ -73,15 +75,16 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
   if (!all_plots.empty())
     write_file(folder / fmt::format("boxes-{}.svg", id), to_svg(all_plots, fmt::format("Studies of row {}", id)));
   write_file(folder / fmt::format("report-{}.html", id),
-             io::page(fmt::format("Claims of Heck et al. 2020: {}", id), sections, setting + "\n" + provenance_text()));
+             io::claims_page(fmt::format("Claims of Heck et al. 2020: {}", id), setting, sections, provenance_text()));
 }
 
-std::string reproduction_text(const std::vector<ReproducedRow>& rows) {
+std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
   std::string text;
   for (const ReproducedRow& row : rows) {
-    text += fmt::format("{:<4}{}\n    {}\n", row.id,
+    const std::string caveat = claims_caveat(row.id, evidence);
+    text += fmt::format("{:<4}{}{}\n    {}\n", row.id,
                         coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
-                        row.sentence);
+                        caveat.empty() ? "" : fmt::format(" ({})", caveat), row.sentence);
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
@@ -89,7 +92,8 @@ std::string reproduction_text(const std::vector<ReproducedRow>& rows) {
   return text;
 }
 
-std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published) {
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
+                              const std::string& setting, bool as_published) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const ReproducedRow& row : rows)
@@ -98,7 +102,8 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std:
                     {"published", row.published},
                     {"ours", row.finding.ours},
                     {"statistic", row.finding.conditions},
-                    {"verdict", to_string(row.finding.verdict)}});
+                    {"verdict", to_string(row.finding.verdict)},
+                    {"caveat", claims_caveat(row.id, evidence)}});
   return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
                                                                                          Json::error_handler_t::replace)
          + "\n";

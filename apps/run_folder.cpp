@@ -51,6 +51,16 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
   return all;
 }
 
+/// The number of threads changes no result, and may differ after a restart.
+io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
+  p.run.threads = RunParameters{}.threads;
+  return {.program = "matrigrate",
+          .version = version_text(),
+          .seed = p.run.seed,
+          .trajectory_hash = std::move(trajectory_hash),
+          .scenario = to_toml(p)};
+}
+
 } // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
@@ -145,8 +155,8 @@ void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
   if (m_frames && (m_frame_times.empty() || m_frame_times.back() != s.t)) add_frame(s, w);
 }
 
-void RunFolder::finish(const State& s, const std::string& status, bool failed) {
-  if (m_frames) io::write_field_files(m_folder, m_frame_times.size());
+void RunFolder::finish(const State& s, const std::string& status, bool failed, const RunRecord& record) {
+  if (m_frames) io::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
   write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
@@ -156,10 +166,13 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed) {
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
   if (!m_p.output.report) return;
   ::malloc_trim(0); // before all frames that are played are in memory
+  const nlohmann::ordered_json record_json = to_json(record, m_p);
+  const std::string scenario = scenario_name(record_json, m_folder);
   const io::Film film = m_frames ? io::read_film(m_folder, io::keep_what_is_played) : io::Film{};
   write_file(m_folder / "report.html",
-             io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p),
+             io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p, scenario),
                                                                 .status = status,
+                                                                .facts = run_facts(m_p, record_json, scenario),
                                                                 .t_end = s.t,
                                                                 .p = m_p,
                                                                 .readouts = m_readouts,

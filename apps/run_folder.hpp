@@ -56,7 +56,8 @@ public:
   /// Writes all that is made at the end: fields.h5, read-outs, contact sheet and report.
   /// @param status  a sentence on how the run ended, for the report
   /// @param failed  whether a picture of the moment is wanted
-  void finish(const State& s, const std::string& status, bool failed);
+  /// @param record  for the report
+  void finish(const State& s, const std::string& status, bool failed, const RunRecord& record);
 
   /// Writes run.json.
   void write_record(const RunRecord& record) const;

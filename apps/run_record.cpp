@@ -1,6 +1,8 @@
 #include "apps/run_record.hpp"
 
+#include "apps/progress.hpp"
 #include "apps/provenance.hpp"
+#include "apps/stopped_run.hpp"
 #include "io/trajectory_hash.hpp"
 #include "parameters/write.hpp"
 
@@ -13,10 +15,47 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::system_clock;
+namespace fs = std::filesystem;
 
 /// ISO 8601, UTC: "2026-01-31T12:00:00Z".
 std::string utc(Clock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(Clock::to_time_t(time)));
+}
+
+constexpr double Pa = 1e3; // in a kPa
+
+/// The last part of a path that is no dot; the current folder's own name for "".
+std::string name_of(const fs::path& folder) {
+  std::error_code error;
+  fs::path path = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.filename().string();
+}
+
+/// As one would type it in a shell, the program by its name alone.
+std::string command_text(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    const std::string shown = text.empty() ? fs::path(word).filename().string() : word;
+    const bool plain = !shown.empty() && shown.find_first_of(" \t\"'$`\\!*?[](){}<>|&;#~") == std::string::npos;
+    std::string quoted;
+    for (const char c : shown) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += (text.empty() ? "" : " ") + (plain ? shown : fmt::format("'{}'", quoted));
+  }
+  return text;
+}
+
+/// "2026-01-31 12:00 UTC" of "2026-01-31T12:00:00Z".
+std::string minute_of(const std::string& time) {
+  return time.size() < 16 ? time : fmt::format("{} {} UTC", time.substr(0, 10), time.substr(11, 5));
+}
+
+std::vector<std::string> words_in(const Json& record, const char* key) {
+  std::vector<std::string> words;
+  if (const auto found = record.find(key); found != record.end() && found->is_array())
+    for (const Json& word : *found)
+      if (word.is_string()) words.push_back(word.get<std::string>());
+  return words;
 }
 
 } // namespace
@@ -27,7 +66,35 @@ std::string configuration_hash(const Parameters& p) {
   return io::text_hash(to_toml(q));
 }
 
-std::string run_title(const Parameters& p) { return fmt::format("Migration run, seed {}", p.run.seed); }
+std::string scenario_name(const Json& record, const fs::path& folder) {
+  for (const fs::path file : words_in(record, "command_line")) {
+    if (file.extension() != ".toml") continue;
+    if (file.filename() != "scenario.resolved.toml") return file.stem().string();
+    return name_of(file.parent_path());
+  }
+  const std::string name = name_of(folder);
+  return name.substr(0, name.rfind("-seed"));
+}
+
+std::string run_title(const Parameters& p, const std::string& scenario) {
+  return fmt::format("{}: E = {:.6g} Pa, seed {}", scenario, Pa * p.ecm.youngs_modulus, p.run.seed);
+}
+
+std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
+  std::vector<io::Fact> facts{{"scenario", scenario},
+                              {"Young's modulus E", fmt::format("{:.6g} Pa", Pa * p.ecm.youngs_modulus)},
+                              {"seed", fmt::format("{}", p.run.seed)}};
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) facts.push_back({name, value});
+  };
+  add("command", command_text(words_in(record, "command_line")));
+  const std::string end = text_of(record, "end");
+  add("date", minute_of(end.empty() ? text_of(record, "start") : end));
+  if (const auto time = record.find("wall_time_s"); time != record.end() && time->is_number())
+    add("wall time", wall_time_text(time->get<double>()));
+  add("trajectory hash", text_of(record, "trajectory_hash"));
+  return facts;
+}
 
 Json to_json(const RunRecord& record, const Parameters& p) {
   const Clock::time_point now = record.end.value_or(Clock::now());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/run_page.hpp"
 #include "io/saved_frames.hpp"
 #include "parameters/parameters.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +36,17 @@ struct RunRecord {
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 
-/// Heading of the run's report.
-std::string run_title(const Parameters& p);
+/// The name of a run's scenario file; of a run of a study the name of its folder, and that of the run's folder without
+/// its seed where the command names no file: "cell".
+/// @param record  as in run.json
+std::string scenario_name(const nlohmann::ordered_json& record, const std::filesystem::path& folder);
+
+/// Heading of the run's report: "cell: E = 200 Pa, seed 1".
+std::string run_title(const Parameters& p, const std::string& scenario);
+
+/// What was run, when and how: scenario, stiffness, seed, command, date, wall time, trajectory hash.
+/// @param record  as in run.json
+std::vector<io::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record, const std::string& scenario);
 
 /// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
 ///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, start, end, lineage, and the

@@ -64,8 +64,8 @@ public:
       m_record.lost_frames = m_folder->lost_frames();
       m_w.reset();      // frees the memory that all frames together need,
       ::malloc_trim(0); // and gives it back
-      m_folder->finish(m_s, status_text(), failed);
       m_record.trajectory_hash = m_folder->trajectory_hash();
+      m_folder->finish(m_s, status_text(), failed, m_record);
       m_record.end = std::chrono::system_clock::now();
       m_folder->write_record(m_record);
       if (m_record.status == "done") m_folder->remove_log();
@@ -179,7 +179,7 @@ private:
     }
     if (!m_manner.quiet) {
       print(status_text() + "\n\n");
-      for (const io::NamedValue& v : io::named_values(m_folder->readouts()))
+      for (const io::NamedValue& v : io::shown_values(m_folder->readouts(), m_p))
         print(fmt::format("  {:<50}{:>10}\n", v.meaning, io::readable(v.value)));
       print("\n");
     }

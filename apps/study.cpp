@@ -8,9 +8,9 @@ namespace matrigrate::apps {
 
 namespace {
 
-void add_common(CLI::App& verb, StudyOptions& options) {
+void add_common(CLI::App& verb, StudyOptions& options, const char* quiet) {
   verb.add_flag("--json", options.json, "Print the outcome as one JSON object");
-  verb.add_flag("--quiet", options.quiet, "Show no progress and no tables");
+  verb.add_flag("--quiet", options.quiet, quiet);
 }
 
 void add_file(CLI::App& verb, StudyOptions& options) {
@@ -42,7 +42,7 @@ void add_local(CLI::App& group, Action& chosen) {
   add_file(*verb, *run);
   add_jobs(*verb, *run);
   add_retry(*verb, *run);
-  add_common(*verb, *run);
+  add_common(*verb, *run, "Show no progress");
   verb->footer(
       "A run that fails does not stop the others: it is listed with its reason, and the exit code is 4. A full\n"
       "disk stops all: exit code 5. Ctrl-C or a signal to terminate is passed on to the runs: 130 or 75.\n"
@@ -52,14 +52,15 @@ void add_local(CLI::App& group, Action& chosen) {
 
 void add_reading(CLI::App& group, Action& chosen) {
   const auto status = std::make_shared<StudyOptions>();
-  CLI::App* verb = group.add_subcommand("status", "How many runs are done, and why others are not");
+  CLI::App* verb =
+      group.add_subcommand("status", "How many runs are done, how far others are, and why some are not done");
   verb->add_option("DIR", status->folder, "Folder of a study")->required();
   verb->add_flag("--json", status->json, "Print it as one JSON object");
   verb->callback([status, &chosen] { chosen = [status] { return show_status(*status); }; });
   const auto gather = std::make_shared<StudyOptions>();
   verb = group.add_subcommand("collect", "Gather results and statistics of the runs that are done, at any time");
   verb->add_option("DIR", gather->folder, "Folder of a study")->required();
-  add_common(*verb, *gather);
+  add_common(*verb, *gather, "Print no tables");
   verb->footer(
       "Writes results.csv (a row a run), groups.csv, statistics.csv, correlations.csv, boxes.svg and report.html.");
   verb->callback([gather, &chosen] { chosen = [gather] { return collect_study(*gather); }; });

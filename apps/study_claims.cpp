@@ -48,6 +48,30 @@ bool decides_on_results(const Row& row) {
   return !row.path.starts_with("output.") && row.path != "run.seed" && row.path != "run.threads";
 }
 
+/// In what a study is not the shipped one.
+struct Deviations {
+  std::vector<std::string> sentences;
+  bool comparable = true; ///< the runs stand for the paper's all the same: other steps of the integrator
+};
+
+Deviations deviations(const study::Study& study) {
+  const ShippedStudy* shipped = shipped_study(study);
+  if (shipped == nullptr) return {};
+  const study::Study published = parsed(*shipped);
+  Deviations found;
+  if (study.replicates != published.replicates)
+    found.sentences.push_back(fmt::format("replicates {} (published: {})", study.replicates, published.replicates));
+  found.comparable = found.sentences.empty();
+  for (const Row& row : schema()) {
+    const std::string here = value_text(row, study.base);
+    const std::string there = value_text(row, published.base);
+    if (here == there || !decides_on_results(row)) continue;
+    found.sentences.push_back(fmt::format("{} {} (published: {})", row.path, here, there));
+    found.comparable = found.comparable && (row.path == "run.integrator" || row.path == "run.time_step");
+  }
+  return found;
+}
+
 } // namespace
 
 std::optional<std::string_view> shipped_name(const study::Study& study) {
@@ -76,23 +100,24 @@ std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std
 }
 
 std::string claims_note(const study::Study& study) {
-  const ShippedStudy* shipped = shipped_study(study);
-  if (shipped == nullptr) return {};
-  const study::Study published = parsed(*shipped);
-  std::vector<std::string> others;
-  if (study.replicates != published.replicates)
-    others.push_back(fmt::format("replicates {} (published: {})", study.replicates, published.replicates));
-  bool comparable = others.empty();
-  for (const Row& row : schema()) {
-    const std::string here = value_text(row, study.base);
-    const std::string there = value_text(row, published.base);
-    if (here == there || !decides_on_results(row)) continue;
-    others.push_back(fmt::format("{} {} (published: {})", row.path, here, there));
-    comparable = comparable && (row.path == "run.integrator" || row.path == "run.time_step");
-  }
-  if (others.empty()) return {};
-  return fmt::format("Not run as published: {}.{}", fmt::join(others, ", "),
-                     comparable ? "" : " So these are no verdicts on the paper.");
+  const Deviations found = deviations(study);
+  if (found.sentences.empty()) return {};
+  return fmt::format("Not run as published: {}.{}", fmt::join(found.sentences, ", "),
+                     found.comparable ? "" : " So these are no verdicts on the paper.");
+}
+
+std::string claims_caveat(const study::Study& study) {
+  return deviations(study).comparable ? "" : "not the paper's runs";
+}
+
+std::string claims_caveat(const std::string& id, const study::Evidence& evidence) {
+  const auto claims = study::claims();
+  const auto claim = std::ranges::find(claims, id, &study::Claim::id);
+  if (claim == claims.end()) return {};
+  for (const std::string_view name : claim->studies)
+    if (const auto found = evidence.find(name); found != evidence.end())
+      if (std::string caveat = claims_caveat(found->second.study); !caveat.empty()) return caveat;
+  return {};
 }
 
 } // namespace matrigrate::apps

@@ -21,4 +21,10 @@ std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std
 /// In what this study is not the shipped one, and what follows for the verdicts; "" if in nothing.
 std::string claims_note(const study::Study& study);
 
+/// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".
+std::string claims_caveat(const study::Study& study);
+
+/// The same of the studies that a claim needs, as far as they are among the evidence; "" for an id that is no claim's.
+std::string claims_caveat(const std::string& id, const study::Evidence& evidence);
+
 } // namespace matrigrate::apps

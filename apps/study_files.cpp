@@ -12,23 +12,78 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace matrigrate::apps {
 
 namespace {
 
+constexpr std::size_t most = 30; // points or pairs that a person reads
+
 /// "1.23", or "-" where it is not defined.
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
 
-std::string groups_text(const StudyFolder& study, const Collected& collected, const std::string& readout) {
-  std::string text = fmt::format("{}\n", readout);
-  for (std::size_t i = 0; i < study.study.points.size(); ++i) {
-    const std::vector<double> x = study::sample(collected.results, i, readout);
-    const statistics::Interval mean = statistics::mean_interval(x, study.study.comparisons.alpha);
-    text += fmt::format("  {:<40} n = {:<4} mean {} [{}, {}]\n", study.study.points[i].label, x.size(),
-                        number(mean.value), number(mean.low), number(mean.high));
+std::string interval(const statistics::Interval& i) {
+  return std::isfinite(i.low) && std::isfinite(i.high) ? fmt::format("{:.3g} to {:.3g}", i.low, i.high) : "-";
+}
+
+/// Columns as wide as they have to be: words to the left, numbers to the right.
+/// @param words  how many columns, from the first on, hold words
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t words) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line += c < words ? fmt::format("  {:<{}}", row[c], width[c]) : fmt::format("  {:>{}}", row[c], width[c]);
+    text += line.erase(line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
+}
+
+std::string groups_text(const StudyFolder& study, const std::vector<study::ReadOutSample>& samples,
+                        const std::string& readout) {
+  std::vector<std::vector<std::string>> rows{{"point", "n", "mean", "95 % interval"}};
+  rows[0][3] = fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.study.comparisons.alpha));
+  for (const study::ReadOutSample& s : samples)
+    if (s.readout == readout)
+      rows.push_back(
+          {study.study.points[s.point].label, fmt::format("{}", s.moments.n), number(s.mean.value), interval(s.mean)});
+  return aligned(rows, 1);
+}
+
+/// Only pairs of which something can be said.
+std::string comparisons_text(const StudyFolder& study, const std::vector<study::Comparison>& comparisons,
+                             const std::string& readout) {
+  std::vector<std::vector<std::string>> rows{
+      {"from", "to", "difference", "interval", "p", "Holm's p", "Hedges' g", "detectable"}};
+  std::size_t left_out = 0;
+  for (const study::Comparison& c : comparisons) {
+    if (c.readout != readout || std::isnan(c.difference.value)) continue;
+    if (rows.size() > most) {
+      ++left_out;
+      continue;
+    }
+    rows.push_back({study.study.points[c.a].label, study.study.points[c.b].label, number(c.difference.value),
+                    interval(c.difference), number(c.test.p), number(c.p_holm), number(c.g.value),
+                    number(c.detectable)});
+  }
+  if (rows.size() == 1) return {};
+  return "\n" + aligned(rows, 2)
+         + (left_out > 0 ? fmt::format("  and {} more in statistics.csv\n", left_out) : std::string());
+}
+
+/// What to know of the numbers above.
+std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
+  if (comparisons.empty()) return {};
+  const bool few = std::ranges::any_of(
+      comparisons, [](const study::Comparison& c) { return std::min(c.sample_a.n, c.sample_b.n) < study::least_runs; });
+  return fmt::format("Holm's p is corrected over all pairs of a read-out; detectable: the smallest difference that as "
+                     "many runs find with {:.0f} % power.\n{}",
+                     100.0 * study::wanted_power,
+                     few ? fmt::format("Tests need at least {} runs at each point.\n", study::least_runs) : "");
 }
 
 } // namespace
@@ -60,6 +115,7 @@ void write_study_report(const StudyFolder& study, const Collected& collected, co
                                                 .provenance = provenance_text(),
                                                 .claims = claims_about(study, collected.results),
                                                 .claims_note = claims_note(study.study),
+                                                .claims_caveat = claims_caveat(study.study),
                                                 .played = played_runs(study, collected.results, played)})));
 }
 
@@ -70,20 +126,17 @@ Collected collect(const StudyFolder& study) {
 }
 
 std::string collected_text(const StudyFolder& study, const Collected& collected) {
-  constexpr std::size_t most = 30; // points or pairs that a person reads
+  const std::vector<study::ReadOutSample> samples = study::samples(study.study, collected.results);
   std::string text;
   for (const std::string& readout : study.study.readouts) {
-    if (study.study.points.size() <= most) text += groups_text(study, collected, readout);
-    std::size_t shown = 0;
-    for (const study::Comparison& c : collected.comparisons) {
-      if (c.readout != readout || shown++ == most) continue;
-      text += fmt::format("  {} -> {}: difference {} [{}, {}], p {}, Holm {}, g {} [{}, {}]; {}\n",
-                          study.study.points[c.a].label, study.study.points[c.b].label, number(c.difference.value),
-                          number(c.difference.low), number(c.difference.high), number(c.test.p), number(c.p_holm),
-                          number(c.g.value), number(c.g.low), number(c.g.high), study::power_text(c));
-    }
+    const bool defined = std::ranges::any_of(
+        samples, [&](const study::ReadOutSample& s) { return s.readout == readout && s.moments.n > 0; });
+    text += readout + (defined ? "\n" : ": no run has a value yet\n");
+    if (!defined) continue;
+    if (study.study.points.size() <= most) text += groups_text(study, samples, readout);
+    text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
-  return text;
+  return text + remarks_text(collected.comparisons);
 }
 
 } // namespace matrigrate::apps

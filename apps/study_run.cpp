@@ -1,5 +1,7 @@
 #include "apps/folder_lock.hpp"
+#include "apps/progress.hpp"
 #include "apps/study_files.hpp"
+#include "apps/study_progress.hpp"
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
@@ -33,6 +35,33 @@ Json to_json(const StudyFolder& study, const std::vector<Trouble>& troubles) {
                     {"reason", t.reason}});
   }
   return list;
+}
+
+Json to_json(const StudyFolder& study, const std::vector<RunningRun>& running) {
+  Json list = Json::array();
+  for (const RunningRun& r : running) {
+    const study::Run& run = study.runs[r.run];
+    list.push_back({{"run", run.hash},
+                    {"label", study.study.points[run.point].label},
+                    {"replicate", run.replicate},
+                    {"share", r.share},
+                    {"left_s", r.left ? Json(*r.left) : Json()}});
+  }
+  return list;
+}
+
+std::string left_text(const std::optional<double>& left) {
+  return left ? fmt::format("about {} left", wall_time_text(*left)) : "time left not known yet";
+}
+
+std::string running_text(const StudyFolder& study, const StudyProgress& progress) {
+  std::string text;
+  for (const RunningRun& r : progress.running)
+    text += fmt::format("{:<12}{} ({}): {:.0f} %, {}\n", "running", title_of(study, study.runs[r.run]),
+                        study.runs[r.run].hash, 100.0 * r.share, left_text(r.left));
+  if (!progress.running.empty())
+    text += fmt::format("all runs: {}, {} at a time\n", left_text(progress.left), progress.running.size());
+  return text;
 }
 
 std::vector<std::size_t> all_runs(const StudyFolder& study) {
@@ -94,23 +123,28 @@ int run_study(const StudyOptions& options) {
 
 int show_status(const StudyOptions& options) {
   const StudyFolder study = open_study(options.folder);
-  std::map<std::string, std::size_t> count;
+  std::vector<study::Standing> standings;
   std::vector<Trouble> troubles;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
-    const study::Standing s = study::standing(study.folder, study.runs[i]);
-    ++count[s.status];
+    const study::Standing& s = standings.emplace_back(study::standing(study.folder, study.runs[i]));
     if (s.status == "failed" || s.status == "interrupted") troubles.push_back({i, s.status, s.reason});
   }
+  const StudyProgress progress = progress_of(study, standings);
+  for (const RunningRun& run : progress.running) standings[run.run].status = "running";
+  std::map<std::string, std::size_t> count;
+  for (const study::Standing& s : standings) ++count[s.status];
   if (options.json) {
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},
                 {"count", count},
+                {"running", to_json(study, progress.running)},
+                {"left_s", progress.left ? Json(*progress.left) : Json()},
                 {"not_done", to_json(study, troubles)}});
     return done;
   }
   print(fmt::format("{} runs:", study.runs.size()));
   for (const auto& [status, n] : count) print(fmt::format(" {} {}", n, status));
-  print("\n" + troubles_text(study, troubles));
+  print("\n" + running_text(study, progress) + troubles_text(study, troubles));
   return done;
 }
 

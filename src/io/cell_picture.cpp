@@ -27,15 +27,20 @@ CellLegend footer(double top, double width, const Panel& panel) {
   return out;
 }
 
-/// Indices of at most `most` of n, at even distances, with the first and the last.
+/// Indices of at most `most` of n at equal distances, from the first on; the last one among them, which alone may
+/// follow sooner.
 std::vector<std::size_t> chosen(std::size_t n, std::size_t most) {
+  if (n == 0 || most == 0) return {};
+  if (most == 1) return {n - 1};
+  std::size_t step = std::max<std::size_t>(1, (n - 1 + most - 2) / (most - 1));
+  for (std::size_t wider = step; 2 * ((n - 1) / wider + 1) >= most; ++wider) // one that meets the end, if there is any
+    if ((n - 1) % wider == 0) {
+      step = wider;
+      break;
+    }
   std::vector<std::size_t> indices;
-  const std::size_t m = std::min(n, most);
-  for (std::size_t k = 0; k < m; ++k) {
-    const double place =
-        m == 1 ? static_cast<double>(n - 1) : static_cast<double>(k * (n - 1)) / static_cast<double>(m - 1);
-    indices.push_back(static_cast<std::size_t>(std::lround(place)));
-  }
+  for (std::size_t i = 0; i < n; i += step) indices.push_back(i);
+  if (indices.back() != n - 1) indices.push_back(n - 1);
   return indices;
 }
 

@@ -19,8 +19,7 @@ std::string time_text(double seconds);
 std::string cell_picture(const CellScene& scene, const Box& box, int width = 640);
 
 /// Scenes side by side at one scale, with their times, a scale bar and a legend.
-/// @param most  the number of panels; of more scenes, as many are chosen at even distances, the first and the last
-///              among them
+/// @param most  panels; of more scenes every second is shown, or every third and so on, and the last
 /// @return  the SVG document
 std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most = 12, int width = 760);
 

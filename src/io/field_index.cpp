@@ -14,6 +14,7 @@ std::string item(std::string_view name, std::string_view type, std::size_t k, st
 
 constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
 constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
+constexpr std::string_view whole = "NumberType=\"UInt\" Precision=\"4\"";
 
 std::string attribute(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
   return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
@@ -32,13 +33,16 @@ std::string attributes(std::string_view body, const Frame& frame, std::size_t k,
   return text;
 }
 
-std::string grid(std::string_view name, const std::string& topology, const Frame& first, double t, std::size_t k,
-                 std::size_t n) {
+/// @param fields  its attributes
+std::string grid(std::string_view name, const std::string& topology, double t, std::size_t k, std::size_t n,
+                 const std::string& fields) {
   return fmt::format("      <Grid Name=\"{0}\" GridType=\"Uniform\">\n        <Time Value=\"{1}\"/>\n        {2}\n"
                      "        <Geometry GeometryType=\"XYZ\">{3}</Geometry>\n{4}      </Grid>\n",
-                     name, t, topology, item(fmt::format("{}/position", name), floating, k, n, 3),
-                     attributes(fmt::format("{}/", name), first, k, n)
-                         + (name == "matrix" ? attribute("matrix/solid", bytes, k, n, 1) : std::string()));
+                     name, t, topology, item(fmt::format("{}/position", name), floating, k, n, 3), fields);
+}
+
+std::string points(std::size_t n) {
+  return fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n);
 }
 
 std::string closed_line(std::size_t n) {
@@ -49,24 +53,42 @@ std::string closed_line(std::size_t n) {
                      n + 1, points);
 }
 
-std::string collection(std::string_view name, const std::string& topology, const Frame& first,
-                       std::span<const double> times, std::size_t n) {
-  std::string text = fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
-  for (std::size_t k = 0; k < times.size(); ++k) text += grid(name, topology, first, times[k], k, n);
-  return text + "    </Grid>\n";
+std::string collection(std::string_view name, const std::string& grids) {
+  return fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}    </Grid>\n",
+                     name, grids);
+}
+
+/// Readers find none at a time that is left out, and some of them stumble over a grid of no points.
+std::string anchor_grids(std::span<const double> times, std::span<const std::size_t> anchors) {
+  std::string text;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const std::size_t n = anchors[k];
+    if (n == 0) continue;
+    text += grid("anchors", points(n), times[k], k, n,
+                 attribute("anchors/id", whole, k, n, 1) + attribute("anchors/f_mat", floating, k, n, 1)
+                     + attribute("anchors/force", floating, k, n, 1));
+  }
+  return text;
 }
 
 } // namespace
 
-std::string field_index(const Frame* first, std::span<const double> times) {
+std::string field_index(const Frame* first, std::span<const double> times, std::span<const std::size_t> anchors) {
   std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
   if (first != nullptr) {
     const std::size_t n = first->matrix.f_degr.size();
     const std::size_t m = first->outline.front.size();
-    const std::string points =
-        fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n);
-    text += collection("matrix", points, *first, times, n);
-    if (m > 0) text += collection("outline", closed_line(m), *first, times, m);
+    std::string matrix;
+    std::string outline;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      matrix += grid("matrix", points(n), times[k], k, n,
+                     attributes("matrix/", *first, k, n) + attribute("matrix/solid", bytes, k, n, 1));
+      if (m > 0) outline += grid("outline", closed_line(m), times[k], k, m, attributes("outline/", *first, k, m));
+    }
+    text += collection("matrix", matrix);
+    if (m > 0) text += collection("outline", outline);
+    if (const std::string adhesions = anchor_grids(times, anchors); !adhesions.empty())
+      text += collection("anchors", adhesions);
   }
   return text + "  </Domain>\n</Xdmf>\n";
 }

@@ -52,13 +52,29 @@ Handle file_of(const void* owner, std::string_view image) {
   return {H5Fopen(name_of(owner).c_str(), H5F_ACC_RDONLY, access.id()), close_file, "not an HDF5 file"};
 }
 
+void add_attribute(const Handle& owner, const char* name, hid_t type, const void* value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "no space");
+  const Handle attribute(H5Acreate2(owner.id(), name, type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         "no attribute could be made");
+  require(H5Awrite(attribute.id(), type, value), "an attribute could not be written");
+}
+
 void add_unit(const Handle& data, std::string_view unit) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "no type");
   require(H5Tset_size(type.id(), unit.size()), "no type for a unit");
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "no space");
-  const Handle attribute(H5Acreate2(data.id(), "units", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         "no attribute could be made");
-  require(H5Awrite(attribute.id(), type.id(), unit.data()), "an attribute could not be written");
+  add_attribute(data, "units", type.id(), unit.data());
+}
+
+/// Texts of any length.
+Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "no type");
+  require(H5Tset_size(type.id(), H5T_VARIABLE), "no type for a text");
+  require(H5Tset_cset(type.id(), H5T_CSET_UTF8), "no type for a text");
+  return type;
+}
+
+Handle attribute_of(const Handle& owner, const char* name) {
+  return {H5Aopen(owner.id(), name, H5P_DEFAULT), H5Aclose, fmt::format("there is no attribute {}", name)};
 }
 
 /// An array of a file; groups on the way to it are made.
@@ -96,24 +112,24 @@ Handle without_cache() {
   return access;
 }
 
-/// The shape of an array, and the part of it that is one frame.
+/// The shape of an array, and a part of it: frames or rows in a stretch.
 struct Slab {
   Handle space;
   std::vector<hsize_t> shape;
   hsize_t size = 1; ///< numbers in it
 };
 
-Slab slab_of(const Handle& data, std::size_t frame) {
+Slab slab_of(const Handle& data, std::size_t first, std::size_t rows) {
   Slab slab{{H5Dget_space(data.id()), H5Sclose, "an array has no shape"}, {}};
   const int dimensions = H5Sget_simple_extent_ndims(slab.space.id());
-  if (dimensions < 2) fail("an array holds no frames");
+  if (dimensions < 1) fail("an array holds no frames");
   slab.shape.resize(static_cast<std::size_t>(dimensions));
   H5Sget_simple_extent_dims(slab.space.id(), slab.shape.data(), nullptr);
-  if (frame >= slab.shape[0]) fail("an array has fewer frames");
+  if (rows > slab.shape[0] || first > slab.shape[0] - rows) fail("an array has fewer frames");
   std::vector<hsize_t> start(slab.shape.size(), 0);
   std::vector<hsize_t> count = slab.shape;
-  start[0] = frame;
-  count[0] = 1;
+  start[0] = first;
+  count[0] = rows;
   for (const hsize_t n : count) slab.size *= n;
   require(H5Sselect_hyperslab(slab.space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
           "no frame could be chosen");
@@ -167,8 +183,21 @@ void MemoryFile::write(const std::string& name, std::span<const Mat2> values, st
   write(name, rows.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 2>{values.size(), 4}, unit);
 }
 
-void MemoryFile::write(const std::string& name, std::span<const std::uint8_t> values) {
-  write(name, values.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{values.size()}, "");
+void MemoryFile::write(const std::string& name, std::span<const std::uint8_t> values, std::string_view unit) {
+  write(name, values.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{values.size()}, unit);
+}
+
+void MemoryFile::write(const std::string& name, std::span<const std::uint32_t> values, std::string_view unit) {
+  write(name, values.data(), H5T_NATIVE_UINT32, std::array<hsize_t, 1>{values.size()}, unit);
+}
+
+void MemoryFile::write_attribute(const std::string& name, const std::string& text) {
+  const char* start = text.c_str();
+  add_attribute(m_file, name.c_str(), text_type().id(), &start);
+}
+
+void MemoryFile::write_attribute(const std::string& name, std::uint64_t number) {
+  add_attribute(m_file, name.c_str(), H5T_NATIVE_UINT64, &number);
 }
 
 void MemoryFile::write_rows(const std::string& name, std::span<const float> values, std::size_t columns,
@@ -181,15 +210,30 @@ void MemoryFile::write_text(const std::string& name, std::string_view text) {
   write(name, text.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{text.size()}, "");
 }
 
-void MemoryFile::name_frame(const std::string& view, const std::string& name, std::size_t frame) {
+/// @param part  of the array, which the view shows
+void MemoryFile::name_part(const std::string& view, const std::string& name, hid_t part, std::span<const hsize_t> shape,
+                           std::string_view unit) {
   const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
   const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
-  const Slab slab = slab_of(data, frame);
-  const std::span<const hsize_t> shape = std::span(slab.shape).subspan(1);
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
   const Handle creation = undated();
-  require(H5Pset_virtual(creation.id(), space.id(), ".", name.c_str(), slab.space.id()), "no view of a frame");
-  new_array(m_file, view, type.id(), shape, creation.id());
+  require(H5Pset_virtual(creation.id(), space.id(), ".", name.c_str(), part), "no view of an array");
+  add_unit(new_array(m_file, view, type.id(), shape, creation.id()), unit);
+}
+
+void MemoryFile::name_frame(const std::string& view, const std::string& name, std::size_t frame,
+                            std::string_view unit) {
+  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Slab slab = slab_of(data, frame, 1);
+  name_part(view, name, slab.space.id(), std::span(slab.shape).subspan(1), unit);
+}
+
+void MemoryFile::name_rows(const std::string& view, const std::string& name, std::size_t first, std::size_t rows,
+                           std::string_view unit) {
+  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  Slab slab = slab_of(data, first, rows);
+  slab.shape[0] = rows;
+  name_part(view, name, slab.space.id(), slab.shape, unit);
 }
 
 /// The array of that name. @param columns  1 for a 1-d array   @param rows  its length out
@@ -251,6 +295,31 @@ bool MemoryFile::has(const std::string& name) const {
   return H5Lexists(m_file.id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
+std::string MemoryFile::attribute(const std::string& name) const {
+  const Handle attribute = attribute_of(m_file, name.c_str());
+  char* text = nullptr;
+  require(H5Aread(attribute.id(), text_type().id(), static_cast<void*>(&text)), fmt::format("{} not read", name));
+  std::string copy(text == nullptr ? "" : text);
+  H5free_memory(text);
+  return copy;
+}
+
+std::uint64_t MemoryFile::number(const std::string& name) const {
+  std::uint64_t value = 0;
+  const Handle attribute = attribute_of(m_file, name.c_str());
+  require(H5Aread(attribute.id(), H5T_NATIVE_UINT64, &value), fmt::format("{} not read", name));
+  return value;
+}
+
+std::string MemoryFile::unit(const std::string& name) const {
+  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle attribute = attribute_of(data, "units");
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose, "no type");
+  std::string text(H5Tget_size(type.id()), '\0');
+  require(H5Aread(attribute.id(), type.id(), text.data()), fmt::format("{}: unit not read", name));
+  return text;
+}
+
 std::vector<float> MemoryFile::floats(const std::string& name) const {
   const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
   const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
@@ -265,7 +334,7 @@ std::vector<float> MemoryFile::floats(const std::string& name) const {
 template <class Number>
 std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
   const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
-  const Slab slab = slab_of(data, frame);
+  const Slab slab = slab_of(data, frame, 1);
   if (slab.size > most_numbers) fail(fmt::format("{} has another shape", name));
   std::vector<Number> values(slab.size);
   const Handle memory(H5Screate_simple(1, &slab.size, nullptr), H5Sclose, "no space");

@@ -56,13 +56,22 @@ public:
   void write(const std::string& name, std::span<const double> values, std::string_view unit);
   void write(const std::string& name, std::span<const Vec2> values, std::string_view unit);
   void write(const std::string& name, std::span<const Mat2> values, std::string_view unit);
-  void write(const std::string& name, std::span<const std::uint8_t> values);
+  void write(const std::string& name, std::span<const std::uint8_t> values, std::string_view unit = "");
+  void write(const std::string& name, std::span<const std::uint32_t> values, std::string_view unit);
   void write_text(const std::string& name, std::string_view text);
   /// @param columns  1 for a 1-d array, else n x columns
   void write_rows(const std::string& name, std::span<const float> values, std::size_t columns, std::string_view unit);
 
+  /// An attribute of the file as a whole.
+  void write_attribute(const std::string& name, const std::string& text);
+  void write_attribute(const std::string& name, std::uint64_t number);
+
   /// Names one frame of a FrameArray as an array of its own, without a copy: what HDF5 calls a virtual dataset.
-  void name_frame(const std::string& view, const std::string& name, std::size_t frame);
+  void name_frame(const std::string& view, const std::string& name, std::size_t frame, std::string_view unit);
+  /// Names rows of a table as an array of their own, likewise.
+  /// @param rows  at least 1
+  void name_rows(const std::string& view, const std::string& name, std::size_t first, std::size_t rows,
+                 std::string_view unit);
 
   /// @throws InputOutputError naming the array, if it is not there or of another type or shape
   std::vector<double> doubles(const std::string& name) const;
@@ -71,6 +80,9 @@ public:
   std::vector<std::uint8_t> bytes(const std::string& name) const;
   std::string text(const std::string& name) const;
   bool has(const std::string& name) const;
+  std::string attribute(const std::string& name) const;     ///< a text of the file as a whole
+  std::uint64_t number(const std::string& name) const;      ///< an attribute of the file as a whole
+  std::string unit(const std::string& name) const;          ///< of an array
   std::vector<float> floats(const std::string& name) const; ///< of any shape, row by row
   /// What a FrameArray of frames has at one.
   std::vector<float> float_frame(const std::string& name, std::size_t frame) const;
@@ -80,6 +92,8 @@ private:
   friend class FrameArray;
   void write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,
              std::string_view unit);
+  void name_part(const std::string& view, const std::string& name, hid_t part, std::span<const hsize_t> shape,
+                 std::string_view unit);
   Handle open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const;
   template <class Number>
   std::vector<Number> read(const std::string& name, hid_t type, std::size_t columns) const;

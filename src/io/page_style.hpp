@@ -22,6 +22,14 @@ td.verdict, .checks td:nth-child(2), .checks td:nth-child(3), .checks td:nth-chi
 .holds, .fails { font-weight: 600; }
 .holds { color: #0a5c36; }
 .fails { color: #9a1c00; }
+.undecided { font-weight: 600; color: #57606a; }
+.undecided::before { content: "?\00a0"; }
+.caveat { display: inline-block; background: #fff1e5; color: #8a2f00; padding: 0 .4rem; border-radius: .3rem; }
+.notice { border-left: 4px solid #d55e00; background: #f6f8fa; padding: .6rem .9rem; }
+dl { margin: .6rem 0; }
+dt { color: #57606a; margin-top: .5rem; }
+dd { margin: 0; }
+dd ul { margin: 0; padding-left: 1.2rem; }
 .holds::before { content: "\2713\00a0"; }
 .fails::before { content: "\2717\00a0"; }
 .figures { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); }

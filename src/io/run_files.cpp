@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -130,6 +132,27 @@ std::vector<NamedValue> named_values(const ReadOuts& r) {
            r.along.ruptured.value},
           {"share_ruptured_across", "share of adhesions across uniaxial fibres that ended by rupture",
            r.across.ruptured.value}};
+}
+
+std::vector<NamedValue> shown_values(const ReadOuts& r, const Parameters& p) {
+  std::vector<NamedValue> values = named_values(r);
+  if (p.fibres.arrangement == FibreArrangement::uniaxial) return values;
+  constexpr std::array<std::string_view, 5> of_fibres{"path_angle_deg", "f_mat_along", "f_mat_across",
+                                                      "share_ruptured_along", "share_ruptured_across"};
+  std::erase_if(values, [&](const NamedValue& v) { return std::ranges::find(of_fibres, v.name) != of_fibres.end(); });
+  return values;
+}
+
+std::string result_sentence(const ReadOuts& r) {
+  std::string text;
+  if (std::isfinite(r.v_migr_abs)) text = fmt::format("{:.3g} um/h from start to end, ", r.v_migr_abs);
+  if (std::isfinite(r.msd_slope))
+    text += fmt::format("{} (MSD slope {:.3g}), ",
+                        r.msd_slope > 1.2   ? "persistent"
+                        : r.msd_slope < 0.8 ? "confined"
+                                            : "like a random walk",
+                        r.msd_slope);
+  return text + fmt::format("{} protrusion{}.", r.n_protrusions, r.n_protrusions == 1 ? "" : "s");
 }
 
 std::string readable(const Field& value) {

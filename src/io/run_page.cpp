@@ -45,9 +45,15 @@ Json protrusions_json(const RunReport& report) {
   return list;
 }
 
-Json readouts_json(const ReadOuts& readouts) {
+Json facts_json(const std::vector<Fact>& facts) {
   Json list = Json::array();
-  for (const NamedValue& v : named_values(readouts))
+  for (const Fact& fact : facts) list.push_back({{"name", fact.name}, {"value", fact.value}});
+  return list;
+}
+
+Json readouts_json(const RunReport& report) {
+  Json list = Json::array();
+  for (const NamedValue& v : shown_values(report.readouts, report.p))
     list.push_back({{"name", v.name}, {"meaning", v.meaning}, {"value", json_of(v.value)}});
   return list;
 }
@@ -68,18 +74,19 @@ Json health_json(std::span<const HealthRow> rows) {
   const auto add = [&](const char* name, const char* meaning, double value) {
     list.push_back({{"name", name}, {"meaning", meaning}, {"value", value}});
   };
-  add("solver_iterations_max", "iterations of the solver in a step, most",
+  add("solver_iterations_max", "iterations of the solver in a step, largest number",
       worst(rows, [](const HealthRow& r) { return r.most_iterations; }));
   add("solver_residual_max", "relative residual of the solver, largest [-]",
       worst(rows, [](const HealthRow& r) { return r.largest_residual; }));
   add("force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]",
       worst(rows, [](const HealthRow& r) { return r.force_imbalance; }));
-  add("n_orphans", "particles fluidized for want of support",
+  add("n_orphans", "particles made fluid since too few neighbours were left",
       worst(rows, [](const HealthRow& r) { return r.orphans; }));
-  add("n_torn", "particles fluidized at a bound of density", worst(rows, [](const HealthRow& r) { return r.torn; }));
-  add("n_engulfed", "solid particles fluidized inside the cell",
+  add("n_torn", "particles made fluid since their density left its allowed range",
+      worst(rows, [](const HealthRow& r) { return r.torn; }));
+  add("n_engulfed", "solid particles made fluid inside the cell",
       worst(rows, [](const HealthRow& r) { return r.engulfed; }));
-  add("n_solid_inside", "solid particles inside the cell, most",
+  add("n_solid_inside", "solid particles inside the cell, largest number",
       worst(rows, [](const HealthRow& r) { return r.solid_inside; }));
   add("area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]",
       worst(rows, [](const HealthRow& r) { return std::abs(r.area_ratio - 1.0); }));
@@ -110,8 +117,9 @@ Json changed_parameters(const Parameters& p) {
 
 std::string citation() {
   return "Heck et al. 2020, The role of actin protrusion dynamics in cell migration through a degradable viscoelastic "
-         "extracellular matrix: Study of a computational model. PLoS Comput Biol 16(1): e1007250, "
-         "doi:10.1371/journal.pcbi.1007250. Computed with Matrigrate; CITATION.cff says how to cite it.";
+         "extracellular matrix: Insights from a computational model. PLoS Comput Biol 16(1): e1007250, "
+         "doi:10.1371/journal.pcbi.1007250. Computed with Matrigrate; the file CITATION.cff in its source says how to "
+         "cite it.";
 }
 
 Json run_data(const RunReport& report) {
@@ -121,6 +129,8 @@ Json run_data(const RunReport& report) {
           {"version", 1},
           {"title", report.title},
           {"status", report.status},
+          {"summary", result_sentence(report.readouts)},
+          {"facts", facts_json(report.facts)},
           {"t_end_s", report.t_end},
           {"geometry",
            {{"radius_um", report.p.ecm.radius},
@@ -130,7 +140,7 @@ Json run_data(const RunReport& report) {
           {"frames", plays ? film_json(*report.film) : Json()},
           {"tracks", tracks_json(report.rows)},
           {"protrusions", protrusions_json(report)},
-          {"readouts", readouts_json(report.readouts)},
+          {"readouts", readouts_json(report)},
           {"parameters", changed_parameters(report.p)},
           {"health", health_json(report.health)},
           {"provenance", report.provenance},

@@ -8,15 +8,23 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// The report of a run: one HTML file that plays it and needs nothing else. Made of a template, which viewer/ builds,
 /// and of data, whose contract is in viewer/README.md. Test: tests/unit/io/run_page_test.cpp
 namespace matrigrate::io {
 
+/// Something about a run as a whole: "seed", "7".
+struct Fact {
+  std::string name;
+  std::string value;
+};
+
 struct RunReport {
   std::string title{};
-  std::string status{}; ///< a sentence: how the run ended
-  double t_end = 0.0;   ///< what it reached [s]
+  std::string status{};      ///< a sentence: how the run ended
+  std::vector<Fact> facts{}; ///< what was run, when and how
+  double t_end = 0.0;        ///< what it reached [s]
   Parameters p{};
   ReadOuts readouts{};
   std::span<const TrackRow> rows{};

@@ -1,30 +1,59 @@
 #include "io/vtk_files.hpp"
 
 #include "base/file.hpp"
+#include "io/anchors.hpp"
+#include "io/deflate.hpp"
+#include "io/packed.hpp"
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+#include <vector>
 
 namespace matrigrate::io {
 
 namespace {
 
-constexpr std::string_view xml_head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" "
-                                      "byte_order=\"LittleEndian\">\n";
+static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
-template <class Numbers>
-std::string array(std::string_view name, std::string_view type, std::uint32_t components, const Numbers& values) {
-  std::string text = fmt::format("<DataArray Name=\"{}\" type=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
-                                 name, type, components == 2 ? 3 : components);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{}{}", values[i], components == 2 && i % 2 == 1 ? " 0\n" : " ");
-  return text + "\n</DataArray>\n";
+constexpr std::string_view xml_head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" "
+                                      "byte_order=\"LittleEndian\" header_type=\"UInt32\" "
+                                      "compressor=\"vtkZLibDataCompressor\">\n";
+
+template <class Number>
+std::string_view bytes_of(const std::vector<Number>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)};
 }
 
-/// The fields of one body.
-std::string fields_of(std::string_view body, const Frame& frame) {
-  std::string text = "<PointData>\n";
+/// VTK's inline binary form: the number of blocks, their size, that of a shorter last one, and the compressed size of
+/// each, then the blocks; both in base64. Here all is one block.
+std::string coded(std::string_view bytes) {
+  if (bytes.empty()) return base64(bytes_of(std::vector<std::uint32_t>{0, 0, 0}));
+  const std::string block = deflated(bytes, 6);
+  const std::vector<std::uint32_t> head{1, static_cast<std::uint32_t>(bytes.size()), 0,
+                                        static_cast<std::uint32_t>(block.size())};
+  return base64(bytes_of(head)) + base64(block);
+}
+
+/// Vectors in the plane get a third component, 0.
+template <class Number>
+std::string array(std::string_view name, std::string_view type, std::uint32_t components,
+                  const std::vector<Number>& values) {
+  std::vector<Number> in_space;
+  if (components == 2)
+    for (std::size_t i = 0; i + 1 < values.size(); i += 2)
+      in_space.insert(in_space.end(), {values[i], values[i + 1], Number{0}});
+  return fmt::format("<DataArray Name=\"{}\" type=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n"
+                     "</DataArray>\n",
+                     name, type, components == 2 ? 3 : components,
+                     coded(bytes_of(components == 2 ? in_space : values)));
+}
+
+/// The fields of one body. @param more  that no frame holds
+std::string fields_of(std::string_view body, const Frame& frame, const std::string& more = "") {
+  std::string text = "<PointData>\n" + more;
   for (const auto& field : float_fields())
     if (field.name.starts_with(body) && !field.name.ends_with("/position") && !field.in(frame).empty())
       text += array(field.name.substr(body.size()), "Float32", field.components, field.in(frame));
@@ -35,7 +64,8 @@ std::string fields_of(std::string_view body, const Frame& frame) {
 }
 
 /// Cells: `connectivity` and `offsets` of vertices or lines.
-std::string cells(std::string_view kind, const std::vector<std::size_t>& points, const std::vector<std::size_t>& ends) {
+std::string cells(std::string_view kind, const std::vector<std::int64_t>& points,
+                  const std::vector<std::int64_t>& ends) {
   return fmt::format("<{0}>\n{1}{2}</{0}>\n", kind, array("connectivity", "Int64", 1, points),
                      array("offsets", "Int64", 1, ends));
 }
@@ -47,6 +77,15 @@ std::string vtp(std::size_t points, std::size_t vertices, std::size_t lines, con
                        points, vertices, lines, content);
 }
 
+/// Each point a cell of its own.
+std::string vertices(std::size_t n) {
+  std::vector<std::int64_t> points(n);
+  std::iota(points.begin(), points.end(), std::int64_t{0});
+  std::vector<std::int64_t> ends(n);
+  std::iota(ends.begin(), ends.end(), std::int64_t{1});
+  return cells("Verts", points, ends);
+}
+
 std::string points_of(const Floats& x) { return "<Points>\n" + array("position", "Float32", 2, x) + "</Points>\n"; }
 
 } // namespace
@@ -54,21 +93,25 @@ std::string points_of(const Floats& x) { return "<Points>\n" + array("position",
 std::string matrix_vtp(const FrameHead& head, const Frame& frame) {
   Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += head.reference[i];
+  Bytes solid;
+  for (const float f : frame.matrix.f_degr) solid.push_back(f > 0.0F ? 1 : 0);
   const std::size_t n = head.particles();
-  std::vector<std::size_t> points(n);
-  std::vector<std::size_t> ends(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    points[i] = i;
-    ends[i] = i + 1;
-  }
-  return vtp(n, n, 0, points_of(x) + cells("Verts", points, ends) + fields_of("matrix/", frame));
+  return vtp(n, n, 0, points_of(x) + vertices(n) + fields_of("matrix/", frame, array("solid", "UInt8", 1, solid)));
 }
 
 std::string outline_vtp(const Frame& frame) {
   const std::size_t n = frame.outline.front.size();
-  std::vector<std::size_t> points(n + 1, 0); // back to the first
-  for (std::size_t i = 0; i < n; ++i) points[i] = i;
-  return vtp(n, 0, 1, points_of(frame.outline.x) + cells("Lines", points, {n + 1}) + fields_of("outline/", frame));
+  std::vector<std::int64_t> points(n + 1, 0); // back to the first
+  std::iota(points.begin(), points.end() - 1, std::int64_t{0});
+  const std::vector<std::int64_t> ends{static_cast<std::int64_t>(n) + 1};
+  return vtp(n, 0, 1, points_of(frame.outline.x) + cells("Lines", points, ends) + fields_of("outline/", frame));
+}
+
+std::string anchors_vtp(const Frame& frame) {
+  const Anchors a = anchors(frame);
+  return vtp(a.size(), a.size(), 0,
+             points_of(a.x) + vertices(a.size()) + "<PointData>\n" + array("id", "UInt32", 1, a.id)
+                 + array("f_mat", "Float32", 1, a.f_mat) + array("force", "Float32", 1, a.force) + "</PointData>\n");
 }
 
 std::string frame_file_name(const std::string& name, std::size_t k) { return fmt::format("{}_{:04}.vtp", name, k); }
@@ -85,9 +128,10 @@ void write_vtk(const std::filesystem::path& folder, const Film& film) {
   for (std::size_t k = 0; k < film.frames.size(); ++k) {
     write_file(folder / frame_file_name("matrix", k), matrix_vtp(film.head, film.frames[k]));
     write_file(folder / frame_file_name("outline", k), outline_vtp(film.frames[k]));
+    write_file(folder / frame_file_name("anchors", k), anchors_vtp(film.frames[k]));
   }
-  write_file(folder / "matrix.pvd", series_pvd("matrix", film));
-  write_file(folder / "outline.pvd", series_pvd("outline", film));
+  for (const char* name : {"matrix", "outline", "anchors"})
+    write_file(folder / fmt::format("{}.pvd", name), series_pvd(name, film));
 }
 
 } // namespace matrigrate::io

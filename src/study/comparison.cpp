@@ -113,11 +113,6 @@ std::vector<Comparison> comparisons(const Study& study, const std::vector<Result
   return all;
 }
 
-std::string power_text(const Comparison& c) {
-  return fmt::format("n = {} and {} detect a difference of {:.3g} at {:.0f} %", c.sample_a.n, c.sample_b.n,
-                     c.detectable, 100.0 * wanted_power);
-}
-
 std::string name(TestKind test) {
   return test == TestKind::t ? "t" : test == TestKind::welch ? "welch" : "mann_whitney";
 }

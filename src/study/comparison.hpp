@@ -33,18 +33,32 @@ inline constexpr double wanted_power = 0.8;
 /// All pairs in all read-outs of the study.
 std::vector<Comparison> comparisons(const Study& study, const std::vector<Result>& results);
 
-/// statistics.csv: a row for each comparison. Means, standard deviations, differences and their bounds are in the unit
-/// that ends the name of the read-out.
+/// A read-out at a point, over the runs that are done.
+struct ReadOutSample {
+  std::string readout;
+  std::size_t point = 0;
+  statistics::Moments moments;
+  statistics::Interval mean; ///< with its interval
+  statistics::Box box;
+};
+
+/// All points in all read-outs of the study.
+std::vector<ReadOutSample> samples(const Study& study, const std::vector<Result>& results);
+
+/// Runs that a test needs at each of its points before a page or a table calls a difference significant: the scatter of
+/// two runs says next to nothing.
+inline constexpr std::size_t least_runs = 3;
+
+/// statistics.csv: a row for each comparison, with the swept parameters of both points. Means, standard deviations,
+/// differences and their bounds are in the unit that ends the name of the read-out.
 std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons);
 
-/// groups.csv: a row for each point and read-out: size, mean with interval, standard deviation, quartiles, whiskers.
+/// groups.csv: a row for each point and read-out: swept parameters, size, mean with interval, standard deviation,
+/// quartiles, whiskers.
 std::string groups_csv(const Study& study, const std::vector<Result>& results);
 
 /// correlations.csv: Pearson's r and p of each read-out of the study with each, over all runs that are done.
 std::string correlations_csv(const Study& study, const std::vector<Result>& results);
-
-/// "n = 12 and 12 detect a difference of 1.9 at 80 %"
-std::string power_text(const Comparison& comparison);
 
 std::string name(TestKind test);
 

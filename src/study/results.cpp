@@ -139,21 +139,30 @@ std::string unit_suffix(std::string_view unit) {
   return suffix;
 }
 
-std::string results_csv(const Study& study, const std::vector<Result>& results) {
-  const std::vector<std::string> keys = swept_keys(study);
-  std::vector<std::string> names{"run", "label"};
-  for (const std::string& key : keys) {
+std::vector<std::string> swept_columns(const Study& study) {
+  std::vector<std::string> names;
+  for (const std::string& key : swept_keys(study)) {
     const Row& row = *find_row(key);
     names.push_back(key + (kind(row) == Kind::quantity ? unit_suffix(row.unit) : ""));
   }
+  return names;
+}
+
+std::vector<std::string> swept_values(const Study& study, const Point& point) {
+  std::vector<std::string> values;
+  for (const std::string& key : swept_keys(study)) values.push_back(swept_text(point, key));
+  return values;
+}
+
+std::string results_csv(const Study& study, const std::vector<Result>& results) {
+  std::vector<std::string> names{"run", "label"};
+  for (const std::string& name : swept_columns(study)) names.push_back(name);
   for (const char* name : {"replicate", "seed", "status", "reason", "trajectory_hash"}) names.emplace_back(name);
   for (const std::string& name : all_readouts()) names.push_back(name);
   std::string text = io::csv_line({names.begin(), names.end()});
   for (const Result& r : results) {
     const Point& point = study.points[r.run.point];
-    std::vector<std::string> swept;
-    swept.reserve(keys.size());
-    for (const std::string& key : keys) swept.push_back(swept_text(point, key));
+    const std::vector<std::string> swept = swept_values(study, point);
     std::vector<io::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
     for (const std::string& value : swept) row.emplace_back(std::string_view(value));
     row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, std::string_view(r.standing.status),

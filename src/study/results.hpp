@@ -49,6 +49,11 @@ std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
 /// @throws std::invalid_argument if there is no such read-out
 std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout);
 
+/// The columns that tables of a study have for its swept parameters, with the unit at their end, and what stands in
+/// them at a point: the number in that unit, or the word of a choice.
+std::vector<std::string> swept_columns(const Study& study);
+std::vector<std::string> swept_values(const Study& study, const Point& point);
+
 /// results.csv: a row a run. Swept parameters in the unit that ends their column's name; nothing that depends on the
 /// machine, so that two computations of a study can be compared byte by byte.
 std::string results_csv(const Study& study, const std::vector<Result>& results);

@@ -10,6 +10,7 @@ namespace {
 
 using io::csv_line;
 using io::Field;
+using View = std::string_view;
 
 Field count(std::size_t n) { return std::uint64_t{n}; }
 
@@ -25,74 +26,68 @@ std::vector<double> column(const std::vector<Result>& results, const std::string
 
 } // namespace
 
+std::vector<ReadOutSample> samples(const Study& study, const std::vector<Result>& results) {
+  std::vector<ReadOutSample> all;
+  for (const std::string& readout : study.readouts)
+    for (std::size_t i = 0; i < study.points.size(); ++i) {
+      const std::vector<double> x = sample(results, i, readout);
+      all.push_back({.readout = readout,
+                     .point = i,
+                     .moments = statistics::moments(x),
+                     .mean = statistics::mean_interval(x, study.comparisons.alpha),
+                     .box = statistics::box(x)});
+    }
+  return all;
+}
+
 std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons) {
-  using View = std::string_view;
-  std::string text = csv_line({View("readout"),
-                               View("point_a"),
-                               View("point_b"),
-                               View("n_a"),
-                               View("n_b"),
-                               View("mean_a"),
-                               View("mean_b"),
-                               View("sd_a"),
-                               View("sd_b"),
-                               View("difference"),
-                               View("difference_low"),
-                               View("difference_high"),
-                               View("test"),
-                               View("statistic"),
-                               View("df"),
-                               View("p"),
-                               View("p_holm"),
-                               View("hedges_g"),
-                               View("hedges_g_low"),
-                               View("hedges_g_high"),
-                               View("detectable_difference_80_percent")});
+  const std::vector<std::string> swept = swept_columns(study);
+  std::vector<std::string> names{"readout", "point_a", "point_b"};
+  for (const char* end : {"_a", "_b"})
+    for (const std::string& name : swept) names.push_back(name + end);
+  for (const char* name : {"n_a", "n_b", "mean_a", "mean_b", "sd_a", "sd_b", "difference", "difference_low",
+                           "difference_high", "test", "statistic", "df", "p", "p_holm", "hedges_g", "hedges_g_low",
+                           "hedges_g_high", "detectable_difference_80_percent"})
+    names.emplace_back(name);
+  std::string text = csv_line({names.begin(), names.end()});
   const std::string test = name(study.comparisons.test);
-  for (const Comparison& c : comparisons)
-    text += csv_line({View(c.readout),
-                      View(study.points[c.a].label),
-                      View(study.points[c.b].label),
-                      count(c.sample_a.n),
-                      count(c.sample_b.n),
-                      c.sample_a.mean,
-                      c.sample_b.mean,
-                      c.sample_a.sd,
-                      c.sample_b.sd,
-                      c.difference.value,
-                      c.difference.low,
-                      c.difference.high,
-                      View(test),
-                      c.test.statistic,
-                      c.test.df,
-                      c.test.p,
-                      c.p_holm,
-                      c.g.value,
-                      c.g.low,
-                      c.g.high,
-                      c.detectable});
+  for (const Comparison& c : comparisons) {
+    const Point& a = study.points[c.a];
+    const Point& b = study.points[c.b];
+    std::vector<Field> row{View(c.readout), View(a.label), View(b.label)};
+    const std::vector<std::string> values_a = swept_values(study, a);
+    const std::vector<std::string> values_b = swept_values(study, b);
+    row.insert(row.end(), values_a.begin(), values_a.end());
+    row.insert(row.end(), values_b.begin(), values_b.end());
+    row.insert(row.end(),
+               {count(c.sample_a.n), count(c.sample_b.n), c.sample_a.mean, c.sample_b.mean, c.sample_a.sd,
+                c.sample_b.sd, c.difference.value, c.difference.low, c.difference.high, View(test), c.test.statistic,
+                c.test.df, c.test.p, c.p_holm, c.g.value, c.g.low, c.g.high, c.detectable});
+    text += csv_line(row);
+  }
   return text;
 }
 
 std::string groups_csv(const Study& study, const std::vector<Result>& results) {
-  using View = std::string_view;
-  std::string text = csv_line({View("readout"), View("point"), View("n"), View("mean"), View("mean_low"),
-                               View("mean_high"), View("sd"), View("low_whisker"), View("low_quartile"), View("median"),
-                               View("high_quartile"), View("high_whisker")});
-  for (const std::string& readout : study.readouts)
-    for (std::size_t i = 0; i < study.points.size(); ++i) {
-      const std::vector<double> x = sample(results, i, readout);
-      const statistics::Interval mean = statistics::mean_interval(x, study.comparisons.alpha);
-      const statistics::Box box = statistics::box(x);
-      text += csv_line({View(readout), View(study.points[i].label), count(x.size()), mean.value, mean.low, mean.high,
-                        statistics::moments(x).sd, box.low_whisker, box.low_quartile, box.median, box.high_quartile,
-                        box.high_whisker});
-    }
+  std::vector<std::string> names{"readout", "point"};
+  for (const std::string& name : swept_columns(study)) names.push_back(name);
+  for (const char* name : {"n", "mean", "mean_low", "mean_high", "sd", "low_whisker", "low_quartile", "median",
+                           "high_quartile", "high_whisker"})
+    names.emplace_back(name);
+  std::string text = csv_line({names.begin(), names.end()});
+  for (const ReadOutSample& s : samples(study, results)) {
+    const Point& point = study.points[s.point];
+    std::vector<Field> row{View(s.readout), View(point.label)};
+    const std::vector<std::string> values = swept_values(study, point);
+    row.insert(row.end(), values.begin(), values.end());
+    row.insert(row.end(), {count(s.moments.n), s.mean.value, s.mean.low, s.mean.high, s.moments.sd, s.box.low_whisker,
+                           s.box.low_quartile, s.box.median, s.box.high_quartile, s.box.high_whisker});
+    text += csv_line(row);
+  }
   return text;
 }
 
 std::string correlations_csv(const Study& study, const std::vector<Result>& results) {
-  using View = std::string_view;
   std::vector<std::vector<double>> columns;
   for (const std::string& readout : study.readouts) columns.push_back(column(results, readout));
   const auto matrix = statistics::correlation_matrix(columns);

@@ -89,6 +89,22 @@ std::vector<double> column(const std::filesystem::path& file, std::string_view n
   return csv_column(read_file(file, largest_table), name);
 }
 
+/// The samples that are compared, with the numbers of groups.csv.
+Json groups_json(const StudyReport& report, const std::vector<Json>& place) {
+  Json list = Json::array();
+  for (const ReadOutSample& g : samples(report.study, report.results))
+    list.push_back({{"readout", g.readout},
+                    {"point", place[g.point]},
+                    {"n", g.moments.n},
+                    {"mean", g.moments.mean},
+                    {"low_whisker", g.box.low_whisker},
+                    {"low_quartile", g.box.low_quartile},
+                    {"median", g.box.median},
+                    {"high_quartile", g.box.high_quartile},
+                    {"high_whisker", g.box.high_whisker}});
+  return list;
+}
+
 Json test_json(const Study& study, const Comparison& c, const std::vector<Json>& place) {
   const bool bounded = std::isfinite(c.difference.low) && std::isfinite(c.difference.high);
   return {{"readout", c.readout},
@@ -97,6 +113,7 @@ Json test_json(const Study& study, const Comparison& c, const std::vector<Json>&
           {"test", name(study.comparisons.test)},
           {"statistic", c.test.statistic},
           {"p", c.test.p},
+          {"p_holm", c.p_holm},
           {"n_a", c.sample_a.n},
           {"n_b", c.sample_b.n},
           {"difference", c.difference.value},
@@ -210,11 +227,13 @@ Json study_data(const StudyReport& report) {
           {"axes", axes_json(report.study)},
           {"readouts", readouts_json(report.study)},
           {"runs", std::move(runs)},
+          {"groups", groups_json(report, place)},
           {"tests", std::move(tests)},
           {"msd", std::move(msd)},
           {"correlation", correlation_json(report)},
           {"claims", claims_json(report.claims)},
           {"claims_note", report.claims_note},
+          {"claims_caveat", report.claims_caveat},
           {"players", players_json(report.played)},
           {"provenance", report.provenance},
           {"citation", io::citation()}};

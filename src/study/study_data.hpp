@@ -28,6 +28,7 @@ struct StudyReport {
   std::string provenance;            ///< its line breaks are kept
   std::vector<JudgedClaim> claims{}; ///< of the paper, about this study
   std::string claims_note{};         ///< what to know of them
+  std::string claims_caveat{};       ///< what stands beside each verdict
   std::vector<PlayedRun> played{};
 };
 

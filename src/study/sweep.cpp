@@ -62,7 +62,10 @@ std::string label_of(const std::vector<Setting>& settings) {
   for (const Setting& s : settings) {
     std::string value = s.value;
     std::erase(value, '"');
-    label += fmt::format("{}{} {}", label.empty() ? "" : ", ", key_of(*find_row(s.key)), value);
+    const Row& row = *find_row(s.key);
+    const std::string_view name =
+        key_of(row) == "number" ? row.symbol : key_of(row); // "number" says of what too little
+    label += fmt::format("{}{} {}", label.empty() ? "" : ", ", name, value);
   }
   return label;
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace matrigrate {
 namespace {
@@ -27,11 +28,22 @@ TEST_F(Fields, AreWrittenAndPlayed) {
   const json page = data("here/report.html");
   EXPECT_EQ(page.at("frames").at("times_s"), json::parse("[0.0, 16.0, 32.0, 36.0]"));
   EXPECT_EQ(page.at("tracks").at("t_s").size(), 6U);
+  EXPECT_EQ(page.at("title"), "s: E = 200 Pa, seed 1");
+  EXPECT_TRUE(contains(page.at("summary"), " protrusion")) << page.at("summary");
+  std::map<std::string, std::string> facts;
+  for (const json& fact : page.at("facts")) facts[fact.at("name")] = fact.at("value");
+  EXPECT_EQ(facts["scenario"], "s");
+  EXPECT_EQ(facts["seed"], "1");
+  EXPECT_EQ(facts["command"], "matrigrate run s.toml --hours 0.01 -o here --quiet");
+  EXPECT_EQ(facts["trajectory hash"], json::parse(text_of(folder / "here/run.json")).at("trajectory_hash"));
+  EXPECT_TRUE(facts["date"].ends_with(" UTC") && facts.contains("wall time"));
   ASSERT_EQ(run("report here").code, 0);
   const json again = data("here/report.html");
   EXPECT_EQ(again.at("frames"), page.at("frames"));
   EXPECT_EQ(again.at("tracks"), page.at("tracks"));
   EXPECT_EQ(again.at("readouts"), page.at("readouts"));
+  EXPECT_EQ(again.at("title"), page.at("title"));
+  EXPECT_EQ(again.at("summary"), page.at("summary"));
   EXPECT_EQ(run("report nowhere").code, 5);
 }
 
@@ -53,8 +65,9 @@ TEST_F(Fields, CanBeSwitchedOff) {
 TEST_F(Fields, AreExported) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
   ASSERT_EQ(run("export here --vtk --tracks --svg -o out").code, 0);
-  for (const char* name : {"matrix.pvd", "outline.pvd", "matrix_0003.vtp", "outline_0000.vtp", "tracks_celltrackr.csv",
-                           "tracks_trackmate.csv", "tracks_trackmate.xml", "contact_sheet.svg", "path.svg"})
+  for (const char* name :
+       {"matrix.pvd", "outline.pvd", "anchors.pvd", "matrix_0003.vtp", "outline_0000.vtp", "tracks_celltrackr.csv",
+        "tracks_trackmate.csv", "tracks_trackmate.xml", "contact_sheet.svg", "path.svg"})
     EXPECT_TRUE(exists(std::string("out/") + name)) << name;
   const std::string path = text_of(folder / "out/tracks_celltrackr.csv");
   EXPECT_EQ(std::count(path.begin(), path.end(), '\n'), 1 + 6);

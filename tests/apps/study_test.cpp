@@ -230,18 +230,57 @@ TEST_F(Study, WithoutSlurmTheScriptIsKept) {
     EXPECT_TRUE(contains(script, line)) << script;
 }
 
+TEST_F(Study, StatusTellsHowFarRunsAre) {
+  write("s.toml", "[ecm]\nradius = \"40 um\"\n[output]\ntrack_interval = \"2 s\"\n");
+  stopped("study run e.toml --jobs 2", "e-study/study.resolved.toml",
+          "cd '" + folder.string()
+              + "'; M='" MATRIGRATE_PROGRAM "'; until \"$M\" study status e-study --json | grep -q '\"left_s\": "
+                                            "[0-9]'; do sleep 0.05; kill -0 $p || break; "
+                "done; \"$M\" study status e-study >status; \"$M\" study status e-study --json >status.json; kill -s "
+                "INT $p");
+  const json status = json::parse(file("status.json"));
+  ASSERT_FALSE(status.at("running").empty());
+  EXPECT_GT(status.at("running").at(0).at("share").get<double>()
+                + status.at("running").back().at("share").get<double>(),
+            0.0);
+  EXPECT_GT(status.at("left_s").get<double>(), 0.0);
+  EXPECT_EQ(status.at("count").at("running"), status.at("running").size());
+  for (const char* part : {"running     youngs_modulus", " %, about ", " left\n", "all runs: about ", " at a time\n"})
+    EXPECT_TRUE(contains(file("status"), part)) << part << file("status");
+  const json after = json::parse(run("study status e-study --json").out);
+  EXPECT_TRUE(after.at("running").empty());
+  EXPECT_TRUE(after.at("left_s").is_null()) << "nothing runs";
+}
+
+TEST_F(Study, CollectPrintsATable) {
+  write_study("\"50 Pa\", \"100 Pa\"", 1, "[set]\nrun.time_step = \"0.4 s\"\n");
+  ASSERT_EQ(run("study run e.toml --quiet").code, 0);
+  const std::string text = run("study collect e-study").out;
+  EXPECT_TRUE(contains(text, "\n  point                  n ")) << text;
+  EXPECT_TRUE(contains(text, "  youngs_modulus 50 Pa   1 ")) << text;
+  EXPECT_TRUE(contains(text, "Tests need at least 3 runs at each point.")) << text;
+  EXPECT_FALSE(contains(text, "nan")) << text;
+  EXPECT_FALSE(contains(text, "[-, -]")) << text;
+}
+
 TEST_F(Study, ReproduceRunsAndJudges) {
   const std::string tiny = " --set 'ecm.radius=40 um' --set 'run.duration=0.002 h' --replicates 2";
   const Ended ended = run("reproduce A5" + tiny);
   EXPECT_EQ(ended.code, 4) << ended.out << ended.err;
-  EXPECT_TRUE(contains(ended.out, "A5  undecided")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "A5  undecided (not the paper's runs)\n")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "Not run as the paper ran it")) << ended.out;
   for (const char* name : {"claims-A5.csv", "boxes-A5.svg", "report-A5.html", "stiffness/results.csv"})
     EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
+  EXPECT_TRUE(file("reproduce/claims-A5.csv").starts_with("id,sentence,published,ours,statistic,verdict,caveat\n"));
+  EXPECT_TRUE(file("reproduce/claims-A5.csv").ends_with(",undecided,not the paper's runs\n"));
+  const std::string report = file("reproduce/report-A5.html");
+  EXPECT_LT(report.find("these are no verdicts on the paper"), report.find("undecided")) << "at the top";
+  EXPECT_TRUE(contains(report, "<span class=\"caveat\">not the paper&#39;s runs</span>"));
   const std::string results = file("reproduce/stiffness/results.csv");
   const json again = json::parse(run("reproduce A2 --json" + tiny).out);
   EXPECT_FALSE(again.at("as_published").get<bool>());
   EXPECT_EQ(again.at("rows").at(0).at("id"), "A2");
+  EXPECT_EQ(again.at("rows").at(0).at("caveat"), "not the paper's runs");
   EXPECT_EQ(file("reproduce/stiffness/results.csv"), results) << "rows share their runs";
   EXPECT_EQ(run("reproduce A9").code, 2);
   EXPECT_EQ(run("reproduce E5" + tiny).code, 4);

@@ -8,6 +8,7 @@ cat >"$2.toml" <<TOML
 radius = "60 um"
 [protrusion]
 initiation_rate = "0.02 1/s"
+growth_time = "60 s"
 [output]
 track_interval = "12 s"
 field_interval = "36 s"

@@ -8,7 +8,8 @@ import { random } from "./random";
 
 const citation =
   "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) The role of actin protrusion dynamics in cell " +
-  "migration through a degradable viscoelastic extracellular matrix. PLoS Comput Biol 16(1): e1007250.";
+  "migration through a degradable viscoelastic extracellular matrix: Insights from a computational model. PLoS Comput " +
+  "Biol 16(1): e1007250.";
 
 export interface RunOptions {
   seed?: number;
@@ -35,8 +36,14 @@ function page(options: RunOptions, tracks: Tracks, protrusions: ProtrusionRow[],
   return {
     format: "matrigrate-run",
     version: 1,
-    title: `Migration run, seed ${options.seed ?? 1}`,
+    title: `sample: E = 100 Pa, seed ${options.seed ?? 1}`,
     status: `Done: ${end / 3600} h, 54000 steps.`,
+    summary: `9.87 um/h from start to end, persistent (MSD slope 1.42), ${protrusions.length} protrusions.`,
+    facts: [
+      { name: "scenario", value: "sample" },
+      { name: "command", value: "matrigrate run sample.toml --set 'ecm.radius=150 um'" },
+      { name: "trajectory hash", value: "0123456789abcdef" },
+    ],
     t_end_s: end,
     geometry: {
       radius_um: radius,

@@ -2,8 +2,10 @@
 
 export type Rgb = readonly [number, number, number];
 
-/** Okabe and Ito, in the order of the program's plots. */
-export const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#f0e442"];
+/** Okabe and Ito, in the order of src/io/colour.cpp. */
+export const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#f0e442"];
+/** The same on a dark page, where blue and black would be lost. */
+export const paletteOnDark = ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#f0f0f0", "#e69f00", "#0072b2", "#f0e442"];
 
 /** By the number of the phase. */
 export const phaseColours = ["#f0a500", "#d55e00", "#8b1a6b", "#6e7781"];

@@ -122,6 +122,12 @@ export interface NamedValue {
   value: number | string | null;
 }
 
+/** Something about a run as a whole. */
+export interface Fact {
+  name: string;
+  value: string;
+}
+
 export interface ChangedParameter {
   /** Path in a scenario: "ecm.youngs_modulus". */
   name: string;
@@ -141,6 +147,10 @@ export interface RunPage {
   /** Time that the run was to reach or, if it ended early, reached [s]. */
   t_end_s: number;
   geometry: { radius_um: number; spacing_um: number; n_particles: number; n_outline: number };
+  /** What came out, in a sentence: "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions."; "" for nothing. */
+  summary: string;
+  /** What was run, when and how: scenario, stiffness, seed, command, date, wall time, trajectory hash. */
+  facts: Fact[];
   /** null or left out: the run stored none. */
   frames?: Frames | null;
   tracks: Tracks;
@@ -212,15 +222,30 @@ export interface StudyMsd {
   slope: number | null;
 }
 
+/** The sample of a read-out at a grid point; the same numbers as in groups.csv. null: not defined. */
+export interface StudyGroup {
+  readout: string;
+  point: GridPoint;
+  n: number;
+  mean: number | null;
+  low_whisker: number | null;
+  low_quartile: number | null;
+  median: number | null;
+  high_quartile: number | null;
+  high_whisker: number | null;
+}
+
 /** Two grid points compared by a read-out. */
 export interface StudyTest {
   readout: string;
   a: GridPoint;
   b: GridPoint;
-  /** Name of the test: "unpaired two-sample t". */
+  /** Name of the test: "t", "welch" or "mann_whitney". */
   test: string;
   statistic: number | null;
   p: number | null;
+  /** Corrected after Holm over all comparisons of this read-out. */
+  p_holm: number | null;
   n_a: number;
   n_b: number;
   /** Mean of b minus mean of a, in the unit of the read-out, and its 95 % confidence interval. */
@@ -266,12 +291,15 @@ export interface StudyPage {
   axes: StudyAxis[];
   readouts: StudyReadout[];
   runs: StudyRun[];
+  groups: StudyGroup[];
   tests: StudyTest[];
   msd: StudyMsd[];
   correlation?: StudyCorrelation | null;
   claims?: StudyClaim[];
   /** In what the study is not the published one; "" for nothing. */
   claims_note?: string;
+  /** What stands beside each verdict: "not the paper's runs"; "" for nothing. */
+  claims_caveat?: string;
   players?: StudyPlayer[];
   provenance: string;
   citation: string;

@@ -1,4 +1,5 @@
 /** Elements in one call, and the parts that both pages have. */
+import { onPaper } from "./paper";
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | undefined>;
@@ -66,5 +67,5 @@ export function onDarkMode(listener: () => void): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", listener);
 }
 
-export const isDark = (): boolean => matchMedia("(prefers-color-scheme: dark)").matches;
+export const isDark = (): boolean => !onPaper() && matchMedia("(prefers-color-scheme: dark)").matches;
 export const wantsStillness = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -30,7 +30,7 @@ function embedded(format: string, lists: string[]): Record<string, unknown> {
 }
 
 export function embeddedRun(): RunPage {
-  const data = embedded("matrigrate-run", ["protrusions", "readouts", "parameters", "health"]);
+  const data = embedded("matrigrate-run", ["facts", "protrusions", "readouts", "parameters", "health"]);
   const tracks = data["tracks"];
   if (!isRecord(tracks) || !Array.isArray(tracks["t_s"])) throw new Error("The data in this page lacks: tracks.");
   if (!isRecord(data["geometry"])) throw new Error("The data in this page lacks: geometry.");
@@ -38,5 +38,5 @@ export function embeddedRun(): RunPage {
 }
 
 export function embeddedStudy(): StudyPage {
-  return embedded("matrigrate-study", ["axes", "readouts", "runs", "tests", "msd"]) as unknown as StudyPage;
+  return embedded("matrigrate-study", ["axes", "readouts", "runs", "groups", "tests", "msd"]) as unknown as StudyPage;
 }

@@ -18,6 +18,9 @@ export function readable(value: number | string | null | undefined, digits = 4):
   return Number(value.toFixed(decimals)).toString().replace("-", minus);
 }
 
+/** Units as they are printed, in a text of the program: "12 um/h" becomes "12 \u00b5m/h". Names such as um_per_h stay. */
+export const pretty = (text: string): string => text.replace(/\bum\b/g, "\u00b5m").replace(/\^2\b/g, "\u00b2");
+
 /** "4 h 05 min", "12 min", with seconds where they matter. */
 export function timeText(seconds: number): string {
   const whole = Math.round(seconds);
@@ -35,6 +38,7 @@ export function pText(p: number | null): string {
   return p < 0.0001 ? "p < 0.0001" : `p = ${p.toPrecision(2)}`;
 }
 
+/** @param p  corrected, where there are several comparisons */
 export function stars(p: number | null): string {
   if (p === null || p >= 0.05) return "n.s.";
   return p < 0.001 ? "***" : p < 0.01 ? "**" : "*";

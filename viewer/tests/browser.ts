@@ -1,3 +1,6 @@
+/** Ends what hangs, however slow the machine is [ms]. */
+export const patience = 5 * 60 * 1000;
+
 /** A browser that opens sample pages from files, counts what it complains about, and lets no request out. */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -22,6 +25,7 @@ const quiet = [
 export function launch(card: boolean): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
+    timeout: patience,
     args: [...quiet, ...(card ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-3d-apis"])],
   });
 }
@@ -55,6 +59,7 @@ export async function open(
     reducedMotion: "reduce",
     ...options,
   });
+  context.setDefaultTimeout(patience);
   const page = await context.newPage();
   const [errors, requests]: [string[], string[]] = [[], []];
   page.on("console", (message) => {
@@ -73,7 +78,7 @@ export async function open(
 }
 
 /** Asks again until it holds. (playwright's own waiting evaluates strings, which the pages forbid.) */
-export async function until(holds: () => Promise<boolean>, what: string, most = 12000): Promise<void> {
+export async function until(holds: () => Promise<boolean>, what: string, most = patience): Promise<void> {
   for (
     const end = performance.now() + most;
     performance.now() < end;

@@ -1,12 +1,12 @@
 /** The parts of the pages that need no browser. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";
+import { pretty, pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";
 import { Camera } from "../src/run/camera";
 import { placeAt } from "../src/run/frames";
 import { speeds } from "../src/run/plots";
 import { bars } from "../src/run/timeline";
-import { brackets } from "../src/study/brackets";
+import { brackets, sign, story } from "../src/study/brackets";
 import { grid } from "../src/study/groups";
 import { protrusionRows, tracks } from "../sample/life";
 import { random } from "../sample/random";
@@ -23,6 +23,10 @@ test("numbers as people read them", () => {
   assert.deepEqual([0.2, 0.04, 0.004, 0.0004].map(stars), ["n.s.", "*", "**", "***"]);
   assert.equal(roundStep(0.021), 0.05);
   assert.deepEqual(ticks(-1, 1, 4), [-1, -0.5, 0, 0.5, 1]);
+});
+
+test("units as they are printed", () => {
+  assert.equal(pretty("4.1 and 9.3 um/h, 30 um^2, v_um_per_h"), "4.1 and 9.3 \u00b5m/h, 30 \u00b5m\u00b2, v_um_per_h");
 });
 
 test("place of a time among frames", () => {
@@ -69,4 +73,22 @@ test("brackets of significance never overlap", () => {
   for (const a of found)
     for (const b of found) if (a !== b && a.level === b.level) assert.ok(a.to <= b.from || b.to <= a.from);
   assert.equal(brackets(study.tests, made, "n_protrusions", "none").length, 0);
+});
+
+test("stars follow p after Holm's correction, and need three runs at each point", () => {
+  const study = sampleStudy();
+  const made = grid(study, 0);
+  const one = study.tests[0];
+  const shown = (change: Partial<typeof one>) => {
+    const test = { ...one, p: 0.02, p_holm: 0.02, n_a: 3, n_b: 3, ...change };
+    return { drawn: brackets([test], made, one.readout, "significant").length === 1, sign: sign(test) };
+  };
+  assert.deepEqual(shown({}), { drawn: true, sign: "*" });
+  assert.deepEqual(shown({ p_holm: 0.06 }), { drawn: false, sign: "n.s." });
+  assert.deepEqual(shown({ p: 0.0001, p_holm: 0.004 }), { drawn: true, sign: "**" });
+  assert.deepEqual(shown({ n_b: 2 }), { drawn: false, sign: "n < 3" });
+  assert.deepEqual(shown({ p: null, p_holm: null }), { drawn: false, sign: "n.s." });
+  const words = story({ ...one, p: 0.042, p_holm: 0.083, n_a: 2, n_b: 5 }, made, "um/h").join("\n");
+  for (const part of ["t-test: p = 0.042, t = ", "Holm's correction: p = 0.083", "n = 2 and 5: too few", "\u00b5m/h"])
+    assert.ok(words.includes(part), words);
 });

@@ -78,7 +78,8 @@ test("a report of the program opens, plays and shows every layer", { skip: progr
   within(async (folder, browser) => {
     execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
     const { page, errors } = await opened(browser, join(folder, "run", "report.html"));
-    assert.equal(await page.locator("h1").textContent(), "Migration run, seed 1");
+    assert.equal(await page.locator("h1").textContent(), "s: E = 200 Pa, seed 1");
+    assert.equal(await page.title(), "s: E = 200 Pa, seed 1");
     const time = () => page.locator(".stage .time").textContent();
     if ((await page.locator(".play").getAttribute("aria-label")) === "Pause") await page.locator(".play").click();
     await page.locator(".scrub").fill("0");

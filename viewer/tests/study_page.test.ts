@@ -48,6 +48,81 @@ test("draws every plot without an error or a request", async () => {
   await page.context().close();
 });
 
+test("boxes have the quartiles and whiskers that the program computed", async () => {
+  const study = sampleStudy();
+  const group = study.groups.find((g) => g.readout === study.readouts[0].name && g.point.join() === "1,0");
+  assert.ok(group);
+  Object.assign(group, { low_whisker: 3.5, low_quartile: 4.25, median: 5.5, high_quartile: 6.75, high_whisker: 7.5 });
+  const { page } = await open(browser, "study", JSON.stringify(study));
+  await allDrawn(page);
+  const drawn = await page.evaluate(() => {
+    const plot = document.querySelector("#readouts .plotly-figure") as unknown as {
+      calcdata: { lf: number; q1: number; med: number; q3: number; uf: number }[][];
+    };
+    return plot.calcdata.map(([box]) => [box.lf, box.q1, box.med, box.q3, box.uf]);
+  });
+  assert.deepEqual(
+    drawn.filter((box) => box[2] === 5.5),
+    [[3.5, 4.25, 5.5, 6.75, 7.5]],
+  );
+  const of = (g: (typeof study.groups)[number]) => [
+    g.low_whisker,
+    g.low_quartile,
+    g.median,
+    g.high_quartile,
+    g.high_whisker,
+  ];
+  for (const g of study.groups.filter((g) => g.readout === study.readouts[0].name))
+    assert.ok(
+      drawn.some((box) => box.join() === of(g).join()),
+      `${g.point}`,
+    );
+  await page.context().close();
+});
+
+test("with two runs at a point nothing is starred, and it says why", async () => {
+  const { page } = await open(browser, "study", JSON.stringify(sampleStudy(2)));
+  await allDrawn(page);
+  assert.match((await page.locator("#readouts .notice").textContent()) ?? "", /at least 3 runs at each point.* n = 2/);
+  await page.locator(".study-controls select >> nth=1").selectOption("all");
+  await allDrawn(page);
+  const texts = await page.locator("#readouts .textpoint text").allTextContents();
+  assert.ok(texts.length > 0);
+  assert.deepEqual([...new Set(texts)], ["n < 3"]);
+  await page.context().close();
+  const enough = await open(browser, "study", JSON.stringify(sampleStudy(12)));
+  assert.equal(await enough.page.locator("#readouts .notice").count(), 0);
+  assert.match(
+    (await enough.page.locator("#readouts figcaption >> nth=0").textContent()) ?? "",
+    /Holm's correction over \d+ comparisons/,
+  );
+  await enough.page.context().close();
+});
+
+test("everything is drawn when it is printed, and fits the paper", async () => {
+  const { page, errors } = await open(browser, "study", JSON.stringify(sampleStudy()), { colorScheme: "dark" });
+  const [before, after] = await page.evaluate(() => {
+    const state = () => {
+      const plots = [...document.querySelectorAll(".plotly-figure")];
+      return {
+        plots: plots.length,
+        drawn: plots.filter((plot) => plot.querySelector(".main-svg .cartesianlayer path, .main-svg .hm")).length,
+        widest: Math.max(...plots.map((plot) => plot.querySelector(".main-svg")?.clientWidth ?? 0)),
+        timelines: document.querySelectorAll("#players .timeline svg").length,
+      };
+    };
+    const first = state();
+    dispatchEvent(new Event("beforeprint"));
+    return [first, state()];
+  });
+  assert.ok(before.drawn < before.plots, "some wait until they are seen");
+  assert.equal(after.drawn, after.plots);
+  assert.ok(after.widest <= 700, `${after.widest}`);
+  assert.equal(after.timelines, 1);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("lists verdicts, failures first, and links to reports beside it alone", async () => {
   const study = sampleStudy();
   study.runs[0].report = "javascript:alert(1)";
@@ -64,7 +139,7 @@ test("shows claims with the published value, ours and the statistic", async () =
   const heads = await page.locator("#claims th").allTextContents();
   assert.deepEqual(heads.slice(1), ["claim", "verdict", "published", "ours: mean [95 %]", "statistic"]);
   const first = (await page.locator("#claims tbody tr >> nth=0").textContent()) ?? "";
-  for (const part of ["A2", "holds", "4.1 and 9.3 um/h", "[7.6, 11.0]", "p 0.0001"])
+  for (const part of ["A2", "holds", "4.1 and 9.3 \u00b5m/h", "[7.6, 11.0]", "p 0.0001", "not the paper's runs"])
     assert.ok(first.includes(part), part);
   assert.match((await page.locator("#claims .notice").textContent()) ?? "", /Not run as published/);
   await page.context().close();
@@ -73,7 +148,7 @@ test("shows claims with the published value, ours and the statistic", async () =
 test("plays chosen runs, one at a time, when they are looked at", async () => {
   const study = sampleStudy();
   const { page, errors, requests } = await open(browser, "study", JSON.stringify(study));
-  assert.equal(await page.locator("#players .stage").count(), 0, "not before it is near");
+  await page.locator("#players .stage").waitFor({ state: "attached" }); // though nobody has scrolled to it
   await page.locator("#players h2 >> nth=0").scrollIntoViewIfNeeded();
   await page.locator("#players .stage").waitFor();
   assert.equal(await page.locator("#players .play").getAttribute("aria-label"), "Play", "it waits to be started");
@@ -83,7 +158,7 @@ test("plays chosen runs, one at a time, when they are looked at", async () => {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   assert.notEqual((await page.locator("#players .stage").screenshot()).toString("base64"), early);
   await page.locator("#players .play").click();
-  await until(async () => (await page.locator("#players .stage .time").textContent()) !== "2 h 0 min", "it plays");
+  await until(async () => (await page.locator("#players .stage .time").textContent()) !== "2 h 00 min", "it plays");
   await page.locator("#players select >> nth=0").selectOption("1");
   await page.locator(`.chosen-run[data-run="${study.players?.[1].id}"] .stage`).waitFor();
   assert.equal(await page.locator("#players .stage").count(), 1);

@@ -107,7 +107,28 @@ TEST(CellPicture, LeavesOutWhatIsNotSeen) {
   EXPECT_LT(10 * part.size(), cell_picture(scene, whole_disc(scene)).size());
 }
 
-TEST(ContactSheet, ChoosesPanelsEvenly) {
+/// Times over the panels of a sheet of n scenes, an hour apart [h].
+std::vector<int> panel_hours(std::size_t n) {
+  const Parameters p = parameters(20.0);
+  std::vector<CellScene> scenes(n, cell_scene(state(p), p, {}));
+  for (std::size_t k = 0; k < n; ++k) scenes[k].t = 3600.0 * static_cast<double>(k);
+  const std::string svg = contact_sheet(scenes);
+  std::vector<int> hours;
+  for (std::size_t k = 0; k < n; ++k)
+    if (count(svg, ">" + time_text(scenes[k].t) + "<") == 1) hours.push_back(static_cast<int>(k));
+  return hours;
+}
+
+TEST(ContactSheet, HasPanelsAtRegularTimes) {
+  EXPECT_EQ(panel_hours(13), (std::vector<int>{0, 2, 4, 6, 8, 10, 12}));
+  EXPECT_EQ(panel_hours(12).size(), 12U);
+  EXPECT_EQ(panel_hours(25), (std::vector<int>{0, 3, 6, 9, 12, 15, 18, 21, 24}));
+  EXPECT_EQ(panel_hours(15), (std::vector<int>{0, 2, 4, 6, 8, 10, 12, 14}));
+  EXPECT_EQ(panel_hours(14), (std::vector<int>{0, 2, 4, 6, 8, 10, 12, 13})) << "the end belongs to it";
+  EXPECT_EQ(panel_hours(1), std::vector<int>{0});
+}
+
+TEST(ContactSheet, IsOneDocumentWithOneLegend) {
   const Parameters p = parameters(150.0);
   const CellScene one = cell_scene(state(p), p, {});
   std::vector<CellScene> scenes(25, one);
@@ -115,7 +136,7 @@ TEST(ContactSheet, ChoosesPanelsEvenly) {
   const std::string svg = contact_sheet(scenes);
   ASSERT_TRUE(parsed(svg));
   EXPECT_LT(svg.size(), 1000000U);
-  EXPECT_EQ(count(svg, "<svg "), 13U) << "the document and twelve panels";
+  EXPECT_EQ(count(svg, "<svg "), 10U) << "the document and nine panels";
   EXPECT_EQ(count(svg, ">0 s<"), 1U);
   EXPECT_EQ(count(svg, ">24 h<"), 1U);
   EXPECT_EQ(count(svg, ">finishing<"), 1U) << "one legend for all";

@@ -54,6 +54,49 @@ TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
   EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
 }
 
+TEST(FieldFile, SaysWhatItIsOf) {
+  const FieldOrigin origin{.program = "matrigrate",
+                           .version = "0.1.0",
+                           .seed = 9007199254740991,
+                           .trajectory_hash = "0123456789abcdef",
+                           .scenario = "[ecm]\nradius = \"40 \u00b5m\"\n"};
+  const Film film = SmallRun().film();
+  const std::string image = field_file(film, origin);
+  const MemoryFile file(image);
+  EXPECT_EQ(file.attribute("program"), origin.program);
+  EXPECT_EQ(file.attribute("version"), origin.version);
+  EXPECT_EQ(file.number("seed"), origin.seed);
+  EXPECT_EQ(file.attribute("trajectory_hash"), origin.trajectory_hash);
+  EXPECT_EQ(file.attribute("scenario"), origin.scenario);
+  EXPECT_EQ(field_file(film, origin), image) << "no date in it";
+}
+
+TEST(FieldFile, HasAUnitOnEveryArray) {
+  const std::string image = field_file(SmallRun().film());
+  const MemoryFile file(image);
+  for (const auto& [name, unit] : std::vector<std::pair<std::string, std::string>>{{"/time", "s"},
+                                                                                   {"/matrix/solid", "1"},
+                                                                                   {"/frames/0/matrix/pressure", "Pa"},
+                                                                                   {"/frames/1/outline/phase", "1"},
+                                                                                   {"/protrusions/frame", "1"},
+                                                                                   {"/protrusions/phase", "1"},
+                                                                                   {"/protrusions/force", "nN"},
+                                                                                   {"/anchors/position", "um"},
+                                                                                   {"/frames/0/anchors/force", "nN"}})
+    EXPECT_EQ(file.unit(name), unit) << name;
+}
+
+TEST(FieldFile, HoldsAdhesionsOfEachFrame) {
+  const Film film = SmallRun().film(); // one protrusion adheres in the first frame, none in the second
+  const std::string image = field_file(film);
+  const MemoryFile file(image);
+  EXPECT_EQ(file.floats("/anchors/frame"), Floats{0.0F});
+  EXPECT_EQ(file.floats("/anchors/id"), Floats{2.0F});
+  EXPECT_EQ(file.floats("/frames/0/anchors/position"), (Floats{30.5F, -1.25F, 0.0F}));
+  EXPECT_EQ(file.floats("/frames/0/anchors/force"), Floats{film.frames[0].protrusions.force[1]});
+  EXPECT_FALSE(file.has("/frames/1/anchors/force"));
+}
+
 TEST(FieldFile, IsMadeOfALogFrameByFrame) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("matrigrate-fields-" + std::to_string(::getpid()));
@@ -87,10 +130,13 @@ TEST(FieldFile, RefusesArraysThatDoNotBelongTogether) {
 
 TEST(FieldIndex, NamesGridsTimesAndArrays) {
   const Film film = SmallRun().film();
-  const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t});
+  const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t},
+                                      std::vector<std::size_t>{2, 0});
   EXPECT_TRUE(parsed(xml.substr(xml.find("<Xdmf"))));
-  EXPECT_EQ(count(xml, "GridType=\"Uniform\""), 4U) << "matrix and outline, twice";
+  EXPECT_EQ(count(xml, "GridType=\"Uniform\""), 5U) << "matrix and outline, twice, and anchors once";
   EXPECT_EQ(count(xml, "<Time Value=\"600\"/>"), 2U);
+  EXPECT_EQ(count(xml, "<Grid Name=\"anchors\" GridType=\"Uniform\">"), 1U) << "not at the time without an adhesion";
+  EXPECT_EQ(count(xml, "fields.h5:/frames/0/anchors/force<"), 1U);
   EXPECT_EQ(count(xml, "fields.h5:/frames/1/matrix/position<"), 1U);
   EXPECT_EQ(count(xml, "fibre"), 0U);
 }

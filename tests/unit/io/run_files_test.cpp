@@ -106,6 +106,28 @@ TEST(Summary, IsTheSameInBothFormats) {
   EXPECT_EQ(json.size(), named_values(r).size());
 }
 
+TEST(Summary, LeavesOutForPeopleWhatARunCannotHave) {
+  Parameters p;
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + 5);
+  for (const NamedValue& v : shown_values({}, p)) EXPECT_EQ(v.meaning.find("fibres"), std::string_view::npos) << v.name;
+  p.fibres.arrangement = FibreArrangement::uniaxial;
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size());
+}
+
+TEST(Summary, SaysInASentenceWhatCameOut) {
+  ReadOuts r;
+  EXPECT_EQ(result_sentence(r), "0 protrusions.");
+  r.v_migr_abs = 12.68;
+  r.msd_slope = 1.42;
+  r.n_protrusions = 21;
+  EXPECT_EQ(result_sentence(r), "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions.");
+  r.msd_slope = 1.1;
+  r.n_protrusions = 1;
+  EXPECT_EQ(result_sentence(r), "12.7 um/h from start to end, like a random walk (MSD slope 1.1), 1 protrusion.");
+  r.msd_slope = 0.5;
+  EXPECT_NE(result_sentence(r).find("confined"), std::string::npos);
+}
+
 TEST(Summary, IsReadable) {
   EXPECT_EQ(readable(never), "-");
   EXPECT_EQ(readable(1.23456), "1.235");

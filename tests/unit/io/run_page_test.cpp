@@ -24,6 +24,7 @@ TEST(RunPage, HoldsTheRun) {
   const std::vector<ProtrusionRecord> records{{.id = 1, .t_initiation = 4.0}};
   RunReport report{.title = "Run <1>",
                    .status = "Done.",
+                   .facts = {{"seed", "7"}},
                    .p = run.p,
                    .rows = rows,
                    .health = health,
@@ -33,6 +34,11 @@ TEST(RunPage, HoldsTheRun) {
   report.readouts.v_migr_abs = 4.5;
   const ordered_json data = run_data(report);
   EXPECT_EQ(data.at("format"), "matrigrate-run");
+  EXPECT_EQ(data.at("facts").dump(), "[{\"name\":\"seed\",\"value\":\"7\"}]");
+  EXPECT_EQ(data.at("summary"), "4.5 um/h from start to end, 0 protrusions.");
+  EXPECT_NE(data.at("citation").get<std::string>().find("matrix: Insights from a computational model."),
+            std::string::npos);
+  EXPECT_EQ(data.at("readouts").dump().find("uniaxial"), std::string::npos) << "there are no fibres";
   EXPECT_EQ(data.at("geometry").at("n_particles"), run.s.ecm.size());
   EXPECT_EQ(data.at("tracks").at("polarization_rad").dump(), "[null,0.5]");
   EXPECT_EQ(data.at("protrusions").at(0).at("id"), 1);

@@ -19,8 +19,8 @@ TEST(ReadStudy, AGrid) {
   EXPECT_EQ(s.base.run.integrator, Integrator::adaptive);
   ASSERT_EQ(s.points.size(), 6U);
   EXPECT_EQ(s.runs(), 18U);
-  EXPECT_EQ(s.points[0].label, "youngs_modulus 50 Pa, number 1");
-  EXPECT_EQ(s.points[1].label, "youngs_modulus 50 Pa, number 2") << "the last list changes fastest";
+  EXPECT_EQ(s.points[0].label, "youngs_modulus 50 Pa, n_prot 1");
+  EXPECT_EQ(s.points[1].label, "youngs_modulus 50 Pa, n_prot 2") << "the last list changes fastest";
   EXPECT_EQ(s.points[5].settings[0], (Setting{"ecm.youngs_modulus", "\"100 Pa\""}));
   EXPECT_EQ(s.points[5].parameters.ecm.youngs_modulus, 0.1);
   EXPECT_EQ(s.points[5].parameters.run.time_step, 2.4);
@@ -102,9 +102,9 @@ TEST(ReadStudy, EachFaultOfStatistics) {
   EXPECT_EQ(fault_of("[statistics]\nalpa = 1\n"),
             "f.toml:4:1: statistics.alpa: there is no such key; did you mean alpha?");
   const std::string sweep = "[sweep]\nprotrusion.number = [1, 2]\n[statistics]\ncompare = \"control\"\n";
-  EXPECT_TRUE(fault_of(sweep).ends_with("the labels are \"number 1\", \"number 2\"")) << fault_of(sweep);
-  EXPECT_TRUE(fault_of(sweep + "control = \"numbr 1\"\n").ends_with("; did you mean number 1?"));
-  EXPECT_EQ(read(sweep + "control = \"number 2\"\n").comparisons.control, "number 2");
+  EXPECT_TRUE(fault_of(sweep).ends_with("the labels are \"n_prot 1\", \"n_prot 2\"")) << fault_of(sweep);
+  EXPECT_TRUE(fault_of(sweep + "control = \"n_prt 1\"\n").ends_with("; did you mean n_prot 1?"));
+  EXPECT_EQ(read(sweep + "control = \"n_prot 2\"\n").comparisons.control, "n_prot 2");
 }
 
 TEST(ReadStudy, AllFaultsAtOnceAndNoHarmInRubbish) {

@@ -1,6 +1,7 @@
 #include "study/study_data.hpp"
 
 #include "studies.hpp"
+#include "study/table_readouts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,21 @@ TEST(StudyData, HoldsRunsThatAreNotThereYet) {
   EXPECT_EQ(data.at("correlation").at("names").size(), study.readouts.size());
 }
 
+TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
+  const Study study = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
+  std::vector<Result> results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5}});
+  for (Result& r : results) r.standing.status = "running"; // there are no tables of runs to read
+  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  ASSERT_EQ(data.at("groups").size(), 2U);
+  const std::string csv = groups_csv(study, results);
+  for (const char* name : {"mean", "low_whisker", "low_quartile", "median", "high_quartile", "high_whisker"})
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(data.at("groups").at(i).at(name).get<double>(), csv_column(csv, name).at(i)) << name;
+  EXPECT_EQ(data.at("groups").at(0).at("low_quartile"), 0.2125) << "linear between order statistics";
+  EXPECT_EQ(data.at("groups").at(1).at("n"), 1);
+  EXPECT_TRUE(data.at("tests").at(0).contains("p_holm"));
+}
+
 TEST(StudyData, HoldsClaimsAndPlayedRuns) {
   const Study study = read("[sweep]\nprotrusion.number = [1, 2]\n");
   const Finding finding{Verdict::does_not_hold, {"f_mat at 1 0.3 [0.2, 0.4] (n = 3)"}, {"p 0.2: not met"}};
@@ -47,6 +63,7 @@ TEST(StudyData, HoldsClaimsAndPlayedRuns) {
                                 .provenance = "commit",
                                 .claims = {{"A1", "rises", "0.5", finding}},
                                 .claims_note = "Not run as published.",
+                                .claims_caveat = "not the paper's runs",
                                 .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
   const auto& claim = data.at("claims").at(0);
   EXPECT_EQ(claim.at("verdict"), "fails");
@@ -54,6 +71,7 @@ TEST(StudyData, HoldsClaimsAndPlayedRuns) {
   EXPECT_EQ(claim.at("ours").dump(), "[\"f_mat at 1 0.3 [0.2, 0.4] (n = 3)\"]");
   EXPECT_EQ(claim.at("statistic").at(0), "p 0.2: not met");
   EXPECT_EQ(data.at("claims_note"), "Not run as published.");
+  EXPECT_EQ(data.at("claims_caveat"), "not the paper's runs");
   EXPECT_EQ(data.at("players").at(0).at("run").at("format"), "matrigrate-run");
 }
 

@@ -2,14 +2,14 @@
 import type { RunPage } from "../contract";
 import { fault, h, section, table } from "../dom";
 import { embeddedRun } from "../embedded";
-import { readable } from "../numbers";
+import { pretty, readable } from "../numbers";
 import "../page.css";
 import { runView } from "./view";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
   return table(
     ["what", "value", "name in files"],
-    values.map((v) => [v.meaning, readable(v.value), h("code", {}, v.name)]),
+    values.map((v) => [pretty(v.meaning), readable(v.value), h("code", {}, v.name)]),
     { numeric: [1], caption },
   );
 }
@@ -19,16 +19,26 @@ function parameters(run: RunPage): Node {
     return h("p", {}, "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.");
   return table(
     ["parameter", "value", "default", "meaning"],
-    run.parameters.map((p) => [h("code", {}, p.name), p.value, p.default, p.meaning]),
+    run.parameters.map((p) => [h("code", {}, p.name), pretty(p.value), pretty(p.default), p.meaning]),
     { caption: "Changed parameters" },
   );
 }
+
+/** What was run, when and how. */
+const facts = (run: RunPage): HTMLElement =>
+  h("dl", { class: "facts" }, ...run.facts.map((f) => h("div", {}, h("dt", {}, f.name), h("dd", {}, f.value))));
 
 function show(run: RunPage, page: HTMLElement): void {
   document.title = run.title;
   const { parts, ready } = runView(run, true);
   page.replaceChildren(
-    h("header", {}, h("h1", {}, run.title), h("p", { class: "status" }, run.status)),
+    h(
+      "header",
+      {},
+      h("h1", {}, run.title),
+      h("p", { class: "status" }, run.status, " ", h("strong", {}, pretty(run.summary))),
+      facts(run),
+    ),
     ...parts,
     h(
       "div",

@@ -1,6 +1,7 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
 import { h, isDark, onDarkMode } from "../dom";
 import { roundStep } from "../numbers";
+import { onPaper, onPrint } from "../paper";
 import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
@@ -76,6 +77,11 @@ export class Stage {
     });
     clock.onChange(() => this.draw());
     onDarkMode(() => this.draw());
+    onPrint(this.element, () => {
+      this.fit();
+      this.paint();
+      if (onPaper()) this.layMatrixUnderCell();
+    });
     let first = true;
     new ResizeObserver(() => {
       this.fit();
@@ -142,6 +148,16 @@ export class Stage {
       this.queued = false;
       this.paint();
     });
+  }
+
+  /** Chromium prints neither what the card has drawn nor a canvas of many thousand squares, but a picture of either. */
+  private layMatrixUnderCell(): void {
+    const c = this.top.getContext("2d");
+    if (!c) return;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.globalCompositeOperation = "destination-over";
+    c.drawImage(this.painter.canvas, 0, 0);
+    c.globalCompositeOperation = "source-over";
   }
 
   private paint(): void {

@@ -53,7 +53,7 @@ function remark(row: ProtrusionRow, wide: boolean): string {
 
 export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HTMLElement {
   if (rows.length === 0) return h("p", {}, "No protrusion was initiated.");
-  const [pitch, top, bottom] = [22, 12, 40];
+  const [pitch, top, bottom] = [22, 22, 40];
   const height = top + bottom + pitch * rows.length;
   const n = rows.length;
   const made = frame(
@@ -103,13 +103,8 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HT
       );
     made.svg.append(group);
   });
-  made.svg.append(
-    s(
-      "text",
-      { transform: `translate(13 ${0.5 * (top + height - bottom)}) rotate(-90)`, "text-anchor": "middle" },
-      "protrusion",
-    ),
-  );
+  // Above the numbers: turned by a quarter it would be cut off where there are few rows.
+  made.svg.append(s("text", { x: 2, y: 13 }, "protrusion"));
   const cursor = s("path", { class: "cursor" });
   made.svg.append(cursor, remarks);
   const update = () => cursor.setAttribute("d", `M${made.x(clock.time / 3600)} ${top}V${height - bottom}`);

@@ -1,6 +1,7 @@
 /** What a run is looked at with: player, path and protrusions, all at the same time. */
 import type { RunPage } from "../contract";
 import { h, section } from "../dom";
+import { onPrint } from "../paper";
 import { Clock } from "./clock";
 import { film } from "./frames";
 import { player } from "./player";
@@ -8,16 +9,18 @@ import { plots } from "./plots";
 import "./run.css";
 import { protrusionTable, timeline } from "./timeline";
 
-/** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them anew. */
+/** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them again. */
 function fitted(make: (width: number) => HTMLElement): HTMLElement {
   const holder = h("div", { class: "fitted" });
   let drawn = 0;
-  new ResizeObserver(() => {
+  const draw = () => {
     const width = Math.floor(holder.clientWidth);
     if (width === drawn || width === 0) return;
     drawn = width;
     holder.replaceChildren(make(width));
-  }).observe(holder);
+  };
+  new ResizeObserver(draw).observe(holder);
+  onPrint(holder, draw);
   return holder;
 }
 

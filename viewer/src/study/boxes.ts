@@ -1,28 +1,25 @@
 /** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
-import type { StudyPage, StudyReadout } from "../contract";
-import { pText, readable, stars } from "../numbers";
-import { brackets, type Bracket, type Shown } from "./brackets";
+import type { StudyGroup, StudyPage, StudyReadout } from "../contract";
+import { pretty, readable } from "../numbers";
+import { brackets, sign, story, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, type Json } from "./figure";
-import { groupAt, seriesColour, values, withUnit, type Grid } from "./groups";
+import { groupAt, seriesColour, values, withUnit, type Grid, type Group } from "./groups";
 
-function story(made: Grid, { test }: Bracket, unit: string): string {
-  const lines = [
-    `${groupAt(made, test.a)?.label ?? ""} against ${groupAt(made, test.b)?.label ?? ""}`,
-    `${test.test}: ${pText(test.p)}${test.statistic === null ? "" : `, t = ${readable(test.statistic, 3)}`}`,
-    `n = ${test.n_a} and ${test.n_b}`,
-  ];
-  if (test.difference !== null)
-    lines.push(
-      `difference ${readable(test.difference, 3)} ${unit}${test.interval ? ` (95 %: ${readable(test.interval[0], 3)} to ${readable(test.interval[1], 3)})` : ""}`,
-    );
-  return lines.join("<br>");
+/** Of a read-out at the point of a group, as the program computed it. */
+const statisticsOf = (study: StudyPage, group: Group, readout: string): StudyGroup | undefined =>
+  study.groups.find((one) => one.readout === readout && one.point.join() === group.point.join());
+
+function caption(study: StudyPage, readout: StudyReadout): string {
+  const meaning = `${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`;
+  const tests = study.tests.filter((t) => t.readout === readout.name).length;
+  return tests > 0 ? `${meaning} Stars: p after Holm's correction over ${tests} comparison${tests > 1 ? "s" : ""}.` : meaning;
 }
 
 export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
   const bars = brackets(study.tests, made, readout.name, show);
   const levels = Math.max(0, ...bars.map((b) => b.level + 1));
   const plotHeight = 270 + 17 * levels;
-  return figure(`${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`, plotHeight + 60, () => {
+  return figure(caption(study, readout), plotHeight + 60, () => {
     const colours = ink();
     const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
     const [low, high] = [Math.min(...every), Math.max(...every)];
@@ -36,11 +33,18 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show:
       const colour = seriesColour(k);
       for (const g of groups) {
         const found = values(g, readout.name);
+        const box = statisticsOf(study, g, readout.name);
         data.push({
           type: "box",
           name,
-          x: found.map(() => g.x),
-          y: found.map((v) => v.value),
+          x: [g.x],
+          // Quartiles and whiskers as in groups.csv: plotly has definitions of its own.
+          q1: [box?.low_quartile],
+          median: [box?.median],
+          q3: [box?.high_quartile],
+          lowerfence: [box?.low_whisker],
+          upperfence: [box?.high_whisker],
+          y: [found.map((v) => v.value)],
           width: 0.82 * made.width,
           boxpoints: "all",
           pointpos: 0,
@@ -48,14 +52,12 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show:
           line: { color: colour, width: 1.5 },
           fillcolor: "rgba(128,128,128,.1)",
           marker: { color: colour, size: 5, opacity: 0.75 },
-          text: found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`),
+          text: [found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`)],
           hoverinfo: "text",
           hoveron: "points",
         });
       }
-      const means = groups.map(
-        (g) => values(g, readout.name).reduce((sum, v) => sum + v.value, 0) / values(g, readout.name).length,
-      );
+      const means = groups.map((g) => statisticsOf(study, g, readout.name)?.mean ?? null);
       data.push({
         type: "scatter",
         mode: "markers",
@@ -63,7 +65,7 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show:
         y: means,
         marker: { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } },
         text: groups.map(
-          (g, i) => `${g.label}<br>mean ${readable(means[i])} ${readout.unit}, n = ${values(g, readout.name).length}`,
+          (g, i) => `${g.label}<br>mean ${readable(means[i])} ${pretty(readout.unit)}, n = ${values(g, readout.name).length}`,
         ),
         hoverinfo: "text",
       });
@@ -88,8 +90,8 @@ export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show:
       mode: "text",
       x: bars.map((b) => 0.5 * (b.from + b.to)),
       y: bars.map((b) => at(b) + 5 * pixel),
-      text: bars.map((b) => stars(b.test.p)),
-      hovertext: bars.map((b) => story(made, b, readout.unit)),
+      text: bars.map((b) => sign(b.test)),
+      hovertext: bars.map((b) => story(b.test, made, readout.unit).join("<br>")),
       hoverinfo: "text",
       textfont: { size: 13, color: colours.text },
     });

@@ -1,6 +1,7 @@
-/** A plotly plot in the look of the page, drawn when it comes near the window, and again when the page turns dark or light. */
+/** A plotly plot in the look of the page, drawn when it comes near the window or is printed, and again for another look. */
 import Plotly from "plotly.js-cartesian-dist-min";
 import { h, isDark, onDarkMode } from "../dom";
+import { onPrint } from "../paper";
 
 export type Json = Record<string, unknown>;
 
@@ -73,6 +74,7 @@ export function figure(
         hoverlabel: { font: { size: 13 } },
         modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.line, activecolor: colours.soft },
         ...layout,
+        width: plot.clientWidth,
         height: Number(plot.style.height.replace("px", "")),
       },
       config,
@@ -91,6 +93,10 @@ export function figure(
   ).observe(plot);
   onDarkMode(() => {
     if (seen) draw();
+  });
+  onPrint(plot, () => {
+    seen = true;
+    draw();
   });
   return element;
 }

@@ -1,10 +1,10 @@
 /** The grid of a study as it is drawn: one axis along x, the combinations of the others as series in colours. */
-import { palette } from "../colour";
+import { palette, paletteOnDark } from "../colour";
 import type { GridPoint, StudyPage, StudyRun } from "../contract";
 import { isDark } from "../dom";
+import { pretty } from "../numbers";
 
-export const prettyUnit = (unit: string): string => unit.replace(/\bum\b/g, "\u00b5m").replace(/\^2/g, "\u00b2");
-export const withUnit = (label: string, unit: string): string => (unit ? `${label} [${prettyUnit(unit)}]` : label);
+export const withUnit = (label: string, unit: string): string => (unit ? `${label} [${pretty(unit)}]` : label);
 
 export interface Group {
   point: GridPoint;
@@ -52,13 +52,13 @@ export function grid(study: StudyPage, main: number): Grid {
     others
       .map(
         (i) =>
-          `${study.axes[i].label} ${study.axes[i].values[p[i]]}${study.axes[i].unit ? ` ${prettyUnit(study.axes[i].unit)}` : ""}`,
+          `${study.axes[i].label} ${study.axes[i].values[p[i]]}${study.axes[i].unit ? ` ${pretty(study.axes[i].unit)}` : ""}`,
       )
       .join(", ");
   const series = [...new Set(points.map(seriesOf))];
   const width = 0.8 / series.length;
   const columns = axis ? axis.values.map(String) : [""];
-  const unit = axis?.unit ? ` ${prettyUnit(axis.unit)}` : "";
+  const unit = axis?.unit ? ` ${pretty(axis.unit)}` : "";
   const columnLabels = axis ? columns.map((value) => `${axis.label} ${value}${unit}`) : ["all runs"];
   const groups = points.map((point): Group => {
     const column = axis ? point[main] : 0;
@@ -79,9 +79,7 @@ export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>
   made.groups.find((g) => key(g.point) === key(point));
 
 export function seriesColour(index: number): string {
-  const colours = isDark()
-    ? ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#e69f00", "#0072b2", "#f0f0f0", "#f0e442"]
-    : palette;
+  const colours = isDark() ? paletteOnDark : palette;
   return colours[index % colours.length];
 }
 

@@ -1,7 +1,7 @@
 /** Claims with their verdicts, and the runs with how each ended. */
 import type { StudyPage, StudyRun } from "../contract";
 import { h, table } from "../dom";
-import { readable } from "../numbers";
+import { pretty, readable } from "../numbers";
 import { withUnit } from "./groups";
 
 const verdicts = { holds: "holds", fails: "does not hold", open: "undecided" };
@@ -24,10 +24,15 @@ export function claims(study: StudyPage): HTMLElement | null {
     study.claims.map((c) => [
       c.id,
       c.claim,
-      h("span", { class: c.verdict }, verdicts[c.verdict] ?? c.verdict),
-      c.published || "\u2013",
-      lines(c.ours),
-      lines(c.statistic),
+      h(
+        "div",
+        {},
+        h("span", { class: c.verdict }, verdicts[c.verdict] ?? c.verdict),
+        study.claims_caveat ? h("div", { class: "caveat" }, study.claims_caveat) : null,
+      ),
+      pretty(c.published) || "\u2013",
+      lines(c.ours.map(pretty)),
+      lines(c.statistic.map(pretty)),
     ]),
     { caption: "Claims and verdicts" },
   );

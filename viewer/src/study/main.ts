@@ -4,7 +4,8 @@ import { fault, h, section } from "../dom";
 import { embeddedStudy } from "../embedded";
 import "../page.css";
 import { boxes } from "./boxes";
-import type { Shown } from "./brackets";
+import { leastRuns, type Shown } from "./brackets";
+import { pretty } from "../numbers";
 import { grid, seriesColour, type Grid } from "./groups";
 import { claims, runs, safe } from "./lists";
 import { players } from "./players";
@@ -20,6 +21,17 @@ function seriesKey(made: Grid): HTMLElement | null {
     ...made.series.map((name, k) =>
       h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), name),
     ),
+  );
+}
+
+/** Where no point has enough runs for a test. */
+function fewRuns(study: StudyPage): HTMLElement | null {
+  const most = Math.max(0, ...study.groups.map((g) => g.n));
+  if (most === 0 || most >= leastRuns || study.tests.length === 0) return null;
+  return h(
+    "p",
+    { class: "notice" },
+    `Tests need at least ${leastRuns} runs at each point. This study has n = ${most}${study.groups.some((g) => g.n < most) ? " at most" : ""}, so nothing is called significant.`,
   );
 }
 
@@ -40,17 +52,18 @@ function show(study: StudyPage, page: HTMLElement): void {
         "claims",
         "Claims and verdicts",
         claims(study),
-        study.claims_note ? h("p", { class: "notice" }, study.claims_note) : null,
+        study.claims_note ? h("p", { class: "notice" }, pretty(study.claims_note)) : null,
       ),
       study.readouts.length > 0
         ? section(
             "readouts",
             "Read-outs by parameter",
+            fewRuns(study),
             seriesKey(made),
             h(
               "p",
               { class: "note" },
-              "Boxes: median and quartiles; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001; hover for the test.",
+              `Boxes: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`,
             ),
             h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, comparisons))),
           )

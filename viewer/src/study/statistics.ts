@@ -3,6 +3,7 @@ import { blueWhiteOrange } from "../colour";
 import type { StudyPage } from "../contract";
 import { h } from "../dom";
 import { pText, readable, stars } from "../numbers";
+import { leastRuns } from "./brackets";
 import { axis, figure, ink, type Json } from "./figure";
 import { columnColour, groupAt, multiplesStyle, seriesColour, type Grid } from "./groups";
 
@@ -14,6 +15,8 @@ const symbols = ["circle", "square", "diamond", "triangle-up"];
 
 export function msd(study: StudyPage, made: Grid): HTMLElement | null {
   if (study.msd.length === 0) return null;
+  if (study.msd.every((m) => m.lag_min.length < 2))
+    return h("p", {}, "The runs are too short: there are not two lags to draw a curve through.");
   return figure(
     "Mean square displacement over runs, with standard error; the thin line has slope 1 (random walk).",
     (window) => (window > 760 ? 460 : 380 + 19 * study.msd.length),
@@ -78,11 +81,12 @@ export function adhesionForces(made: Grid): HTMLElement | null {
       (_, i) =>
         v.filter((x) => Math.min(count - 1, Math.max(0, Math.floor(x / bin))) === i).length / Math.max(1, v.length),
     );
+  const columns = made.columns.map((_, c) => c).filter((c) => made.series.some((_, k) => of(k, c).length > 0));
   const top = 1.1 * Math.max(...made.series.flatMap((_, k) => made.columns.flatMap((__, c) => share(of(k, c)))));
   return h(
     "div",
     { class: "multiples", style: multiplesStyle(made) },
-    ...made.columns.map((_, c) =>
+    ...columns.map((c) =>
       figure(
         `${made.columnLabels[c]}: n = ${made.series.map((_, k) => of(k, c).length).join(" and ")} adhesions`,
         230,
@@ -118,8 +122,9 @@ export function correlation(study: StudyPage): HTMLElement | null {
   if (!c || c.names.length === 0) return null;
   const label = (name: string) => study.readouts.find((r) => r.name === name)?.label ?? name;
   const labels = c.names.map(label);
+  const enough = (i: number, j: number) => c.n[i][j] >= leastRuns;
   const drawn = figure(
-    "Correlation of read-outs across all runs: Pearson's r, stars for p < 0.05, 0.01, 0.001; more on hover.",
+    `Correlation of read-outs across all runs: Pearson's r where there are ${leastRuns} runs or more. Stars for p < 0.05, 0.01, 0.001, not corrected for the number of pairs; p and n on hover.`,
     90 + 68 * labels.length,
     (width) => ({
       data: [
@@ -127,7 +132,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
           type: "heatmap",
           x: labels,
           y: labels,
-          z: c.r,
+          z: c.r.map((row, i) => row.map((r, j) => (enough(i, j) ? r : null))),
           zmin: -1,
           zmax: 1,
           xgap: 2,
@@ -153,12 +158,12 @@ export function correlation(study: StudyPage): HTMLElement | null {
             y: labels[i],
             showarrow: false,
             text:
-              r === null
+              r === null || !enough(i, j)
                 ? "\u2013"
                 : i === j
                   ? "1"
                   : `${r.toFixed(2).replace("-", "\u2212")}${(c.p[i][j] ?? 1) < 0.05 ? `<br>${stars(c.p[i][j])}` : ""}`,
-            font: { size: width > 520 ? 13 : 12, color: r !== null && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" },
+            font: { size: width > 520 ? 13 : 12, color: r !== null && enough(i, j) && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" },
           })),
         ),
       },

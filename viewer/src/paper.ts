@@ -1,0 +1,25 @@
+/** Printing: what waits to be seen is drawn before, for the width of the paper and in the colours of a light page. */
+
+let printing = false;
+let listening = false;
+let drawn: { element: Element; draw: () => void }[] = [];
+
+/** Whether the page is being printed. */
+export const onPaper = (): boolean => printing;
+
+function set(now: boolean): void {
+  printing = now;
+  document.documentElement.classList.toggle("on-paper", now);
+  drawn = drawn.filter((one) => one.element.isConnected);
+  // What is drawn may bring new elements with it: they are appended, and drawn in their turn.
+  for (let i = 0; i < drawn.length; ++i) drawn[i].draw();
+}
+
+/** @param draw  at once, for the width that `element` has then; called before printing and again after it */
+export function onPrint(element: Element, draw: () => void): void {
+  drawn.push({ element, draw });
+  if (listening) return;
+  listening = true;
+  addEventListener("beforeprint", () => set(true));
+  addEventListener("afterprint", () => set(false));
+}
