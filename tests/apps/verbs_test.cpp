@@ -59,7 +59,7 @@ TEST_F(Program, NewNamesTheSchemaForEditors) {
   ASSERT_EQ(run("new sub/b.toml --schema ../mine.json").code, 0);
   EXPECT_TRUE(text_of(folder / "sub/b.toml").starts_with("#:schema ../mine.json\n"));
   EXPECT_FALSE(exists("sub/scenario.schema.json"));
-  EXPECT_EQ(run("new d.toml --schema $'a\\nb'").code, 2) << "no second line";
+  EXPECT_EQ(run("new d.toml --schema \"$(printf 'a\\nb')\"").code, 2) << "no second line";
   EXPECT_FALSE(exists("d.toml"));
   write("sub/scenario.schema.json", "mine");
   ASSERT_EQ(run("new sub/c.toml").code, 0);
