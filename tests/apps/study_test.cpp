@@ -233,7 +233,7 @@ TEST_F(Study, StatusTellsHowFarRunsAre) {
   stopped("study run e.toml --jobs 2", "e-study/study.resolved.toml",
           "cd '" + folder.string()
               + "'; M='" MATRIGRATE_PROGRAM "'; until \"$M\" study status e-study --json | grep -q '\"left_s\": "
-                                            "[0-9]'; do sleep 0.05; kill -0 $p || break; "
+                "[0-9]'; do sleep 0.05; kill -0 $p || break; "
                 "done; \"$M\" study status e-study >status; \"$M\" study status e-study --json >status.json; kill -s "
                 "INT $p");
   const json status = json::parse(file("status.json"));
