@@ -73,10 +73,6 @@ Handle text_type() {
   return type;
 }
 
-Handle attribute_of(const Handle& owner, const char* name) {
-  return {H5Aopen(owner.id(), name, H5P_DEFAULT), H5Aclose, fmt::format("there is no attribute {}", name)};
-}
-
 /// An array of a file; groups on the way to it are made.
 Handle new_array(const Handle& file, const std::string& name, hid_t type, std::span<const hsize_t> shape,
                  hid_t creation, hid_t access = H5P_DEFAULT) {
@@ -293,31 +289,6 @@ bool MemoryFile::has(const std::string& name) const {
   const std::string group = name.substr(0, name.rfind('/'));
   if (!group.empty() && H5Lexists(m_file.id(), group.c_str(), H5P_DEFAULT) <= 0) return false;
   return H5Lexists(m_file.id(), name.c_str(), H5P_DEFAULT) > 0;
-}
-
-std::string MemoryFile::attribute(const std::string& name) const {
-  const Handle attribute = attribute_of(m_file, name.c_str());
-  char* text = nullptr;
-  require(H5Aread(attribute.id(), text_type().id(), static_cast<void*>(&text)), fmt::format("{} not read", name));
-  std::string copy(text == nullptr ? "" : text);
-  H5free_memory(text);
-  return copy;
-}
-
-std::uint64_t MemoryFile::number(const std::string& name) const {
-  std::uint64_t value = 0;
-  const Handle attribute = attribute_of(m_file, name.c_str());
-  require(H5Aread(attribute.id(), H5T_NATIVE_UINT64, &value), fmt::format("{} not read", name));
-  return value;
-}
-
-std::string MemoryFile::unit(const std::string& name) const {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
-  const Handle attribute = attribute_of(data, "units");
-  const Handle type(H5Aget_type(attribute.id()), H5Tclose, "no type");
-  std::string text(H5Tget_size(type.id()), '\0');
-  require(H5Aread(attribute.id(), type.id(), text.data()), fmt::format("{}: unit not read", name));
-  return text;
 }
 
 std::vector<float> MemoryFile::floats(const std::string& name) const {

@@ -80,9 +80,6 @@ public:
   std::vector<std::uint8_t> bytes(const std::string& name) const;
   std::string text(const std::string& name) const;
   bool has(const std::string& name) const;
-  std::string attribute(const std::string& name) const;     ///< a text of the file as a whole
-  std::uint64_t number(const std::string& name) const;      ///< an attribute of the file as a whole
-  std::string unit(const std::string& name) const;          ///< of an array
   std::vector<float> floats(const std::string& name) const; ///< of any shape, row by row
   /// What a FrameArray of frames has at one.
   std::vector<float> float_frame(const std::string& name, std::size_t frame) const;
