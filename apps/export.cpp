@@ -1,6 +1,7 @@
 #include "apps/export_pictures.hpp"
 #include "apps/finished_run.hpp"
 #include "apps/own_files.hpp"
+#include "apps/run_record.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
@@ -70,8 +71,9 @@ void prepare(const std::filesystem::path& to, const std::vector<ExportKind>& kin
 }
 
 void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
-  write_file(to / io::field_file_name, io::field_file(run.film));
-  write_file(to / io::field_index_name, io::field_index(&run.film.frames.front(), io::times_of(run.film)));
+  const auto hash = run.record.find("trajectory_hash");
+  const bool finished = hash != run.record.end() && hash->is_string();
+  io::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
 }
 
 void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {

@@ -51,16 +51,6 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
   return all;
 }
 
-/// The number of threads changes no result, and may differ after a restart.
-io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
-  p.run.threads = RunParameters{}.threads;
-  return {.program = "matrigrate",
-          .version = version_text(),
-          .seed = p.run.seed,
-          .trajectory_hash = std::move(trajectory_hash),
-          .scenario = to_toml(p)};
-}
-
 } // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,

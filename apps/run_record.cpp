@@ -76,6 +76,15 @@ std::string scenario_name(const Json& record, const fs::path& folder) {
   return name.substr(0, name.rfind("-seed"));
 }
 
+io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
+  p.run.threads = RunParameters{}.threads;
+  return {.program = "matrigrate",
+          .version = version_text(),
+          .seed = p.run.seed,
+          .trajectory_hash = std::move(trajectory_hash),
+          .scenario = to_toml(p)};
+}
+
 std::string run_title(const Parameters& p, const std::string& scenario) {
   return fmt::format("{}: E = {:.6g} Pa, seed {}", scenario, Pa * p.ecm.youngs_modulus, p.run.seed);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/field_file.hpp"
 #include "io/run_page.hpp"
 #include "io/saved_frames.hpp"
 #include "parameters/parameters.hpp"
@@ -40,6 +41,11 @@ std::string configuration_hash(const Parameters& p);
 /// its seed where the command names no file: "cell".
 /// @param record  as in run.json
 std::string scenario_name(const nlohmann::ordered_json& record, const std::filesystem::path& folder);
+
+/// What fields.h5 says of the run. The number of threads is left out: it changes no result, and may differ after a
+/// resume.
+/// @param trajectory_hash  empty for a run that is not finished
+io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
 
 /// Heading of the run's report: "cell: E = 200 Pa, seed 1".
 std::string run_title(const Parameters& p, const std::string& scenario);

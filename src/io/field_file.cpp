@@ -306,6 +306,18 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
   write_file(folder / field_index_name, field_index(first ? &*first : nullptr, times, adhesions));
 }
 
+void write_field_files(const std::filesystem::path& folder, const Film& film, const FieldOrigin& origin) {
+  std::vector<double> times;
+  std::vector<std::size_t> adhesions;
+  for (const Frame& frame : film.frames) {
+    times.push_back(frame.t);
+    adhesions.push_back(anchors(frame).size());
+  }
+  write_file(folder / field_file_name, field_file(film, origin));
+  write_file(folder / field_index_name,
+             field_index(film.frames.empty() ? nullptr : &film.frames.front(), times, adhesions));
+}
+
 Film read_field_file(std::string_view bytes) { return film_in(MemoryFile(bytes)); }
 
 Film read_field_film(const std::filesystem::path& folder) {

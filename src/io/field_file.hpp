@@ -45,6 +45,10 @@ std::string field_file(const Film& film, const FieldOrigin& origin = {});
 /// @throws InputOutputError naming the path and the reason: also if some are no longer whole
 void write_field_files(const std::filesystem::path& folder, std::size_t frames, const FieldOrigin& origin = {});
 
+/// Writes those of a film into the folder.
+/// @throws InputOutputError naming the path and the reason
+void write_field_files(const std::filesystem::path& folder, const Film& film, const FieldOrigin& origin = {});
+
 /// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
 std::string frame_path(std::size_t k, std::string_view name);
 
