@@ -8,7 +8,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "simulation/start.hpp"
-#include "simulation/step_limits.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -74,7 +74,7 @@ void require_multiple(double t, const Parameters& p) {
 
 Parameters changed(const Parameters& before, const BranchOptions& options) {
   try {
-    return apply_overrides(before, all_overrides(options));
+    return apply_overrides(before, all_overrides(options), start_rules());
   } catch (const ConfigurationError& error) {
     throw naming_options(error, options);
   }
@@ -87,7 +87,6 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
   const std::vector<std::string> overrides = all_overrides(options);
   const Parameters after = changed(before, options);
   require_same_start(before, after);
-  require_stable_step(after);
   const double at = options.at.empty() ? std::numeric_limits<double>::infinity() : wall_time_of(options.at);
   std::optional<FoundCheckpoint> found = checkpoint_before(from, at);
   if (!found && options.at.empty()) throw InputOutputError(from.string() + ": holds no checkpoint to branch from");

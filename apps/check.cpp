@@ -2,11 +2,14 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "parameters/read.hpp"
+#include "simulation/start_rules.hpp"
+#include "study/read_study.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace matrigrate::apps {
@@ -20,56 +23,79 @@ struct Options {
   bool json = false;
 };
 
-/// All faults of a file; none if it is good.
-/// @param unreadable  becomes true if it cannot be read
-std::vector<Fault> faults_of(const std::string& file, bool& unreadable) {
+/// What a file is, and what is wrong with it.
+struct Finding {
+  std::string file;
+  bool study = false;
+  std::string size;          ///< of a good study: "4 points x 2 replicates = 8 runs"
+  std::vector<Fault> faults; ///< none if it is good
+  std::string unreadable;    ///< why it cannot be read; empty if it can
+};
+
+Finding look_at(const std::string& file) {
+  Finding found;
+  found.file = file;
   try {
-    read_parameters(file);
-    return {};
+    found.study = study::is_study_file(file);
+    if (found.study) {
+      const study::Study s = study::read_study(file, {.overrides = {}, .replicates = {}, .more = start_rules()});
+      found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
+    } else {
+      read_parameters(file, {}, start_rules());
+    }
   } catch (const ConfigurationError& error) {
-    return error.faults();
+    found.faults = error.faults();
   } catch (const InputOutputError& error) {
-    unreadable = true;
-    return {{.file = {}, .line = 0, .column = 0, .key = {}, .message = error.what()}};
+    found.unreadable = error.what();
   }
+  return found;
 }
 
-Json to_json(const std::string& file, const std::vector<Fault>& faults) {
+Json to_json(const Finding& found) {
   Json list = Json::array();
-  for (const Fault& fault : faults)
+  for (const Fault& fault : found.faults)
     list.push_back({{"line", fault.line}, {"column", fault.column}, {"key", fault.key}, {"message", fault.message}});
-  return {{"file", file}, {"good", faults.empty()}, {"faults", list}};
+  if (!found.unreadable.empty())
+    list.push_back({{"line", 0}, {"column", 0}, {"key", ""}, {"message", found.unreadable}});
+  return {{"file", found.file}, {"kind", found.study ? "study" : "scenario"}, {"good", list.empty()}, {"faults", list}};
+}
+
+void print_finding(const Finding& found) {
+  print_faults(found.faults);
+  if (!found.unreadable.empty()) return print_error(found.unreadable + "\n");
+  if (!found.faults.empty()) return;
+  print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
+                    found.study ? " study: " + found.size : ""));
 }
 
 int check_files(const Options& options) {
-  bool all_good = true;
-  bool unreadable = false;
+  int code = done;
   Json files = Json::array();
   for (const std::string& file : options.files) {
-    const std::vector<Fault> faults = faults_of(file, unreadable);
-    all_good = all_good && faults.empty();
-    if (options.json) {
-      files.push_back(to_json(file, faults));
-      continue;
-    }
-    print_faults(faults);
-    if (faults.empty()) print(fmt::format("{}: {}\n", file, coloured("good", Colour::good, Stream::out)));
+    const Finding found = look_at(file);
+    if (!found.faults.empty()) code = std::max<int>(code, configuration);
+    if (!found.unreadable.empty()) code = input_output;
+    if (options.json)
+      files.push_back(to_json(found));
+    else
+      print_finding(found);
   }
   if (options.json)
-    print(Json{{"good", all_good}, {"files", files}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  return unreadable ? input_output : all_good ? done : configuration;
+    print(Json{{"good", code == done}, {"files", files}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return code;
 }
 
 } // namespace
 
 void add_check(CLI::App& app, Action& chosen) {
-  CLI::App* verb = app.add_subcommand("check", "Validate scenario files; print every fault at once");
+  CLI::App* verb = app.add_subcommand("check", "Validate scenarios and studies; print every fault at once");
   verb->footer(
-      "A fault is printed as file:line:column: key: what is wrong and what is allowed.\n"
-      "--json prints {good, files: [{file, good, faults: [{line, column, key, message}]}]}; line and column are 0 "
-      "where there is none.\nExit code 3 if any file has a fault, 5 if one cannot be read.");
+      "A fault is printed as file:line:column: key: what is wrong and what is allowed. Of a file that is not TOML the\n"
+      "first error is printed.\n"
+      "--json prints {good, files: [{file, kind, good, faults: [{line, column, key, message}]}]}; line and column are "
+      "0\nwhere there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.");
   const auto options = std::make_shared<Options>();
-  verb->add_option("FILE", options->files, "Scenario files")->required();
+  verb->add_option("FILE", options->files, "Scenario and study files")->required();
   verb->add_flag("--json", options->json, "Print the findings as JSON");
   verb->callback([options, &chosen] { chosen = [options] { return check_files(*options); }; });
 }

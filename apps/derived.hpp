@@ -1,9 +1,11 @@
 #pragma once
 
+#include "ecm/bonds.hpp"
 #include "parameters/parameters.hpp"
 #include "simulation/step_limits.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ struct Derived {
   double wait;                 ///< mean time between protrusions of a polarized cell without any [s]
   double steps;
   StepLimits limits;
+  FibreBonds bonds;    ///< of a particle, that carry fibres
   double memory_bytes; ///< estimate
   double disk_bytes;   ///< of the run's folder, estimate
   double wall_time;    ///< estimate [s]
@@ -33,6 +36,15 @@ struct Derived {
 };
 
 Derived derived(const Parameters& p);
+
+/// What the adaptive integrator would take.
+struct Quicker {
+  double time_step; ///< [s]
+  double wall_time; ///< estimate [s]
+};
+
+/// @return nothing if it is chosen already, or bears no longer step
+std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d);
 
 /// What the estimate of the wall time rests on.
 std::string wall_time_basis();

@@ -54,13 +54,24 @@ std::string description(const Parameters& p, const Derived& d) {
       fmt::format("on average; later {} a free front", duration_text(d.wait)));
   add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
   add("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)), "set by the " + d.limits.binding());
+  if (const auto quicker = with_longer_steps(p, d))
+    add("integrator", "reference",
+        fmt::format("run.integrator = \"adaptive\" with run.time_step = \"{:.2g} s\" would take {}", quicker->time_step,
+                    duration_text(quicker->wall_time)));
+  else
+    add("integrator", p.run.integrator == Integrator::reference ? "reference" : "adaptive", "");
+  if (p.fibres.arrangement != FibreArrangement::none)
+    add("fibres", fmt::format("{} bonds", d.bonds.count),
+        d.bonds.mean_deg ? fmt::format("of each particle; mean direction {:.3g} degrees", *d.bonds.mean_deg)
+                         : "of each particle; no mean direction");
   add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");
   add("disk", fmt::format("{:.0f} MB", d.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
   add("wall time", duration_text(d.wall_time), "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;
 }
 
-Json to_json(const Options& options, const Derived& d, const std::vector<std::string>& found) {
+Json to_json(const Options& options, const Parameters& p, const Derived& d, const std::vector<std::string>& found) {
+  const auto quicker = with_longer_steps(p, d);
   return {{"file", options.file},
           {"bulk_modulus_Pa", 1e3 * d.K},
           {"shear_modulus_Pa", 1e3 * d.G},
@@ -79,9 +90,13 @@ Json to_json(const Options& options, const Derived& d, const std::vector<std::st
           {"step_limit_elastic_s", d.limits.elastic_s},
           {"step_limit_fluid_s", d.limits.fluid_s},
           {"step_limit_set_by", d.limits.binding()},
+          {"fibre_bonds_of_a_particle", d.bonds.count},
+          {"fibre_mean_direction_deg", d.bonds.mean_deg ? Json(*d.bonds.mean_deg) : Json()},
           {"memory_estimate_bytes", d.memory_bytes},
           {"disk_estimate_bytes", d.disk_bytes},
           {"wall_time_estimate_s", d.wall_time},
+          {"adaptive_time_step_s", quicker ? Json(quicker->time_step) : Json()},
+          {"adaptive_wall_time_estimate_s", quicker ? Json(quicker->wall_time) : Json()},
           {"warnings", found}};
 }
 
@@ -90,7 +105,7 @@ int explain(const Options& options) {
   const Derived d = derived(p);
   const std::vector<std::string> found = warnings(p, d);
   if (options.json) {
-    print(to_json(options, d, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    print(to_json(options, p, d, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     return done;
   }
   print(description(p, d));

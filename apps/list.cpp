@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace matrigrate::apps {
 
@@ -18,8 +21,14 @@ struct Options {
   bool schema = false;
 };
 
-void print_entry(std::string_view name, std::string_view description) {
-  print(fmt::format("  {:<14}{}\n", name, description));
+/// A name and what it stands for.
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+void print_entries(std::string_view title, std::string_view use, const Entries& entries) {
+  std::size_t width = 0;
+  for (const auto& [name, description] : entries) width = std::max(width, name.size());
+  print(fmt::format("{}, for {}\n", coloured(title, Colour::strong, Stream::out), use));
+  for (const auto& [name, description] : entries) print(fmt::format("  {:<{}}  {}\n", name, width, description));
 }
 
 std::string title_of(const ShippedStudy& s) { return study::parse_study(s.text, std::string(s.name), ".").title; }
@@ -28,12 +37,15 @@ int print_list(const Options& options) {
   if (options.parameters) print(parameters_markdown());
   if (options.schema) print(json_schema());
   if (options.parameters || options.schema) return done;
-  print(coloured("Presets", Colour::strong, Stream::out) + ", for matrigrate new FILE --preset NAME\n");
-  for (const Preset& preset : presets()) print_entry(preset.name, preset.description);
-  print("\n" + coloured("Cases", Colour::strong, Stream::out) + ", for matrigrate validate NAME\n");
-  for (const validation::Case& c : validation::cases()) print_entry(c.name, c.summary);
-  print("\n" + coloured("Studies", Colour::strong, Stream::out) + ", for matrigrate reproduce and in studies/\n");
-  for (const ShippedStudy& s : shipped_studies()) print(fmt::format("  {:<26}{}\n", s.name, title_of(s)));
+  Entries entries;
+  for (const Preset& preset : presets()) entries.emplace_back(preset.name, preset.description);
+  print_entries("Presets", "matrigrate new FILE --preset NAME", entries);
+  entries.clear();
+  for (const validation::Case& c : validation::cases()) entries.emplace_back(c.name, c.summary);
+  print_entries("\nCases", "matrigrate validate NAME", entries);
+  entries.clear();
+  for (const ShippedStudy& s : shipped_studies()) entries.emplace_back(s.name, title_of(s));
+  print_entries("\nStudies", "matrigrate reproduce and in studies/", entries);
   return done;
 }
 

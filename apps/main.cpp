@@ -1,8 +1,8 @@
 #include "apps/provenance.hpp"
 #include "apps/terminal.hpp"
+#include "apps/usage.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "parameters/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -19,17 +19,6 @@
 namespace matrigrate::apps {
 
 namespace {
-
-/// CLI11 would call an unknown verb a stray argument; say which one was meant.
-void check_verb(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2) throw UsageError("a verb is required; matrigrate -h tells which there are");
-  if (std::string_view(argv[1]).starts_with('-')) return;
-  std::vector<std::string> verbs;
-  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-  if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return;
-  throw UsageError(fmt::format("there is no verb \"{}\"{}\nThe verbs are: {}; matrigrate -h tells what they do",
-                               argv[1], did_you_mean(nearest(argv[1], verbs)), fmt::join(verbs, ", ")));
-}
 
 /// Help and version are no errors, unless they cannot be written.
 int print_help(const CLI::App& app, const CLI::ParseError& asked) {
@@ -71,12 +60,14 @@ int run(int argc, char** argv) {
   add_study(app, chosen);
   add_reproduce(app, chosen);
   add_info(app, chosen);
-  check_verb(app, argc, argv);
+  app.get_formatter()->label("SUBCOMMAND", "VERB");
+  for (CLI::App* verb : app.get_subcommands({})) verb->group("Verbs");
+  require_verb(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return print_help(app, error);
-    throw UsageError(fmt::format("{}\nmatrigrate VERB -h tells how a verb is used", error.what()));
+    throw UsageError(usage_fault(app, error));
   }
   const int code = chosen();
   flush();

@@ -17,7 +17,10 @@ namespace {
 struct Options {
   std::string file;
   std::string preset = "baseline";
+  std::string schema;
 };
+
+constexpr const char* schema_file = "scenario.schema.json";
 
 const Preset& preset_of(const std::string& name) {
   if (const Preset* preset = find_preset(name)) return *preset;
@@ -27,11 +30,25 @@ const Preset& preset_of(const std::string& name) {
                                did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
 }
 
+/// Writes the schema beside a scenario, unless something else has its name.
+void write_schema(const std::filesystem::path& scenario) {
+  constexpr std::size_t largest = std::size_t{1} << 20U;
+  const std::filesystem::path file = scenario.parent_path() / schema_file;
+  const std::string text = json_schema();
+  const std::string start = text.substr(0, text.find("\"type\""));
+  if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
+    const std::string there = read_file(file, largest);
+    if (there == text || !there.starts_with(start)) return; // current, or not ours
+  }
+  write_file(file, text);
+}
+
 int write_scenario(const Options& options) {
   const Preset& preset = preset_of(options.preset);
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
     throw InputOutputError(options.file + ": exists, and is not overwritten; choose another name or delete it first");
-  write_file(options.file, new_scenario(preset));
+  write_file(options.file, new_scenario(preset, options.schema.empty() ? schema_file : options.schema));
+  if (options.schema.empty()) write_schema(options.file);
   print(fmt::format("{}: written from the preset {}; next: matrigrate explain {}\n", options.file, preset.name,
                     options.file));
   return done;
@@ -45,6 +62,9 @@ void add_new(CLI::App& app, Action& chosen) {
   verb->add_option("FILE", options->file, "The file to write, such as scenario.toml")->required();
   verb->add_option("--preset", options->preset, "What to start from: one of those of `matrigrate list`")
       ->capture_default_str();
+  verb->add_option("--schema", options->schema,
+                   "The JSON schema that the first line names for editors, seen from FILE (default: "
+                   "scenario.schema.json,\nwhich is then written beside FILE)");
   verb->callback([options, &chosen] { chosen = [options] { return write_scenario(*options); }; });
 }
 

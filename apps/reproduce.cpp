@@ -12,6 +12,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/nearest.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -75,7 +76,7 @@ void check_id(const std::string& id) {
 }
 
 study::Study shipped(std::string_view name, const Options& options) {
-  study::Changes changes{options.overrides, options.replicates};
+  study::Changes changes{options.overrides, options.replicates, start_rules()};
   if (options.integrator == "adaptive") {
     const std::vector<std::string> adaptive{"run.integrator=adaptive", "run.time_step=2.4 s"};
     changes.overrides.insert(changes.overrides.begin(), adaptive.begin(), adaptive.end());

@@ -8,7 +8,7 @@
 #include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
-#include "simulation/step_limits.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ std::string default_folder(const std::string& file, const Parameters& p) {
 
 Parameters parameters_of(const Options& options) {
   try {
-    return read_parameters(options.file, all_overrides(options.parameters));
+    return read_parameters(options.file, all_overrides(options.parameters), start_rules());
   } catch (const ConfigurationError& error) {
     throw naming_options(error, options.parameters);
   }
@@ -43,7 +43,6 @@ Parameters parameters_of(const Options& options) {
 
 int run(Options options) {
   const Parameters p = parameters_of(options);
-  require_stable_step(p);
   if (options.folder.empty()) options.folder = default_folder(options.file, p);
   Manner manner{.folder = options.folder,
                 .json = options.json,

@@ -3,6 +3,7 @@
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -61,7 +62,7 @@ int job_count(int wanted) {
 }
 
 StudyFolder read_study_file(const StudyOptions& options) {
-  study::Study study = study::read_study(options.file);
+  study::Study study = study::read_study(options.file, {.overrides = {}, .replicates = {}, .more = start_rules()});
   return planned(std::move(study),
                  options.folder.empty() ? default_study_folder(options.file) : std::filesystem::path(options.folder));
 }

@@ -28,7 +28,8 @@ std::string wrong_type(const Row& row, const Given& given) {
 }
 
 std::string out_of_range(const Row& row, std::string_view shown) {
-  return fmt::format("{} is out of range; allowed is {}", shown, allowed_text(row));
+  const std::string unit = kind(row) == Kind::angle ? fmt::format(" {}", row.unit) : "";
+  return fmt::format("{} is out of range; allowed is {}{}", shown, allowed_text(row), unit);
 }
 
 bool within(const Range& range, double value, double low, double high) {
@@ -47,7 +48,8 @@ Typed typed_string(const Row& row, const std::string& text) {
   if (kind(row) == Kind::ratio)
     throw std::invalid_argument(
         fmt::format("is a string; write a bare number without quotes, such as {}", example(row)));
-  const std::string such = fmt::format("write it like {}", example(row));
+  const bool angle = kind(row) == Kind::angle;
+  const std::string such = fmt::format("write it like {}", angle ? "\"30 deg\"" : example(row));
   units::Quantity quantity;
   Typed typed;
   try {
@@ -55,6 +57,7 @@ Typed typed_string(const Row& row, const std::string& text) {
     typed = {quantity.number, units::parse_unit(quantity.unit), quoted(text)};
   } catch (const std::invalid_argument& error) {
     const std::string_view what = error.what();
+    if (what.starts_with("has a comma")) throw std::invalid_argument(fmt::format("{} {}", quoted(text), what));
     const bool names_itself = what.starts_with('"') || what.starts_with("the ");
     throw std::invalid_argument(
         fmt::format("{}{}{}; {}", quoted(text), names_itself ? ": " : " ", excerpt(what, 120), such));
@@ -66,12 +69,13 @@ Typed typed_string(const Row& row, const std::string& text) {
   if (typed.unit.dimension != expected)
     throw std::invalid_argument(fmt::format("{} is {}, but {} is expected; {}", quoted(text),
                                             to_string(typed.unit.dimension), to_string(expected), such));
+  if (angle) typed.unit = units::quotient(typed.unit, units::parse_unit(row.unit));
   return typed;
 }
 
 /// @throws std::invalid_argument saying what is wrong
 Typed typed(const Row& row, const Given& given) {
-  const units::Unit unit = units::parse_unit(row.unit);
+  const units::Unit unit = unit_of(row);
   if (const auto* text = std::get_if<std::string>(&given.value)) return typed_string(row, *text);
   std::string number;
   if (const auto* whole = std::get_if<std::int64_t>(&given.value))
@@ -87,7 +91,7 @@ Typed typed(const Row& row, const Given& given) {
 std::string assign_real(const Row& row, const Given& given, double& parameter) {
   try {
     const Typed t = typed(row, given);
-    const units::Unit unit = units::parse_unit(row.unit);
+    const units::Unit unit = unit_of(row);
     double value = 0.0;
     try {
       value = units::to_internal(t.number, t.unit);

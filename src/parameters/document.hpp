@@ -6,24 +6,17 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
+#include <variant>
 
-/// TOML with all of its syntax errors at once. Test: tests/unit/parameters/read_test.cpp
+/// From the text of a file to its table. Test: tests/unit/parameters/hostile_test.cpp
 namespace matrigrate {
 
-/// A header that stands twice or cannot be read is replaced, so that the keys below it are still read: under a section
-/// whose name starts with one of these, followed by a number and, for `repeated`, the section meant.
-inline constexpr std::string_view repeated_section = "matrigrate-repeated-";
-inline constexpr std::string_view unread_section = "matrigrate-unread-";
+/// The table of a TOML text, or the first thing that keeps it from being one: bytes that are no text, nesting that is
+/// too deep, a syntax error. Takes a time linear in the length of the text.
+/// @param name  the file, as it stands in the fault
+std::variant<toml::table, Fault> parse_document(std::string_view text, const std::string& name);
 
-/// What could be read, and what could not.
-struct Document {
-  toml::table table;
-  std::vector<Fault> faults;
-};
-
-/// The parser stops at its first error; the line at fault is taken out and the rest parsed again, some fifty times.
-/// @param name  the file, as it stands in the faults
-Document parse_document(std::string_view text, const std::string& name);
+/// Whether a table is that of a study, which varies a scenario: it has replicates, or something to vary.
+bool is_study(const toml::table& table);
 
 } // namespace matrigrate

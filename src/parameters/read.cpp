@@ -3,16 +3,15 @@
 #include "base/file.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
+#include "parameters/fault_list.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
-#include "parameters/rules.hpp"
 #include "parameters/scan.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <climits>
 #include <map>
 #include <set>
 
@@ -22,7 +21,6 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 20;
 constexpr std::size_t longest_override = 4096;
-constexpr std::size_t most_faults = 200;
 const std::string command_line = "--set";
 
 /// Where a value was given.
@@ -50,26 +48,26 @@ bool is_section(std::string_view path) {
 /// Gathers values and faults, of files and overrides alike.
 class Reader {
 public:
-  explicit Reader(const Parameters& defaults) : m_parameters(defaults) {}
+  /// @param file  as it stands in faults
+  Reader(const Parameters& defaults, std::string file) : m_parameters(defaults), m_faults(std::move(file)) {}
 
-  void read_text(std::string_view text, const std::string& name) {
-    if (const auto finding = unreadable(text)) {
-      m_faults.push_back({name, finding->line, finding->column, "", finding->message});
-      return;
-    }
-    Document document = parse_document(text, name);
-    for (Fault& fault : document.faults) {
-      m_blamed.insert(fault.key);
-      m_faults.push_back(std::move(fault));
-    }
-    visit(document.table, "", name);
+  void read_text(std::string_view text) {
+    auto document = parse_document(text, m_faults.file());
+    if (auto* fault = std::get_if<Fault>(&document)) return refuse(std::move(*fault));
+    const auto& table = std::get<toml::table>(document);
+    if (is_study(table))
+      return refuse({m_faults.file(), 0, 0, "",
+                     fmt::format("is a study of many runs, and not a scenario; matrigrate study plan {0} tells what it "
+                                 "takes, and matrigrate study run {0} computes it",
+                                 m_faults.file())});
+    visit(table, "", m_faults.file());
   }
 
   void override_with(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string key = trimmed(text.substr(0, equals));
     const auto complain = [&](const std::string& message) {
-      m_faults.push_back({command_line, 0, 0, excerpt(key, 80), message});
+      m_faults.add({command_line, 0, 0, excerpt(key, 80), message});
     };
     if (equals == std::string::npos || key.empty()) return complain("is not of the form key=value");
     if (text.size() > longest_override) return complain(fmt::format("is longer than {} characters", longest_override));
@@ -86,38 +84,31 @@ public:
   }
 
   /// @throws ConfigurationError if there was any fault
-  Parameters finish() {
-    check_rules();
-    if (m_faults.empty()) return m_parameters;
-    std::ranges::stable_sort(m_faults, [](const Fault& a, const Fault& b) { return order(a) < order(b); });
-    if (m_faults.size() > most_faults) {
-      const std::size_t more = m_faults.size() - most_faults;
-      m_faults.resize(most_faults);
-      m_faults.push_back({m_faults.front().file, 0, 0, "", fmt::format("has {} more faults", more)});
+  Parameters finish(std::span<const Rule> more) {
+    if (!m_refused) {
+      check_rules(rules());
+      check_rules(more);
     }
-    throw ConfigurationError(std::move(m_faults));
+    m_faults.raise();
+    return m_parameters;
   }
 
 private:
-  /// The file by line and column, then what has no line, then the command line.
-  static std::tuple<bool, int, int> order(const Fault& fault) {
-    return {fault.file == command_line, fault.line > 0 ? fault.line : INT_MAX, fault.column};
+  /// Nothing of the file was read.
+  void refuse(Fault fault) {
+    m_refused = true;
+    m_faults.add(std::move(fault));
   }
 
-  void complain(const Place& place, const std::string& key, std::string message) {
+  void complain(const Place& place, const std::string& key, std::string message, FaultList::Hint hint = {}) {
     m_blamed.insert(key);
-    m_faults.push_back({place.file, place.line, place.column, excerpt(key, 80), std::move(message)});
+    m_faults.add({place.file, place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
   }
 
   void visit(const toml::table& table, const std::string& section, const std::string& file) {
     for (const auto& [name, node] : table) {
       const std::string key(name.str());
-      if (section.empty() && key.starts_with(unread_section)) continue;
       const auto* nested = node.as_table();
-      if (section.empty() && key.starts_with(repeated_section) && nested != nullptr) {
-        visit(*nested, "", file);
-        continue;
-      }
       const std::string path = section.empty() ? key : fmt::format("{}.{}", section, key);
       const Place place = place_of(file, name.source());
       if (find_row(path) != nullptr)
@@ -132,9 +123,8 @@ private:
   }
 
   void unknown(const std::string& path, bool section, const Place& place) {
-    complain(
-        place, path,
-        fmt::format("there is no such {}{}", section ? "section" : "parameter", did_you_mean(nearest_parameter(path))));
+    complain(place, path, fmt::format("there is no such {}", section ? "section" : "parameter"),
+             [path] { return did_you_mean(nearest_parameter(path)); });
   }
 
   void take(const std::string& path, const toml::node& node, const Place& place) {
@@ -146,8 +136,8 @@ private:
   }
 
   /// Only where each single value is good: otherwise the rule would judge a default that nobody chose.
-  void check_rules() {
-    for (const Rule& rule : rules()) {
+  void check_rules(std::span<const Rule> which) {
+    for (const Rule& rule : which) {
       const auto blamed = [&](std::string_view key) { return m_blamed.contains(key); };
       if (std::ranges::any_of(rule.keys, blamed)) continue;
       const std::string fault = rule.broken(m_parameters);
@@ -155,7 +145,7 @@ private:
       const std::string key(key_to_blame(rule));
       const auto given = m_given.find(key);
       const Place place = given == m_given.end() ? Place{} : given->second;
-      m_faults.push_back({place.file, place.line, place.column, key, fault});
+      m_faults.add({place.file, place.line, place.column, key, fault});
     }
   }
 
@@ -172,31 +162,34 @@ private:
   }
 
   Parameters m_parameters;
-  std::vector<Fault> m_faults;
+  FaultList m_faults;
+  bool m_refused = false;
   std::map<std::string, Place, std::less<>> m_given;
   std::set<std::string, std::less<>> m_blamed; ///< keys with a fault of their own
 };
 
 } // namespace
 
-Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Reader reader{Parameters{}};
-  reader.read_text(read_file(file, largest_file), file.string());
+Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                           std::span<const Rule> more) {
+  Reader reader{Parameters{}, file.string()};
+  reader.read_text(read_file(file, largest_file));
   for (const std::string& text : overrides) reader.override_with(text);
-  return reader.finish();
+  return reader.finish(more);
 }
 
-Parameters parse_parameters(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
-  Reader reader{Parameters{}};
-  reader.read_text(text, name);
+Parameters parse_parameters(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
+                            std::span<const Rule> more) {
+  Reader reader{Parameters{}, name};
+  reader.read_text(text);
   for (const std::string& text_of_override : overrides) reader.override_with(text_of_override);
-  return reader.finish();
+  return reader.finish(more);
 }
 
-Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides) {
-  Reader reader{p};
+Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides, std::span<const Rule> more) {
+  Reader reader{p, command_line};
   for (const std::string& text : overrides) reader.override_with(text);
-  return reader.finish();
+  return reader.finish(more);
 }
 
 } // namespace matrigrate

@@ -2,28 +2,34 @@
 
 #include "base/failure.hpp"
 #include "parameters/parameters.hpp"
+#include "parameters/rules.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// From a scenario file to parameters. What a file leaves out has its default. Every fault of the file and of the
-/// overrides is reported at once, sorted by line; no fault leaves a half-read result.
-/// Test: tests/unit/parameters/read_test.cpp, tests/unit/parameters/hostile_test.cpp
+/// From a scenario file to parameters. What a file leaves out has its default. A file that is not TOML has one fault,
+/// with its place; otherwise every fault of the file and of the overrides is reported at once, sorted by line, the
+/// first 200 in full. No fault leaves a half-read result. The time is linear in the length of the file. Test:
+/// tests/unit/parameters/read_test.cpp, tests/unit/parameters/hostile_test.cpp
 namespace matrigrate {
 
 /// @param overrides  "key=value" each, as after --set; the value in TOML or bare (400 Pa, hexagonal); the last one wins
-/// @throws ConfigurationError with all faults, also if the file is binary
-/// @throws InputOutputError if the file is missing, a folder, or over 1 MiB
-Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// @param more       rules that must hold besides rules()
+/// @throws InputOutputError if the file cannot be read or has more than 1 MiB
+/// @throws ConfigurationError with all faults
+Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},
+                           std::span<const Rule> more = {});
 
 /// @param name  stands for the file in faults
 /// @throws ConfigurationError with all faults
 Parameters parse_parameters(std::string_view text, const std::string& name,
-                            const std::vector<std::string>& overrides = {});
+                            const std::vector<std::string>& overrides = {}, std::span<const Rule> more = {});
 
 /// @throws ConfigurationError with all faults, those of the file "--set"
-Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides);
+Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides,
+                           std::span<const Rule> more = {});
 
 } // namespace matrigrate

@@ -23,7 +23,7 @@ using Large = std::uint64_t& (*)(Parameters&);
 using Flag = bool& (*)(Parameters&);
 
 std::string quantity_text(const Row& row, double value) {
-  if (kind(row) == Kind::ratio) return fmt::format("{}", value);
+  if (kind(row) != Kind::quantity) return fmt::format("{}", value);
   const std::string number = units::from_internal(value, units::parse_unit(row.unit));
   if (!number.empty()) return fmt::format("\"{} {}\"", number, row.unit);
   // Hours and the like do not hold every double; seconds do.
@@ -47,12 +47,15 @@ const Row* find_row(std::string_view path) {
 }
 
 Kind kind(const Row& row) {
-  const Kind real = row.unit == "1" ? Kind::ratio : Kind::quantity;
+  const bool angle = row.unit == "deg" || row.unit == "rad";
+  const Kind real = angle ? Kind::angle : row.unit == "1" ? Kind::ratio : Kind::quantity;
   return std::visit(Match{[&](Real) { return real; }, [](Integer) { return Kind::integer; },
                           [](Large) { return Kind::integer; }, [](Flag) { return Kind::boolean; },
                           [](const Choice&) { return Kind::choice; }},
                     row.member);
 }
+
+units::Unit unit_of(const Row& row) { return kind(row) == Kind::angle ? units::Unit{} : units::parse_unit(row.unit); }
 
 std::string_view section_of(const Row& row) { return row.path.substr(0, row.path.rfind('.')); }
 
@@ -77,7 +80,7 @@ std::string allowed_text(const Row& row) {
     return text;
   }
   const Range& range = row.range;
-  const std::string unit = row.unit == "1" ? "" : fmt::format(" {}", row.unit);
+  const std::string unit = kind(row) == Kind::quantity ? fmt::format(" {}", row.unit) : "";
   return fmt::format("{} {} and {} {}{}", range.low_allowed ? ">=" : ">", short_number(range.low),
                      range.high_allowed ? "<=" : "<", short_number(range.high), unit);
 }

@@ -13,8 +13,8 @@ namespace matrigrate {
 /// A condition on several parameters.
 struct Rule {
   std::string_view name;
-  std::vector<std::string_view>
-      keys; ///< those that it concerns; the first one set on the command line, else in the file, is blamed
+  /// All parameters that it depends on; the first one set on the command line, else in the file, is blamed.
+  std::vector<std::string_view> keys;
   std::string (*broken)(const Parameters&); ///< what is wrong and what is allowed; empty where the rule holds
 };
 

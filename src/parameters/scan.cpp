@@ -9,6 +9,7 @@ namespace matrigrate {
 namespace {
 
 constexpr int deepest = 32;
+constexpr int most_dotted_keys = 50'000;
 
 /// Follows strings, comments and brackets of a TOML text, byte by byte. On a text that is not valid TOML it agrees with
 /// a parser up to the first error, which is as far as the parser goes.
@@ -17,7 +18,6 @@ public:
   /// Moves over text[i] and what belongs to it. @return index of the next byte
   std::size_t over(std::string_view text, std::size_t i) {
     const char c = text[i];
-    notice_header(c);
     if (c == '\n') return end_line(i);
     if (m_in == In::comment) return i + 1;
     if (m_in != In::plain) return over_string(text, i);
@@ -26,12 +26,13 @@ public:
     if (c == '[' || c == '{') ++m_brackets;
     if (c == ']' || c == '}') m_brackets = std::max(0, m_brackets - 1);
     if (c == '.') ++m_dots;
+    if (c == '=' && m_dots > 0) ++m_dotted_keys;
     if (std::string_view("[]{},=#").find(c) != std::string_view::npos) m_dots = 0;
     return i + 1;
   }
 
-  bool open() const { return m_brackets > 0 || m_in != In::plain; }
   bool too_deep() const { return m_brackets > deepest || m_dots > deepest; }
+  bool too_dotted() const { return m_dotted_keys > most_dotted_keys; }
 
 private:
   enum class In { plain, comment, basic, literal, long_basic, long_literal };
@@ -39,10 +40,6 @@ private:
   std::size_t end_line(std::size_t i) {
     if (m_in != In::long_basic && m_in != In::long_literal) m_in = In::plain;
     m_dots = 0;
-    if (m_header) // it ends with its line, closed or not
-      m_brackets = 0;
-    m_header = false;
-    m_line_has_text = false;
     return i + 1;
   }
 
@@ -66,24 +63,16 @@ private:
       m_in = In::plain;
       return i + 1;
     }
-    std::size_t run = 0;
-    while (i + run < text.size() && text[i + run] == quote) ++run;
+    std::size_t run = 0; // up to two quotes may stand before the three that close
+    while (run < 5 && i + run < text.size() && text[i + run] == quote) ++run;
     if (run >= 3) m_in = In::plain;
-    return i + std::min<std::size_t>(run, 5); // up to two quotes may stand before the three that close
-  }
-
-  /// A bracket that starts a line outside of a value starts a table's header.
-  void notice_header(char c) {
-    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') return;
-    if (!m_line_has_text && c == '[' && !open()) m_header = true;
-    m_line_has_text = true;
+    return i + run;
   }
 
   In m_in = In::plain;
   int m_brackets = 0;
   int m_dots = 0; ///< since the last character that ends a dotted key
-  bool m_header = false;
-  bool m_line_has_text = false;
+  int m_dotted_keys = 0;
 };
 
 /// Bytes of the UTF-8 character that starts the text; 0 if it is none.
@@ -127,6 +116,8 @@ std::optional<Finding> unreadable(std::string_view text) {
     const std::size_t next = follower.over(text, i);
     column = static_cast<int>(i - line_start) + 1;
     if (follower.too_deep()) return found(fmt::format("is nested deeper than {} levels", deepest));
+    if (follower.too_dotted())
+      return found(fmt::format("has more than {} dotted keys; write sections", most_dotted_keys));
     for (; i < next; ++i)
       if (text[i] == '\n') {
         ++line;
@@ -134,17 +125,6 @@ std::optional<Finding> unreadable(std::string_view text) {
       }
   }
   return std::nullopt;
-}
-
-std::vector<std::size_t> first_lines(std::string_view text) {
-  std::vector<std::size_t> first{0};
-  Follower follower;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t next = follower.over(text, i);
-    if (text[i] == '\n') first.push_back(follower.open() ? first.back() : first.size());
-    i = next;
-  }
-  return first;
 }
 
 std::string excerpt(std::string_view text, std::size_t most) {

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// What has to be known about the bytes of a TOML file before a parser sees them.
 /// Test: tests/unit/parameters/hostile_test.cpp
@@ -17,13 +16,10 @@ struct Finding {
   std::string message;
 };
 
-/// The first thing for which a text is no TOML file at all: bytes that are no text (control characters, invalid UTF-8),
-/// or brackets and dotted keys nested so deeply that a recursive parser would run out of stack.
+/// The first thing for which a text is not given to the parser: bytes that are no text (control characters, invalid
+/// UTF-8), brackets and dotted keys nested so deeply that a recursive parser would run out of stack, or more than
+/// 50,000 dotted keys, among which the parser searches one by one.
 std::optional<Finding> unreadable(std::string_view text);
-
-/// For each line of the text, the line (both counted from 0) on which the value that it continues was begun: itself,
-/// unless a bracket or a multi-line string is open where it starts.
-std::vector<std::size_t> first_lines(std::string_view text);
 
 /// A piece of a file for a message: control characters replaced, cut to `most` characters.
 std::string excerpt(std::string_view text, std::size_t most = 60);

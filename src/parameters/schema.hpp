@@ -55,7 +55,8 @@ struct Section {
   std::string_view title;
 };
 
-enum class Kind { quantity, ratio, integer, boolean, choice };
+/// An angle is stored in the unit of its row, and written as a bare number.
+enum class Kind { quantity, ratio, angle, integer, boolean, choice };
 
 /// All parameters; those of a section stand together, sections in the order of sections().
 std::span<const Row> schema();
@@ -65,6 +66,10 @@ std::span<const Section> sections();
 const Row* find_row(std::string_view path);
 
 Kind kind(const Row& row);
+
+/// What a bare number, and the bounds of `range`, are converted from: the unit of the row; of an angle 1.
+units::Unit unit_of(const Row& row);
+
 std::string_view section_of(const Row& row); ///< "ecm"
 std::string_view key_of(const Row& row);     ///< "youngs_modulus"
 

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace matrigrate::units {
 
@@ -23,6 +26,12 @@ struct Symbol {
   bool prefixes = false;
 };
 
+constexpr Unit minute{{0, one, 0}, one, one, one};           // 60 = 2 3 10
+constexpr Unit hour{{0, one, 0}, 2 * one, 2 * one, 2 * one}; // 3600 = 2^2 3^2 10^2
+constexpr Unit day{{0, one, 0}, 5 * one, 3 * one, 2 * one};  // 86400 = 2^5 3^3 10^2
+constexpr Unit radian{{0, 0, 0, one}};
+constexpr Unit degree{{0, 0, 0, one}, -one, -2 * one, -one, one}; // pi/180, 180 = 2 3^2 10
+
 // Exponents of ten follow from um, s, nN: m = 10^6 um, N = 10^9 nN, Pa = N/m^2 = 10^-3 nN/um^2,
 // g = 10^-3 N s^2/m = nN s^2/um.
 constexpr std::array symbols{
@@ -31,10 +40,18 @@ constexpr std::array symbols{
     Symbol{"N", {{0, 0, one}, 0, 0, 9 * one}, true},
     Symbol{"Pa", {{-2 * one, 0, one}, 0, 0, -3 * one}, true},
     Symbol{"g", {{-one, 2 * one, one}, 0, 0, 0}, true},
-    Symbol{"min", {{0, one, 0}, one, one, one}, false},           // 60 = 2 3 10
-    Symbol{"h", {{0, one, 0}, 2 * one, 2 * one, 2 * one}, false}, // 3600 = 2^2 3^2 10^2
-    Symbol{"d", {{0, one, 0}, 5 * one, 3 * one, 2 * one}, false}, // 86400 = 2^5 3^3 10^2
+    Symbol{"min", minute, false},
+    Symbol{"h", hour, false},
+    Symbol{"d", day, false},
     Symbol{"1", {}, false},
+    Symbol{"rad", radian, false},
+    Symbol{"deg", degree, false},
+    Symbol{"°", degree, false},
+    Symbol{"degree", degree, false},
+    Symbol{"second", {{0, one, 0}}, false},
+    Symbol{"minute", minute, false},
+    Symbol{"hour", hour, false},
+    Symbol{"day", day, false},
 };
 
 struct Prefix {
@@ -46,8 +63,11 @@ constexpr std::array prefixes{Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}
                               Prefix{"m", -3},  Prefix{"c", -2}, Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9}};
 
 std::optional<Unit> find_symbol(std::string_view text) {
+  const auto is = [text](std::string_view symbol) { // words have a plural: "hours"
+    return text == symbol || (symbol.size() >= 3 && text.ends_with('s') && text.substr(0, text.size() - 1) == symbol);
+  };
   for (const Symbol& symbol : symbols) // whole symbols first: "min" is a minute, no milli-inch
-    if (text == symbol.text) return symbol.unit;
+    if (is(symbol.text)) return symbol.unit;
   for (const Prefix& prefix : prefixes) {
     if (!text.starts_with(prefix.text)) continue;
     for (const Symbol& symbol : symbols)
@@ -62,6 +82,30 @@ std::optional<Unit> find_symbol(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\t'; }
+
+/// Characters of the decimal number that starts the text; 0 if none does.
+std::size_t number_length(std::string_view text) {
+  std::size_t end = 0;
+  const auto digits = [&] {
+    const std::size_t start = end;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    return end - start;
+  };
+  if (text.starts_with('-') || text.starts_with('+')) ++end;
+  std::size_t count = digits();
+  if (end < text.size() && text[end] == '.') {
+    ++end;
+    count += digits();
+  }
+  if (count == 0) return 0;
+  const std::size_t mantissa = end;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    ++end;
+    if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
+    if (digits() == 0) end = mantissa; // no exponent, but a unit that starts with e
+  }
+  return end;
+}
 
 /// Reads a unit from left to right.
 class Scanner {
@@ -89,6 +133,14 @@ public:
       while (length < m_text.size() && is_letter(length)) ++length;
     const std::string_view found = m_text.substr(0, length);
     m_text.remove_prefix(length);
+    return found;
+  }
+
+  /// The characters of a decimal number; none if there is none.
+  std::string_view number() {
+    at_end();
+    const std::string_view found = m_text.substr(0, number_length(m_text));
+    m_text.remove_prefix(found.size());
     return found;
   }
 
@@ -122,9 +174,11 @@ void multiply(Unit& product, const Unit& factor, int power) {
   add(product.dimension.length, factor.dimension.length);
   add(product.dimension.time, factor.dimension.time);
   add(product.dimension.force, factor.dimension.force);
+  add(product.dimension.angle, factor.dimension.angle);
   add(product.two, factor.two);
   add(product.three, factor.three);
   add(product.ten, factor.ten);
+  add(product.pi, factor.pi);
 }
 
 /// text with its decimal exponent raised by `shift`.
@@ -146,9 +200,8 @@ T value_of(const std::string& number) {
   return value;
 }
 
-long double power(int base, int thousandths) {
-  if (thousandths % one != 0)
-    return std::pow(static_cast<long double>(base), static_cast<long double>(thousandths) / one);
+long double power(long double base, int thousandths) {
+  if (thousandths % one != 0) return std::pow(base, static_cast<long double>(thousandths) / one);
   long double result = 1.0L; // exact as long as it fits the mantissa: 86400^3 does
   for (int i = 0; i < std::abs(thousandths) / one; ++i) result *= base;
   return result;
@@ -158,11 +211,29 @@ long double power(int base, int thousandths) {
 double scaled(const std::string& number, const Unit& unit) {
   long double value = value_of<long double>(number);
   long double divisor = 1.0L;
-  const auto apply = [&](int base, int exponent) { (exponent >= 0 ? value : divisor) *= power(base, exponent); };
+  const auto apply = [&](long double base, int exponent) {
+    (exponent >= 0 ? value : divisor) *= power(base, exponent);
+  };
+  apply(std::numbers::pi, unit.pi); // that of a double, so that 60 deg has the bits of pi/3
   apply(2, unit.two);
   apply(3, unit.three);
   apply(10, unit.ten % one); // whole powers of ten are in the number already
   return static_cast<double>(value / divisor);
+}
+
+/// "6 h 30 min" in seconds; none unless it is two times or more, each a number without a sign and the name of a unit.
+std::optional<Quantity> sum_of_times(std::string_view text) {
+  std::vector<std::pair<std::string_view, Unit>> terms;
+  for (Scanner scan(text); !scan.at_end();) {
+    const std::string_view number = scan.number();
+    const auto unit = find_symbol(scan.symbol());
+    if (number.empty() || number.front() == '-' || !unit || unit->dimension != hour.dimension) return std::nullopt;
+    terms.emplace_back(number, *unit);
+  }
+  if (terms.size() < 2) return std::nullopt;
+  double seconds = 0.0;
+  for (const auto& [number, unit] : terms) seconds += to_internal(number, unit);
+  return Quantity{fmt::format("{}", seconds), "s"};
 }
 
 /// The same number as people write it: 0.2e3 -> 200.
@@ -196,30 +267,23 @@ Unit parse_unit(std::string_view text) {
   return unit;
 }
 
+Unit quotient(const Unit& a, const Unit& b) {
+  Unit unit = a;
+  multiply(unit, b, -one);
+  return unit;
+}
+
 Quantity parse_quantity(std::string_view text) {
   if (text.size() > longest_text) throw std::invalid_argument("is too long for a number with a unit");
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  std::size_t end = 0;
-  const auto digits = [&] {
-    const std::size_t start = end;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    return end - start;
-  };
-  if (text.starts_with('-') || text.starts_with('+')) ++end;
-  std::size_t count = digits();
-  if (end < text.size() && text[end] == '.') {
-    ++end;
-    count += digits();
-  }
-  if (count == 0) throw std::invalid_argument("is not a number with a unit");
-  const std::size_t mantissa = end;
-  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
-    ++end;
-    if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
-    if (digits() == 0) end = mantissa; // no exponent, but a unit that starts with e
-  }
+  const std::size_t end = number_length(text);
+  if (end == 0) throw std::invalid_argument("is not a number with a unit");
   std::string_view unit = text.substr(end);
+  if (unit.size() > 1 && unit[0] == ',' && is_digit(unit[1]))
+    throw std::invalid_argument(
+        fmt::format("has a comma; did you mean \"{}.{}\"?", text.substr(0, end), unit.substr(1)));
+  if (auto sum = sum_of_times(text)) return *std::move(sum);
   while (!unit.empty() && is_space(unit.front())) unit.remove_prefix(1);
   return {std::string(text.substr(0, end)), std::string(unit)};
 }
@@ -262,7 +326,8 @@ std::string to_string(const Dimension& d) {
                                     Word{{-one, 0, one}, "a stiffness"},
                                     Word{{-one, one, one}, "a drag coefficient"},
                                     Word{{one, 0, one}, "a bending stiffness"},
-                                    Word{{-one, 0, 0}, "a curvature"}};
+                                    Word{{-one, 0, 0}, "a curvature"},
+                                    Word{{0, 0, 0, one}, "an angle"}};
   const auto word = std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.dimension == d; });
   if (word != words.end()) return std::string(word->text);
   std::string text;
@@ -274,6 +339,7 @@ std::string to_string(const Dimension& d) {
   append("um", d.length);
   append("s", d.time);
   append("nN", d.force);
+  append("rad", d.angle);
   return "a quantity in " + text;
 }
 

@@ -10,11 +10,12 @@
 /// Test: tests/unit/parameters/units_test.cpp
 namespace matrigrate::units {
 
-/// Exponents of length, time and force, in thousandths: a stress is {-2000, 0, 1000}.
+/// Exponents of length, time, force and angle, in thousandths: a stress is {-2000, 0, 1000}.
 struct Dimension {
   int length = 0;
   int time = 0;
   int force = 0;
+  int angle = 0;
 
   bool operator==(const Dimension&) const = default;
 };
@@ -22,22 +23,27 @@ struct Dimension {
 /// "a stress", "a length"..., or "um^0.5 s" where there is no word for it.
 std::string to_string(const Dimension& dimension);
 
-/// A unit is 2^a 3^b 10^c of the internal unit of its dimension, with exponents in thousandths (um^0.5 is rational in
-/// them, and so is an hour: 2^2 3^2 10^2 s).
+/// A unit is 2^a 3^b 10^c pi^d of the internal unit of its dimension, with exponents in thousandths (um^0.5 is rational
+/// in them, and so is an hour: 2^2 3^2 10^2 s).
 struct Unit {
   Dimension dimension;
   int two = 0;
   int three = 0;
   int ten = 0;
+  int pi = 0;
 
   /// Whether a conversion from it only shifts the decimal point.
-  bool decimal() const { return two == 0 && three == 0 && ten % 1000 == 0; }
+  bool decimal() const { return two == 0 && three == 0 && pi == 0 && ten % 1000 == 0; }
 };
 
 /// Reads a product of powers, left to right: "Pa", "nN s/um^2", "N/m^1.5", "1/s", "kg/m^3"; "1" or nothing is a ratio.
-/// Symbols: m, g, s, N, Pa with the SI prefixes p n u (or µ) m k M G, cm, min, h, d.
+/// Symbols: m, g, s, N, Pa with the SI prefixes p n u (or µ) m k M G, cm; times also in words ("min", "minutes", "h",
+/// "hours", "d", "days"); angles: rad, deg, °, degrees.
 /// @throws std::invalid_argument saying what cannot be read
 Unit parse_unit(std::string_view text);
+
+/// a/b.
+Unit quotient(const Unit& a, const Unit& b);
 
 /// A decimal number as typed, and what follows it.
 struct Quantity {
@@ -45,8 +51,8 @@ struct Quantity {
   std::string unit;   ///< may be empty
 };
 
-/// Splits "1e-3 N/m" into its number and its unit.
-/// @throws std::invalid_argument if it does not start with a number
+/// Splits "1e-3 N/m" into its number and its unit. Times may be added up: "6 h 30 min" is 23400 s.
+/// @throws std::invalid_argument if it does not start with a number, or has a decimal comma
 Quantity parse_quantity(std::string_view text);
 
 /// @param number  text of a decimal, as in Quantity

@@ -33,7 +33,9 @@ std::string assignment(const Row& row, const Parameters& p) {
 }
 
 /// A string of a number and a unit; which unit, the program checks.
-constexpr std::string_view quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^0-9\s].*$)";
+/// "20 1/nN" as well.
+constexpr std::string_view quantity_pattern =
+    R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(\s*[^0-9\s.,].*|\s+1\s*/.*)$)";
 
 Json number_schema(const Row& row) {
   const bool whole = kind(row) == Kind::integer;
@@ -51,12 +53,17 @@ Json number_schema(const Row& row) {
 
 Json row_schema(const Row& row) {
   const std::string symbol = row.symbol.empty() ? "" : fmt::format(" ({})", row.symbol);
-  const std::string bare = kind(row) == Kind::quantity ? fmt::format(" A bare number is in {}.", row.unit) : "";
+  const bool angle = kind(row) == Kind::angle;
+  const std::string bare = angle || kind(row) == Kind::quantity
+                               ? fmt::format(" A bare number is in {}{}.", row.unit,
+                                             angle ? "; \"30 deg\", \"30°\" and \"0.5 rad\" are angles as well" : "")
+                               : "";
   const Json description =
       fmt::format("{}{}; {}. Default: {}.{}", row.description, symbol, allowed_text(row), row.source, bare);
   Json schema;
   switch (kind(row)) {
   case Kind::quantity:
+  case Kind::angle:
     schema["anyOf"] = {Json{{"type", "string"}, {"pattern", quantity_pattern}}, number_schema(row)};
     break;
   case Kind::ratio:
@@ -105,14 +112,14 @@ std::string to_toml(const Parameters& p) {
   return text;
 }
 
-std::string new_scenario(const Preset& preset) {
+std::string new_scenario(const Preset& preset, const std::string& schema) {
   const Parameters p = parameters_of(preset);
   std::string text =
-      fmt::format("# {}.\n#\n"
+      fmt::format("#:schema {}\n# {}.\n#\n"
                   "# A value has its unit (\"200 Pa\", \"0.2 kPa\", \"6 h\"); a bare number is in the unit of the "
                   "comment above it.\n# What is left out, or commented out, has its default. Check the file "
                   "with: matrigrate check FILE\n",
-                  preset.description);
+                  schema, preset.description);
   Audience audience{};
   for_each_section(
       [&](const Section& s) {
@@ -146,7 +153,27 @@ std::string parameters_markdown() {
       "# Parameters\n\n"
       "Made from the table in `src/parameters/schema.cpp` by `matrigrate list --parameters`; do not edit.\n\n"
       "A quantity is a string with its unit: `youngs_modulus = \"200 Pa\"`. A bare number is in the unit of the "
-      "column *allowed*.\n";
+      "column *allowed*. Times may be words and sums: `\"90 minutes\"`, `\"1 hour\"`, `\"6 h 30 min\"`. An angle is a "
+      "bare "
+      "number in the unit that its meaning names, or a string: `\"30 deg\"`, `\"30°\"`, `\"0.5 rad\"`. The decimal "
+      "sign is "
+      "a point.\n\n"
+      "A file has at most 1 MiB, 50,000 dotted keys and brackets 32 deep. A syntax error of TOML is told alone; all "
+      "other "
+      "faults are told at once, the first 200 of them in full.\n\n"
+      "Fibres lie on bonds, which join a matrix particle with its neighbours closer than 2 h. So `uniaxial` fibres "
+      "have the "
+      "directions of lattice bonds within `half_angle_deg` of `direction_deg`, and not `direction_deg` itself: "
+      "`matrigrate "
+      "explain` prints their number and mean direction. Directions that no bond meets are refused, and so is a "
+      "hexagonal "
+      "lattice with bonds exactly `half_angle_deg` off, which make the matrix stiff across its fibres.\n\n"
+      "The first line of a scenario, `#:schema PATH`, tells editors that know it (Even Better TOML, taplo) where the "
+      "JSON "
+      "schema is that completes and checks it. `matrigrate new FILE` names `scenario.schema.json` and writes it beside "
+      "the "
+      "file; `matrigrate new FILE --schema PATH` names another one and writes none. Those in `scenarios/` name "
+      "`docs/scenario.schema.json`. The line changes no result.\n";
   for_each_section(
       [&](const Section& s) {
         text += fmt::format("\n## [{}] {}\n\n| key | default | allowed | symbol | meaning | source of the default |\n"

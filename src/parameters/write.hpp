@@ -12,7 +12,8 @@ std::string to_toml(const Parameters& p);
 
 /// The scenario that `new` writes: the usual parameters to be edited, the numerical ones commented out at their
 /// defaults.
-std::string new_scenario(const Preset& preset);
+/// @param schema  where json_schema() lies, seen from the file, for the first line, by which editors find it
+std::string new_scenario(const Preset& preset, const std::string& schema);
 
 /// JSON schema (draft 7) of a scenario file, for editors that complete and check TOML.
 std::string json_schema();

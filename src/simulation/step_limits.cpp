@@ -133,13 +133,22 @@ double largest_step(const Parameters& p, const StepLimits& limits) {
   return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * limits.smallest();
 }
 
-void require_stable_step(const Parameters& p) {
-  const StepLimits limits = step_limits(p);
+double rounded_down(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1.0);
+  return unit * std::floor(step / unit);
+}
+
+std::string fault_of_step(const Parameters& p, const StepLimits& limits) {
   const double largest = largest_step(p, limits);
-  if (p.run.time_step > largest)
-    throw NumericalFailure(
-        fmt::format("run.time_step = {:.4g} s is beyond the longest step of this integrator, {:.3g} s: {}",
-                    p.run.time_step, largest, describe(limits)));
+  if (p.run.time_step <= largest) return {};
+  return fmt::format("run.time_step = {:.4g} s is longer than the largest stable step of the {} integrator, {:.3g} s, "
+                     "set by the {}; take {:.2g} s or less",
+                     p.run.time_step, p.run.integrator == Integrator::reference ? "reference" : "adaptive", largest,
+                     limits.binding(), rounded_down(largest));
+}
+
+void require_stable_step(const Parameters& p) {
+  if (const std::string fault = fault_of_step(p, step_limits(p)); !fault.empty()) throw NumericalFailure(fault);
 }
 
 std::string describe(const StepLimits& limits) {

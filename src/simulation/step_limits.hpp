@@ -47,7 +47,13 @@ double drag_lag(const Parameters& p);
 /// The largest step that p.run.integrator takes [s].
 double largest_step(const Parameters& p, const StepLimits& limits);
 
-/// @throws NumericalFailure naming the limit that run.time_step breaks, if it breaks one
+/// A step of two digits that is no longer than this one [s].
+double rounded_down(double step);
+
+/// Why run.time_step is too long, and a value that is not; empty if it is not too long.
+std::string fault_of_step(const Parameters& p, const StepLimits& limits);
+
+/// @throws NumericalFailure if run.time_step is too long, with a value that is not
 void require_stable_step(const Parameters& p);
 
 /// The limits in one sentence.

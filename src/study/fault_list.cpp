@@ -7,16 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <climits>
-#include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace matrigrate::study {
 
 namespace {
-
-constexpr std::size_t most_faults = 200;
 
 Place place_of_region(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
@@ -27,16 +22,13 @@ Place place_of_region(const toml::source_region& source) {
 Place place_of(const toml::node& node) { return place_of_region(node.source()); }
 Place place_of(const toml::key& key) { return place_of_region(key.source()); }
 
-void FaultList::add(Place place, std::string_view key, std::string message) {
-  const Fault fault{m_file, place.line, place.column, excerpt(key, 80), std::move(message)};
-  const auto same = [&](const Fault& f) {
-    return std::tie(f.file, f.line, f.column, f.key, f.message)
-           == std::tie(fault.file, fault.line, fault.column, fault.key, fault.message);
-  };
-  if (std::ranges::none_of(m_faults, same)) m_faults.push_back(fault);
+void FaultList::add(Place place, std::string_view key, std::string message, Hint hint) {
+  m_faults.add({file(), place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
 }
 
-void FaultList::add(std::vector<Fault> faults) { std::ranges::move(faults, std::back_inserter(m_faults)); }
+void FaultList::add(const std::vector<Fault>& faults) {
+  for (const Fault& fault : faults) m_faults.add(fault);
+}
 
 std::string FaultList::text(const toml::node& node, std::string_view key) {
   if (const auto* value = node.as_string()) return value->get();
@@ -72,24 +64,9 @@ std::size_t FaultList::choice(const toml::node& node, std::string_view key, cons
   if (value == nullptr)
     add(place_of(node), key, fmt::format("is {}; {}", type_of(node), allowed));
   else
-    add(place_of(node), key,
-        fmt::format("\"{}\" is not known; {}{}", excerpt(value->get()), allowed,
-                    did_you_mean(nearest(value->get(), names))));
+    add(place_of(node), key, fmt::format("\"{}\" is not known; {}", excerpt(value->get()), allowed),
+        [typed = value->get(), names] { return did_you_mean(nearest(typed, names)); });
   return 0;
-}
-
-void FaultList::raise() {
-  if (m_faults.empty()) return;
-  const auto order = [&](const Fault& f) {
-    return std::tuple(f.file != m_file, f.line > 0 ? f.line : INT_MAX, f.column);
-  };
-  std::ranges::stable_sort(m_faults, [&](const Fault& a, const Fault& b) { return order(a) < order(b); });
-  if (m_faults.size() > most_faults) {
-    const std::size_t more = m_faults.size() - most_faults;
-    m_faults.resize(most_faults);
-    m_faults.push_back({m_file, 0, 0, "", fmt::format("has {} more faults", more)});
-  }
-  throw ConfigurationError(std::move(m_faults));
 }
 
 } // namespace matrigrate::study

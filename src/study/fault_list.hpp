@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/failure.hpp"
+#include "parameters/fault_list.hpp"
 
 #include <toml++/toml.h>
 
@@ -23,14 +24,15 @@ Place place_of(const toml::key& key);
 
 class FaultList {
 public:
-  explicit FaultList(std::string file) : m_file(std::move(file)) {}
+  using Hint = matrigrate::FaultList::Hint;
 
-  const std::string& file() const { return m_file; }
+  explicit FaultList(std::string file) : m_faults(std::move(file)) {}
+
+  const std::string& file() const { return m_faults.file(); }
   bool empty() const { return m_faults.empty(); }
 
-  /// Notes a fault, once.
-  void add(Place place, std::string_view key, std::string message);
-  void add(std::vector<Fault> faults);
+  void add(Place place, std::string_view key, std::string message, Hint hint = {});
+  void add(const std::vector<Fault>& faults);
 
   /// The value if it is of its type and range; otherwise a fault and the default.
   std::string text(const toml::node& node, std::string_view key);
@@ -40,11 +42,10 @@ public:
   std::size_t choice(const toml::node& node, std::string_view key, const std::vector<std::string>& names);
 
   /// @throws ConfigurationError if there is any fault, those of this file by line, others behind
-  void raise();
+  void raise() { m_faults.raise(); }
 
 private:
-  std::string m_file;
-  std::vector<Fault> m_faults;
+  matrigrate::FaultList m_faults;
 };
 
 } // namespace matrigrate::study

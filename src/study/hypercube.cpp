@@ -19,8 +19,7 @@ using Integer = int& (*)(Parameters&);
 
 /// The value of a number's row, in the row's unit; none for flags and choices.
 std::optional<double> number_in_unit(const Row& row, Parameters p) {
-  if (const auto* real = std::get_if<Real>(&row.member))
-    return (*real)(p) / units::to_internal(1.0, units::parse_unit(row.unit));
+  if (const auto* real = std::get_if<Real>(&row.member)) return (*real)(p) / units::to_internal(1.0, unit_of(row));
   if (const auto* integer = std::get_if<Integer>(&row.member)) return (*integer)(p);
   return std::nullopt;
 }
@@ -90,10 +89,10 @@ std::vector<double> stratified(std::size_t n, std::uint64_t seed) {
 }
 
 std::vector<Draft> hypercube_points(const toml::table& hypercube, const Parameters& base, std::uint64_t seed,
-                                    FaultList& faults) {
+                                    Allowance& allowance, FaultList& faults) {
   const toml::node* samples = hypercube.get("samples");
   if (samples == nullptr) faults.add(place_of(hypercube), "latin_hypercube.samples", "is missing; write samples = 50");
-  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, most_points);
+  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, most_runs);
   std::vector<Span> spans;
   for (const Named& named : named_parameters(hypercube, "latin_hypercube", {"samples"}, faults))
     if (const auto span = span_of(named, base, faults)) spans.push_back(*span);
@@ -101,6 +100,7 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
     if (faults.empty()) faults.add(place_of(hypercube), "latin_hypercube", "has no range of a parameter");
     return {};
   }
+  if (!allowance.allows(static_cast<double>(n), place_of(hypercube), "latin_hypercube.samples", faults)) return {};
   std::vector<Draft> drafts(n);
   for (Draft& draft : drafts) draft.point.parameters = base;
   for (const Span& span : spans) {

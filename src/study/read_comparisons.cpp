@@ -58,9 +58,9 @@ Comparisons read_comparisons(const toml::table& table, const std::vector<Point>&
     else if (key == "statistics.alpha")
       c.alpha = alpha_of(node, key, faults);
     else
-      faults.add(place_of(name), key,
-                 fmt::format("there is no such key{}",
-                             did_you_mean(nearest(name.str(), {"compare", "test", "control", "alpha"}))));
+      faults.add(place_of(name), key, "there is no such key", [typed = std::string(name.str())] {
+        return did_you_mean(nearest(typed, {"compare", "test", "control", "alpha"}));
+      });
   }
   check_control(c, table, points, faults);
   return c;

@@ -35,18 +35,18 @@ public:
       : m_faults(std::move(name)), m_folder(std::move(folder)), m_changes(changes) {}
 
   Study read(std::string_view text) {
-    if (const auto finding = unreadable(text)) {
-      m_faults.add({finding->line, finding->column}, "", finding->message);
+    auto document = parse_document(text, m_faults.file());
+    if (auto* fault = std::get_if<Fault>(&document)) {
+      m_faults.add({std::move(*fault)});
       m_faults.raise();
     }
-    Document document = parse_document(text, m_faults.file());
-    m_faults.add(std::move(document.faults));
-    m_table = std::move(document.table);
+    m_table = std::move(std::get<toml::table>(document));
     check_keys();
     read_head();
     read_base();
     read_points();
     read_statistics();
+    require_room();
     m_faults.raise();
     return std::move(m_study);
   }
@@ -67,11 +67,9 @@ private:
   void check_keys() {
     for (const auto& [name, node] : m_table) {
       const std::string key(name.str());
-      if (key.starts_with(repeated_section) || key.starts_with(unread_section)) continue;
       if (std::ranges::find(known_keys(), key) != known_keys().end()) continue;
-      m_faults.add(place_of(name), key,
-                   fmt::format("a study has no such {}{}", node.is_table() ? "section" : "key",
-                               did_you_mean(nearest(key, known_keys()))));
+      m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
+                   [key] { return did_you_mean(nearest(key, known_keys())); });
     }
   }
 
@@ -97,6 +95,9 @@ private:
       return m_faults.add(place_of(*node), "readouts", "is no list of names, such as [\"n_protrusions\"]");
     m_study.readouts.clear();
     const std::vector<std::string> names = all_readouts();
+    if (list->size() > names.size())
+      return m_faults.add(place_of(*node), "readouts",
+                          fmt::format("has {} names, but there are {} read-outs", list->size(), names.size()));
     for (const toml::node& entry : *list) m_study.readouts.push_back(names[m_faults.choice(entry, "readouts", names)]);
   }
 
@@ -126,7 +127,12 @@ private:
     const std::string name = m_faults.text(node, "scenario");
     if (name.empty()) return;
     const std::filesystem::path file(name);
-    m_study.base = read_parameters(file.is_absolute() ? file : m_folder / file);
+    try {
+      m_study.base = read_parameters(file.is_absolute() ? file : m_folder / file);
+    } catch (const InputOutputError& error) {
+      throw InputOutputError(
+          to_string({m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
+    }
   }
 
   void read_preset(const toml::node& node) {
@@ -146,30 +152,32 @@ private:
 
   void read_points() {
     std::vector<Draft> drafts;
+    Allowance allowance(m_study.replicates);
     const auto take = [&](std::vector<Draft> more) { std::ranges::move(more, std::back_inserter(drafts)); };
-    if (const auto* sweep = section("sweep")) take(grid_points(*sweep, m_study.base, m_faults));
+    if (const auto* sweep = section("sweep")) take(grid_points(*sweep, m_study.base, allowance, m_faults));
     if (const auto* node = get("points")) {
       if (const auto* list = node->as_array())
-        take(listed_points(*list, m_study.base, m_faults));
+        take(listed_points(*list, m_study.base, allowance, m_faults));
       else
         m_faults.add(place_of(*node), "points", "is no list of points; write [[points]] and its parameters below");
     }
     if (const auto* hypercube = section("latin_hypercube"))
-      take(hypercube_points(*hypercube, m_study.base, m_study.seed, m_faults));
+      take(hypercube_points(*hypercube, m_study.base, m_study.seed, allowance, m_faults));
     if (drafts.empty()) drafts.push_back({{label_of({}), {}, m_study.base}, {}, {}});
     check_points(drafts);
     for (Draft& draft : drafts) m_study.points.push_back(std::move(draft.point));
   }
 
   void check_points(const std::vector<Draft>& drafts) {
-    if (!m_faults.empty()) return;                         // a rule would judge a default that nobody chose
+    if (!m_faults.empty()) return; // a rule would judge a default that nobody chose
+    RuleCheck rule_check(m_changes.more);
     std::vector<std::pair<std::string, std::string>> seen; // settings and labels
     for (const Draft& draft : drafts) {
       std::string settings = sorted_text(draft.point.settings);
       seen.emplace_back(std::move(settings), draft.point.label);
       auto places = draft.settings;
       places.insert(places.end(), m_fixed.begin(), m_fixed.end());
-      check_rules(draft.point.parameters, places, m_faults);
+      rule_check.check(draft.point.parameters, places, m_faults);
     }
     const auto twice = [&](auto part, std::string_view what) {
       std::vector<std::size_t> order(seen.size());
@@ -189,6 +197,16 @@ private:
     std::string text;
     for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, s.value);
     return text;
+  }
+
+  /// The file with all points written out must be one that can be read again.
+  void require_room() {
+    if (!m_faults.empty()) return;
+    const std::size_t size = to_toml(m_study, "scenario.resolved.toml").size();
+    if (size > largest_file)
+      m_faults.add({}, "",
+                   fmt::format("takes {} bytes with its {} points written out; allowed are {}", size,
+                               m_study.points.size(), largest_file));
   }
 
   void read_statistics() {
@@ -213,6 +231,12 @@ Study parse_study(std::string_view text, const std::string& name, const std::fil
 
 Study read_study(const std::filesystem::path& file, const Changes& changes) {
   return parse_study(read_file(file, largest_file), file.string(), file.parent_path(), changes);
+}
+
+bool is_study_file(const std::filesystem::path& file) {
+  const auto document = parse_document(read_file(file, largest_file), file.string());
+  const auto* table = std::get_if<toml::table>(&document);
+  return table != nullptr && is_study(*table);
 }
 
 } // namespace matrigrate::study

@@ -142,7 +142,10 @@ std::string unit_suffix(std::string_view unit) {
 std::string results_csv(const Study& study, const std::vector<Result>& results) {
   const std::vector<std::string> keys = swept_keys(study);
   std::vector<std::string> names{"run", "label"};
-  for (const std::string& key : keys) names.push_back(key + unit_suffix(find_row(key)->unit));
+  for (const std::string& key : keys) {
+    const Row& row = *find_row(key);
+    names.push_back(key + (kind(row) == Kind::quantity ? unit_suffix(row.unit) : ""));
+  }
   for (const char* name : {"replicate", "seed", "status", "reason", "trajectory_hash"}) names.emplace_back(name);
   for (const std::string& name : all_readouts()) names.push_back(name);
   std::string text = io::csv_line({names.begin(), names.end()});

@@ -33,8 +33,8 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
     else if (node.is_table() && is_section(path))
       gather(*node.as_table(), path, section, own, faults, found);
     else
-      faults.add(place_of(name), shown,
-                 fmt::format("there is no such parameter{}", did_you_mean(nearest_parameter(path))));
+      faults.add(place_of(name), shown, "there is no such parameter",
+                 [path] { return did_you_mean(nearest_parameter(path)); });
   }
 }
 
@@ -60,17 +60,31 @@ std::optional<Setting> assigned(const Row& row, const toml::node& node, Paramete
   return Setting{std::string(row.path), value_text(row, p)};
 }
 
-void check_rules(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
-  for (const Rule& rule : rules()) {
-    const std::string broken = rule.broken(p);
-    if (broken.empty()) continue;
-    const auto blamed = std::ranges::find_if(
-        places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
-    if (blamed == places.end())
-      faults.add({}, rule.keys.front(), broken);
-    else
-      faults.add(blamed->second, blamed->first, broken);
-  }
+void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
+                      FaultList& faults) {
+  for (const Rule& rule : rules()) blame(rule, rule.broken(p), places, faults);
+  for (const Rule& rule : m_more) blame(rule, found(rule, p), places, faults);
+}
+
+const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
+  static const std::string unknown;
+  std::string given(rule.name);
+  for (const std::string_view key : rule.keys) given += fmt::format("\n{}", value_text(*find_row(key), p));
+  const auto known = m_found.find(given);
+  if (known != m_found.end()) return known->second;
+  if (m_found.size() >= most_found) return unknown;
+  return m_found.emplace(std::move(given), rule.broken(p)).first->second;
+}
+
+void RuleCheck::blame(const Rule& rule, const std::string& broken,
+                      const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
+  if (broken.empty()) return;
+  const auto blamed = std::ranges::find_if(
+      places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
+  if (blamed == places.end())
+    faults.add({}, rule.keys.front(), broken);
+  else
+    faults.add(blamed->second, blamed->first, broken);
 }
 
 } // namespace matrigrate::study

@@ -1,12 +1,15 @@
 #pragma once
 
+#include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
 #include "study/fault_list.hpp"
 #include "study/study.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 /// Parameters named in a study file. Test: tests/unit/study/read_study_test.cpp
@@ -28,8 +31,27 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
 /// Gives the parameter a value. @return how it stands in a scenario file; none, and a fault, if it is not allowed
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults);
 
-/// Faults for the rules on several parameters that p breaks.
-/// @param places  of parameters in the file; the first one of a rule that is among them is blamed
-void check_rules(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places, FaultList& faults);
+/// The rules on several parameters, at the points of a study.
+class RuleCheck {
+public:
+  /// @param more  rules besides rules(), which take long: each is judged once for the same values of its parameters,
+  /// and
+  ///              for the first 1000 values only. The runs themselves are checked again.
+  explicit RuleCheck(std::span<const Rule> more) : m_more(more) {}
+
+  /// Faults for the rules that p breaks.
+  /// @param places  of parameters in the file; the first one of a rule that is among them is blamed
+  void check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places, FaultList& faults);
+
+private:
+  static constexpr std::size_t most_found = 1000;
+
+  const std::string& found(const Rule& rule, const Parameters& p);
+  static void blame(const Rule& rule, const std::string& broken,
+                    const std::vector<std::pair<std::string, Place>>& places, FaultList& faults);
+
+  std::span<const Rule> m_more;
+  std::unordered_map<std::string, std::string> m_found; ///< what is wrong, by rule and values
+};
 
 } // namespace matrigrate::study

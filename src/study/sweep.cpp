@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace matrigrate::study {
 
@@ -17,6 +18,11 @@ struct Axis {
   std::vector<Setting> settings;
 };
 
+/// A count as people write it, also beyond any integer.
+std::string count_text(double count) {
+  return count < 1e15 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
+}
+
 std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultList& faults) {
   std::vector<Axis> all;
   for (const Named& named : named_parameters(sweep, "sweep", {}, faults)) {
@@ -27,12 +33,18 @@ std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultLi
                              list == nullptr ? type_of(*named.node) : "empty", value_text(*named.row, base)));
       continue;
     }
+    if (list->size() > most_runs) {
+      faults.add(place_of(*named.node), named.row->path,
+                 fmt::format("has {} values; allowed are {}", list->size(), most_runs));
+      continue;
+    }
     Axis& axis = all.emplace_back(Axis{named.row, {}, {}});
+    std::unordered_set<std::string> listed;
     for (const toml::node& value : *list) {
       Parameters scratch = base;
       const auto setting = assigned(*named.row, value, scratch, faults);
       if (!setting) continue;
-      if (std::ranges::find(axis.settings, *setting) != axis.settings.end())
+      if (!listed.insert(setting->value).second)
         faults.add(place_of(value), named.row->path, fmt::format("{} is listed twice", setting->value));
       axis.nodes.push_back(&value);
       axis.settings.push_back(*setting);
@@ -55,16 +67,24 @@ std::string label_of(const std::vector<Setting>& settings) {
   return label;
 }
 
-std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, FaultList& faults) {
+bool Allowance::allows(double more, Place place, std::string_view key, FaultList& faults) {
+  m_points += more;
+  const double runs = m_points * static_cast<double>(m_replicates);
+  if (runs <= static_cast<double>(most_runs)) return true;
+  faults.add(place, key,
+             fmt::format("makes {} points, which times {} replicates are {} runs; allowed are {}", count_text(m_points),
+                         m_replicates, count_text(runs), most_runs));
+  return false;
+}
+
+std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, Allowance& allowance,
+                               FaultList& faults) {
   const std::vector<Axis> all = axes(sweep, base, faults);
   if (all.empty()) return {};
-  std::size_t count = 1;
-  for (const Axis& axis : all) {
-    count *= axis.nodes.size();
-    if (count <= most_points) continue;
-    faults.add(place_of(sweep), "sweep", fmt::format("has more than {} points", most_points));
-    return {};
-  }
+  double product = 1.0;
+  for (const Axis& axis : all) product *= static_cast<double>(axis.nodes.size());
+  if (!allowance.allows(product, place_of(sweep), "sweep", faults)) return {};
+  const auto count = static_cast<std::size_t>(product);
   std::vector<Draft> drafts(count);
   for (std::size_t i = 0; i < count; ++i) {
     Draft& draft = drafts[i];
@@ -83,8 +103,10 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
   return drafts;
 }
 
-std::vector<Draft> listed_points(const toml::array& points, const Parameters& base, FaultList& faults) {
+std::vector<Draft> listed_points(const toml::array& points, const Parameters& base, Allowance& allowance,
+                                 FaultList& faults) {
   std::vector<Draft> drafts;
+  if (!allowance.allows(static_cast<double>(points.size()), place_of(points), "points", faults)) return drafts;
   for (const toml::node& node : points) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {

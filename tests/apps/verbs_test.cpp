@@ -1,5 +1,8 @@
 #include "program.hpp"
 
+#include "parameters/presets.hpp"
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace matrigrate {
@@ -19,13 +22,12 @@ TEST_F(Program, HelpOfEveryVerb) {
 }
 
 TEST_F(Program, UsageErrors) {
-  EXPECT_EQ(run("").code, 2);
   EXPECT_EQ(run("check").code, 2);
   EXPECT_EQ(run("info --nonsense").code, 2);
   EXPECT_EQ(run("list --parameters --schema-json").code, 2);
   const Ended verb = run("exlpain f.toml");
   EXPECT_EQ(verb.code, 2);
-  EXPECT_TRUE(contains(verb.err, "there is no verb \"exlpain\"; did you mean explain?")) << verb.err;
+  EXPECT_TRUE(verb.err.starts_with("matrigrate: there is no verb \"exlpain\"; did you mean explain?\n")) << verb.err;
   const Ended preset = run("new f.toml --preset sotf");
   EXPECT_EQ(preset.code, 2);
   EXPECT_TRUE(contains(preset.err, "did you mean soft?")) << preset.err;
@@ -47,6 +49,19 @@ TEST_F(Program, NewWritesAScenarioOnce) {
   EXPECT_TRUE(contains(again.err, "mine.toml: exists, and is not overwritten")) << again.err;
   EXPECT_EQ(text_of(folder / "mine.toml"), "mine");
   EXPECT_EQ(run("new nowhere/a.toml").code, 5);
+}
+
+TEST_F(Program, NewNamesTheSchemaForEditors) {
+  ASSERT_EQ(run("new a.toml").code, 0);
+  EXPECT_TRUE(text_of(folder / "a.toml").starts_with("#:schema scenario.schema.json\n"));
+  EXPECT_EQ(text_of(folder / "scenario.schema.json"), run("list --schema-json").out);
+  std::filesystem::create_directory(folder / "sub");
+  ASSERT_EQ(run("new sub/b.toml --schema ../mine.json").code, 0);
+  EXPECT_TRUE(text_of(folder / "sub/b.toml").starts_with("#:schema ../mine.json\n"));
+  EXPECT_FALSE(exists("sub/scenario.schema.json"));
+  write("sub/scenario.schema.json", "mine");
+  ASSERT_EQ(run("new sub/c.toml").code, 0);
+  EXPECT_EQ(text_of(folder / "sub/scenario.schema.json"), "mine") << "a file of somebody else is left alone";
 }
 
 TEST_F(Program, AFileSizeLimitIsAnErrorOfOutput) {
@@ -74,19 +89,60 @@ TEST_F(Program, SelftestHoldsHere) {
 
 TEST_F(Program, CheckTellsEveryFaultOfEveryFile) {
   write("good.toml", "[ecm]\nyoungs_modulus = \"50 Pa\"\n");
-  write("bad.toml", "[ecm]\nyoungs_modulu = 1\nradius = \"150 Pa\"\nviscosity = 1000 Pa s\n");
-  const Ended ended = run("check bad.toml good.toml none.toml");
-  EXPECT_EQ(ended.code, 5) << "none.toml";
+  write("bad.toml", "[ecm]\nyoungs_modulu = 1\nradius = \"150 Pa\"\n");
+  write("torn.toml", "[ecm]\nyoungs_modulu = 1\nviscosity = 1000 Pa s\n");
+  const Ended ended = run("check bad.toml good.toml torn.toml");
+  EXPECT_EQ(ended.code, 3);
   EXPECT_EQ(ended.out, "good.toml: good\n");
   EXPECT_TRUE(ended.err.starts_with(
       "bad.toml:2:1: ecm.youngs_modulu: there is no such parameter; did you mean ecm.youngs_modulus?\nbad.toml:3:10: "
-      "ecm.radius: \"150 Pa\" is a stress, but a length is expected; write it like \"150 um\"\nbad.toml:4:18: "
-      "ecm.viscosity: "))
+      "ecm.radius: \"150 Pa\" is a stress, but a length is expected; write it like \"150 um\"\ntorn.toml:3:18: cannot "
+      "be "
+      "read as TOML: "))
       << ended.err;
-  EXPECT_TRUE(ended.err.ends_with("none.toml: cannot be read: No such file or directory\n")) << ended.err;
-  EXPECT_EQ(run("check bad.toml good.toml").code, 3);
   EXPECT_EQ(run("check good.toml").code, 0);
+  const Ended none = run("check bad.toml none.toml good.toml");
+  EXPECT_EQ(none.code, 5);
+  EXPECT_EQ(none.out, "good.toml: good\n");
+  EXPECT_TRUE(none.err.ends_with("none.toml: cannot be read: No such file or directory\n")) << none.err;
   EXPECT_EQ(run("check .").code, 5);
+}
+
+TEST_F(Program, CheckRefusesWhatARunRefuses) {
+  write("long.toml", "[ecm]\nyoungs_modulus = \"200 Pa\"\n[run]\ntime_step = \"20 s\"\n");
+  const Ended step = run("check long.toml");
+  EXPECT_EQ(step.code, 3);
+  EXPECT_TRUE(step.err.starts_with("long.toml:4:13: run.time_step: run.time_step = 20 s is longer than")) << step.err;
+  write("fibres.toml", "[fibres]\narrangement = \"uniaxial\"\ndirection_deg = 13\nhalf_angle_deg = 5\n");
+  for (const char* verb : {"check", "run"}) {
+    const Ended fibres = run(std::string(verb) + " fibres.toml");
+    EXPECT_EQ(fibres.code, 3);
+    EXPECT_TRUE(fibres.err.starts_with("fibres.toml:3:17: fibres.direction_deg: no bond of the square lattice"))
+        << fibres.err;
+    EXPECT_TRUE(contains(fibres.err, "0, 26.57, ")) << fibres.err;
+  }
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(Program, CheckKnowsAStudy) {
+  const std::string head = "preset = \"baseline\"\nreplicates = 2\n[sweep]\n";
+  write("two.toml", head + "ecm.youngs_modulus = [\"50 Pa\", \"100 Pa\"]\n");
+  EXPECT_EQ(run("check two.toml").out, "two.toml: good study: 2 points x 2 replicates = 4 runs\n");
+  const json found = json::parse(run("check --json two.toml").out);
+  EXPECT_EQ(found.at("files").at(0).at("kind"), "study");
+  for (const char* verb : {"run", "explain"}) {
+    const Ended ended = run(std::string(verb) + " two.toml");
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_TRUE(contains(ended.err, "two.toml: is a study of many runs, and not a scenario; ")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "matrigrate study run two.toml computes it")) << ended.err;
+  }
+  write("bad.toml", head + "ecm.youngs_modulu = [1]\nrun.time_step = [\"0.4 s\", \"20 s\"]\n");
+  EXPECT_EQ(run("check bad.toml").err,
+            "bad.toml:4:5: sweep.ecm.youngs_modulu: there is no such parameter; did you mean ecm.youngs_modulus?\n");
+  write("bad.toml", head + "run.time_step = [\"0.4 s\", \"20 s\"]\n");
+  const Ended step = run("check bad.toml");
+  EXPECT_EQ(step.code, 3);
+  EXPECT_TRUE(step.err.starts_with("bad.toml:4:27: run.time_step: run.time_step = 20 s is longer than")) << step.err;
 }
 
 TEST_F(Program, CheckSpeaksJson) {
@@ -109,6 +165,19 @@ TEST_F(Program, ListShowsWhatShips) {
     EXPECT_TRUE(contains(ended.out, name)) << name;
   EXPECT_TRUE(contains(run("list --parameters").out, "| `youngs_modulus` | `\"200 Pa\"` |"));
   EXPECT_TRUE(json::parse(run("list --schema-json").out).contains("properties"));
+}
+
+TEST_F(Program, ListKeepsNamesAndDescriptionsApart) {
+  const std::string list = run("list").out;
+  for (const Preset& preset : presets())
+    EXPECT_TRUE(contains(list, fmt::format("\n  {}  ", preset.name))) << preset.name;
+  std::size_t column = 0;
+  for (const Preset& preset : presets()) {
+    const std::size_t start = list.find(fmt::format("\n  {} ", preset.name));
+    const std::size_t described = list.find(preset.description, start) - start;
+    EXPECT_TRUE(column == 0 || described == column) << preset.name;
+    column = described;
+  }
 }
 
 TEST_F(Program, InfoTellsWhatItIs) {
@@ -141,13 +210,30 @@ TEST_F(Program, ExplainWarnsOfAStepBeyondTheLimit) {
   ASSERT_EQ(run("new a.toml").code, 0);
   const Ended ended = run("explain a.toml --set 'run.time_step=40 s'");
   EXPECT_EQ(ended.code, 0);
-  EXPECT_TRUE(contains(ended.out, "WARNING: the time step of 40 s is beyond the largest stable one")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "WARNING: run.time_step = 40 s is longer than the largest stable step")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, " s or less. A run of it is refused")) << ended.out;
   EXPECT_FALSE(contains(run("explain a.toml").out, "WARNING"));
   const Ended bad = run("explain a.toml --set run.time_stp=1 --set ecm.radius=3");
   EXPECT_EQ(bad.code, 3);
   EXPECT_EQ(bad.err, "--set: run.time_stp: there is no such parameter; did you mean run.time_step?\n"
                      "--set: ecm.radius: 3 um is out of range; allowed is >= 10 and <= 2000 um\n");
   EXPECT_EQ(run("explain none.toml").code, 5);
+}
+
+TEST_F(Program, ExplainTellsOfFibresAndOfTheAdaptiveIntegrator) {
+  ASSERT_EQ(run("new a.toml --preset two-protrusions-fibres").code, 0);
+  const Ended ended = run("explain a.toml");
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_TRUE(contains(ended.out, "8 bonds")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "mean direction 0 degrees")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "run.integrator = \"adaptive\"")) << ended.out;
+  const json baseline = json::parse(run("explain a.toml --json --set fibres.arrangement=none").out);
+  EXPECT_EQ(baseline.at("adaptive_time_step_s"), 2.4);
+  EXPECT_LT(baseline.at("adaptive_wall_time_estimate_s"), 0.5 * baseline.at("wall_time_estimate_s").get<double>());
+  EXPECT_TRUE(baseline.at("fibre_mean_direction_deg").is_null());
+  const Ended none = run("explain a.toml --set fibres.direction_deg=13 --set fibres.half_angle_deg=5");
+  EXPECT_EQ(none.code, 0);
+  EXPECT_TRUE(contains(none.out, "WARNING: no bond of the square lattice lies within")) << none.out;
 }
 
 TEST_F(Program, ColourOnlyOnATerminal) { EXPECT_FALSE(contains(run("list").out, "\x1b")); }

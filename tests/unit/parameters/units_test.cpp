@@ -40,7 +40,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"1000 kg/m^3", 1e-12}, Case{"1 kg m/s^2", 1e9}, Case{"1 N", 1e9}, Case{"4 um^0.5", 4.0},
                     Case{"4 m^0.5", 4000.0}, Case{"0.45", 0.45}, Case{"0.45 1", 0.45}, Case{"+.5 um", 0.5},
                     Case{"5. um", 5.0}, Case{"200Pa", 0.2}, Case{"  6  h ", 21600.0}, Case{"1E3 Pa", 1.0},
-                    Case{"0 Pa", 0.0}, Case{"1 um/s/s", 1.0}));
+                    Case{"0 Pa", 0.0}, Case{"1 um/s/s", 1.0}, Case{"1 hour", 3600.0}, Case{"2 hours", 7200.0},
+                    Case{"90 minutes", 5400.0}, Case{"30 seconds", 30.0}, Case{"2 days", 172800.0},
+                    Case{"1 um/hour", 1.0 / 3600.0}, Case{"6 h 30 min", 23400.0}, Case{"6h 30min", 23400.0},
+                    Case{"6h30min", 23400.0}, Case{"1 d 2 h 3 min 4.5 s", 93784.5}, Case{"1.05 rad", 1.05},
+                    Case{"60 deg", 1.0471975511965976}, Case{"60°", 1.0471975511965976},
+                    Case{"180 degrees", 3.141592653589793}, Case{"0.2 deg/s", 0.0034906585039886592}));
+
+TEST(Units, AnAngleByItsOwnUnitIsABareNumber) {
+  const Unit same = quotient(parse_unit("deg"), parse_unit("°"));
+  EXPECT_TRUE(same.decimal());
+  EXPECT_EQ(same.dimension, Dimension{});
+  EXPECT_EQ(to_internal("0.1", same), 0.1);
+  EXPECT_NEAR(to_internal("1", quotient(parse_unit("rad"), parse_unit("deg"))), 57.29577951308232, 1e-14);
+}
+
+TEST(Units, ADecimalCommaIsRefusedWithItsPoint) {
+  try {
+    parse_quantity("0,2 kPa");
+    FAIL() << "was read";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "has a comma; did you mean \"0.2 kPa\"?");
+  }
+}
 
 TEST(Units, RootsOfPrefixesAreRead) { EXPECT_NEAR(internal("1 mm^0.5"), std::sqrt(1000.0), 1e-12); }
 
@@ -80,7 +102,8 @@ TEST_P(NoQuantity, IsRefused) { EXPECT_THROW(internal(GetParam()), std::invalid_
 INSTANTIATE_TEST_SUITE_P(Table, NoQuantity,
                          testing::Values("", " ", "Pa", "nan Pa", "inf Pa", "-inf", "1e999 Pa",
                                          "1e99999999999999999999 h", ". Pa", "- 5 Pa", "0x10 Pa", "1,5 Pa", "1e Pa",
-                                         "1 2 Pa", "--1 s", "1e400 h"));
+                                         "1 2 Pa", "--1 s", "1e400 h", "6 h 30", "6 h -30 min", "6 h 30 Pa",
+                                         "6 Pa 30 min", "6 h, 30 min", "1 hourss", "1 h^2 3 min"));
 
 TEST(Units, ADecimalUnitHoldsEveryDouble) {
   std::mt19937_64 random(1);
@@ -113,6 +136,7 @@ TEST(Units, DimensionsHaveWords) {
   EXPECT_EQ(to_string(parse_unit("Pa").dimension), "a stress");
   EXPECT_EQ(to_string(parse_unit("mm").dimension), "a length");
   EXPECT_EQ(to_string(parse_unit("").dimension), "a bare number");
+  EXPECT_EQ(to_string(parse_unit("deg").dimension), "an angle");
   EXPECT_EQ(to_string(parse_unit("N/m^1.5").dimension), "a quantity in um^-1.5 nN");
 }
 

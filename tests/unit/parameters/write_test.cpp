@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <random>
+#include <regex>
 
 namespace matrigrate {
 namespace {
@@ -60,7 +61,7 @@ private:
     const auto* member = std::get_if<double& (*)(Parameters&)>(&row.member);
     if (member == nullptr) return true;
     const double value = (*member)(p);
-    const units::Unit unit = units::parse_unit(row.unit);
+    const units::Unit unit = unit_of(row);
     return value > units::to_internal(row.range.low, unit) && value < units::to_internal(row.range.high, unit);
   }
 
@@ -116,11 +117,12 @@ TEST(Write, PresetsAreGoodAndDiffer) {
 
 TEST(Write, AScenarioReadsBackAsItsPreset) {
   for (const Preset& preset : presets())
-    EXPECT_TRUE(same(parse_parameters(new_scenario(preset), "f.toml"), parameters_of(preset))) << preset.name;
+    EXPECT_TRUE(same(parse_parameters(new_scenario(preset, "s.json"), "f.toml"), parameters_of(preset))) << preset.name;
 }
 
 TEST(Write, AScenarioShowsEveryParameterAndHidesNumerics) {
-  const std::string text = new_scenario(presets()[0]);
+  const std::string text = new_scenario(presets()[0], "some/schema.json");
+  EXPECT_TRUE(text.starts_with("#:schema some/schema.json\n")) << "editors look for it in the first line";
   for (const Row& row : schema()) {
     const std::string key(key_of(row));
     const bool open = text.find("\n" + key + " = ") != std::string::npos;
@@ -137,11 +139,32 @@ TEST(Write, TheSchemaForEditorsDescribesEveryParameter) {
     EXPECT_FALSE(section.at("additionalProperties").get<bool>());
     const auto& property = section.at("properties").at(std::string(key_of(row)));
     EXPECT_TRUE(property.contains("default")) << row.path;
-    EXPECT_EQ(property.contains("anyOf"), kind(row) == Kind::quantity) << row.path;
+    EXPECT_EQ(property.contains("anyOf"), kind(row) == Kind::quantity || kind(row) == Kind::angle) << row.path;
   }
   const auto& E = schema_json.at("properties").at("ecm").at("properties").at("youngs_modulus");
   EXPECT_EQ(E.at("anyOf").at(1).at("exclusiveMinimum"), 0.0);
   EXPECT_EQ(E.at("anyOf").at(1).at("maximum"), 1e7);
+}
+
+TEST(Write, TheSchemaForEditorsTakesEveryValueThatIsWritten) {
+  const auto schema_json = nlohmann::json::parse(json_schema());
+  const auto pattern_of = [&](std::string_view section, std::string_view key) {
+    const auto& any =
+        schema_json.at("properties").at(std::string(section)).at("properties").at(std::string(key)).at("anyOf");
+    return std::regex(any.at(0).at("pattern").get<std::string>());
+  };
+  const std::regex pattern = pattern_of("adhesion", "zeta_diss");
+  for (const char* good :
+       {"20 1/nN", "0.1 1/s", "200 Pa", "-.15 1/um", "6 h 30 min", "5 µm", "30°", "1e-3 N/m", "1.4 N/m^1.5"})
+    EXPECT_TRUE(std::regex_match(good, pattern)) << good;
+  for (const char* bad : {"200", "0,2 kPa", "Pa", "20 1", "", "1 2 Pa"})
+    EXPECT_FALSE(std::regex_match(bad, pattern)) << bad;
+  for (const Row& row : schema()) {
+    if (kind(row) != Kind::quantity) continue;
+    const std::string text = value_text(row, {});
+    EXPECT_TRUE(std::regex_match(text.substr(1, text.size() - 2), pattern_of(section_of(row), key_of(row))))
+        << row.path;
+  }
 }
 
 TEST(Write, CommittedDocumentsAreCurrent) {
@@ -154,8 +177,9 @@ TEST(Write, CommittedDocumentsAreCurrent) {
 TEST(Write, CommittedScenariosAreCurrent) {
   for (const Preset& preset : presets()) {
     const std::string path = "scenarios/" + std::string(preset.name) + ".toml";
-    EXPECT_EQ(committed(path), new_scenario(preset))
-        << "bring it up to date with: rm " << path << "; matrigrate new " << path << " --preset " << preset.name;
+    EXPECT_EQ(committed(path), new_scenario(preset, "../docs/scenario.schema.json"))
+        << "bring it up to date with: rm " << path << "; matrigrate new " << path << " --preset " << preset.name
+        << " --schema ../docs/scenario.schema.json";
   }
 }
 

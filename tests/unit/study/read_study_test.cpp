@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 namespace matrigrate::study {
@@ -104,7 +106,8 @@ TEST(ReadStudy, EachFaultOfStatistics) {
 }
 
 TEST(ReadStudy, AllFaultsAtOnceAndNoHarmInRubbish) {
-  EXPECT_EQ(faults_of("replicates = 0\nseed = \"a\"\ntitle =\n[sweep]\necm.radius = [1]\n").size(), 5U);
+  EXPECT_EQ(faults_of("replicates = 0\nseed = \"a\"\ntitle = 3\n[sweep]\necm.radius = [1]\n").size(), 5U);
+  EXPECT_EQ(faults_of("replicates = 0\ntitle =\n[sweep]\necm.radius = [1]\n").size(), 1U) << "a syntax error alone";
   EXPECT_EQ(faults_of(std::string("\0\1\2", 3)).size(), 1U);
   EXPECT_THROW(read_study("/nowhere/f.toml"), InputOutputError);
 }
@@ -127,6 +130,73 @@ TEST(ReadStudy, TheResolvedFormGivesTheSameRuns) {
   const auto b = planned_runs(t, hash);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].seed, b[i].seed);
   EXPECT_EQ(to_toml(t, "x.toml"), to_toml(s, "x.toml"));
+}
+
+/// A list of n different values.
+std::string list(int n) {
+  std::string text;
+  for (int i = 0; i < n; ++i) text += fmt::format("{}{}", i == 0 ? "" : ", ", 100 + i);
+  return text;
+}
+
+TEST(ReadStudy, PointsAndRunsAreLimitedBeforeTheyAreMade) {
+  const std::string head = "preset = \"baseline\"\nreplicates = 100000\n";
+  const auto only = [&](const std::string& text) {
+    const auto faults = faults_of(head + text);
+    return faults.size() == 1 ? faults.front() : fmt::format("{} faults", faults.size());
+  };
+  EXPECT_EQ(only("[latin_hypercube]\nsamples = 100000\necm.radius = [50, 60]\n"),
+            "f.toml:3:1: latin_hypercube.samples: makes 100000 points, which times 100000 replicates are 10000000000 "
+            "runs; allowed are 100000");
+  EXPECT_EQ(only("[sweep]\necm.radius = [100, 110]\n"),
+            "f.toml:3:1: sweep: makes 2 points, which times 100000 replicates are 200000 runs; allowed are 100000");
+  EXPECT_EQ(only("[[points]]\nlabel = \"a\"\n[[points]]\necm.radius = 120\n").substr(0, 47),
+            "f.toml:3:1: points: makes 2 points, which times");
+  std::string wide = "[sweep]\n"; // beyond any 64-bit integer
+  for (const char* key : {"ecm.radius", "ecm.youngs_modulus", "ecm.viscosity", "protrusion.growth_time",
+                          "protrusion.finishing_time", "adhesion.maturation_time", "output.track_interval"})
+    wide += fmt::format("{} = [{}]\n", key, list(1000));
+  EXPECT_EQ(fault_of(wide),
+            "f.toml:3:1: sweep: makes 1e+21 points, which times 3 replicates are 3e+21 runs; allowed are 100000");
+  EXPECT_EQ(fault_of("[sweep]\necm.radius = [" + list(1001)
+                     + "]\n[latin_hypercube]\nsamples = 33000\n"
+                       "ecm.youngs_modulus = [50, 60]\n")
+                .substr(0, 68),
+            "f.toml:5:1: latin_hypercube.samples: makes 34001 points, which times")
+      << "both together";
+}
+
+TEST(ReadStudy, ManyFaultsAreReadInOnePass) {
+  std::string keys = "[sweep]\n";
+  for (int i = 0; i < 50'000; ++i) keys += fmt::format("k{} = 1\n", i);
+  EXPECT_EQ(faults_of("preset = \"baseline\"\nreplicates = 3\n" + keys).back(), "f.toml: has 49800 more faults");
+  std::string sections;
+  for (int i = 0; i < 90'000; ++i) sections += fmt::format("[s{}]\n", i);
+  EXPECT_EQ(faults_of("preset = \"baseline\"\nreplicates = 3\n" + sections).back(), "f.toml: has 89800 more faults");
+  EXPECT_EQ(fault_of("[sweep]\necm.radius = [" + list(100'001) + "]\n"),
+            "f.toml:4:14: ecm.radius: has 100001 values; allowed are 100000");
+  EXPECT_EQ(read("[sweep]\noutput.track_interval = [" + list(20'000) + "]\n").points.size(), 20'000U);
+}
+
+TEST(ReadStudy, FurtherRulesAreJudgedOnceForTheSameValues) {
+  static int judged = 0;
+  judged = 0;
+  const std::vector<Rule> more{{"slow", {"ecm.viscosity"}, [](const Parameters& p) {
+                                  ++judged;
+                                  return p.ecm.viscosity > 2.0 ? std::string("too viscous") : std::string();
+                                }}};
+  const std::string grid = "preset = \"baseline\"\nreplicates = 3\n[sweep]\nprotrusion.number = [1, 2, 3, 4, 5]\n";
+  const auto parse = [&](const std::string& text) {
+    return parse_study(text, "f.toml", ".", {.overrides = {}, .replicates = {}, .more = more});
+  };
+  EXPECT_EQ(parse(grid + "ecm.viscosity = [500, 1000]\n").points.size(), 10U);
+  EXPECT_EQ(judged, 2);
+  try {
+    parse(grid + "ecm.viscosity = [500, 3000]\n");
+    FAIL() << "was accepted";
+  } catch (const ConfigurationError& error) {
+    EXPECT_STREQ(error.what(), "f.toml:5:23: ecm.viscosity: too viscous");
+  }
 }
 
 TEST(ReadStudy, ChangesOfTheCommandLine) {

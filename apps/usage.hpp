@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+/// What is wrong with a command line. Test: tests/apps/usage_test.cpp
+namespace matrigrate::apps {
+
+/// @throws UsageError naming the verbs there are, if the command line has none or an unknown one
+void require_verb(const CLI::App& app, int argc, char** argv);
+
+/// In one line: the unknown option with the nearest one, the arguments that are too many in the order typed, or what
+/// the parser says.
+std::string usage_fault(const CLI::App& app, const CLI::ParseError& error);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,63 @@
+#include "simulation/start_rules.hpp"
+
+#include "parameters/read.hpp"
+#include "parameters/schema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace matrigrate {
+namespace {
+
+/// The faults of a text called "f.toml"; empty if it is good.
+std::string faults_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_parameters(text, "f.toml", overrides, start_rules());
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// The value that a message says to take.
+std::string advised(const std::string& message) {
+  std::smatch found;
+  return std::regex_search(message, found, std::regex("take ([0-9.e-]+) s or less")) ? found[1].str() : "none";
+}
+
+TEST(StartRules, DefaultsFulfilThemAndTheirKeysExist) {
+  for (const Rule& rule : start_rules()) {
+    EXPECT_EQ(rule.broken(Parameters{}), "") << rule.name;
+    for (const std::string_view key : rule.keys) EXPECT_NE(find_row(key), nullptr) << key;
+  }
+}
+
+TEST(StartRules, TooLongAStepIsRefusedWithOneThatWorks) {
+  for (const std::string& with :
+       {std::string(), std::string("run.integrator = \"adaptive\"\n"), std::string("ecm.youngs_modulus = 1500\n"),
+        std::string("fibres.arrangement = \"isotropic\"\nfibres.stiffness = \"50 kPa\"\n")}) {
+    const std::string fault = faults_of("run.time_step = 20\n" + with);
+    EXPECT_TRUE(fault.starts_with("f.toml:1:17: run.time_step: run.time_step = 20 s is longer than")) << fault;
+    EXPECT_EQ(faults_of("run.time_step = " + advised(fault) + "\n" + with), "") << fault;
+  }
+}
+
+TEST(StartRules, StiffFibresShortenTheStepAndAreNamed) {
+  const std::string stiff = "fibres.arrangement = \"isotropic\"\nfibres.stiffness = \"1 MPa\"\n";
+  EXPECT_TRUE(faults_of(stiff).starts_with("f.toml:2:20: fibres.stiffness: run.time_step = 0.4 s is longer than"))
+      << faults_of(stiff);
+  EXPECT_TRUE(faults_of(stiff, {"run.time_step=0.41"}).starts_with("--set: run.time_step: ")) << "what was typed last";
+}
+
+TEST(StartRules, FibresWithoutBondsAreRefused) {
+  const std::string fibres = "fibres.arrangement = \"uniaxial\"\nfibres.direction_deg = 13\nfibres.half_angle_deg = ";
+  EXPECT_EQ(faults_of(fibres + "5\n"),
+            "f.toml:2:24: fibres.direction_deg: no bond of the square lattice lies within fibres.half_angle_deg = 5 of "
+            "fibres.direction_deg = 13, so there would be no fibres; the nearest bonds lie at 0, 26.57, 153.4, 45, "
+            "63.43, 135, 90, 116.6 degrees");
+  EXPECT_EQ(faults_of(fibres + "13.1\n"), "");
+}
+
+} // namespace
+} // namespace matrigrate
