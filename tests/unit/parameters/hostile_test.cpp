@@ -146,7 +146,7 @@ protected:
     } catch (const InputOutputError& error) {
       return error.what();
     }
-    return "none";
+    return "good";
   }
 
   fs::path folder;
