@@ -22,12 +22,12 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
-constexpr const char* scenario_name = "scenario.resolved.toml";
+constexpr const char* scenario_file = "scenario.resolved.toml";
 
 /// The scenario that a folder's file holds; none if it is missing or damaged.
 std::optional<Parameters> written_scenario(const fs::path& folder) {
   try {
-    return read_parameters(folder / scenario_name);
+    return read_parameters(folder / scenario_file);
   } catch (const InputOutputError&) {   // is not there
   } catch (const ConfigurationError&) { // was damaged
   }
@@ -76,7 +76,7 @@ Parameters scenario_of(const fs::path& folder) {
   if (const std::optional<Parameters> p = written_scenario(folder)) return *p;
   Parameters p = whole_checkpoint(folder).p;
   warn(fmt::format("{}: cannot be read; its parameters are taken from the checkpoint",
-                   (folder / scenario_name).string()));
+                   (folder / scenario_file).string()));
   return p;
 }
 
@@ -93,7 +93,7 @@ FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file)
   const std::string expected = expected_configuration(folder);
   if (!expected.empty() && expected != configuration_hash(found.p))
     throw InputOutputError(fmt::format("{}: is a checkpoint of another scenario than {}", file.string(),
-                                       (folder / scenario_name).string()));
+                                       (folder / scenario_file).string()));
   return found;
 }
 

@@ -165,9 +165,8 @@ void compare(const Parameters& p, State s) {
     solid += (now_ms() - start) / steps;
     if (w.health.list_builds != lists) assembly.forget();
     lists = w.health.list_builds;
-    w.drag_patches.follow(before.ecm, drag_lag(p));
     start = now_ms();
-    assembly.assemble(before.ecm, before.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);
+    assembly.assemble(before.ecm, s.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);
     drag += (now_ms() - start) / steps;
     if (k % each != each - 1) continue;
     // the parts that are done in two ways, at the start of the same step

@@ -191,8 +191,10 @@ void read_protrusions(const MemoryFile& file, Film& film) {
     }
   if (phases.size() != frame_of_row.size()) throw InputOutputError("its tables of protrusions do not belong together");
   for (std::size_t row = 0; row < frame_of_row.size(); ++row) {
-    const auto k = static_cast<std::size_t>(frame_of_row[row]);
-    if (k >= film.frames.size()) throw InputOutputError("a protrusion is of no frame");
+    const auto frame = static_cast<double>(frame_of_row[row]);
+    if (!(frame >= 0.0 && frame < static_cast<double>(film.frames.size())))
+      throw InputOutputError("a protrusion is of no frame");
+    const auto k = static_cast<std::size_t>(frame);
     std::size_t column = 0;
     for (const auto& field : float_fields()) {
       if (!field.name.starts_with(protrusions)) continue;

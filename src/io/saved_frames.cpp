@@ -62,9 +62,8 @@ std::string to_text(const LostFrames& lost) {
   if (lost.count == 0) return {};
   const std::string first = time_text(lost.first);
   const std::string when = lost.count == 1 ? "at " + first : fmt::format("from {} to {}", first, time_text(lost.last));
-  return fmt::format("{} of {} frames ({}) {} lost: neither {} nor {} holds {} whole", lost.count, lost.written,
-                     when, lost.count == 1 ? "is" : "are", frame_log_name, field_file_name,
-                     lost.count == 1 ? "it" : "them");
+  return fmt::format("{} of {} frames ({}) {} lost: neither {} nor {} holds {} whole", lost.count, lost.written, when,
+                     lost.count == 1 ? "is" : "are", frame_log_name, field_file_name, lost.count == 1 ? "it" : "them");
 }
 
 std::vector<double> times_of(const Film& film) {

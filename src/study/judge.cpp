@@ -46,15 +46,18 @@ std::string Judge::label(Group g) const {
 
 void Judge::tell(Group g, std::string_view readout, const std::vector<double>& x) {
   const statistics::Interval mean = statistics::mean_interval(x, alpha);
-  std::string text = fmt::format("{} at {} {:.3g} [{:.3g}, {:.3g}] (n = {})", readout, label(g), mean.value, mean.low,
-                                 mean.high, x.size());
+  std::string text = x.empty()       ? fmt::format("{} at {}: no runs", readout, label(g))
+                     : x.size() == 1 ? fmt::format("{} at {} {:.3g} (n = 1)", readout, label(g), mean.value)
+                                     : fmt::format("{} at {} {:.3g} [{:.3g}, {:.3g}] (n = {})", readout, label(g),
+                                                   mean.value, mean.low, mean.high, x.size());
   if (std::ranges::find(m_ours, text) == m_ours.end()) m_ours.push_back(std::move(text));
 }
 
-void Judge::condition(std::string text, bool defined, bool met) {
+void Judge::condition(const std::string& wanted, const std::string& measured, bool defined, bool met) {
   m_defined = m_defined && defined;
   m_met = m_met && met;
-  m_conditions.push_back(fmt::format("{}: {}", std::move(text), !defined ? "too few runs" : met ? "met" : "not met"));
+  m_conditions.push_back(defined ? fmt::format("{} ({}): {}", wanted, measured, met ? "met" : "not met")
+                                 : fmt::format("{}: too few runs", wanted));
 }
 
 void Judge::compare(Group a, Group b, std::string_view readout, std::string_view wanted,
@@ -64,10 +67,10 @@ void Judge::compare(Group a, Group b, std::string_view readout, std::string_view
   const statistics::Interval d = statistics::mean_difference(x, y, alpha);
   const statistics::Interval g = statistics::hedges_g(x, y, alpha);
   const double p = statistics::t_test(x, y).p;
-  condition(
-      fmt::format("{} at {} {} that at {} (difference {:.3g} [{:.3g}, {:.3g}], p {:.2g}, g {:.2g} [{:.2g}, {:.2g}])",
-                  readout, label(b), wanted, label(a), d.value, d.low, d.high, p, g.value, g.low, g.high),
-      x.size() > 1 && y.size() > 1, met(d.value, p));
+  condition(fmt::format("{} at {} {} that at {}", readout, label(b), wanted, label(a)),
+            fmt::format("difference {:.3g} [{:.3g}, {:.3g}], p {:.2g}, g {:.2g} [{:.2g}, {:.2g}]", d.value, d.low,
+                        d.high, p, g.value, g.low, g.high),
+            x.size() > 1 && y.size() > 1, met(d.value, p));
 }
 
 Judge& Judge::differs(Group a, Group b, std::string_view readout, Sign sign) {
@@ -106,8 +109,8 @@ Judge& Judge::exceeds(Group g, std::string_view low, std::string_view high) {
   }
   const std::vector<double> both = statistics::finite(differences);
   const statistics::Interval d = statistics::mean_interval(both, alpha);
-  condition(fmt::format("{} above {} in the runs at {} (difference {:.3g} [{:.3g}, {:.3g}], n = {})", high, low,
-                        label(g), d.value, d.low, d.high, both.size()),
+  condition(fmt::format("{} above {} in the runs at {}", high, low, label(g)),
+            fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, both.size()),
             both.size() > 1, d.low > 0.0);
   return *this;
 }
@@ -115,9 +118,8 @@ Judge& Judge::exceeds(Group g, std::string_view low, std::string_view high) {
 Judge& Judge::agrees(Group g, std::string_view readout, double published, double n_published) {
   const std::vector<double> x = values(g, readout);
   const double p = statistics::published_mean_test(x, published, n_published).p;
-  condition(fmt::format("{} at {} agrees with {:.3g} (mean {:.3g}, p {:.2g})", readout, label(g), published,
-                        statistics::moments(x).mean, p),
-            x.size() > 1, p >= alpha);
+  condition(fmt::format("{} at {} agrees with {:.3g}", readout, label(g), published),
+            fmt::format("mean {:.3g}, p {:.2g}", statistics::moments(x).mean, p), x.size() > 1, p >= alpha);
   return *this;
 }
 
@@ -136,33 +138,31 @@ Judge& Judge::extreme_agrees(std::string_view study, std::size_t points, std::st
 
 Judge& Judge::within(Group g, std::string_view readout, double low, double high) {
   const double mean = statistics::moments(values(g, readout)).mean;
-  condition(fmt::format("mean {} at {} is {:.3g}, wanted {:.3g} to {:.3g}", readout, label(g), mean, low, high),
+  condition(fmt::format("mean {} at {} is {:.3g} to {:.3g}", readout, label(g), low, high), fmt::format("{:.3g}", mean),
             std::isfinite(mean), mean >= low && mean <= high);
   return *this;
 }
 
 Judge& Judge::below(Group g, std::string_view readout, double bound) {
   const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
-  condition(
-      fmt::format("{} at {} lies below {:.3g} with its interval (up to {:.3g})", readout, label(g), bound, mean.high),
-      std::isfinite(mean.high), mean.high < bound);
+  condition(fmt::format("{} at {} lies below {:.3g} with its interval", readout, label(g), bound),
+            fmt::format("up to {:.3g}", mean.high), std::isfinite(mean.high), mean.high < bound);
   return *this;
 }
 
 Judge& Judge::ratio_below(Group a, Group b, std::string_view readout, double bound) {
   const double ratio = statistics::moments(values(b, readout)).mean / statistics::moments(values(a, readout)).mean;
-  condition(
-      fmt::format("{} at {} over that at {} is {:.3g}, wanted below {:.3g}", readout, label(b), label(a), ratio, bound),
-      std::isfinite(ratio), ratio < bound);
+  condition(fmt::format("{} at {} over that at {} is below {:.3g}", readout, label(b), label(a), bound),
+            fmt::format("{:.3g}", ratio), std::isfinite(ratio), ratio < bound);
   return *this;
 }
 
 void Judge::correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,
                       const std::function<bool(double, double)>& met) {
   const statistics::Correlation c = statistics::pearson(column(study, x), column(study, y));
-  m_ours.push_back(fmt::format("r of {} and {} {:.2g} (n = {})", x, y, c.r, c.n));
-  condition(fmt::format("{} and {} {} over the runs of {} (r {:.2g}, p {:.2g})", x, y, wanted, study, c.r, c.p),
-            std::isfinite(c.p), met(c.r, c.p));
+  if (std::isfinite(c.r)) m_ours.push_back(fmt::format("r of {} and {} {:.2g} (n = {})", x, y, c.r, c.n));
+  condition(fmt::format("{} and {} {} over the runs of {}", x, y, wanted, study),
+            fmt::format("r {:.2g}, p {:.2g}", c.r, c.p), std::isfinite(c.p), met(c.r, c.p));
 }
 
 Judge& Judge::correlates(std::string_view study, std::string_view x, std::string_view y, Sign sign) {
@@ -179,18 +179,18 @@ Judge& Judge::uncorrelated(std::string_view study, std::string_view x, std::stri
 Judge& Judge::mean_above(std::string_view study, std::string_view readout, double bound) {
   const std::vector<double> x = statistics::finite(column(study, readout));
   const double mean = statistics::moments(x).mean;
-  m_ours.push_back(fmt::format("mean {} {:.3g} (n = {})", readout, mean, x.size()));
-  condition(fmt::format("mean {} over the runs of {} is {:.3g}, wanted above {:.3g}", readout, study, mean, bound),
-            x.size() > 1, mean > bound);
+  if (!x.empty()) m_ours.push_back(fmt::format("mean {} {:.3g} (n = {})", readout, mean, x.size()));
+  condition(fmt::format("mean {} over the runs of {} is above {:.3g}", readout, study, bound),
+            fmt::format("{:.3g}", mean), x.size() > 1, mean > bound);
   return *this;
 }
 
 Judge& Judge::none_above(std::string_view study, std::string_view readout, double bound) {
   const std::vector<double> x = statistics::finite(column(study, readout));
   const double most = x.empty() ? NAN : *std::ranges::max_element(x);
-  m_ours.push_back(fmt::format("largest {} {:.3g} (n = {})", readout, most, x.size()));
-  condition(fmt::format("largest {} over the runs of {} is {:.3g}, wanted at most {:.3g}", readout, study, most, bound),
-            x.size() > 1, most <= bound);
+  if (!x.empty()) m_ours.push_back(fmt::format("largest {} {:.3g} (n = {})", readout, most, x.size()));
+  condition(fmt::format("largest {} over the runs of {} is at most {:.3g}", readout, study, bound),
+            fmt::format("{:.3g}", most), x.size() > 1, most <= bound);
   return *this;
 }
 

@@ -79,7 +79,7 @@ private:
   std::vector<double> column(std::string_view study, std::string_view readout);
   std::string label(Group g) const;
   void tell(Group g, std::string_view readout, const std::vector<double>& x);
-  void condition(std::string text, bool defined, bool met);
+  void condition(const std::string& wanted, const std::string& measured, bool defined, bool met);
   void compare(Group a, Group b, std::string_view readout, std::string_view wanted,
                const std::function<bool(double difference, double p)>& met);
   void correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,

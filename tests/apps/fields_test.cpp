@@ -89,7 +89,7 @@ TEST_F(Fields, AreExportedBesideOtherExports) {
   write("here/export/notes.txt", "mine");
   const Ended ended = run("export here --svg --vtk");
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "here/export/matrix.pvd: exists; --vtk --force replaces")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "here/export/anchors.pvd: exists; --vtk --force replaces")) << ended.err;
   EXPECT_EQ(text_of(folder / "here/export/matrix.pvd"), "mine");
   EXPECT_FALSE(exists("here/export/path.svg")) << "nothing is written";
   EXPECT_EQ(run("export here --vtk --force").code, 0);

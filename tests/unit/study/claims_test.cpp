@@ -49,11 +49,43 @@ TEST(Judge, EachCondition) {
   EXPECT_TRUE(holds([&](Judge& j) { j.below(a, f, 1.5); }));
   EXPECT_FALSE(holds([&](Judge& j) { j.below(a, f, 1.2); }));
   EXPECT_TRUE(holds([&](Judge& j) { j.ratio_below(a, b, f, 2.0); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.correlates("s", f, f, Sign::up); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.uncorrelated("s", f, f); }));
   EXPECT_TRUE(holds([&](Judge& j) { j.mean_above("s", f, 1.0); }));
   EXPECT_FALSE(holds([&](Judge& j) { j.none_above("s", f, 2.0); }));
   EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up).same(a, b, f); })) << "all must be met";
+}
+
+TEST(Judge, CorrelatesReadOutsOverRuns) {
+  Evidence e = evidence(f, apart);
+  const std::vector<std::string> names = all_readouts();
+  const auto column = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  };
+  double sign = 1.0;
+  for (Result& r : e.at("s").results) { // falls with f but for noise; and noise alone
+    r.readouts[column("tau_prot_min")] = 40.0 - 5.0 * r.readouts[column(f)] + sign;
+    r.readouts[column("l_prot_um")] = 28.0 + sign;
+    sign = -sign;
+  }
+  const auto holds = [&](auto condition) {
+    Judge judge(e);
+    condition(judge);
+    return verdict(judge) == Verdict::holds;
+  };
+  EXPECT_TRUE(holds([&](Judge& j) { j.correlates("s", f, "tau_prot_min", Sign::down); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.correlates("s", f, "tau_prot_min", Sign::up); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.uncorrelated("s", f, "tau_prot_min"); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.correlates("s", f, "l_prot_um", Sign::up); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.uncorrelated("s", f, "l_prot_um"); }));
+}
+
+TEST(Judge, PrintsNoNumbersThatAreNone) {
+  const Evidence e = evidence(f, {{1.0}, {}});
+  Judge judge(e);
+  judge.differs({"s", 0}, {"s", 1}, f, Sign::up).correlates("s", f, "l_prot_um", Sign::up).mean_above("s", f, 0.5);
+  const Finding finding = judge.finding();
+  EXPECT_EQ(finding.verdict, Verdict::undecided);
+  for (const auto& lines : {finding.ours, finding.conditions})
+    for (const std::string& line : lines) EXPECT_EQ(line.find("nan"), std::string::npos) << line;
 }
 
 TEST(Judge, ComparesTwoReadOutsOfTheSameRuns) {
