@@ -5,7 +5,7 @@
 
 Each run must end by itself with 0 (done), 3 (configuration) or 4 (numerical failure), the last two with a reason, within
 LIMIT seconds of CPU time and 9 GB of address space. What sets the size or the length of a run stays as it is: the matrix
-and its spacing, the duration, the intervals of output; steps are drawn from 0.05 s on. The draws are the same every time.
+and its spacing, the place of the cell, the duration, the intervals of output; steps are drawn from 0.05 s on. The draws are the same every time.
 """
 import argparse
 import collections
@@ -17,7 +17,10 @@ import resource
 import subprocess
 import sys
 
-HELD = {"run.duration", "run.seed", "run.threads", "ecm.radius", "ecm.particle_spacing", "ecm.smoothing_length"}
+HELD = {"run.duration", "run.seed", "run.threads", "ecm.radius", "ecm.particle_spacing", "ecm.smoothing_length",
+        "cell.start_x", "cell.start_y"}
+WHOLE = {"cell.particles", "protrusion.number", "protrusion.half_width", "protrusion.tip_half_width",
+         "adhesion.rupture_strands", "solver.max_iterations"}
 PRESETS = ["baseline", "fibrillar", "two-protrusions-fibres", "one-protrusion", "four-protrusions"]
 
 
@@ -53,8 +56,8 @@ def draw(key, allowed, rng):
         value = floor * (high / floor) ** rng.random()
         if low == 0.0 and ">=" in allowed and rng.random() < 0.1:
             value = 0.0
-    if re.fullmatch(r">= \d+ and <= \d+", allowed) and key.split(".")[1] in ("number", "width", "max_iterations"):
-        value = round(value)
+    if key in WHOLE:
+        return str(round(value))
     return f"{value:.6g} {unit}".strip()
 
 
