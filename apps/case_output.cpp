@@ -76,6 +76,7 @@ std::string to_text(const Outcome& outcome) {
     return text + fmt::format("  {} {}\n\n", coloured("stopped:", Colour::bad, Stream::out), outcome.failure);
   text += lines(outcome.result->checks);
   if (!outcome.result->claims.empty()) text += "  The paper's claims:\n" + lines(outcome.result->claims);
+  for (const std::string& note : outcome.result->claim_notes) text += fmt::format("  note on the claims: {}\n", note);
   for (const std::string& remark : outcome.result->remarks) text += fmt::format("  note: {}\n", remark);
   return text + fmt::format("  {}, {:.1f} s\n\n", verdict(outcome.holds()), outcome.wall_time);
 }
@@ -85,7 +86,7 @@ Json to_json(const Outcome& outcome) {
   const validation::Result& result = outcome.result ? *outcome.result : none;
   return {{"name", outcome.which->name},   {"summary", outcome.which->summary}, {"holds", outcome.holds()},
           {"failure", outcome.failure},    {"wall_time_s", outcome.wall_time},  {"checks", rows(result.checks)},
-          {"claims", rows(result.claims)}, {"remarks", result.remarks}};
+          {"claims", rows(result.claims)}, {"claim_notes", result.claim_notes}, {"remarks", result.remarks}};
 }
 
 io::PageSection to_section(const Outcome& outcome) {
@@ -99,7 +100,8 @@ io::PageSection to_section(const Outcome& outcome) {
   }
   add_rows(outcome.result->checks, "", section);
   add_rows(outcome.result->claims, "The paper's claim: ", section);
-  section.remarks = outcome.result->remarks;
+  section.remarks = outcome.result->claim_notes;
+  section.remarks.insert(section.remarks.end(), outcome.result->remarks.begin(), outcome.result->remarks.end());
   section.figures = outcome.result->figures;
   return section;
 }

@@ -25,7 +25,7 @@ struct Outcome {
 std::string to_text(const Outcome& outcome);
 
 /// {name, summary, holds, failure, wall_time_s, checks: [{quantity, measured, expected, tolerance, sense, reason,
-/// holds}], claims: [as checks], remarks}
+/// holds}], claims: [as checks], claim_notes, remarks}
 nlohmann::ordered_json to_json(const Outcome& outcome);
 
 /// The chapter of the report.

@@ -125,6 +125,7 @@ study::Finding finding_of(const std::filesystem::path& folder) {
                                              claim.at("reason").get<std::string>(), holds ? "met" : "not met"));
     claims_hold = claims_hold && holds;
   }
+  for (const Json& note : verification.at("claim_notes")) finding.ours.push_back(note.get<std::string>());
   const bool verified = verification.at("holds").get<bool>();
   if (!verified)
     finding.conditions.push_back(

@@ -23,11 +23,19 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// The verb that was parsed last: `plan` of `study plan`.
-const CLI::App& chosen_verb(const CLI::App& app) {
-  const CLI::App* verb = &app;
-  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
-  return *verb;
+/// The verb that was parsed last, and how it is typed: "study plan ".
+struct ChosenVerb {
+  const CLI::App* verb;
+  std::string words;
+};
+
+ChosenVerb chosen_verb(const CLI::App& app) {
+  ChosenVerb chosen{&app, ""};
+  while (!chosen.verb->get_subcommands().empty()) {
+    chosen.verb = chosen.verb->get_subcommands().front();
+    chosen.words += chosen.verb->get_name() + " ";
+  }
+  return chosen;
 }
 
 std::vector<std::string> options_of(const CLI::App& verb) {
@@ -71,14 +79,13 @@ void require_verb(const CLI::App& app, int argc, char** argv) {
 }
 
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& verb = chosen_verb(app);
+  const auto [verb, words] = chosen_verb(app);
   const std::vector<std::string> extra = app.remaining(true);
-  const std::string help = fmt::format("\nmatrigrate {}-h tells how it is used",
-                                       &verb == &app ? std::string() : verb.get_display_name() + " ");
+  const std::string help = fmt::format("\nmatrigrate {}-h tells how it is used", words);
   const auto option = std::ranges::find_if(extra, [](const std::string& word) { return word.starts_with('-'); });
   if (option != extra.end()) {
     const std::string name = option->substr(0, option->find('='));
-    return fmt::format("there is no option {}{}{}", name, did_you_mean(nearest(name, options_of(verb))), help);
+    return fmt::format("there is no option {}{}{}", name, did_you_mean(nearest(name, options_of(*verb))), help);
   }
   if (!extra.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     return fmt::format("too many arguments: {}{}", fmt::join(extra, " "), help);

@@ -115,7 +115,8 @@ void add_validate(CLI::App& app, Action& chosen) {
       "Writes NAME.csv, NAME.svg, further figures NAME-<figure>.svg, scenario.resolved.toml, report.html and\n"
       "results.json, which --json prints as well: {folder, holds, cases: [{name, summary, holds, failure, wall_time_s, "
       "checks: [{quantity,\n"
-      "measured, expected, tolerance, sense, reason, holds}], claims: [as checks], remarks}], provenance}.\n"
+      "measured, expected, tolerance, sense, reason, holds}], claims: [as checks], claim_notes, remarks}], "
+      "provenance}.\n"
       "A case holds if its checks do: the program does what its equations say. What the paper claims of fibres,\n"
       "fibres-uniaxial and disassembly is judged beside it (matrigrate reproduce V).\n"
       "Exit code 4 if a case does not hold or stops with a numerical failure.");

@@ -46,7 +46,7 @@ std::string claim_html(const ClaimSection& claim, std::size_t number) {
   std::string text = fmt::format("<section id=\"c{}\">\n<h2>{}: {}</h2>\n<p>Verdict: {}</p>\n<dl>\n", number,
                                  svg::escape(claim.id), svg::escape(claim.sentence), verdict_html(claim));
   if (!claim.published.empty()) text += fmt::format("<dt>published</dt>\n<dd>{}</dd>\n", svg::escape(claim.published));
-  text += list("ours: mean with its 95 % interval", claim.ours);
+  text += list("ours; intervals are those of 95 %", claim.ours);
   text += list("conditions, each with its statistic", claim.conditions) + "</dl>\n";
   return text + figures_html(claim.figures, fmt::format("c{}", number)) + "</section>\n";
 }

@@ -6,8 +6,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace matrigrate {
+
+namespace {
+
+/// Whether a place lies behind the = of its line.
+bool is_after_equals(std::string_view text, std::uint32_t line, std::uint32_t column) {
+  for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, std::min<std::size_t>(column, text.find('\n'))).find('=') != std::string_view::npos;
+}
+
+} // namespace
 
 std::variant<toml::table, Fault> parse_document(std::string_view text, const std::string& name) {
   if (const auto finding = unreadable(text)) return Fault{name, finding->line, finding->column, "", finding->message};
@@ -16,9 +27,10 @@ std::variant<toml::table, Fault> parse_document(std::string_view text, const std
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
     const auto place = error.source().begin;
+    const bool in_value = is_after_equals(text, place.line, place.column);
     return Fault{name, static_cast<int>(place.line), static_cast<int>(place.column), "",
-                 fmt::format("cannot be read as TOML: {}; text, and numbers with a unit, stand in quotes",
-                             excerpt(error.description(), 200))};
+                 fmt::format("cannot be read as TOML: {}{}", excerpt(error.description(), 200),
+                             in_value ? "; text, and numbers with a unit, stand in quotes" : "")};
   }
 }
 

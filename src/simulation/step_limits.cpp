@@ -141,10 +141,14 @@ double rounded_down(double step) {
 std::string fault_of_step(const Parameters& p, const StepLimits& limits) {
   const double largest = largest_step(p, limits);
   if (p.run.time_step <= largest) return {};
-  return fmt::format("run.time_step = {:.4g} s is longer than the largest stable step of the {} integrator, {:.3g} s, "
-                     "set by the {}; take {:.2g} s or less",
-                     p.run.time_step, p.run.integrator == Integrator::reference ? "reference" : "adaptive", largest,
-                     limits.binding(), rounded_down(largest));
+  const bool fixed = p.run.integrator == Integrator::reference;
+  // a fixed step must be short enough for the recoil of protrusions as well: the paper's is
+  const double advised = std::min(rounded_down(largest), fixed ? RunParameters{}.time_step : largest);
+  return fmt::format(
+      "a step of {:.4g} s is longer than the largest stable one of the {} integrator, {:.3g} s, set by the {}; "
+      "take {:.2g} s or less{}",
+      p.run.time_step, fixed ? "reference" : "adaptive", largest, limits.binding(), advised,
+      fixed ? ", or run.integrator = \"adaptive\" for longer steps" : "");
 }
 
 void require_stable_step(const Parameters& p) {

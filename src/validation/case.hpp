@@ -28,9 +28,10 @@ struct Check {
 struct Result {
   std::vector<Check> checks; ///< whether the program does what its equations say
   std::vector<Check> claims; ///< what the paper says of it (rows V1 to V3), by rules on the quantity that it names
-  std::vector<std::string> remarks; ///< what is off, and why
-  io::Table table;                  ///< the measured curves, written as NAME.csv
-  std::vector<io::Figure> figures;  ///< the first one is the case's plot, written as NAME.svg
+  std::vector<std::string> claim_notes; ///< what has to be known beside the claims
+  std::vector<std::string> remarks;     ///< what is off, and why
+  io::Table table;                      ///< the measured curves, written as NAME.csv
+  std::vector<io::Figure> figures;      ///< the first one is the case's plot, written as NAME.svg
 
   bool holds() const;       ///< all checks hold, and there is at least one
   bool claims_hold() const; ///< so do all claims, and there is at least one

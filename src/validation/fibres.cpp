@@ -67,6 +67,11 @@ double law_error(const Parameters& p, Sides sides) {
                         judged_up_to);
 }
 
+Parameters without_rest(Parameters p) {
+  p.ecm.youngs_modulus = 1e-9;
+  return p;
+}
+
 /// Errors of the other readings of Eqs. 3 to 5.
 std::string other_readings(const Parameters& p, const CollagenGel& gel_of) {
   Parameters q = gel(p, gel_of.k_0);
@@ -74,9 +79,7 @@ std::string other_readings(const Parameters& p, const CollagenGel& gel_of) {
       fmt::format("{} mg/ml, rms relative error of the infinite lattice to strain {:.2f}: tangent {:.2f},",
                   gel_of.concentration, judged_up_to, law_error(q, Sides::held));
   text += fmt::format(" with free sides of lattice and law {:.2f},", law_error(q, Sides::free));
-  Parameters fibres_alone = q;
-  fibres_alone.ecm.youngs_modulus = 1e-9;
-  text += fmt::format(" without the elastic rest {:.2f},", law_error(fibres_alone, Sides::held));
+  text += fmt::format(" without the elastic rest {:.2f},", law_error(without_rest(q), Sides::held));
   Parameters spatial = q;
   spatial.fibres.plane_to_space = true;
   text += fmt::format(" with 8/15 of k_0 {:.2f},", law_error(spatial, Sides::held));
@@ -132,16 +135,17 @@ Result fibres(const Parameters& p) {
                                            "semi-affine law, sides held in both [-]",
                                            name, judged_up_to),
                                error, agreement, 0.0, "what agreement is taken to mean here", Sense::at_most});
-    result.remarks.push_back(fmt::format("{}: rms relative error of the specimen {:.2f} to strain {:.2f} against the "
-                                         "semi-affine law, {:.2f} to strain {:.2f} against the measured curve, whose "
-                                         "source labels it shear.",
-                                         name, error, judged_up_to,
-                                         relative_error(specimen, gel_of.measured, data_up_to), data_up_to));
+    result.claim_notes.push_back(
+        fmt::format("{}: rms relative error {:.2f} to strain {:.2f} against the measured curve, "
+                    "whose source labels it shear.",
+                    name, relative_error(specimen, gel_of.measured, data_up_to), data_up_to));
+    if (gel_of.concentration < 1.0)
+      result.claim_notes.push_back(fmt::format(
+          "{} is not judged: rms relative error {:.2f} against the law, and {:.2f} without the elastic rest of "
+          "10 Pa, which the law does not have and which is a good part of so soft a gel's stress.",
+          name, error, law_error(without_rest(q), Sides::held)));
     result.remarks.push_back(other_readings(p, gel_of));
   }
-  result.remarks.emplace_back(
-      "0.6 mg/ml is not judged: its fibres are so soft that the elastic rest of 10 Pa, which the "
-      "law does not have, is a good part of the stress.");
   result.figures.push_back(
       {"fibres", "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
        io::to_svg(plot, 720, 560)});

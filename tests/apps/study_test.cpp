@@ -204,7 +204,7 @@ TEST_F(Study, WritesNothingOnAFault) {
   write_study("\"50 Pa\"", 1, "[[points]]\nrun.time_step = \"3 s\"\n");
   const Ended step = run("study run e.toml");
   EXPECT_EQ(step.code, 3);
-  EXPECT_TRUE(contains(step.err, "run.time_step = 3 s is longer than")) << step.err;
+  EXPECT_TRUE(contains(step.err, "a step of 3 s is longer than")) << step.err;
   EXPECT_EQ(entries(), 2U);
   EXPECT_EQ(run("study").code, 2);
   EXPECT_EQ(run("study nonsense e.toml").code, 2);

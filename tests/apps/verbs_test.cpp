@@ -114,7 +114,7 @@ TEST_F(Program, CheckRefusesWhatARunRefuses) {
   write("long.toml", "[ecm]\nyoungs_modulus = \"200 Pa\"\n[run]\ntime_step = \"20 s\"\n");
   const Ended step = run("check long.toml");
   EXPECT_EQ(step.code, 3);
-  EXPECT_TRUE(step.err.starts_with("long.toml:4:13: run.time_step: run.time_step = 20 s is longer than")) << step.err;
+  EXPECT_TRUE(step.err.starts_with("long.toml:4:13: run.time_step: a step of 20 s is longer than")) << step.err;
   write("fibres.toml", "[fibres]\narrangement = \"uniaxial\"\ndirection_deg = 13\nhalf_angle_deg = 5\n");
   for (const char* verb : {"check", "run"}) {
     const Ended fibres = run(std::string(verb) + " fibres.toml");
@@ -144,7 +144,7 @@ TEST_F(Program, CheckKnowsAStudy) {
   write("bad.toml", head + "run.time_step = [\"0.4 s\", \"20 s\"]\n");
   const Ended step = run("check bad.toml");
   EXPECT_EQ(step.code, 3);
-  EXPECT_TRUE(step.err.starts_with("bad.toml:4:27: run.time_step: run.time_step = 20 s is longer than")) << step.err;
+  EXPECT_TRUE(step.err.starts_with("bad.toml:4:27: run.time_step: a step of 20 s is longer than")) << step.err;
 }
 
 TEST_F(Program, CheckSpeaksJson) {
@@ -212,7 +212,7 @@ TEST_F(Program, ExplainWarnsOfAStepBeyondTheLimit) {
   ASSERT_EQ(run("new a.toml").code, 0);
   const Ended ended = run("explain a.toml --set 'run.time_step=40 s'");
   EXPECT_EQ(ended.code, 0);
-  EXPECT_TRUE(contains(ended.out, "WARNING: run.time_step = 40 s is longer than the largest stable step")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "WARNING: a step of 40 s is longer than the largest stable one")) << ended.out;
   EXPECT_TRUE(contains(ended.out, " s or less. A run of it is refused")) << ended.out;
   EXPECT_FALSE(contains(run("explain a.toml").out, "WARNING"));
   const Ended bad = run("explain a.toml --set run.time_stp=1 --set ecm.radius=3");

@@ -104,6 +104,7 @@ TEST(Hostile, OneSyntaxErrorIsToldAlone) {
       "saw 'P'; text, and numbers with a unit, stand in quotes");
   EXPECT_EQ(fault_of("[ecm]\nradius = 100\nradius = 120\n").substr(0, 12), "f.toml:3:10:");
   EXPECT_EQ(fault_of("[ecm]\n[run]\n[ecm]\n").substr(0, 12), "f.toml:3:1: ");
+  EXPECT_EQ(fault_of("[ecm]\n[run]\n[ecm]\n").find("quotes"), std::string::npos); // no value is at fault
 }
 
 TEST(Hostile, RulesAreNotJudgedOverAFileThatIsNotRead) {
