@@ -62,7 +62,9 @@ TEST_F(Program, NewNamesTheSchemaForEditors) {
   EXPECT_EQ(run("new d.toml --schema \"$(printf 'a\\nb')\"").code, 2) << "no second line";
   EXPECT_FALSE(exists("d.toml"));
   write("sub/scenario.schema.json", "mine");
-  ASSERT_EQ(run("new sub/c.toml").code, 0);
+  const Ended foreign = run("new sub/c.toml");
+  ASSERT_EQ(foreign.code, 0);
+  EXPECT_TRUE(contains(foreign.err, "sub/scenario.schema.json: is not the schema of this version")) << foreign.err;
   EXPECT_EQ(text_of(folder / "sub/scenario.schema.json"), "mine") << "a file of somebody else is left alone";
 }
 
