@@ -221,8 +221,9 @@ TEST_F(Resume, BranchesFromAWholeCheckpointOrSaysSo) {
 
 TEST_F(Resume, KeepsTheNameAndTheCommandOfTheStart) {
   const auto facts = [&](const std::string& of) {
+    const json page = json::parse(page_data(of + "/report.html"));
     std::string text;
-    for (const json& fact : json::parse(page_data(of + "/report.html")).at("facts"))
+    for (const json& fact : page.at("facts"))
       text += fact.at("name").get<std::string>() + ": " + fact.at("value").get<std::string>() + "\n";
     return text;
   };

@@ -65,12 +65,8 @@ TEST_F(SavedFramesTest, AreAlsoTakenFromTheFieldFile) {
 
 TEST_F(SavedFramesTest, AreTakenFromADamagedFieldFileOneByOne) {
   std::string bytes = field_file(film);
-  const auto chunk_of = [&](std::size_t k) {
-    return deflated_fast(byte_planes(std::span<const float>(film.frames[k].matrix.pressure)));
-  };
-  const std::string chunk = chunk_of(1);
-  ASSERT_NE(chunk, chunk_of(0));
-  const std::size_t at = bytes.find(chunk);
+  const std::string chunk = deflated_fast(byte_planes(std::span<const float>(film.frames[1].matrix.pressure)));
+  const std::size_t at = bytes.rfind(chunk); // the first frame may have the same
   ASSERT_NE(at, std::string::npos);
   bytes[at + chunk.size() / 2] = static_cast<char>(bytes[at + chunk.size() / 2] ^ 1);
   write_file(folder / field_file_name, bytes);
