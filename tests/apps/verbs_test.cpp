@@ -19,6 +19,8 @@ TEST_F(Program, HelpOfEveryVerb) {
     EXPECT_TRUE(contains(run("-h").out, "\n  " + verb + " "));
   }
   EXPECT_TRUE(contains(run("--version").out, "matrigrate 0."));
+  EXPECT_TRUE(contains(run("run -h").out, "fields.h5 and fields.xdmf"));
+  EXPECT_TRUE(contains(run("export -h").out, "matrix, outline and anchors"));
 }
 
 TEST_F(Program, UsageErrors) {
