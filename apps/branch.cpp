@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace matrigrate::apps {
 
@@ -45,19 +44,21 @@ void require_same_start(const Parameters& before, const Parameters& after) {
   if (!faults.empty()) throw ConfigurationError(std::move(faults));
 }
 
-/// The checkpoint that lies closest before t; none: the start.
+/// The checkpoint that lies closest before t; none: the start. Warns of those that cannot be read.
 std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t) {
   std::vector<fs::path> files{folder / io::checkpoint_name, folder / io::previous_checkpoint_name};
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
-    files.push_back(entry.path());
+    if (entry.path().extension() == ".h5") files.push_back(entry.path());
   std::optional<FoundCheckpoint> best;
   for (const fs::path& file : files) {
+    if (!fs::exists(file, error)) continue;
     try {
       FoundCheckpoint found = read_checkpoint_of(folder, file);
       const double at = found.checkpoint.state.t;
       if (at <= t * (1.0 + 1e-12) && (!best || at > best->checkpoint.state.t)) best = std::move(found);
-    } catch (const InputOutputError&) { // another one will do
+    } catch (const InputOutputError& trouble) { // an earlier one will do
+      warn(fmt::format("{}; it is not used", trouble.what()));
     }
   }
   return best;
@@ -87,9 +88,9 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
   const std::vector<std::string> overrides = all_overrides(options);
   const Parameters after = changed(before, options);
   require_same_start(before, after);
-  const double at = options.at.empty() ? std::numeric_limits<double>::infinity() : wall_time_of(options.at);
-  std::optional<FoundCheckpoint> found = checkpoint_before(from, at);
-  if (!found && options.at.empty()) throw InputOutputError(from.string() + ": holds no checkpoint to branch from");
+  const double at = options.at.empty() ? 0.0 : wall_time_of(options.at);
+  std::optional<FoundCheckpoint> found =
+      options.at.empty() ? last_checkpoint(from, options.previous) : checkpoint_before(from, at);
   const double until = options.at.empty() ? found->checkpoint.state.t : at;
   require_multiple(until, before);
   require_multiple(until, after);
@@ -111,6 +112,9 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
     beginning.lineage.push_back(
         {{"event", "branched"}, {"checkpoint", nullptr}, {"by", version_line()}, {"when", time_now()}});
   }
+  beginning.scenario = scenario_name(record, from);
+  beginning.commands = commands_of(record);
+  beginning.commands.push_back(manner.command_line);
   beginning.earlier_wall_time = 0.0;
   beginning.frames_from = from;
   beginning.lineage.back()["at_s"] = until;

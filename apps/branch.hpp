@@ -11,7 +11,8 @@
 namespace matrigrate::apps {
 
 struct BranchOptions : ParameterOptions {
-  std::string at; ///< time with its unit; empty: the last checkpoint
+  std::string at;        ///< time with its unit; empty: the last checkpoint
+  bool previous = false; ///< without a time: at checkpoint_prev.h5
 
   bool any() const { return !at.empty() || !overrides.empty() || seed || hours; }
 };

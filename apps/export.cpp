@@ -117,7 +117,8 @@ void add_export(CLI::App& app, Action& chosen) {
                "--png and --movie call rsvg-convert and ffmpeg, which have to be installed.");
   const auto options = std::make_shared<Options>();
   verb->add_option("DIR", options->folder, "Folder of a run")->required();
-  verb->add_flag("--vtk", options->vtk, "A .vtp file a frame of matrix and outline, and .pvd files with their times");
+  verb->add_flag("--vtk", options->vtk,
+                 "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
   verb->add_flag("--fields", options->fields,
                  "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
   verb->add_flag("--tracks", options->tracks, "The path for celltrackR (CSV) and TrackMate (CSV, XML)");

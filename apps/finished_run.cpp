@@ -2,16 +2,19 @@
 
 #include "apps/run_record.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/stopped_run.hpp"
 #include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "io/cell_picture.hpp"
 #include "io/checkpoint.hpp"
-#include "io/field_file.hpp"
 #include "io/run_page.hpp"
 #include "parameters/read.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
 
 namespace matrigrate::apps {
 
@@ -42,6 +45,13 @@ std::string provenance_of(const Json& record) {
   return text;
 }
 
+/// Whether a run came to its end, or was stopped, at t: then it has written a frame there, due or not.
+bool ended_at(const Json& record, double t) {
+  const std::string status = text_of(record, "status");
+  const auto reached = record.find("t_s");
+  return (status == "done" || status == "interrupted") && reached != record.end() && *reached == t;
+}
+
 } // namespace
 
 FinishedRun read_run(const std::filesystem::path& folder) {
@@ -61,13 +71,22 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
     run.memory.rows.push_back(track_row(checkpoint.state)); // as at the end of a run
   run.protrusions = protrusion_records(checkpoint.state);
-  run.film = io::read_film(folder);
+  run.frame_times = run.memory.frames;
+  if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
+    run.frame_times.push_back(run.t);
+  const io::FrameShape shape{.head = io::frame_head(checkpoint.state, run.p),
+                             .outline = checkpoint.state.cortex.size(),
+                             .fibres = run.p.fibres.arrangement != FibreArrangement::none};
+  if (run.p.output.field_interval > 0.0) run.film = io::saved_film(folder, shape, run.frame_times);
   return run;
 }
 
 io::LostFrames lost_frames(const FinishedRun& run) {
   if (run.p.output.field_interval <= 0.0) return {};
-  return io::lost_frames(run.memory.frames, io::times_of(run.film));
+  const std::vector<double> there = io::times_of(run.film);
+  std::vector<double> written;
+  std::ranges::set_union(run.frame_times, there, std::back_inserter(written));
+  return io::lost_frames(written, there);
 }
 
 void tell_lost_frames(const FinishedRun& run) {

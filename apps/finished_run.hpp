@@ -22,7 +22,8 @@ struct FinishedRun {
   double t = 0.0;                ///< of the checkpoint [s]
   io::RunMemory memory;
   std::vector<ProtrusionRecord> protrusions;
-  io::Film film;
+  std::vector<double> frame_times; ///< of the frames written up to the checkpoint [s]
+  io::Film film;                   ///< those that are still whole, and later ones
 };
 
 /// The scenario is taken from the checkpoint.

@@ -39,7 +39,13 @@ void write_schema(const std::filesystem::path& scenario) {
   const std::string start = text.substr(0, text.find("\"type\""));
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
     const std::string there = read_file(file, largest);
-    if (there == text || !there.starts_with(start)) return; // current, or not ours
+    if (there == text) return;
+    if (!there.starts_with(start)) { // not ours
+      print_error(fmt::format("{} {}: is not the schema of this version, and is left as it is; matrigrate "
+                              "list --schema-json prints the one of this version\n",
+                              coloured("matrigrate:", Colour::warning, Stream::err), file.string()));
+      return;
+    }
   }
   write_file(file, text);
   print(fmt::format("{}: for editors that complete and check TOML\n", file.string()));

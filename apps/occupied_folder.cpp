@@ -81,6 +81,13 @@ std::string description(const fs::path& folder, const Json& record, const Parame
 
 bool is_free(const fs::path& folder) { return visible_entries(folder).empty(); }
 
+void require_no_study(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder / "study.resolved.toml", error))
+    throw InputOutputError(
+        fmt::format("{}: is the folder of a study; choose another folder for the run with -o", folder.string()));
+}
+
 void require_free(const fs::path& folder, const Parameters& p) {
   if (is_free(folder)) return;
   const Json record = record_of(folder);

@@ -91,6 +91,16 @@ void remove_file(const fs::path& file) {
   if (error) throw InputOutputError(fmt::format("{}: cannot be removed: {}", file.string(), error.message()));
 }
 
+void require_no_links(const fs::path& folder) {
+  for (const Place& place : places) {
+    const fs::path in = folder / place.folder;
+    std::error_code error;
+    if (!place.folder.empty() && place.folder != exports && fs::is_symlink(fs::symlink_status(in, error)))
+      throw InputOutputError(fmt::format(
+          "{}: is a symbolic link, and a run writes only into its own folder; remove the link first", in.string()));
+  }
+}
+
 void remove_run_files(const fs::path& folder) {
   for (const Place& place : places) { // the last checkpoints are the first names of the first place
     const fs::path in = folder / place.folder;

@@ -26,6 +26,10 @@ std::vector<std::filesystem::path> files_of(const ExportKind& kind, const std::f
 /// @throws InputOutputError naming the file that cannot be removed
 void remove_run_files(const std::filesystem::path& folder);
 
+/// @throws InputOutputError if `snapshots` or `checkpoints` in the folder is a symbolic link: files of a run would be
+///         written, and removed, somewhere else
+void require_no_links(const std::filesystem::path& folder);
+
 /// What else than files of a run a folder holds, hidden files aside, sorted.
 std::vector<std::string> foreign_entries(const std::filesystem::path& folder);
 

@@ -25,13 +25,13 @@ struct Options {
   std::string output;
   BranchOptions branch;
   std::string wall_time;
-  bool previous = false;
   bool json = false;
   bool quiet = false;
   std::vector<std::string> command_line;
 };
 
 int say_done(const Manner& manner, const Json& record) {
+  restore_scenario(manner.folder);
   const std::string report = (manner.folder / "report.html").string();
   if (manner.json) {
     Json all{{"folder", manner.folder.string()}, {"report", report}};
@@ -67,8 +67,8 @@ int resume(const Options& options) {
   if (!options.output.empty())
     throw UsageError("-o is for branches: with --at, --set, --seed or --hours; a run goes on in its own folder");
   const Json record = record_of(options.folder);
-  if (!options.previous && is_done(options.folder, record)) return say_done(manner, record);
-  return resume_from(last_checkpoint(options.folder, options.previous), manner, record, options.branch.threads);
+  if (!options.branch.previous && is_done(options.folder, record)) return say_done(manner, record);
+  return resume_from(last_checkpoint(options.folder, options.branch.previous), manner, record, options.branch.threads);
 }
 
 } // namespace
@@ -92,7 +92,8 @@ void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_
       "stopped. With one of them a branch is begun in a folder of its own: at the last checkpoint, or at the time of\n"
       "--at, which is reached from the closest checkpoint before. Its tables hold the run's history too, and\n"
       "\"lineage\" in its run.json says where it comes from.\n"
-      "A checkpoint that is cut short, changed, of another scenario or format is refused; the one before is offered.");
+      "A checkpoint that is cut short, changed, of another scenario or format is refused; the one before is offered.\n"
+      "With --at an earlier checkpoint is used instead, with a warning.");
   const auto options = std::make_shared<Options>();
   options->command_line = std::move(command_line);
   verb->add_option("FOLDER", options->folder, "Folder of a run")->required();
@@ -104,7 +105,7 @@ void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_
   verb->add_option("--hours", options->branch.hours, "Branch with another end: run.duration");
   verb->add_option("--threads", options->branch.threads, "Threads, 0 for all; never changes a result");
   verb->add_option("--wall-time", options->wall_time, "Stop with a checkpoint after this time of the clock: \"2 h\"");
-  verb->add_flag("--previous", options->previous, "Go on from checkpoint_prev.h5");
+  verb->add_flag("--previous", options->branch.previous, "Go on, or branch, from checkpoint_prev.h5");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");
   verb->add_flag("--quiet", options->quiet, "Show no progress; print only where the report is");
   verb->callback([options, &chosen] { chosen = [options] { return resume(*options); }; });

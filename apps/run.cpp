@@ -49,6 +49,7 @@ int run(Options options) {
                 .quiet = options.quiet,
                 .command_line = std::move(options.command_line)};
   if (!options.wall_time.empty()) manner.wall_time_limit = wall_time_of(options.wall_time);
+  require_no_study(manner.folder);
   if (!options.force && holds_run(manner.folder, p)) return go_on(manner, p);
   options.force ? tell_what_stays(manner.folder) : require_free(manner.folder, p);
   Beginning beginning{.s = initial_state(p), .p = p};
@@ -62,8 +63,9 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
   CLI::App* verb = app.add_subcommand("run", "Simulate one cell; write tracks, protrusions, read-outs and pictures");
   verb->footer(
       "Writes scenario.resolved.toml, run.json, tracks.csv, protrusions.csv, health.csv, msd.csv, summary.csv,\n"
-      "summary.json, snapshots/t_<seconds>s.svg, snapshots.svg, report.html, and the exact state in checkpoint.h5,\n"
-      "checkpoint_prev.h5 and checkpoints/. Rows are written as they come. Running scenario.resolved.toml again gives\n"
+      "summary.json, snapshots/t_<seconds>s.svg, snapshots.svg, report.html, the frames in fields.h5 and fields.xdmf\n"
+      "(fields.part while it runs), and the exact state in checkpoint.h5, checkpoint_prev.h5 and checkpoints/.\n"
+      "Rows are written as they come. Running scenario.resolved.toml again gives\n"
       "the same bits, and so the same trajectory_hash in run.json.\n"
       "A folder that holds the same scenario and seed is resumed from its checkpoint, to the same bits as without the\n"
       "break; one that is done is left as it is. A folder that holds another run is refused, naming the parameters\n"

@@ -61,6 +61,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
       m_frame_cadence(p.output.field_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
+  require_no_links(m_folder);
   remove_temporaries(m_folder);
   if (s.step == 0 && m_memory.rows.empty()) remove_run_files(m_folder); // of a run that this one replaces
   write_record(record);                                                 // first: it tells whose folder this is
@@ -83,7 +84,7 @@ void RunFolder::begin(const State& s, const Workspace& w) {
   if (m_frame_cadence.due(s.t)) add_frame(s, w);
   m_kept_cadence.due(s.t);
   m_checkpoint_cadence.due(s.t);
-  write_checkpoint(s, w, 0.0);
+  if (m_keeps_checkpoints) write_checkpoint(s, w, 0.0);
 }
 
 void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record) {

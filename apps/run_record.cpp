@@ -50,12 +50,17 @@ std::string minute_of(const std::string& time) {
   return time.size() < 16 ? time : fmt::format("{} {} UTC", time.substr(0, 10), time.substr(11, 5));
 }
 
-std::vector<std::string> words_in(const Json& record, const char* key) {
+std::vector<std::string> words_of(const Json& list) {
   std::vector<std::string> words;
-  if (const auto found = record.find(key); found != record.end() && found->is_array())
-    for (const Json& word : *found)
+  if (list.is_array())
+    for (const Json& word : list)
       if (word.is_string()) words.push_back(word.get<std::string>());
   return words;
+}
+
+/// A value of a record; null where there is none.
+Json value_of(const Json& record, const char* key) {
+  return record.is_object() && record.contains(key) ? record.at(key) : Json();
 }
 
 } // namespace
@@ -67,13 +72,24 @@ std::string configuration_hash(const Parameters& p) {
 }
 
 std::string scenario_name(const Json& record, const fs::path& folder) {
-  for (const fs::path file : words_in(record, "command_line")) {
+  if (const std::string name = text_of(record, "scenario"); !name.empty()) return name;
+  for (const fs::path file : words_of(value_of(record, "command_line"))) {
     if (file.extension() != ".toml") continue;
     if (file.filename() != "scenario.resolved.toml") return file.stem().string();
     return name_of(file.parent_path());
   }
   const std::string name = name_of(folder);
   return name.substr(0, name.rfind("-seed"));
+}
+
+std::vector<std::vector<std::string>> commands_of(const Json& record) {
+  std::vector<std::vector<std::string>> commands;
+  if (const Json all = value_of(record, "commands"); all.is_array())
+    for (const Json& command : all) commands.push_back(words_of(command));
+  if (!commands.empty()) return commands;
+  if (std::vector<std::string> words = words_of(value_of(record, "command_line")); !words.empty())
+    commands.push_back(std::move(words));
+  return commands;
 }
 
 io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
@@ -96,7 +112,8 @@ std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const s
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
   };
-  add("command", command_text(words_in(record, "command_line")));
+  const auto commands = commands_of(record);
+  for (std::size_t i = 0; i < commands.size(); ++i) add(i == 0 ? "command" : "branched by", command_text(commands[i]));
   const std::string end = text_of(record, "end");
   add("date", minute_of(end.empty() ? text_of(record, "start") : end));
   if (const auto time = record.find("wall_time_s"); time != record.end() && time->is_number())
@@ -123,6 +140,8 @@ Json to_json(const RunRecord& record, const Parameters& p) {
             {"frames_lost", lost.count},
             {"frames_lost_s", lost.count > 0 ? Json{lost.first, lost.last} : Json()},
             {"command_line", record.command_line},
+            {"scenario", record.scenario},
+            {"commands", record.commands},
             {"start", utc(record.start)},
             {"end", record.end ? Json(utc(*record.end)) : Json()},
             {"lineage", record.lineage}};

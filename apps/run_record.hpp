@@ -28,8 +28,10 @@ struct RunRecord {
   io::LostFrames lost_frames;
   std::string trajectory_hash;
   std::string configuration_hash;
-  std::vector<std::string> command_line;
-  std::vector<nlohmann::ordered_json> lineage; ///< restarts and branches, oldest first
+  std::vector<std::string> command_line;          ///< of the process that wrote it
+  std::string scenario;                           ///< name of the scenario that the run was started from
+  std::vector<std::vector<std::string>> commands; ///< that started the run and then each branch, oldest first
+  std::vector<nlohmann::ordered_json> lineage;    ///< restarts and branches, oldest first
   std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
   std::optional<std::chrono::system_clock::time_point> end;
 };
@@ -37,10 +39,14 @@ struct RunRecord {
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 
-/// The name of a run's scenario file; of a run of a study the name of its folder, and that of the run's folder without
-/// its seed where the command names no file: "cell".
+/// The scenario of a record. One that has none: the name of the scenario file in its command; of a run of a study the
+/// name of its folder, and that of the run's folder without its seed where the command names no file: "cell".
 /// @param record  as in run.json
 std::string scenario_name(const nlohmann::ordered_json& record, const std::filesystem::path& folder);
+
+/// The commands that started a run and then each branch, oldest first; none if the record names none.
+/// @param record  as in run.json
+std::vector<std::vector<std::string>> commands_of(const nlohmann::ordered_json& record);
 
 /// What fields.h5 says of the run. The number of threads is left out: it changes no result, and may differ after a
 /// resume.
@@ -50,13 +56,14 @@ io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
 /// Heading of the run's report: "cell: E = 200 Pa, seed 1".
 std::string run_title(const Parameters& p, const std::string& scenario);
 
-/// What was run, when and how: scenario, stiffness, seed, command, date, wall time, trajectory hash.
+/// What was run, when and how: scenario, stiffness, seed, the commands that started it and its branches, date, wall
+/// time, trajectory hash.
 /// @param record  as in run.json
 std::vector<io::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record, const std::string& scenario);
 
 /// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
-///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, start, end, lineage, and the
-///  keys of provenance()}
+///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start,
+///  end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::apps

@@ -45,6 +45,11 @@ public:
         m_counts(beginning.memory.counts) {
     m_record.configuration_hash = configuration_hash(m_p);
     m_record.command_line = manner.command_line;
+    m_record.scenario = std::move(beginning.scenario);
+    if (m_record.scenario.empty())
+      m_record.scenario = scenario_name({{"command_line", manner.command_line}}, manner.folder);
+    m_record.commands = std::move(beginning.commands);
+    if (m_record.commands.empty()) m_record.commands.push_back(manner.command_line);
     m_record.lineage = std::move(beginning.lineage);
     m_record.earlier_wall_time = beginning.earlier_wall_time;
     m_folder.emplace(manner.folder, m_p, m_record, m_s, std::move(beginning.memory), beginning.frames_from);
@@ -104,7 +109,7 @@ private:
       if (m_before) march_before(each_step);
       if (!m_before || m_s.t >= m_before->until) {
         work_with(m_p);
-        if (m_new) m_folder->begin(m_s, *m_w);
+        if (m_new && !m_before) m_folder->begin(m_s, *m_w);
         if (m_before) m_folder->write_checkpoint(m_s, *m_w, m_record.march_wall_time);
         march(m_s, m_p, *m_w, m_p.run.duration, {}, each_step);
       }
@@ -123,6 +128,7 @@ private:
   void march_before(const std::function<bool(const State&)>& each_step) {
     m_folder->keep_checkpoints(false);
     work_with(m_before->p);
+    if (m_new) m_folder->begin(m_s, *m_w);
     march(m_s, m_before->p, *m_w, m_before->until, {}, each_step);
     m_counts = m_w->health;
     m_folder->keep_checkpoints(true);

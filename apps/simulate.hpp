@@ -27,8 +27,10 @@ struct Beginning {
   io::RunMemory memory{};         ///< empty: a new run
   std::optional<Before> before{}; ///< of a branch
   std::vector<nlohmann::ordered_json> lineage{};
-  std::filesystem::path frames_from{}; ///< the folder whose frames a branch takes over
-  double earlier_wall_time = 0.0;      ///< of the runs that this one goes on with [s]
+  std::filesystem::path frames_from{};              ///< the folder whose frames a branch takes over
+  std::string scenario{};                           ///< its name; empty: that of the command line
+  std::vector<std::vector<std::string>> commands{}; ///< that started it, oldest first; none: the command line
+  double earlier_wall_time = 0.0;                   ///< of the runs that this one goes on with [s]
 };
 
 /// How it is carried out.

@@ -5,11 +5,15 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "io/cell_picture.hpp"
+#include "parameters/document.hpp"
 #include "parameters/read.hpp"
+#include "parameters/schema.hpp"
+#include "parameters/write.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -24,10 +28,19 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
 constexpr const char* scenario_file = "scenario.resolved.toml";
 
-/// The scenario that a folder's file holds; none if it is missing or damaged.
+/// Whether a text gives every parameter: a part of a resolved scenario is valid TOML too, with defaults for the rest.
+bool is_complete(const std::string& text) {
+  const auto document = parse_document(text, scenario_file);
+  const auto* table = std::get_if<toml::table>(&document);
+  const auto has = [&](const Row& row) { return static_cast<bool>((*table)[section_of(row)][key_of(row)]); };
+  return table != nullptr && text.ends_with('\n') && std::ranges::all_of(schema(), has);
+}
+
+/// The scenario that a folder's file holds; none if it is missing, incomplete or not valid.
 std::optional<Parameters> written_scenario(const fs::path& folder) {
   try {
-    return read_parameters(folder / scenario_file);
+    const std::string text = read_file(folder / scenario_file, most_text);
+    if (is_complete(text)) return parse_parameters(text, scenario_file);
   } catch (const InputOutputError&) {   // is not there
   } catch (const ConfigurationError&) { // was damaged
   }
@@ -40,11 +53,11 @@ std::string expected_configuration(const fs::path& folder) {
   return p ? configuration_hash(*p) : text_of(record_of(folder), "configuration_hash");
 }
 
+} // namespace
+
 void warn(std::string_view text) {
   print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
 }
-
-} // namespace
 
 Json record_of(const fs::path& folder) {
   std::error_code error;
@@ -75,9 +88,18 @@ bool is_done(const fs::path& folder, const Json& record) {
 Parameters scenario_of(const fs::path& folder) {
   if (const std::optional<Parameters> p = written_scenario(folder)) return *p;
   Parameters p = whole_checkpoint(folder).p;
-  warn(fmt::format("{}: cannot be read; its parameters are taken from the checkpoint",
+  warn(fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
                    (folder / scenario_file).string()));
   return p;
+}
+
+void restore_scenario(const fs::path& folder) {
+  if (written_scenario(folder) || !has_checkpoint(folder)) return;
+  try {
+    write_file(folder / scenario_file, to_toml(scenario_of(folder)));
+  } catch (const InputOutputError& trouble) { // the results of the run are whole all the same
+    warn(trouble.what());
+  }
 }
 
 std::vector<Json> lineage_of(const Json& record) {
@@ -91,7 +113,8 @@ FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file)
   FoundCheckpoint found{.checkpoint = io::read_checkpoint(file), .p = {}, .file = file};
   found.p = parse_parameters(found.checkpoint.scenario, file.string());
   const std::string expected = expected_configuration(folder);
-  if (!expected.empty() && expected != configuration_hash(found.p))
+  // Another version of the program may have other parameters, and so other hashes.
+  if (!expected.empty() && expected != configuration_hash(found.p) && expected != found.checkpoint.configuration_hash)
     throw InputOutputError(fmt::format("{}: is a checkpoint of another scenario than {}", file.string(),
                                        (folder / scenario_file).string()));
   return found;
@@ -157,6 +180,10 @@ Beginning beginning_of(const FoundCheckpoint& found, const Json& record) {
                       .memory = io::parse_memory(found.checkpoint.memory),
                       .before = {},
                       .lineage = lineage_of(record)};
+  if (record.is_object()) {
+    beginning.scenario = scenario_name(record, found.file.parent_path());
+    beginning.commands = commands_of(record);
+  }
   if (record.is_object() && record.contains("wall_time_s") && record.at("wall_time_s").is_number())
     beginning.earlier_wall_time = record.at("wall_time_s");
   return beginning;

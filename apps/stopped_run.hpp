@@ -27,6 +27,10 @@ bool is_done(const std::filesystem::path& folder, const nlohmann::ordered_json& 
 /// @throws InputOutputError if neither can be read
 Parameters scenario_of(const std::filesystem::path& folder);
 
+/// Writes scenario.resolved.toml again, with a warning, if it is missing, incomplete or not valid and there is a whole
+/// checkpoint to take it from.
+void restore_scenario(const std::filesystem::path& folder);
+
 /// The restarts and branches that a record tells of.
 std::vector<nlohmann::ordered_json> lineage_of(const nlohmann::ordered_json& record);
 
@@ -63,6 +67,9 @@ nlohmann::ordered_json event(std::string_view kind, const FoundCheckpoint& found
 
 /// The time of day, for the lineage.
 std::string time_now();
+
+/// Prints a warning.
+void warn(std::string_view text);
 
 /// Says so where another program has written it.
 void tell_other_program(const FoundCheckpoint& found);

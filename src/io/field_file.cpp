@@ -19,7 +19,6 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 30U;
 constexpr std::string_view protrusions = "protrusions/";
 
 /// Vectors of two components with a third one, 0; all else as it is.
@@ -28,13 +27,6 @@ Floats in_space(const Floats& values, std::uint32_t components) {
   Floats all;
   all.reserve(values.size() / 2 * 3);
   for (std::size_t i = 0; i + 1 < values.size(); i += 2) all.insert(all.end(), {values[i], values[i + 1], 0.0F});
-  return all;
-}
-
-Floats in_plane(const Floats& values) {
-  Floats all;
-  all.reserve(values.size() / 3 * 2);
-  for (std::size_t i = 0; i + 2 < values.size(); i += 3) all.insert(all.end(), {values[i], values[i + 1]});
   return all;
 }
 
@@ -178,64 +170,6 @@ private:
   std::vector<std::uint32_t> m_frame_of_anchor;
 };
 
-void read_protrusions(const MemoryFile& file, Film& film) {
-  const Floats frame_of_row = file.floats("/protrusions/frame");
-  const std::vector<std::uint8_t> phases = file.bytes("/protrusions/phase");
-  std::vector<Floats> columns;
-  for (const auto& field : float_fields())
-    if (field.name.starts_with(protrusions)) {
-      const Floats stored = file.floats(fmt::format("/{}", field.name));
-      columns.push_back(field.components == 2 ? in_plane(stored) : stored);
-      if (columns.back().size() != frame_of_row.size() * field.components)
-        throw InputOutputError("its tables of protrusions do not belong together");
-    }
-  if (phases.size() != frame_of_row.size()) throw InputOutputError("its tables of protrusions do not belong together");
-  for (std::size_t row = 0; row < frame_of_row.size(); ++row) {
-    const auto frame = static_cast<double>(frame_of_row[row]);
-    if (!(frame >= 0.0 && frame < static_cast<double>(film.frames.size())))
-      throw InputOutputError("a protrusion is of no frame");
-    const auto k = static_cast<std::size_t>(frame);
-    std::size_t column = 0;
-    for (const auto& field : float_fields()) {
-      if (!field.name.starts_with(protrusions)) continue;
-      const auto first = columns[column++].begin() + static_cast<std::ptrdiff_t>(row * field.components);
-      Floats& to = field.of(film.frames[k]);
-      to.insert(to.end(), first, first + field.components);
-    }
-    film.frames[k].protrusions.phase.push_back(phases[row]);
-  }
-}
-
-Film film_in(const MemoryFile& file) {
-  Film film;
-  const std::vector<double> times = file.doubles("/time");
-  const std::vector<double> radius = file.doubles("/matrix/radius");
-  const std::vector<double> spacing = file.doubles("/matrix/spacing");
-  if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
-  film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
-  for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
-  if (times.empty()) return film;
-  const auto frames_of = [&](const std::string& name, const auto& read, const auto& keep) {
-    if (!file.has(name)) return; // fibres, where there are none
-    for (std::size_t k = 0; k < film.frames.size(); ++k) keep(film.frames[k], read(name, k));
-  };
-  for (const auto& field : float_fields())
-    if (!field.name.starts_with(protrusions))
-      frames_of(
-          fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
-          [&](Frame& f, Floats v) { field.of(f) = field.components == 2 ? in_plane(v) : std::move(v); });
-  for (const auto& field : byte_fields())
-    if (!field.name.starts_with(protrusions))
-      frames_of(
-          fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
-          [&](Frame& f, Bytes v) { field.of(f) = std::move(v); });
-  read_protrusions(file, film);
-  const std::size_t fibres = film.frames.front().matrix.fibre_von_mises.empty() ? 0 : film.head.particles();
-  if (!std::ranges::all_of(film.frames, [&](const Frame& frame) { return fits(frame, film.head, fibres); }))
-    throw InputOutputError("its arrays do not belong together");
-  return film;
-}
-
 /// Calls; failures name the file.
 template <class Call>
 auto naming(const std::filesystem::path& file, const Call& call) {
@@ -244,11 +178,6 @@ auto naming(const std::filesystem::path& file, const Call& call) {
   } catch (const InputOutputError& trouble) {
     throw InputOutputError(fmt::format("{}: {}", file.string(), trouble.what()));
   }
-}
-
-bool is_there(const std::filesystem::path& file) {
-  std::error_code error;
-  return std::filesystem::exists(file, error);
 }
 
 void write_head(MemoryFile& file, const FrameHead& head, std::span<const double> times, const FieldOrigin& origin) {
@@ -318,32 +247,6 @@ void write_field_files(const std::filesystem::path& folder, const Film& film, co
   write_file(folder / field_file_name, field_file(film, origin));
   write_file(folder / field_index_name,
              field_index(film.frames.empty() ? nullptr : &film.frames.front(), times, adhesions));
-}
-
-Film read_field_file(std::string_view bytes) { return film_in(MemoryFile(bytes)); }
-
-Film read_field_film(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / field_file_name;
-  if (!is_there(path)) return {};
-  std::string bytes = read_file(path, most_bytes);
-  return naming(path, [&] {
-    const MemoryFile file(bytes);
-    bytes = std::string(); // HDF5 has taken a copy
-    return film_in(file);
-  });
-}
-
-Film read_film(const std::filesystem::path& folder, const std::function<void(Frame&)>& each) {
-  const std::filesystem::path path = folder / frame_log_name;
-  if (!is_there(path)) {
-    Film film = read_field_film(folder);
-    if (each) std::ranges::for_each(film.frames, each);
-    return film;
-  }
-  return naming(path, [&] {
-    std::ifstream log(path, std::ios::binary);
-    return read_log(log, each);
-  });
 }
 
 } // namespace matrigrate::io

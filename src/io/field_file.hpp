@@ -68,6 +68,10 @@ Film read_field_file(std::string_view bytes);
 /// @throws InputOutputError naming the file, if it cannot be read
 Film read_field_film(const std::filesystem::path& folder);
 
+/// The frames of the field file that can be read; none if it has none.
+/// @throws InputOutputError naming the file, if what all frames share cannot be read
+Film read_whole_frames(const std::filesystem::path& folder);
+
 /// The frames that a run's folder holds: those of its log, else of its field file; none if it has neither.
 /// @throws InputOutputError naming the file, if it cannot be read
 /// @param each  may take away fields that are not wanted

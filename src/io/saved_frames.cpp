@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::io {
@@ -21,15 +22,13 @@ bool same(const FrameHead& a, const FrameHead& b) {
   return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference;
 }
 
-} // namespace
-
-SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
-  SavedFrames saved;
-  const auto keep = [&](const Frame& frame) {
-    const bool fits = frame.outline.f_mat.size() == shape.outline
-                      && frame.matrix.fibre_von_mises.empty() != shape.fibres
-                      && std::ranges::binary_search(times, frame.t);
-    if (fits && !saved.contains(frame.t)) saved.emplace(frame.t, log_frame(frame));
+/// Calls with each whole frame of the log, and then, while some are `missing`, with each one of the field file.
+template <class Keep, class Missing>
+void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape, const Keep& keep,
+                    const Missing& missing) {
+  const auto see = [&](Frame frame) {
+    if (frame.outline.f_mat.size() == shape.outline && frame.matrix.fibre_von_mises.empty() != shape.fibres)
+      keep(std::move(frame));
   };
   std::ifstream log(folder / frame_log_name, std::ios::binary);
   std::optional<FrameReader> reader;
@@ -41,14 +40,40 @@ SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& 
     reader.emplace(log, shape.head);
   }
   if (same(reader->head(), shape.head))
-    while (const std::optional<Frame> frame = reader->next()) keep(*frame);
-  if (saved.size() == times.size()) return saved;
+    while (std::optional<Frame> frame = reader->next()) see(*std::move(frame));
+  if (!missing()) return;
   try {
-    const Film film = read_field_film(folder);
-    if (same(film.head, shape.head)) std::ranges::for_each(film.frames, keep);
+    Film film = read_whole_frames(folder);
+    if (same(film.head, shape.head))
+      for (Frame& frame : film.frames) see(std::move(frame));
   } catch (const InputOutputError&) { // then they are lost
   }
+}
+
+} // namespace
+
+SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
+  SavedFrames saved;
+  const auto keep = [&](const Frame& frame) {
+    if (std::ranges::binary_search(times, frame.t) && !saved.contains(frame.t))
+      saved.emplace(frame.t, log_frame(frame));
+  };
+  for_each_whole(folder, shape, keep, [&] { return saved.size() < times.size(); });
   return saved;
+}
+
+Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
+  std::map<double, Frame> saved;
+  for_each_whole(
+      folder, shape,
+      [&](Frame frame) {
+        const double t = frame.t;
+        saved.try_emplace(t, std::move(frame));
+      },
+      [&] { return !std::ranges::all_of(times, [&](double t) { return saved.contains(t); }); });
+  Film film{.head = shape.head, .frames = {}};
+  for (auto& [t, frame] : saved) film.frames.push_back(std::move(frame));
+  return film;
 }
 
 LostFrames lost_frames(std::span<const double> written, std::span<const double> there) {

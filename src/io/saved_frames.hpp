@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// The frames that a resumed run takes over from its past, and those that are no longer there.
+/// The whole frames of a run, for one that is resumed and for reports and exports, and those that are no longer there.
 /// Test: tests/unit/io/saved_frames_test.cpp
 namespace matrigrate::io {
 
@@ -27,6 +27,10 @@ struct FrameShape {
 /// missing or damaged, and frames of another shape, are passed over.
 /// @param times  in ascending order [s]
 SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
+
+/// All frames that a folder still holds whole, whether a checkpoint knows of them or not.
+/// @param times  of those that there should be: only where one is missing in the log is the field file read [s]
+Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
 
 /// Frames that were written once and are not there any longer.
 struct LostFrames {

@@ -104,6 +104,10 @@ TEST_F(Recovery, BranchesFromARunWhoseFramesWereRemoved) {
   EXPECT_TRUE(contains(ended.err, "7 of 7 frames (from 0 s to 48 s) are lost")) << ended.err;
   EXPECT_EQ(frames("longer"), (std::vector{56.0, 64.0, 72.0}));
   EXPECT_EQ(record("longer").at("frames_lost"), 7);
+  ASSERT_EQ(run("resume here --set 'run.duration=58 s' -o odd --quiet").code, 0);
+  const std::string told = "7 of 9 frames (from 0 s to 48 s) are lost"; // with the one at the end, which is not due
+  EXPECT_TRUE(contains(status("odd"), told)) << status("odd");
+  EXPECT_TRUE(contains(run("report odd").err, told));
   EXPECT_EQ(run("resume here --previous --quiet").code, 0) << "and the run itself";
 }
 
@@ -140,21 +144,39 @@ TEST_F(Recovery, TakesAwayWhatKilledProcessesLeft) {
 TEST_F(Recovery, NeedsNoScenarioBesideACheckpoint) {
   ASSERT_EQ(run("run s.toml -o whole --quiet").code, 0);
   const std::string scenario = text_of(folder / "whole/scenario.resolved.toml");
-  for (const std::string content : {"", "rubbish", "[ecm]\nradius = \"40 Pa\"\n"}) {
+  const std::string cut = scenario.substr(0, scenario.find("\n[cell]") + 1); // valid, with defaults for the rest
+  for (const std::string content : {"none", "", "rubbish", "[ecm]\nradius = \"40 Pa\"\n", cut.c_str()}) {
     make_killed("here");
-    content.empty() ? static_cast<void>(std::filesystem::remove(folder / "here/scenario.resolved.toml"))
-                    : put("here/scenario.resolved.toml", content);
+    content == "none" ? static_cast<void>(std::filesystem::remove(folder / "here/scenario.resolved.toml"))
+                      : put("here/scenario.resolved.toml", content);
     EXPECT_EQ(run("report here").code, 0);
     EXPECT_EQ(run("export here --tracks").code, 0);
     const Ended ended = run("resume here --quiet");
     EXPECT_EQ(ended.code, 0) << ended.err;
-    EXPECT_TRUE(contains(ended.err, "scenario.resolved.toml: cannot be read")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "scenario.resolved.toml: missing, incomplete or not valid")) << ended.err;
     EXPECT_EQ(text_of(folder / "here/scenario.resolved.toml"), scenario) << "it is written again";
     EXPECT_EQ(record("here").at("trajectory_hash"), record("whole").at("trajectory_hash"));
     std::filesystem::remove(folder / "here/scenario.resolved.toml");
     EXPECT_EQ(run("resume here --hours 0.02 -o longer --quiet").code, 0);
     std::filesystem::remove_all(folder / "longer");
   }
+}
+
+TEST_F(Recovery, RestoresTheScenarioOfADoneRun) {
+  ASSERT_EQ(run("run s.toml -o here --quiet").code, 0);
+  const std::string scenario = text_of(folder / "here/scenario.resolved.toml");
+  put("here/scenario.resolved.toml", scenario.substr(0, 2000));
+  const Ended ended = run("resume here");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "scenario.resolved.toml: missing, incomplete or not valid")) << ended.err;
+  EXPECT_EQ(text_of(folder / "here/scenario.resolved.toml"), scenario);
+}
+
+TEST_F(Recovery, ReportsAndExportsWithACutLog) {
+  make_killed("here");
+  put("here/fields.part", text_of(folder / "here/fields.part").substr(0, 100));
+  for (const char* arguments : {"report here", "export here --tracks"}) EXPECT_EQ(run(arguments).code, 0) << arguments;
+  EXPECT_TRUE(contains(status("here"), " are lost")) << status("here");
 }
 
 TEST_F(Recovery, RefusesTheCheckpointOfAnotherRunAlsoWithoutAScenario) {

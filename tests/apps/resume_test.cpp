@@ -193,6 +193,53 @@ TEST_F(Resume, BranchesBetweenCheckpointsAsIfOneStoodThere) {
   EXPECT_EQ(text_of(folder / "longer/tracks.csv"), text_of(folder / "whole/tracks.csv"));
 }
 
+TEST_F(Resume, BranchesFromTheStartWithTheFirstRow) {
+  const std::string adaptive = "--set run.integrator=adaptive --set 'run.time_step=2 s' --quiet";
+  ASSERT_EQ(run("run s.toml -o trunk " + adaptive).code, 0);
+  std::filesystem::remove_all(folder / "trunk/checkpoints");
+  std::filesystem::remove(folder / "trunk/checkpoint_prev.h5");
+  ASSERT_EQ(run("resume trunk --at '20 s' --hours 0.02 -o longer --quiet").code, 0);
+  ASSERT_EQ(run("run s.toml --hours 0.02 -o whole " + adaptive).code, 0);
+  expect_same_files("longer", "whole");
+}
+
+TEST_F(Resume, BranchesFromAWholeCheckpointOrSaysSo) {
+  ASSERT_EQ(run("run s.toml -o trunk --quiet").code, 0);
+  std::string bytes = text_of(folder / "trunk/checkpoint.h5");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  write("trunk/checkpoint.h5", bytes);
+  const Ended refused = run("resume trunk --hours 0.02 -o no");
+  EXPECT_EQ(refused.code, 5);
+  EXPECT_TRUE(contains(refused.err, "--previous")) << refused.err;
+  EXPECT_FALSE(exists("no"));
+  ASSERT_EQ(run("resume trunk --hours 0.02 --previous -o longer --quiet").code, 0);
+  EXPECT_GT(record("longer").at("lineage").at(0).at("at_s"), 0.0);
+  const Ended warned = run("resume trunk --hours 0.02 --at '12 s' -o at --quiet");
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_TRUE(contains(warned.err, "checkpoint.h5: has been changed")) << warned.err;
+}
+
+TEST_F(Resume, KeepsTheNameAndTheCommandOfTheStart) {
+  const auto facts = [&](const std::string& of) {
+    const json page = json::parse(page_data(of + "/report.html"));
+    std::string text;
+    for (const json& fact : page.at("facts"))
+      text += fact.at("name").get<std::string>() + ": " + fact.at("value").get<std::string>() + "\n";
+    return text;
+  };
+  ASSERT_EQ(stop("here", "TERM"), 75);
+  ASSERT_EQ(run("resume here --quiet").code, 0);
+  const std::string command = "command: matrigrate run s.toml -o here --quiet\n";
+  EXPECT_TRUE(contains(facts("here"), "scenario: s\n")) << facts("here");
+  EXPECT_TRUE(contains(facts("here"), command)) << facts("here");
+  ASSERT_EQ(run("resume here --seed 2 --at '12 s' -o b --quiet").code, 0);
+  ASSERT_EQ(run("report b").code, 0);
+  EXPECT_TRUE(contains(facts("b"), "scenario: s\n")) << facts("b");
+  EXPECT_TRUE(contains(facts("b"), command)) << facts("b");
+  EXPECT_TRUE(contains(facts("b"), "branched by: matrigrate resume here --seed 2 --at '12 s' -o b --quiet\n"));
+  EXPECT_EQ(json::parse(page_data("b/report.html")).at("title"), "s: E = 200 Pa, seed 2");
+}
+
 TEST_F(Resume, RefusesBranchesThatCannotBe) {
   ASSERT_EQ(run("run s.toml -o trunk --quiet").code, 0);
   const Ended ended = run("resume trunk --set ecm.radius=60 --set cell.particles=200");

@@ -128,6 +128,25 @@ TEST_F(Run, ReplacesAllFilesOfARunIfForced) {
   EXPECT_EQ(all_of("here"), expected);
 }
 
+TEST_F(Run, KeepsStudiesAndLinksAsTheyAre) {
+  std::filesystem::create_directories(folder / "study");
+  write("study/study.resolved.toml", "mine");
+  for (const char* force : {"", " --force"}) {
+    const Ended ended = run(std::string("run s.toml --hours 0.002 -o study") + force);
+    EXPECT_EQ(ended.code, 5);
+    EXPECT_TRUE(contains(ended.err, "study: is the folder of a study; choose another")) << ended.err;
+  }
+  EXPECT_FALSE(exists("study/run.json"));
+  std::filesystem::create_directories(folder / "linked");
+  std::filesystem::create_directories(folder / "elsewhere");
+  std::filesystem::create_directory_symlink("../elsewhere", folder / "linked/snapshots");
+  const Ended ended = run("run s.toml --hours 0.002 -o linked --force");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "linked/snapshots: is a symbolic link")) << ended.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
+  EXPECT_FALSE(exists("linked/run.json"));
+}
+
 TEST_F(Run, WritesNothingOnABadConfiguration) {
   const Ended ended = run("run s.toml --set ecm.radius=1 --hours -1 --set run.sed=3");
   EXPECT_EQ(ended.code, 3);

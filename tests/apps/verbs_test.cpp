@@ -19,6 +19,8 @@ TEST_F(Program, HelpOfEveryVerb) {
     EXPECT_TRUE(contains(run("-h").out, "\n  " + verb + " "));
   }
   EXPECT_TRUE(contains(run("--version").out, "matrigrate 0."));
+  EXPECT_TRUE(contains(run("run -h").out, "fields.h5 and fields.xdmf"));
+  EXPECT_TRUE(contains(run("export -h").out, "matrix, outline and anchors"));
 }
 
 TEST_F(Program, UsageErrors) {
@@ -62,7 +64,9 @@ TEST_F(Program, NewNamesTheSchemaForEditors) {
   EXPECT_EQ(run("new d.toml --schema \"$(printf 'a\\nb')\"").code, 2) << "no second line";
   EXPECT_FALSE(exists("d.toml"));
   write("sub/scenario.schema.json", "mine");
-  ASSERT_EQ(run("new sub/c.toml").code, 0);
+  const Ended foreign = run("new sub/c.toml");
+  ASSERT_EQ(foreign.code, 0);
+  EXPECT_TRUE(contains(foreign.err, "sub/scenario.schema.json: is not the schema of this version")) << foreign.err;
   EXPECT_EQ(text_of(folder / "sub/scenario.schema.json"), "mine") << "a file of somebody else is left alone";
 }
 

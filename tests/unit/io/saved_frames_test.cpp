@@ -2,6 +2,7 @@
 
 #include "base/file.hpp"
 #include "frames.hpp"
+#include "io/deflate.hpp"
 #include "io/field_file.hpp"
 #include "io/frame_log.hpp"
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,6 +61,18 @@ TEST_F(SavedFramesTest, AreAlsoTakenFromTheFieldFile) {
       << "one of each, and the same bits";
   std::filesystem::remove(folder / field_file_name);
   EXPECT_EQ(saved(), (std::vector{600.0}));
+}
+
+TEST_F(SavedFramesTest, AreTakenFromADamagedFieldFileOneByOne) {
+  std::string bytes = field_file(film);
+  const std::string chunk = deflated_fast(byte_planes(std::span<const float>(film.frames[1].matrix.pressure)));
+  const std::size_t at = bytes.rfind(chunk); // the first frame may have the same
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + chunk.size() / 2] = static_cast<char>(bytes[at + chunk.size() / 2] ^ 1);
+  write_file(folder / field_file_name, bytes);
+  EXPECT_EQ(saved(), (std::vector{300.0}));
+  ASSERT_EQ(saved_film(folder, shape, times).frames.size(), 1U);
+  EXPECT_EQ(saved_film(folder, shape, times).frames[0].t, 300.0);
 }
 
 TEST_F(SavedFramesTest, AreFoundBehindADamagedHead) {
