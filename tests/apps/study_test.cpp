@@ -258,9 +258,26 @@ TEST_F(Study, CollectPrintsATable) {
   const std::string text = run("study collect e-study").out;
   EXPECT_TRUE(contains(text, "\n  point                  n ")) << text;
   EXPECT_TRUE(contains(text, "  youngs_modulus 50 Pa   1 ")) << text;
-  EXPECT_TRUE(contains(text, "Tests need at least 3 runs at each point.")) << text;
   EXPECT_FALSE(contains(text, "nan")) << text;
   EXPECT_FALSE(contains(text, "[-, -]")) << text;
+}
+
+TEST_F(Study, CollectPrintsNoPOfTwoRuns) {
+  const auto row = [&](int replicates) { // of the only pair: difference, interval, p, Holm's p and more
+    write_study("\"50 Pa\", \"100 Pa\"", replicates);
+    EXPECT_EQ(run("study run e.toml --quiet").code, 0);
+    const std::string text = run("study collect e-study").out;
+    const std::string pair = "  youngs_modulus 50 Pa  youngs_modulus 100 Pa ";
+    EXPECT_EQ(contains(text, "A p needs at least 3 runs at each point"), replicates < 3) << text;
+    const std::size_t begin = text.find(pair);
+    if (begin == std::string::npos) return text;
+    return text.substr(begin + pair.size(), text.find('\n', begin) - begin - pair.size());
+  };
+  const std::string none = "  -         -  ";
+  const std::string two = row(2);
+  EXPECT_TRUE(contains(two, " to ")) << "the interval stays: " << two;
+  EXPECT_TRUE(contains(two, none)) << two;
+  EXPECT_FALSE(contains(row(3), none));
 }
 
 TEST_F(Study, ReproduceRunsAndJudges) {
