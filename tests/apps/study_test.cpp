@@ -280,6 +280,18 @@ TEST_F(Study, CollectPrintsNoPOfTwoRuns) {
   EXPECT_FALSE(contains(row(3), none));
 }
 
+TEST_F(Study, PlanOfManyPointsLooksForWarningsAtSome) {
+  std::string values;
+  for (int k = 0; k < 201; ++k) values += (k > 0 ? ", \"" : "\"") + std::to_string(100 + k) + " Pa\"";
+  write_study(values);
+  const json plan = json::parse(run("study plan e.toml --json").out);
+  EXPECT_EQ(plan.at("points_looked_at_for_warnings"), 200);
+  EXPECT_EQ(plan.at("points").size(), 201U);
+  for (const json& point : plan.at("points"))
+    EXPECT_EQ(point.at("run_time_estimate_s"), plan.at("points").at(0).at("run_time_estimate_s"));
+  EXPECT_TRUE(contains(run("study plan e.toml").out, "looked for at 200 of the 201 points"));
+}
+
 TEST_F(Study, ReproduceRunsAndJudges) {
   const std::string tiny = " --set 'ecm.radius=40 um' --set 'run.duration=0.002 h' --replicates 2";
   const Ended ended = run("reproduce A5" + tiny);
