@@ -71,36 +71,39 @@ double wall_time(const Parameters& p, double particles) {
 
 } // namespace
 
+std::size_t particle_count(const Parameters& p) { return lattice_patch(p.ecm, p.ecm.radius).size(); }
+
+RunCost run_cost(const Parameters& p, std::size_t particles) {
+  const auto n = static_cast<double>(particles);
+  return {.memory_bytes = bytes_alone
+                          + n
+                                * std::max(bytes_a_particle + listed_neighbours(p.ecm) * bytes_a_pair,
+                                           frames(p) * bytes_a_particle_and_frame),
+          .disk_bytes = disk_bytes(p, n),
+          .wall_time = wall_time(p, n)};
+}
+
 Derived derived(const Parameters& p) {
   const EcmState ecm = disc(p);
   const Moduli m = moduli(p.ecm);
   const auto clamped = static_cast<std::size_t>(std::ranges::count(ecm.clamped, 1));
   const int in_front = p.cell.particles / 2;
-  Derived d{.K = m.K,
-            .G = m.G,
-            .shear_time = p.ecm.viscosity / m.G,
-            .compression_time = p.ecm.viscosity / m.longitudinal(),
-            .free_particles = ecm.size() - clamped,
-            .clamped_particles = clamped,
-            .fluid_particles = static_cast<std::size_t>(std::ranges::count(ecm.f, 0.0)),
-            .neighbours = static_cast<double>(lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size()) - 1.0,
-            .segment_length = initial_segment_length(p.cell),
-            .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
-            .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
-            .wait = 1.0 / (in_front * p.protrusion.initiation_rate),
-            .steps = steps(p),
-            .limits = step_limits(p),
-            .bonds = fibre_bonds(p),
-            .memory_bytes = 0.0,
-            .disk_bytes = 0.0,
-            .wall_time = 0.0};
-  const auto n = static_cast<double>(d.particles());
-  const double listed = listed_neighbours(p.ecm);
-  d.disk_bytes = disk_bytes(p, n);
-  d.memory_bytes =
-      bytes_alone + n * std::max(bytes_a_particle + listed * bytes_a_pair, frames(p) * bytes_a_particle_and_frame);
-  d.wall_time = wall_time(p, n);
-  return d;
+  return {.K = m.K,
+          .G = m.G,
+          .shear_time = p.ecm.viscosity / m.G,
+          .compression_time = p.ecm.viscosity / m.longitudinal(),
+          .free_particles = ecm.size() - clamped,
+          .clamped_particles = clamped,
+          .fluid_particles = static_cast<std::size_t>(std::ranges::count(ecm.f, 0.0)),
+          .neighbours = static_cast<double>(lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size()) - 1.0,
+          .segment_length = initial_segment_length(p.cell),
+          .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
+          .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
+          .wait = 1.0 / (in_front * p.protrusion.initiation_rate),
+          .steps = steps(p),
+          .limits = step_limits(p),
+          .bonds = fibre_bonds(p),
+          .cost = run_cost(p, ecm.size())};
 }
 
 std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) {

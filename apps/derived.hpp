@@ -11,6 +11,19 @@
 
 namespace matrigrate::apps {
 
+/// Estimates for a run.
+struct RunCost {
+  double memory_bytes;
+  double disk_bytes; ///< of its folder
+  double wall_time;  ///< with one thread [s]
+};
+
+/// Particles of the matrix.
+std::size_t particle_count(const Parameters& p);
+
+/// @param particles  particle_count(p)
+RunCost run_cost(const Parameters& p, std::size_t particles);
+
 /// What follows from the parameters before anything is computed.
 struct Derived {
   double K;                ///< bulk modulus [kPa]
@@ -27,10 +40,8 @@ struct Derived {
   double wait;                 ///< mean time between protrusions of a polarized cell without any [s]
   double steps;
   StepLimits limits;
-  FibreBonds bonds;    ///< of a particle, that carry fibres
-  double memory_bytes; ///< estimate
-  double disk_bytes;   ///< of the run's folder, estimate
-  double wall_time;    ///< estimate [s]
+  FibreBonds bonds; ///< of a particle, that carry fibres
+  RunCost cost;
 
   std::size_t particles() const { return free_particles + clamped_particles; }
 };

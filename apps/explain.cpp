@@ -64,9 +64,10 @@ std::string description(const Parameters& p, const Derived& d) {
     add("fibres", fmt::format("{} bonds", d.bonds.count),
         d.bonds.mean_deg ? fmt::format("of each particle; mean direction {:.3g} degrees", *d.bonds.mean_deg)
                          : "of each particle; no mean direction");
-  add("memory", fmt::format("{:.0f} MB", d.memory_bytes / 1e6), "estimate");
-  add("disk", fmt::format("{:.0f} MB", d.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
-  add("wall time", duration_text(d.wall_time), "estimate, on one thread; see the notes of `matrigrate explain -h`");
+  add("memory", fmt::format("{:.0f} MB", d.cost.memory_bytes / 1e6), "estimate");
+  add("disk", fmt::format("{:.0f} MB", d.cost.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
+  add("wall time", duration_text(d.cost.wall_time),
+      "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;
 }
 
@@ -92,9 +93,9 @@ Json to_json(const Options& options, const Parameters& p, const Derived& d, cons
           {"step_limit_set_by", d.limits.binding()},
           {"fibre_bonds_of_a_particle", d.bonds.count},
           {"fibre_mean_direction_deg", d.bonds.mean_deg ? Json(*d.bonds.mean_deg) : Json()},
-          {"memory_estimate_bytes", d.memory_bytes},
-          {"disk_estimate_bytes", d.disk_bytes},
-          {"wall_time_estimate_s", d.wall_time},
+          {"memory_estimate_bytes", d.cost.memory_bytes},
+          {"disk_estimate_bytes", d.cost.disk_bytes},
+          {"wall_time_estimate_s", d.cost.wall_time},
           {"adaptive_time_step_s", quicker ? Json(quicker->time_step) : Json()},
           {"adaptive_wall_time_estimate_s", quicker ? Json(quicker->wall_time) : Json()},
           {"warnings", found}};

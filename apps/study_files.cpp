@@ -54,6 +54,9 @@ std::string groups_text(const StudyFolder& study, const std::vector<study::ReadO
   return aligned(rows, 1);
 }
 
+/// Too few runs for a test: no p is shown.
+bool few_runs(const study::Comparison& c) { return std::min(c.sample_a.n, c.sample_b.n) < study::least_runs; }
+
 /// Only pairs of which something can be said.
 std::string comparisons_text(const StudyFolder& study, const std::vector<study::Comparison>& comparisons,
                              const std::string& readout) {
@@ -67,8 +70,8 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
       continue;
     }
     rows.push_back({study.study.points[c.a].label, study.study.points[c.b].label, number(c.difference.value),
-                    interval(c.difference), number(c.test.p), number(c.p_holm), number(c.g.value),
-                    number(c.detectable)});
+                    interval(c.difference), few_runs(c) ? "-" : number(c.test.p), few_runs(c) ? "-" : number(c.p_holm),
+                    number(c.g.value), number(c.detectable)});
   }
   if (rows.size() == 1) return {};
   return "\n" + aligned(rows, 2)
@@ -78,12 +81,12 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
 /// What to know of the numbers above.
 std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
   if (comparisons.empty()) return {};
-  const bool few = std::ranges::any_of(
-      comparisons, [](const study::Comparison& c) { return std::min(c.sample_a.n, c.sample_b.n) < study::least_runs; });
+  const bool few = std::ranges::any_of(comparisons, few_runs);
   return fmt::format("Holm's p is corrected over all pairs of a read-out; detectable: the smallest difference that as "
                      "many runs find with {:.0f} % power.\n{}",
                      100.0 * study::wanted_power,
-                     few ? fmt::format("Tests need at least {} runs at each point.\n", study::least_runs) : "");
+                     few ? fmt::format("A p needs at least {} runs at each point; below that \"-\" is printed "
+                                       "(statistics.csv holds all p).\n", study::least_runs) : "");
 }
 
 } // namespace

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace matrigrate::apps {
 
@@ -17,8 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_points = 60;  ///< that are listed for people
-constexpr std::size_t most_warnings = 5; ///< that are printed
+constexpr std::size_t most_points = 60;     ///< that are listed for people
+constexpr std::size_t most_warnings = 5;    ///< that are printed
+constexpr std::size_t most_looked_at = 200; ///< points, for warnings
 
 Json to_json(const StudyFolder& study, const StudyCost& c, int jobs) {
   Json points = Json::array();
@@ -39,8 +42,19 @@ Json to_json(const StudyFolder& study, const StudyCost& c, int jobs) {
           {"memory_estimate_bytes", c.memory_bytes * jobs},
           {"disk_estimate_bytes", c.disk_bytes},
           {"warnings", c.warnings},
+          {"points_looked_at_for_warnings", c.looked_at},
           {"points", points},
           {"runs", runs}};
+}
+
+/// Takes milliseconds per point, so of many points it looks at some, spread evenly over the list.
+void add_warnings(const std::vector<study::Point>& points, StudyCost& c) {
+  c.looked_at = std::min(points.size(), most_looked_at);
+  for (std::size_t k = 0; k < c.looked_at; ++k) {
+    const study::Point& point = points[k * points.size() / c.looked_at];
+    for (const std::string& warning : warnings(point.parameters, derived(point.parameters)))
+      c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
+  }
 }
 
 } // namespace
@@ -48,15 +62,18 @@ Json to_json(const StudyFolder& study, const StudyCost& c, int jobs) {
 StudyCost cost(const StudyFolder& study) {
   StudyCost c;
   const auto replicates = static_cast<double>(study.study.replicates);
+  std::map<std::tuple<double, double, Lattice>, std::size_t> counted; // particles of each matrix
   for (const study::Point& point : study.study.points) {
-    const Derived d = derived(point.parameters);
-    c.run_times.push_back(d.wall_time);
-    c.wall_time += replicates * d.wall_time;
-    c.memory_bytes = std::max(c.memory_bytes, d.memory_bytes);
-    c.disk_bytes += replicates * d.disk_bytes;
-    for (const std::string& warning : warnings(point.parameters, d))
-      c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
+    const EcmParameters& ecm = point.parameters.ecm;
+    const auto [matrix, is_new] = counted.try_emplace({ecm.radius, ecm.particle_spacing, ecm.lattice}, 0);
+    if (is_new) matrix->second = particle_count(point.parameters);
+    const RunCost run = run_cost(point.parameters, matrix->second);
+    c.run_times.push_back(run.wall_time);
+    c.wall_time += replicates * run.wall_time;
+    c.memory_bytes = std::max(c.memory_bytes, run.memory_bytes);
+    c.disk_bytes += replicates * run.disk_bytes;
   }
+  add_warnings(study.study.points, c);
   return c;
 }
 
@@ -77,6 +94,9 @@ int print_plan(const StudyFolder& study, int jobs, bool json) {
                     "memory     {:.0f} MB\ndisk       {:.0f} MB\n",
                     wall_time_text(c.wall_time / jobs), jobs, jobs == 1 ? "" : "s", wall_time_text(c.wall_time),
                     jobs * c.memory_bytes / 1e6, c.disk_bytes / 1e6));
+  if (c.looked_at < n)
+    print(fmt::format("warnings   looked for at {} of the {} points, spread evenly; {} found\n", c.looked_at, n,
+                      c.warnings.size()));
   for (std::size_t i = 0; i < std::min(c.warnings.size(), most_warnings); ++i)
     print(fmt::format("\n{} {}\n", coloured("WARNING:", Colour::warning, Stream::out), c.warnings[i]));
   if (c.warnings.size() > most_warnings)

@@ -12,6 +12,7 @@ struct StudyCost {
   double memory_bytes = 0.0;     ///< of the largest run
   double disk_bytes = 0.0;       ///< of all runs
   std::vector<double> run_times; ///< of a run at each point [s]
+  std::size_t looked_at = 0;     ///< points that warnings were looked for at
   std::vector<std::string> warnings;
 };
 

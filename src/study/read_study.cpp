@@ -235,8 +235,8 @@ Study read_study(const std::filesystem::path& file, const Changes& changes) {
 
 bool is_study_file(const std::filesystem::path& file) {
   const auto document = parse_document(read_file(file, largest_file), file.string());
-  const auto* table = std::get_if<toml::table>(&document);
-  return table != nullptr && is_study(*table);
+  if (const auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({*fault});
+  return is_study(std::get<toml::table>(document));
 }
 
 } // namespace matrigrate::study

@@ -28,8 +28,9 @@ struct Changes {
 /// @throws InputOutputError if the file, or the scenario that it names, cannot be read
 Study read_study(const std::filesystem::path& file, const Changes& changes = {});
 
-/// Whether a file is a study rather than a scenario, whatever faults it has; false if it is not TOML.
+/// Whether a file is a study rather than a scenario, whatever faults its values have.
 /// @throws InputOutputError if it cannot be read or has more than 32 MiB
+/// @throws ConfigurationError with one fault if it is not TOML
 bool is_study_file(const std::filesystem::path& file);
 
 /// @param name    stands for the file in faults

@@ -258,9 +258,38 @@ TEST_F(Study, CollectPrintsATable) {
   const std::string text = run("study collect e-study").out;
   EXPECT_TRUE(contains(text, "\n  point                  n ")) << text;
   EXPECT_TRUE(contains(text, "  youngs_modulus 50 Pa   1 ")) << text;
-  EXPECT_TRUE(contains(text, "Tests need at least 3 runs at each point.")) << text;
   EXPECT_FALSE(contains(text, "nan")) << text;
   EXPECT_FALSE(contains(text, "[-, -]")) << text;
+}
+
+TEST_F(Study, CollectPrintsNoPOfTwoRuns) {
+  const auto row = [&](int replicates) { // of the only pair: difference, interval, p, Holm's p and more
+    write_study("\"50 Pa\", \"100 Pa\"", replicates);
+    EXPECT_EQ(run("study run e.toml --quiet").code, 0);
+    const std::string text = run("study collect e-study").out;
+    const std::string pair = "  youngs_modulus 50 Pa  youngs_modulus 100 Pa ";
+    EXPECT_EQ(contains(text, "A p needs at least 3 runs at each point"), replicates < 3) << text;
+    const std::size_t begin = text.find(pair);
+    if (begin == std::string::npos) return text;
+    return text.substr(begin + pair.size(), text.find('\n', begin) - begin - pair.size());
+  };
+  const std::string none = "  -         -  ";
+  const std::string two = row(2);
+  EXPECT_TRUE(contains(two, " to ")) << "the interval stays: " << two;
+  EXPECT_TRUE(contains(two, none)) << two;
+  EXPECT_FALSE(contains(row(3), none));
+}
+
+TEST_F(Study, PlanOfManyPointsLooksForWarningsAtSome) {
+  std::string values;
+  for (int k = 0; k < 201; ++k) values += (k > 0 ? ", \"" : "\"") + std::to_string(100 + k) + " Pa\"";
+  write_study(values);
+  const json plan = json::parse(run("study plan e.toml --json").out);
+  EXPECT_EQ(plan.at("points_looked_at_for_warnings"), 200);
+  EXPECT_EQ(plan.at("points").size(), 201U);
+  for (const json& point : plan.at("points"))
+    EXPECT_EQ(point.at("run_time_estimate_s"), plan.at("points").at(0).at("run_time_estimate_s"));
+  EXPECT_TRUE(contains(run("study plan e.toml").out, "looked for at 200 of the 201 points"));
 }
 
 TEST_F(Study, ReproduceRunsAndJudges) {

@@ -130,6 +130,16 @@ TEST_F(Program, CheckRefusesWhatARunRefuses) {
   EXPECT_EQ(entries(), 2U);
 }
 
+TEST_F(Program, CheckTellsTheSyntaxErrorOfALargeFile) {
+  const std::string large = "replicates = 2\n#" + std::string(std::size_t{1} << 20U, ' ') + "\n";
+  write("torn.toml", large + "[sweep]\necm.youngs_modulus = [\"50 Pa\"\nseed = 1\n");
+  const Ended torn = run("check torn.toml");
+  EXPECT_EQ(torn.code, 3) << torn.err;
+  EXPECT_TRUE(contains(torn.err, "torn.toml:5:") && contains(torn.err, "cannot be read as TOML")) << torn.err;
+  write("large.toml", large + "[sweep]\necm.youngs_modulus = [\"50 Pa\"]\n");
+  EXPECT_EQ(run("check large.toml").out, "large.toml: good study: 1 points x 2 replicates = 2 runs\n");
+}
+
 TEST_F(Program, CheckKnowsAStudy) {
   const std::string head = "preset = \"baseline\"\nreplicates = 2\n[sweep]\n";
   write("two.toml", head + "ecm.youngs_modulus = [\"50 Pa\", \"100 Pa\"]\n");

@@ -6,7 +6,7 @@ import { Camera } from "../src/run/camera";
 import { placeAt } from "../src/run/frames";
 import { speeds } from "../src/run/plots";
 import { bars } from "../src/run/timeline";
-import { brackets, sign, story } from "../src/study/brackets";
+import { brackets, sign, starsNote, story } from "../src/study/brackets";
 import { grid } from "../src/study/groups";
 import { protrusionRows, tracks } from "../sample/life";
 import { random } from "../sample/random";
@@ -91,4 +91,16 @@ test("stars follow p after Holm's correction, and need three runs at each point"
   const words = story({ ...one, p: 0.042, p_holm: 0.083, n_a: 2, n_b: 5 }, made, "um/h").join("\n");
   for (const part of ["t-test: p = 0.042, t = ", "Holm's correction: p = 0.083", "n = 2 and 5: too few", "\u00b5m/h"])
     assert.ok(words.includes(part), words);
+});
+
+test("a caption counts the comparisons that have a p, and names no stars where there can be none", () => {
+  const study = sampleStudy();
+  const readout = study.readouts[0].name;
+  const tests = study.tests.filter((t) => t.readout === readout).slice(0, 4);
+  assert.match(starsNote(tests, readout), /over 4 comparisons\.$/);
+  tests[0] = { ...tests[0], p: null, p_holm: null };
+  assert.match(starsNote(tests, readout), /over 3 comparisons\.$/);
+  assert.match(starsNote(tests.slice(0, 2), readout), /over 1 comparison\.$/);
+  assert.equal(starsNote(tests.slice(0, 1), readout), "");
+  assert.equal(starsNote(tests.map((t) => ({ ...t, n_a: 2 })), readout), "");
 });

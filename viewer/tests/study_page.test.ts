@@ -119,6 +119,14 @@ test("everything is drawn when it is printed, and fits the paper", async () => {
   assert.equal(after.drawn, after.plots);
   assert.ok(after.widest <= 700, `${after.widest}`);
   assert.equal(after.timelines, 1);
+  await page.emulateMedia({ media: "print" });
+  const colours = await page.evaluate(() =>
+    [...document.querySelectorAll(".patch, .swatch, .dot, .bar")].map(
+      (one) => getComputedStyle(one).getPropertyValue("print-color-adjust") || getComputedStyle(one).getPropertyValue("-webkit-print-color-adjust"),
+    ),
+  );
+  assert.ok(colours.length > 0);
+  assert.deepEqual([...new Set(colours)], ["exact"], "legends keep their colours");
   assert.deepEqual(errors, []);
   await page.context().close();
 });

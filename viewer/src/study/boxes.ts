@@ -1,7 +1,7 @@
 /** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
 import type { StudyGroup, StudyPage, StudyReadout } from "../contract";
 import { pretty, readable } from "../numbers";
-import { brackets, sign, story, type Bracket, type Shown } from "./brackets";
+import { brackets, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, type Json } from "./figure";
 import { groupAt, seriesColour, values, withUnit, type Grid, type Group } from "./groups";
 
@@ -11,8 +11,7 @@ const statisticsOf = (study: StudyPage, group: Group, readout: string): StudyGro
 
 function caption(study: StudyPage, readout: StudyReadout): string {
   const meaning = `${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`;
-  const tests = study.tests.filter((t) => t.readout === readout.name).length;
-  return tests > 0 ? `${meaning} Stars: p after Holm's correction over ${tests} comparison${tests > 1 ? "s" : ""}.` : meaning;
+  return `${meaning}${starsNote(study.tests, readout.name)}`;
 }
 
 export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {

@@ -22,6 +22,13 @@ const significant = (test: StudyTest): boolean => enoughRuns(test) && test.p_hol
 /** Over a bracket: stars after Holm's correction, or why there are none. */
 export const sign = (test: StudyTest): string => (enoughRuns(test) ? stars(test.p_holm) : `n < ${leastRuns}`);
 
+/** What the stars of a read-out are corrected for; "" where no comparison can have any. Holm counts those with a p alone. */
+export function starsNote(tests: StudyTest[], readout: string): string {
+  const tested = tests.filter((t) => t.readout === readout && t.p !== null);
+  if (!tested.some(enoughRuns)) return "";
+  return ` Stars: p after Holm's correction over ${tested.length} comparison${tested.length > 1 ? "s" : ""}.`;
+}
+
 const testNames: Record<string, [name: string, statistic: string]> = {
   t: ["t-test", "t"],
   welch: ["Welch's t-test", "t"],
