@@ -58,7 +58,7 @@ int run(int argc, char** argv) {
   add_validate(app, chosen);
   add_selftest(app, chosen);
   add_study(app, chosen);
-  add_reproduce(app, chosen);
+  add_reproduce(app, chosen, {argv, argv + argc});
   add_info(app, chosen);
   call_subcommands_verbs(app);
   require_verb(app, argc, argv);

@@ -3,6 +3,7 @@
 #include "apps/finished_run.hpp"
 #include "apps/folder_lock.hpp"
 #include "apps/reproduce_output.hpp"
+#include "apps/run_record.hpp"
 #include "apps/shipped_studies.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/study_files.hpp"
@@ -42,6 +43,7 @@ struct Options {
   int jobs = 0;
   bool json = false;
   bool quiet = false;
+  std::string command; ///< as it was typed
 };
 
 /// A signal ended the work.
@@ -231,7 +233,8 @@ int reproduce(const Options& options) {
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
   for (const study::Claim* claim : claims) rows.push_back(study::judged(*claim, evidence));
-  write_reproduction(options.folder, options.id, rows, evidence, figures_of(evidence, options), setting);
+  write_reproduction(options.folder, options.id, rows, evidence, figures_of(evidence, options), setting,
+                     options.command);
   if (options.json)
     print(reproduction_json(rows, evidence, setting, as_published(options)));
   else
@@ -243,7 +246,7 @@ int reproduce(const Options& options) {
 
 } // namespace
 
-void add_reproduce(CLI::App& app, Action& chosen) {
+void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>& command_line) {
   CLI::App* verb = app.add_subcommand("reproduce", "Run the paper's ensembles and judge its claims by them");
   verb->footer(
       "Computes what is missing of the studies that the rows need (each in its own folder below DIR, so that rows\n"
@@ -253,6 +256,7 @@ void add_reproduce(CLI::App& app, Action& chosen) {
       "Exit code 4 if a claim does not hold or is undecided. V rows are judged on verification cases (matrigrate\n"
       "validate), by rules on the quantity that each claims.");
   const auto options = std::make_shared<Options>();
+  options->command = command_text(command_line);
   verb->add_option("ID", options->id, "A, B, C, D, E, V, all, or one row such as A2")->required();
   verb->add_option("-o,--output", options->folder, "Folder for studies and verdicts (default: reproduce)");
   verb->add_option("--replicates", options->replicates, "Runs at each point (default: as many as the paper)")

@@ -1,6 +1,7 @@
 #include "apps/reproduce_output.hpp"
 
 #include "apps/provenance.hpp"
+#include "apps/run_record.hpp"
 #include "apps/study_claims.hpp"
 #include "apps/terminal.hpp"
 #include "base/file.hpp"
@@ -11,6 +12,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
 
 namespace matrigrate::apps {
 
@@ -50,11 +54,26 @@ Colour colour_of(study::Verdict verdict) {
                                                 : Colour::bad;
 }
 
+std::vector<io::Fact> facts(const study::Evidence& evidence, const std::string& command) {
+  std::size_t done = 0;
+  std::size_t all = 0;
+  for (const auto& [name, ensemble] : evidence) {
+    all += ensemble.results.size();
+    done += static_cast<std::size_t>(
+        std::ranges::count_if(ensemble.results, [](const study::Result& r) { return r.standing.done(); }));
+  }
+  std::vector<io::Fact> list{
+      {"command", command}, {"date", minute_text(std::chrono::system_clock::now())}, {"program", version_line()}};
+  if (all > 0) list.push_back({"runs done", fmt::format("{} of {}", done, all)});
+  return list;
+}
+
 } // namespace
 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, io::Figure>& figures, const std::string& setting) {
+                        const std::map<std::string, io::Figure>& figures, const std::string& setting,
+                        const std::string& command) {
   write_file(folder / fmt::format("claims-{}.csv", id), claims_csv(rows, evidence));
   std::vector<io::ClaimSection> sections;
   for (const ReproducedRow& row : rows) {
@@ -75,7 +94,8 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
   if (!all_plots.empty())
     write_file(folder / fmt::format("boxes-{}.svg", id), to_svg(all_plots, fmt::format("Studies of row {}", id)));
   write_file(folder / fmt::format("report-{}.html", id),
-             io::claims_page(fmt::format("Claims of Heck et al. 2020: {}", id), setting, sections, provenance_text()));
+             io::claims_page(fmt::format("Claims of Heck et al. 2020: {}", id), facts(evidence, command), setting,
+                             sections, provenance_text()));
 }
 
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {

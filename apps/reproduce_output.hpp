@@ -15,10 +15,12 @@ using ReproducedRow = study::JudgedClaim;
 
 /// Writes claims-<id>.csv, boxes-<id>.svg and report-<id>.html into the folder. Beside each verdict on runs that are
 /// not the paper's stands that they are not: in the column `caveat`, and on the page.
+/// @param command  that made them
 /// @param figures  beside the box plots, by the id of the row they belong to
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, io::Figure>& figures, const std::string& setting);
+                        const std::map<std::string, io::Figure>& figures, const std::string& setting,
+                        const std::string& command);
 
 /// The table for people. Where runs are not the paper's, that stands beside the verdict.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);

@@ -32,19 +32,6 @@ std::string name_of(const fs::path& folder) {
   return path.filename().string();
 }
 
-/// As one would type it in a shell, the program by its name alone.
-std::string command_text(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    const std::string shown = text.empty() ? fs::path(word).filename().string() : word;
-    const bool plain = !shown.empty() && shown.find_first_of(" \t\"'$`\\!*?[](){}<>|&;#~") == std::string::npos;
-    std::string quoted;
-    for (const char c : shown) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += (text.empty() ? "" : " ") + (plain ? shown : fmt::format("'{}'", quoted));
-  }
-  return text;
-}
-
 /// "2026-01-31 12:00 UTC" of "2026-01-31T12:00:00Z".
 std::string minute_of(const std::string& time) {
   return time.size() < 16 ? time : fmt::format("{} {} UTC", time.substr(0, 10), time.substr(11, 5));
@@ -64,6 +51,20 @@ Json value_of(const Json& record, const char* key) {
 }
 
 } // namespace
+
+std::string command_text(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    const std::string shown = text.empty() ? fs::path(word).filename().string() : word;
+    const bool plain = !shown.empty() && shown.find_first_of(" \t\"'$`\\!*?[](){}<>|&;#~") == std::string::npos;
+    std::string quoted;
+    for (const char c : shown) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += (text.empty() ? "" : " ") + (plain ? shown : fmt::format("'{}'", quoted));
+  }
+  return text;
+}
+
+std::string minute_text(Clock::time_point time) { return minute_of(utc(time)); }
 
 std::string configuration_hash(const Parameters& p) {
   Parameters q = p;

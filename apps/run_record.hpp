@@ -36,6 +36,12 @@ struct RunRecord {
   std::optional<std::chrono::system_clock::time_point> end;
 };
 
+/// Words as one would type them in a shell, the program by its name alone.
+std::string command_text(const std::vector<std::string>& words);
+
+/// "2026-01-31 12:00 UTC"
+std::string minute_text(std::chrono::system_clock::time_point time);
+
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 

@@ -1,6 +1,7 @@
 #include "apps/study_files.hpp"
 
 #include "apps/provenance.hpp"
+#include "apps/run_record.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/study_claims.hpp"
 #include "apps/study_players.hpp"
@@ -86,7 +87,16 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
                      "many runs find with {:.0f} % power.\n{}",
                      100.0 * study::wanted_power,
                      few ? fmt::format("A p needs at least {} runs at each point; below that \"-\" is printed "
-                                       "(statistics.csv holds all p).\n", study::least_runs) : "");
+                                       "(statistics.csv holds all p).\n",
+                                       study::least_runs)
+                         : "");
+}
+
+/// What computes the study again, from the file that its folder holds.
+std::string command_of(const StudyFolder& study) {
+  const std::filesystem::path folder = std::filesystem::absolute(study.folder).lexically_normal();
+  const std::filesystem::path name = (folder.has_filename() ? folder : folder.parent_path()).filename();
+  return command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
 }
 
 } // namespace
@@ -109,17 +119,18 @@ Collected collect_tables(const StudyFolder& study) {
 }
 
 void write_study_report(const StudyFolder& study, const Collected& collected, const std::vector<std::string>& played) {
-  write_file(study.folder / "report.html",
-             io::filled_page(study_page_template(),
-                             study::study_data({.study = study.study,
-                                                .results = collected.results,
-                                                .comparisons = collected.comparisons,
-                                                .folder = study.folder,
-                                                .provenance = provenance_text(),
-                                                .claims = claims_about(study, collected.results),
-                                                .claims_note = claims_note(study.study),
-                                                .claims_caveat = claims_caveat(study.study),
-                                                .played = played_runs(study, collected.results, played)})));
+  write_file(
+      study.folder / "report.html",
+      io::filled_page(study_page_template(), study::study_data({.study = study.study,
+                                                                .results = collected.results,
+                                                                .comparisons = collected.comparisons,
+                                                                .folder = study.folder,
+                                                                .provenance = provenance_text(),
+                                                                .claims = claims_about(study, collected.results),
+                                                                .claims_note = claims_note(study.study),
+                                                                .claims_caveat = claims_caveat(study.study),
+                                                                .played = played_runs(study, collected.results, played),
+                                                                .command = command_of(study)})));
 }
 
 Collected collect(const StudyFolder& study) {

@@ -42,7 +42,7 @@ void add_export(CLI::App& app, Action& chosen);
 void add_validate(CLI::App& app, Action& chosen);
 void add_selftest(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);
-void add_reproduce(CLI::App& app, Action& chosen);
+void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>& command_line);
 void add_info(CLI::App& app, Action& chosen);
 
 } // namespace matrigrate::apps

@@ -53,10 +53,12 @@ std::string claim_html(const ClaimSection& claim, std::size_t number) {
 
 } // namespace
 
-std::string claims_page(const std::string& title, const std::string& setting, const std::vector<ClaimSection>& claims,
-                        const std::string& provenance) {
+std::string claims_page(const std::string& title, const std::vector<Fact>& facts, const std::string& setting,
+                        const std::vector<ClaimSection>& claims, const std::string& provenance) {
   const bool caveat = std::ranges::any_of(claims, [](const ClaimSection& claim) { return !claim.caveat.empty(); });
   std::string text = page_head(title);
+  for (const Fact& fact : facts)
+    text += fmt::format("<p class=\"fact\">{}: {}</p>\n", svg::escape(fact.name), svg::escape(fact.value));
   if (!setting.empty()) text += fmt::format("<p{}>{}</p>\n", caveat ? " class=\"notice\"" : "", svg::escape(setting));
   text += summary_html(claims);
   for (std::size_t k = 0; k < claims.size(); ++k) text += claim_html(claims[k], k + 1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/plot.hpp"
+#include "io/run_page.hpp"
 
 #include <string>
 #include <vector>
@@ -21,11 +22,12 @@ struct ClaimSection {
   std::vector<Figure> figures;
 };
 
+/// @param facts       command, date, version, runs done, at the top of the page
 /// @param setting     how the runs were made, at the top of the page
 /// @param provenance  what made the numbers; its line breaks are kept
 /// @return  the HTML document; all text is escaped, figures are taken as they are
 /// @throws std::invalid_argument if a figure holds no SVG element
-std::string claims_page(const std::string& title, const std::string& setting, const std::vector<ClaimSection>& claims,
-                        const std::string& provenance);
+std::string claims_page(const std::string& title, const std::vector<Fact>& facts, const std::string& setting,
+                        const std::vector<ClaimSection>& claims, const std::string& provenance);
 
 } // namespace matrigrate::io

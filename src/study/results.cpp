@@ -97,6 +97,10 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   if (const int code = value_or(record, "exit_code", -1); code >= 0) s.exit_code = code;
   s.reason = value_or(record, "reason", std::string());
   s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
+  s.end = value_or(record, "end", std::string());
+  if (const std::string version = value_or(record, "version", std::string()); !version.empty())
+    s.program = fmt::format("{} ({}{})", version, value_or(record, "git_hash", std::string()).substr(0, 8),
+                            value_or(record, "git_dirty", false) ? "+" : "");
   s.wall_time = value_or(record, "wall_time_s", 0.0);
   s.steps_done = value_or(record, "steps", 0.0);
   return s;

@@ -23,6 +23,8 @@ struct Standing {
   std::optional<int> exit_code;
   std::string reason; ///< why it is not done
   std::string trajectory_hash;
+  std::string program;    ///< that computed it: "0.1.0 (1234abcd)"
+  std::string end;        ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not
   double wall_time = 0.0; ///< [s]
   double steps_done = 0.0;
 

@@ -8,11 +8,13 @@
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <system_error>
 
 namespace matrigrate::study {
@@ -185,6 +187,35 @@ Json claims_json(const std::vector<JudgedClaim>& claims) {
   return list;
 }
 
+/// "Stiffness: 4 points x 12 replicates": studies with one title are told apart.
+std::string titled(const Study& study) {
+  return fmt::format("{}: {} point{} x {} replicate{}", study.title.empty() ? "Study" : study.title,
+                     study.points.size(), study.points.size() == 1 ? "" : "s", study.replicates,
+                     study.replicates == 1 ? "" : "s");
+}
+
+/// Command, date, versions of the program, runs done: from the files of the folder alone.
+Json facts_json(const StudyReport& report) {
+  std::size_t done = 0;
+  std::string last;
+  std::set<std::string> programs;
+  for (const Result& r : report.results) {
+    if (!r.standing.done()) continue;
+    ++done;
+    last = std::max(last, r.standing.end);
+    if (!r.standing.program.empty()) programs.insert(r.standing.program);
+  }
+  Json facts = Json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) facts.push_back({{"name", name}, {"value", value}});
+  };
+  add("command", report.command);
+  if (last.size() >= 16) add("date", fmt::format("{} {} UTC", last.substr(0, 10), last.substr(11, 5)));
+  if (!programs.empty()) add("program", fmt::format("matrigrate {}", fmt::join(programs, ", ")));
+  add("runs done", fmt::format("{} of {}", done, report.results.size()));
+  return facts;
+}
+
 Json players_json(const std::vector<PlayedRun>& played) {
   Json list = Json::array();
   for (const PlayedRun& run : played) list.push_back({{"id", run.id}, {"label", run.label}, {"run", run.page}});
@@ -210,6 +241,35 @@ Json axes_json(const Study& study) {
   return {{{"name", "point"}, {"label", "point"}, {"meaning", "Point of the study"}, {"unit", ""}, {"values", labels}}};
 }
 
+std::string result_sentence(const StudyReport& report) {
+  if (report.study.readouts.empty()) return {};
+  const Json readout = readouts_json(report.study).at(0);
+  std::vector<ReadOutSample> defined = samples(report.study, report.results);
+  std::erase_if(defined, [&](const ReadOutSample& s) { return s.readout != readout.at("name") || s.moments.n == 0; });
+  const std::string label = readout.at("label");
+  if (defined.empty()) return fmt::format("No run has a value of {} yet.", label);
+  const auto value = [&](const ReadOutSample& s) {
+    const std::string unit = readout.at("unit");
+    return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit.empty() ? "" : " " + unit, s.moments.n,
+                       s.moments.n == 1 ? "" : "s", report.study.points[s.point].label);
+  };
+  const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
+  if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
+  std::size_t tested = 0;
+  std::size_t significant = 0;
+  for (const Comparison& c : report.comparisons) {
+    const bool enough = std::min(c.sample_a.n, c.sample_b.n) >= least_runs;
+    if (c.readout != readout.at("name") || !enough || std::isnan(c.p_holm)) continue;
+    ++tested;
+    if (c.p_holm < report.study.comparisons.alpha) ++significant;
+  }
+  return fmt::format("{} is lowest, {}, and highest, {}; ", label, value(*low), value(*high))
+         + (tested == 0
+                ? fmt::format("no comparison has {} runs at both points.", least_runs)
+                : fmt::format("{} of {} comparisons {} significant (p < {:.3g} after Holm's correction).", significant,
+                              tested, significant == 1 ? "is" : "are", report.study.comparisons.alpha));
+}
+
 Json study_data(const StudyReport& report) {
   const std::vector<Json> place = places(report.study);
   const auto done = std::ranges::count_if(report.results, [](const Result& r) { return r.standing.done(); });
@@ -222,8 +282,10 @@ Json study_data(const StudyReport& report) {
   for (std::size_t i = 0; i < place.size(); ++i) msd.push_back(msd_json(report, i, place[i]));
   return {{"format", "matrigrate-study"},
           {"version", 1},
-          {"title", report.study.title},
+          {"title", titled(report.study)},
           {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
+          {"summary", result_sentence(report)},
+          {"facts", facts_json(report)},
           {"axes", axes_json(report.study)},
           {"readouts", readouts_json(report.study)},
           {"runs", std::move(runs)},

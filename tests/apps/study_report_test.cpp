@@ -40,6 +40,19 @@ TEST_F(StudyReport, ShowsShapesAndPlaysTypicalRuns) {
   EXPECT_TRUE(page.at("claims").empty()) << "no study of the paper";
 }
 
+TEST_F(StudyReport, BeginsWithWhatWasComputedAndWhatCameOut) {
+  ASSERT_EQ(run("study run e.toml").code, 0);
+  const json page = data("e-study/report.html");
+  EXPECT_EQ(page.at("title"), "Stiffness: 2 points x 2 replicates");
+  EXPECT_EQ(page.at("facts").at(0).at("value"), "matrigrate study run e-study/study.resolved.toml");
+  EXPECT_TRUE(page.at("facts").at(1).at("value").get<std::string>().ends_with(" UTC"));
+  EXPECT_TRUE(page.at("facts").at(2).at("value").get<std::string>().starts_with("matrigrate 0."));
+  EXPECT_EQ(page.at("facts").at(3).at("value"), "4 of 4");
+  const std::string summary = page.at("summary");
+  EXPECT_TRUE(summary.starts_with("v_migr_abs is lowest, ")) << summary;
+  EXPECT_TRUE(summary.ends_with("; no comparison has 3 runs at both points.")) << summary;
+}
+
 TEST_F(StudyReport, IsMadeAnew) {
   ASSERT_EQ(run("study run e.toml").code, 0);
   const json before = data("e-study/report.html");

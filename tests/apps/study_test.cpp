@@ -303,6 +303,7 @@ TEST_F(Study, ReproduceRunsAndJudges) {
   EXPECT_TRUE(file("reproduce/claims-A5.csv").starts_with("id,sentence,published,ours,statistic,verdict,caveat\n"));
   EXPECT_TRUE(file("reproduce/claims-A5.csv").ends_with(",undecided,not the paper's runs\n"));
   const std::string report = file("reproduce/report-A5.html");
+  EXPECT_TRUE(contains(report, "<p class=\"fact\">command: matrigrate reproduce A5 --set &#39;ecm.radius=40 um&#39;"));
   EXPECT_LT(report.find("these are no verdicts on the paper"), report.find("0 of 1 hold")) << "at the top";
   EXPECT_TRUE(contains(report, "<span class=\"caveat\">not the paper&#39;s runs</span>"));
   const std::string results = file("reproduce/stiffness/results.csv");

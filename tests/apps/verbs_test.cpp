@@ -131,11 +131,11 @@ TEST_F(Program, CheckRefusesWhatARunRefuses) {
 }
 
 TEST_F(Program, CheckTellsTheSyntaxErrorOfALargeFile) {
-  const std::string large = "replicates = 2\n#" + std::string(std::size_t{1} << 20U, ' ') + "\n";
+  const std::string large = "preset = \"baseline\"\nreplicates = 2\n#" + std::string(std::size_t{1} << 20U, ' ') + "\n";
   write("torn.toml", large + "[sweep]\necm.youngs_modulus = [\"50 Pa\"\nseed = 1\n");
   const Ended torn = run("check torn.toml");
   EXPECT_EQ(torn.code, 3) << torn.err;
-  EXPECT_TRUE(contains(torn.err, "torn.toml:5:") && contains(torn.err, "cannot be read as TOML")) << torn.err;
+  EXPECT_TRUE(contains(torn.err, "torn.toml:6:") && contains(torn.err, "cannot be read as TOML")) << torn.err;
   write("large.toml", large + "[sweep]\necm.youngs_modulus = [\"50 Pa\"]\n");
   EXPECT_EQ(run("check large.toml").out, "large.toml: good study: 1 points x 2 replicates = 2 runs\n");
 }

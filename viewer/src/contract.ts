@@ -122,7 +122,7 @@ export interface NamedValue {
   value: number | string | null;
 }
 
-/** Something about a run as a whole. */
+/** Something about a run or a study as a whole. */
 export interface Fact {
   name: string;
   value: string;
@@ -285,8 +285,13 @@ export interface StudyPlayer {
 export interface StudyPage {
   format: "matrigrate-study";
   version: 1;
+  /** With the size of the study: "Stiffness: 4 points x 12 replicates". */
   title: string;
   status: string;
+  /** What came out, in a sentence; "" for nothing. */
+  summary?: string;
+  /** Command, date, version of the program, runs done. */
+  facts?: Fact[];
   /** The first is drawn along x, the others side by side in colours. */
   axes: StudyAxis[];
   readouts: StudyReadout[];

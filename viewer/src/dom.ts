@@ -1,4 +1,5 @@
 /** Elements in one call, and the parts that both pages have. */
+import type { Fact } from "./contract";
 import { onPaper } from "./paper";
 
 type Child = Node | string | null | undefined | false;
@@ -57,6 +58,10 @@ export function table(
     ),
   );
 }
+
+/** What was computed, when and how. */
+export const factList = (facts: Fact[]): HTMLElement =>
+  h("dl", { class: "facts" }, ...facts.map((f) => h("div", {}, h("dt", {}, f.name), h("dd", {}, f.value))));
 
 /** Shown instead of a page that cannot be made. */
 export function fault(message: string): HTMLElement {

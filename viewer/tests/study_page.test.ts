@@ -48,6 +48,16 @@ test("draws every plot without an error or a request", async () => {
   await page.context().close();
 });
 
+test("begins with what came out, the command and the number of runs", async () => {
+  const study = sampleStudy();
+  const { page } = await open(browser, "study", JSON.stringify(study));
+  assert.equal(await page.title(), study.title);
+  const head = (await page.locator("header").textContent()) ?? "";
+  for (const part of [study.title, study.status, study.summary, "command", "matrigrate study run", "runs done"])
+    assert.ok(head.includes(part ?? ""), part);
+  await page.context().close();
+});
+
 test("boxes have the quartiles and whiskers that the program computed", async () => {
   const study = sampleStudy();
   const group = study.groups.find((g) => g.readout === study.readouts[0].name && g.point.join() === "1,0");

@@ -1,6 +1,6 @@
 /** The page of a run. Tables and plots first, since they cost nothing; the film is unpacked meanwhile. */
 import type { RunPage } from "../contract";
-import { fault, h, section, table } from "../dom";
+import { factList, fault, h, section, table } from "../dom";
 import { embeddedRun } from "../embedded";
 import { pretty, readable } from "../numbers";
 import "../page.css";
@@ -24,10 +24,6 @@ function parameters(run: RunPage): Node {
   );
 }
 
-/** What was run, when and how. */
-const facts = (run: RunPage): HTMLElement =>
-  h("dl", { class: "facts" }, ...run.facts.map((f) => h("div", {}, h("dt", {}, f.name), h("dd", {}, f.value))));
-
 function show(run: RunPage, page: HTMLElement): void {
   document.title = run.title;
   const { parts, ready } = runView(run, true);
@@ -37,7 +33,7 @@ function show(run: RunPage, page: HTMLElement): void {
       {},
       h("h1", {}, run.title),
       h("p", { class: "status" }, run.status, " ", h("strong", {}, pretty(run.summary))),
-      facts(run),
+      factList(run.facts),
     ),
     ...parts,
     h(

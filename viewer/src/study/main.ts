@@ -1,6 +1,6 @@
 /** The page of a study. */
 import type { StudyPage } from "../contract";
-import { fault, h, section } from "../dom";
+import { factList, fault, h, section } from "../dom";
 import { embeddedStudy } from "../embedded";
 import "../page.css";
 import { boxes } from "./boxes";
@@ -97,7 +97,7 @@ function show(study: StudyPage, page: HTMLElement): void {
     draw();
   });
   page.replaceChildren(
-    h("header", {}, h("h1", {}, study.title), h("p", { class: "status" }, study.status)),
+    h("header", {}, h("h1", {}, study.title), h("p", { class: "status" }, study.status, " ", h("strong", {}, pretty(study.summary ?? ""))), factList(study.facts ?? [])),
     h(
       "div",
       { class: "study-controls" },
