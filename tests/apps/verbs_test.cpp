@@ -85,6 +85,14 @@ TEST_F(Program, SelftestHoldsHere) {
   const json found = json::parse(ended.out);
   EXPECT_TRUE(found.at("holds"));
   EXPECT_EQ(found.at("checks").size(), 6u);
+  const json build = json::parse(run("info --json").out);
+  const auto& simd = build.at("cpu").at("simd");
+  const bool known = build.at("compiler").get<std::string>().starts_with("GNU 12")
+                     && build.at("build_type") == "Release" && build.at("sanitizers") == ""
+                     && std::ranges::find(simd, "fma") != simd.end();
+  if (known) { // the build and the processors that the known hash is of
+    EXPECT_EQ(found.at("hash"), found.at("known_hash")) << "bring apps/selftest.cpp up to date";
+  }
   const Ended with = run("selftest --with '" MATRIGRATE_PROGRAM "'");
   EXPECT_EQ(with.code, 0);
   EXPECT_TRUE(contains(with.out, std::string(MATRIGRATE_PROGRAM) + ": the same bits")) << with.out;
@@ -227,7 +235,7 @@ TEST_F(Program, ExplainWarnsOfAStepBeyondTheLimit) {
   const Ended ended = run("explain a.toml --set 'run.time_step=40 s'");
   EXPECT_EQ(ended.code, 0);
   EXPECT_TRUE(contains(ended.out, "WARNING: a step of 40 s is longer than the largest stable one")) << ended.out;
-  EXPECT_TRUE(contains(ended.out, " s or less. A run of it is refused")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, " A run of it is refused")) << ended.out;
   EXPECT_FALSE(contains(run("explain a.toml").out, "WARNING"));
   const Ended bad = run("explain a.toml --set run.time_stp=1 --set ecm.radius=3");
   EXPECT_EQ(bad.code, 3);
