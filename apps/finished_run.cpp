@@ -56,6 +56,9 @@ bool ended_at(const Json& record, double t) {
 
 FinishedRun read_run(const std::filesystem::path& folder) {
   std::error_code error;
+  if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error))
+    throw InputOutputError(
+        fmt::format("{0}: is the folder of a study; name one of its runs, {0}/runs/NAME", folder.string()));
   if (!std::filesystem::is_regular_file(folder / "run.json", error))
     throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
   FinishedRun run;

@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::string remark(const State& s) {
-  return fmt::format("{} protrusion{} alive of {}", s.protrusions.size(), s.protrusions.size() == 1 ? "" : "s",
+  return fmt::format("{} protrusion{} now, {} so far", s.protrusions.size(), s.protrusions.size() == 1 ? "" : "s",
                      s.initiated);
 }
 
