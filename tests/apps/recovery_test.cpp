@@ -218,11 +218,12 @@ TEST_F(Recovery, DoesNotBelieveARecordThatItsCheckpointContradicts) {
 }
 
 TEST_F(Recovery, KeepsFilesOffClosedDescriptors) {
-  std::ofstream(base / "closed.sh") << "cd '" << folder.string() << "'\n'" MATRIGRATE_PROGRAM
-                                    << "' run s.toml -o here --hours 1000 <&- >&- 2>&- & p=$!\n"
-                                    << "while [ ! -e here/checkpoint.h5 ] && kill -0 $p; do sleep 0.01; done\n"
-                                    << "for n in 0 1 2; do readlink /proc/$p/fd/$n; done >fds\n"
-                                    << "kill -s TERM $p; wait $p\n";
+  std::ofstream(base / "closed.sh")
+      << "cd '" << folder.string() << "'\n'" MATRIGRATE_PROGRAM
+      << "' run s.toml -o here --hours 1000 --set protrusion.initiation_rate=1e-12 <&- >&- 2>&- & p=$!\n"
+      << "while [ ! -e here/checkpoint.h5 ] && kill -0 $p; do sleep 0.01; done\n"
+      << "for n in 0 1 2; do readlink /proc/$p/fd/$n; done >fds\n"
+      << "kill -s TERM $p; wait $p\n";
   const int status = std::system(("bash '" + (base / "closed.sh").string() + "'").c_str());
   EXPECT_EQ(text_of(folder / "fds"), "/dev/null\n/dev/null\n/dev/null\n");
   EXPECT_EQ(WEXITSTATUS(status), 5) << "what is printed at the end cannot be written";
