@@ -5,6 +5,7 @@
 #include "io/anchors.hpp"
 #include "io/frame_log.hpp"
 #include "io/hdf5.hpp"
+#include "io/naming.hpp"
 
 #include <fmt/format.h>
 
@@ -169,16 +170,6 @@ private:
   std::vector<std::size_t> m_anchors_of_frame;
   std::vector<std::uint32_t> m_frame_of_anchor;
 };
-
-/// Calls; failures name the file.
-template <class Call>
-auto naming(const std::filesystem::path& file, const Call& call) {
-  try {
-    return call();
-  } catch (const InputOutputError& trouble) {
-    throw InputOutputError(fmt::format("{}: {}", file.string(), trouble.what()));
-  }
-}
 
 void write_head(MemoryFile& file, const FrameHead& head, std::span<const double> times, const FieldOrigin& origin) {
   file.write_attribute("program", origin.program);

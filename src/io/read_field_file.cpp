@@ -3,6 +3,7 @@
 #include "io/field_file.hpp"
 #include "io/frame_log.hpp"
 #include "io/hdf5.hpp"
+#include "io/naming.hpp"
 
 #include <fmt/format.h>
 
@@ -93,16 +94,6 @@ Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
     (*whole)[k] = false;
   }
   return film;
-}
-
-/// Calls; failures name the file.
-template <class Call>
-auto naming(const std::filesystem::path& file, const Call& call) {
-  try {
-    return call();
-  } catch (const InputOutputError& trouble) {
-    throw InputOutputError(fmt::format("{}: {}", file.string(), trouble.what()));
-  }
 }
 
 bool is_there(const std::filesystem::path& file) {
