@@ -62,7 +62,8 @@ void add_reading(CLI::App& group, Action& chosen) {
   verb->add_option("DIR", gather->folder, "Folder of a study")->required();
   add_common(*verb, *gather, "Print no tables");
   verb->footer(
-      "Writes results.csv (a row a run), groups.csv, statistics.csv, correlations.csv, boxes.svg and report.html.");
+      "Writes results.csv (a row a run), groups.csv, statistics.csv, correlations.csv, boxes.svg and report.html;\n"
+      "with targets discrepancy.csv, and of designs that screen factors effects.csv.");
   verb->callback([gather, &chosen] { chosen = [gather] { return collect_study(*gather); }; });
 }
 

@@ -1,10 +1,13 @@
 #include "apps/study_files.hpp"
 
+#include "apps/own_files.hpp"
 #include "apps/provenance.hpp"
 #include "apps/run_record.hpp"
+#include "apps/screening_text.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/study_claims.hpp"
 #include "apps/study_players.hpp"
+#include "apps/text_table.hpp"
 #include "base/file.hpp"
 #include "io/run_page.hpp"
 #include "study/box_plot.hpp"
@@ -21,37 +24,14 @@ namespace {
 
 constexpr std::size_t most = 30; // points or pairs that a person reads
 
-/// "1.23", or "-" where it is not defined.
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
-
-std::string interval(const statistics::Interval& i) {
-  return std::isfinite(i.low) && std::isfinite(i.high) ? fmt::format("{:.3g} to {:.3g}", i.low, i.high) : "-";
-}
-
-/// Columns as wide as they have to be: words to the left, numbers to the right.
-/// @param words  how many columns, from the first on, hold words
-std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t words) {
-  std::vector<std::size_t> width(rows.front().size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t c = 0; c < row.size(); ++c)
-      line += c < words ? fmt::format("  {:<{}}", row[c], width[c]) : fmt::format("  {:>{}}", row[c], width[c]);
-    text += line.erase(line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 std::string groups_text(const StudyFolder& study, const std::vector<study::ReadOutSample>& samples,
                         const std::string& readout) {
   std::vector<std::vector<std::string>> rows{{"point", "n", "mean", "95 % interval"}};
   rows[0][3] = fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.study.comparisons.alpha));
   for (const study::ReadOutSample& s : samples)
     if (s.readout == readout)
-      rows.push_back(
-          {study.study.points[s.point].label, fmt::format("{}", s.moments.n), number(s.mean.value), interval(s.mean)});
+      rows.push_back({study.study.points[s.point].label, fmt::format("{}", s.moments.n), number_text(s.mean.value),
+                      interval_text(s.mean)});
   return aligned(rows, 1);
 }
 
@@ -70,9 +50,9 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
       ++left_out;
       continue;
     }
-    rows.push_back({study.study.points[c.a].label, study.study.points[c.b].label, number(c.difference.value),
-                    interval(c.difference), few_runs(c) ? "-" : number(c.test.p), few_runs(c) ? "-" : number(c.p_holm),
-                    number(c.g.value), number(c.detectable)});
+    rows.push_back({study.study.points[c.a].label, study.study.points[c.b].label, number_text(c.difference.value),
+                    interval_text(c.difference), few_runs(c) ? "-" : number_text(c.test.p),
+                    few_runs(c) ? "-" : number_text(c.p_holm), number_text(c.g.value), number_text(c.detectable)});
   }
   if (rows.size() == 1) return {};
   return "\n" + aligned(rows, 2)
@@ -99,12 +79,21 @@ std::string command_of(const StudyFolder& study) {
   return command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
 }
 
+/// A table that only some studies have: one of an earlier form of the study would mislead.
+void write_or_remove(const std::filesystem::path& file, bool wanted, const std::string& text) {
+  if (wanted)
+    write_file(file, text);
+  else
+    remove_file(file);
+}
+
 } // namespace
 
 Collected gathered(const StudyFolder& study) {
   Collected c;
   c.results = study::results(study.study, study.runs, study.folder);
   c.comparisons = study::comparisons(study.study, c.results);
+  c.screening = study::screening(study.study, c.results);
   return c;
 }
 
@@ -114,6 +103,10 @@ Collected collect_tables(const StudyFolder& study) {
   write_file(study.folder / "groups.csv", study::groups_csv(study.study, c.results));
   write_file(study.folder / "statistics.csv", study::statistics_csv(study.study, c.comparisons));
   write_file(study.folder / "correlations.csv", study::correlations_csv(study.study, c.results));
+  write_or_remove(study.folder / "discrepancy.csv", !study.study.targets.empty(),
+                  study::discrepancy_csv(study.study, c.screening.discrepancies));
+  write_or_remove(study.folder / "effects.csv", !study.study.steps.empty(),
+                  study::effects_csv(study.study, c.screening.effects));
   write_file(study.folder / "boxes.svg", study::boxes_svg(study.study, c.results));
   return c;
 }
@@ -130,7 +123,8 @@ void write_study_report(const StudyFolder& study, const Collected& collected, co
                                                                 .claims_note = claims_note(study.study),
                                                                 .claims_caveat = claims_caveat(study.study),
                                                                 .played = played_runs(study, collected.results, played),
-                                                                .command = command_of(study)})));
+                                                                .command = command_of(study),
+                                                                .screening = collected.screening})));
 }
 
 Collected collect(const StudyFolder& study) {
@@ -150,7 +144,7 @@ std::string collected_text(const StudyFolder& study, const Collected& collected)
     if (study.study.points.size() <= most) text += groups_text(study, samples, readout);
     text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
-  return text + remarks_text(collected.comparisons);
+  return text + remarks_text(collected.comparisons) + screening_text(study.study, collected.screening);
 }
 
 } // namespace matrigrate::apps

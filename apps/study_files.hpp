@@ -2,6 +2,7 @@
 
 #include "apps/study_folder.hpp"
 #include "study/comparison.hpp"
+#include "study/effects.hpp"
 
 #include <string>
 #include <vector>
@@ -12,12 +13,14 @@ namespace matrigrate::apps {
 struct Collected {
   std::vector<study::Result> results;
   std::vector<study::Comparison> comparisons;
+  study::Screening screening;
 };
 
 /// Reads the results of all runs, and compares the points.
 Collected gathered(const StudyFolder& study);
 
-/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and boxes.svg.
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and boxes.svg; with
+/// targets discrepancy.csv, and of designs that screen factors effects.csv.
 Collected collect_tables(const StudyFolder& study);
 
 /// Writes report.html.

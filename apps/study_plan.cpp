@@ -85,8 +85,12 @@ int print_plan(const StudyFolder& study, int jobs, bool json) {
   }
   const std::size_t n = study.study.points.size();
   if (!study.study.title.empty()) print(study.study.title + "\n");
-  print(fmt::format("{} point{} x {} replicates = {} runs, into {}\n\n", n, n == 1 ? "" : "s", study.study.replicates,
-                    study.runs.size(), study.folder.string()));
+  const std::size_t conditions = study.study.conditions.size();
+  const std::string crossed =
+      conditions == 0 ? std::string()
+                      : fmt::format(" ({} factor sets x {} conditions)", study.study.sets.size(), conditions);
+  print(fmt::format("{} point{}{} x {} replicates = {} runs, into {}\n\n", n, n == 1 ? "" : "s", crossed,
+                    study.study.replicates, study.runs.size(), study.folder.string()));
   for (std::size_t i = 0; i < std::min(n, most_points); ++i)
     print(fmt::format("  {:<48} {} a run\n", study.study.points[i].label, wall_time_text(c.run_times[i])));
   if (n > most_points) print(fmt::format("  ... and {} more\n", n - most_points));

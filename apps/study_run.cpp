@@ -153,11 +153,10 @@ int collect_study(const StudyOptions& options) {
   const Collected collected = collect(study);
   const auto finished = std::ranges::count_if(collected.results, [](const auto& r) { return r.standing.done(); });
   if (options.json) {
-    print_json(
-        {{"folder", options.folder},
-         {"runs", study.runs.size()},
-         {"done", finished},
-         {"files", {"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "boxes.svg", "report.html"}}});
+    Json files{"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "boxes.svg", "report.html"};
+    if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
+    if (!study.study.steps.empty()) files.push_back("effects.csv");
+    print_json({{"folder", options.folder}, {"runs", study.runs.size()}, {"done", finished}, {"files", files}});
     return done;
   }
   if (!options.quiet) print(collected_text(study, collected));

@@ -47,6 +47,12 @@ Vec2 centroid(const CortexState& c) {
 
 Vec2 normal(const CortexState& c, std::size_t i) { return area_gradient(c, i).normalized(); }
 
+std::vector<Vec2> normals(const CortexState& c) {
+  std::vector<Vec2> n(c.size());
+  for (std::size_t i = 0; i < c.size(); ++i) n[i] = normal(c, i);
+  return n;
+}
+
 double curvature(const CortexState& c, std::size_t i) {
   const Vec2 a = c.x[i] - c.x[c.along(i, -3)];
   const Vec2 b = c.x[c.along(i, 3)] - c.x[i];

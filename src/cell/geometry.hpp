@@ -25,6 +25,9 @@ Vec2 centroid(const CortexState& c);
 /// Outward unit normal at particle i, perpendicular to the chord of its neighbours.
 Vec2 normal(const CortexState& c, std::size_t i);
 
+/// Outward unit normals of all particles.
+std::vector<Vec2> normals(const CortexState& c);
+
 /// Signed curvature of the circle through particle i and those three further to either side, convex positive (MODEL.md,
 /// D14) [1/um].
 double curvature(const CortexState& c, std::size_t i);

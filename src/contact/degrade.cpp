@@ -11,7 +11,10 @@ namespace matrigrate {
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p) {
   const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
   if (distance >= reach) return 0.0;
-  if (std::max(solid_pressure, contact_pressure(distance, p)) <= p.degradation.threshold) return 0.0;
+  const double pressure = p.degradation.pressure == DegradationPressure::solid
+                              ? solid_pressure
+                              : std::max(solid_pressure, contact_pressure(distance, p));
+  if (pressure <= p.degradation.threshold) return 0.0;
   return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
 }
 

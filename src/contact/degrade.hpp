@@ -12,7 +12,7 @@
 namespace matrigrate {
 
 /// Rate at which an encounter degrades its particle [1/s]: the protrusion's or the body's, where the particle is closer
-/// than its reach and the larger of solid and contact pressure is above p_th, else 0.
+/// than its reach and the pressure that degradation.pressure names is above p_th, else 0.
 /// @param on_protrusion  whether the closest segment belongs to a protrusion
 /// @param solid_pressure [kPa]
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p);

@@ -13,7 +13,7 @@
 /// Test: tests/unit/io/checkpoint_test.cpp
 namespace matrigrate::io {
 
-inline constexpr int checkpoint_version = 4;
+inline constexpr int checkpoint_version = 5;
 inline constexpr std::string_view checkpoint_name = "checkpoint.h5";
 inline constexpr std::string_view previous_checkpoint_name = "checkpoint_prev.h5";
 

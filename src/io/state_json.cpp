@@ -8,22 +8,33 @@ namespace matrigrate::io {
 namespace {
 
 struct PhaseJson {
-  Json operator()(const Growing& phase) const { return {{"direction", to_json(phase.direction)}}; }
+  Json operator()(const Growing& phase) const {
+    return {{"direction", to_json(phase.direction)}, {"base_width", phase.base_width}};
+  }
   Json operator()(const Maturing& phase) const {
-    return {{"direction", to_json(phase.direction)}, {"anchor", to_json(phase.anchor)}, {"steps", phase.steps}};
+    return {{"direction", to_json(phase.direction)},
+            {"anchor", to_json(phase.anchor)},
+            {"steps", phase.steps},
+            {"last_step", phase.last_step}};
   }
   Json operator()(const Contracting& phase) const {
-    return {{"anchor", to_json(phase.anchor)}, {"f_mat", phase.f_mat}};
+    return {{"anchor", to_json(phase.anchor)},
+            {"f_mat", phase.f_mat},
+            {"bundle", phase.bundle},
+            {"falling", phase.falling}};
   }
   Json operator()(const Finishing& phase) const { return {{"f_mat", phase.f_mat}}; }
 };
 
 Phase phase_of(const Json& json) {
   const std::string name = json.at("name");
-  if (name == "growing") return Growing{vector(json.at("direction"))};
+  if (name == "growing") return Growing{vector(json.at("direction")), number(json.at("base_width"))};
   if (name == "maturing")
-    return Maturing{vector(json.at("direction")), vector(json.at("anchor")), integer<int>(json.at("steps"))};
-  if (name == "contracting") return Contracting{vector(json.at("anchor")), number(json.at("f_mat"))};
+    return Maturing{vector(json.at("direction")), vector(json.at("anchor")), integer<int>(json.at("steps")),
+                    number(json.at("last_step"))};
+  if (name == "contracting")
+    return Contracting{vector(json.at("anchor")), number(json.at("f_mat")), number(json.at("bundle")),
+                       number(json.at("falling"))};
   if (name == "finishing") return Finishing{number(json.at("f_mat"))};
   throw std::invalid_argument("there is no phase \"" + name + "\"");
 }

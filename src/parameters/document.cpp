@@ -35,7 +35,8 @@ std::variant<toml::table, Fault> parse_document(std::string_view text, const std
 }
 
 bool is_study(const toml::table& table) {
-  constexpr std::array keys{"replicates", "sweep", "points", "latin_hypercube", "statistics"};
+  constexpr std::array keys{"replicates", "sweep", "points",     "latin_hypercube", "one_at_a_time",
+                            "morris",     "steps", "conditions", "targets",         "statistics"};
   return std::ranges::any_of(keys, [&](const char* key) { return table.contains(key); });
 }
 

@@ -71,6 +71,16 @@ enum class CurvatureProfile { gaussian, half_gaussian, triangle };
 /// How the polarization turns towards the adhesions: at a speed proportional to the angle, or at a constant one.
 enum class Turning { proportional, constant };
 
+/// What holds the base of a protrusion while it grows: nothing, or a tie between its two ends.
+enum class GrowingBase { free, tied };
+
+/// How the pull of maturation gives way to the contraction of the cortex: at once, or as the load is taken over.
+enum class Handover { immediate, bundle };
+
+/// Which pressure is compared with the threshold of degradation: the larger of that of the solid and of the contact, or
+/// that of the solid alone.
+enum class DegradationPressure { larger, solid };
+
 /// How the drag system of a step is solved.
 enum class SolverMethod { multigrid, conjugate_gradient };
 
@@ -100,7 +110,7 @@ struct ActomyosinParameters {
   double f_mat_body = 0.05;         ///< f_mat of the cell's body [-]
   double curvature_optimum = -0.15; ///< kappa_0 [1/um], convex positive
   double curvature_width = 0.25;    ///< kappa_w [1/um]
-  CurvatureProfile curvature_profile = CurvatureProfile::gaussian;
+  CurvatureProfile curvature_profile = CurvatureProfile::triangle;
 };
 
 struct ProtrusionParameters {
@@ -114,9 +124,12 @@ struct ProtrusionParameters {
   double deflection_cone = 1.0471975511965976; ///< half opening of the cone that is looked at [rad]
   double spreading_rate = 0.5;                 ///< speed at which growing particles slide towards equal spacing [1/s]
   double finishing_time = 400.0;               ///< T_finish [s]
-  int number = 0;           ///< n_prot, protrusions that are kept up at a time; 0: initiated at initiation_rate
-  double rear_share = 0.01; ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
-  double area_limit = 2.0;  ///< with a kept number: none is initiated beyond this area over A_0 [-]
+  int number = 0;                  ///< n_prot, protrusions that are kept up at a time; 0: initiated at initiation_rate
+  double candidate_interval = 0.4; ///< with a kept number: one candidate is drawn in so much time [s]
+  double rear_share = 0.01;  ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
+  double least_facing = 0.8; ///< least mean of max(0, n . d_prot) of the pushing particles at initiation [-]
+  GrowingBase growing_base = GrowingBase::tied;
+  double area_limit = 2.0; ///< with a kept number: none is initiated beyond this area over A_0 [-]
 };
 
 struct AdhesionParameters {
@@ -126,12 +139,13 @@ struct AdhesionParameters {
   double maturation_time = 600.0; ///< T_mat [s]
   double step_threshold = 0.98;   ///< share of a step's force at which the next one begins [-]
   double base_drag = 1000.0;      ///< drag of each pinned base particle while maturing [nN s/um]
-  double r_off_min = 2.78e-4;     ///< [1/s]
-  double r_off_0 = 0.2;           ///< [1/s]
-  double zeta_diss = 20.0;        ///< [1/nN]
-  bool rupture = false;           ///< whether an adhesion breaks at rupture_ratio
-  double rupture_ratio = 1.0;     ///< f_rupt [-]
-  int rupture_strands = 2;        ///< strands of actomyosin that load an adhesion and that f_rupt counts
+  Handover handover = Handover::bundle;
+  double r_off_min = 2.78e-4; ///< [1/s]
+  double r_off_0 = 0.2;       ///< [1/s]
+  double zeta_diss = 20.0;    ///< [1/nN]
+  bool rupture = false;       ///< whether an adhesion breaks at rupture_ratio
+  double rupture_ratio = 1.0; ///< f_rupt [-]
+  int rupture_strands = 1;    ///< strands of actomyosin whose full pull f_rupt counts
 };
 
 struct PolarizationParameters {
@@ -146,7 +160,8 @@ struct DegradationParameters {
   double protrusion_distance = 1.4; ///< [um]
   double body_rate = 0.033;         ///< [1/s]
   double body_distance = 1.9;       ///< reach of degradation around the cell's body [um]
-  double threshold = 0.02;          ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
+  DegradationPressure pressure = DegradationPressure::solid;
+  double threshold = 0.02; ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
 };
 
 struct OutputParameters {

@@ -35,6 +35,9 @@ constexpr std::array<std::string_view, 3> fibre_arrangements{"none", "isotropic"
 constexpr std::array<std::string_view, 2> fibre_laws{"tangent", "secant"};
 constexpr std::array<std::string_view, 2> fibre_forces{"axial", "vectorial"};
 constexpr std::array<std::string_view, 3> curvature_profiles{"gaussian", "half_gaussian", "triangle"};
+constexpr std::array<std::string_view, 2> growing_bases{"free", "tied"};
+constexpr std::array<std::string_view, 2> handovers{"immediate", "bundle"};
+constexpr std::array<std::string_view, 2> degradation_pressures{"larger", "solid"};
 constexpr std::array<std::string_view, 2> turnings{"proportional", "constant"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
 constexpr std::array<std::string_view, 2> formulations{"total_lagrangian", "updated_lagrangian"};
@@ -164,7 +167,7 @@ constexpr std::array rows{
     Row{"actomyosin.curvature_width", [](Parameters& p) -> double& { return p.actomyosin.curvature_width; }, "1/um", above(0, 100),
         "kappa_w", table_1, "Width of the curvature factor"},
     Row{"actomyosin.curvature_profile", choice([](Parameters& p) -> CurvatureProfile& { return p.actomyosin.curvature_profile; }, curvature_profiles), "", none,
-        "", "MODEL.md, D14", "Profile of the curvature factor: exp(-q^2), exp(-q^2/2), or a triangle", numerical},
+        "", "MODEL.md, D14", "Profile of the curvature factor: exp(-q^2), exp(-q^2/2), or max(0, 1 - |q|)", numerical},
 
     Row{"protrusion.initiation_rate", [](Parameters& p) -> double& { return p.protrusion.initiation_rate; }, "1/s", closed(0, 10),
         "r_prot", table_1, "Rate of initiation of each particle of the front"},
@@ -180,10 +183,16 @@ constexpr std::array rows{
         "r_defl", table_1, "Rate at which growth turns towards degraded matrix"},
     Row{"protrusion.number", [](Parameters& p) -> int& { return p.protrusion.number; }, "1", closed(0, 100),
         "n_prot", methods, "Protrusions that are kept up at a time, 0 for initiation at initiation_rate"},
+    Row{"protrusion.candidate_interval", [](Parameters& p) -> double& { return p.protrusion.candidate_interval; }, "s", closed(0.01, 1e4),
+        "", methods, "With a kept number: one candidate is drawn in each interval, whatever the time step"},
     Row{"protrusion.rear_share", [](Parameters& p) -> double& { return p.protrusion.rear_share; }, "1", closed(0, 1),
         "", methods, "With a kept number: chance of a rear particle over that of a front particle"},
     Row{"protrusion.area_limit", [](Parameters& p) -> double& { return p.protrusion.area_limit; }, "1", above(1, 100),
-        "", methods, "With a kept number: area over A_0 at which growth and initiation end"},
+        "", methods, "With a kept number: area over A_0 beyond which none is initiated"},
+    Row{"protrusion.least_facing", [](Parameters& p) -> double& { return p.protrusion.least_facing; }, "1", closed(0, 1),
+        "", "MODEL.md, D16", "A protrusion begins where its tip would feel at least this share of the growth force", numerical},
+    Row{"protrusion.growing_base", choice([](Parameters& p) -> GrowingBase& { return p.protrusion.growing_base; }, growing_bases), "", none,
+        "", "MODEL.md, D16", "What holds the base of a growing protrusion: nothing, or a tie between its ends", numerical},
     Row{"protrusion.half_width", [](Parameters& p) -> int& { return p.protrusion.half_width; }, "1", closed(2, 5000),
         "w_prot", table_1, "Particles of a protrusion to each side of its centre", numerical},
     Row{"protrusion.tip_half_width", [](Parameters& p) -> int& { return p.protrusion.tip_half_width; }, "1", closed(0, 5000),
@@ -210,9 +219,11 @@ constexpr std::array rows{
     Row{"adhesion.rupture_ratio", [](Parameters& p) -> double& { return p.adhesion.rupture_ratio; }, "1", above(0, 1e6),
         "f_rupt", table_1, "Force over f_mat F_am at which an adhesion breaks"},
     Row{"adhesion.rupture_strands", [](Parameters& p) -> int& { return p.adhesion.rupture_strands; }, "1", closed(1, 2),
-        "", "MODEL.md, D28", "Strands of actomyosin that f_rupt counts: a protrusion has two", numerical},
+        "", "MODEL.md, D28", "Strands of actomyosin whose full pull f_rupt counts", numerical},
     Row{"adhesion.step_threshold", [](Parameters& p) -> double& { return p.adhesion.step_threshold; }, "1", above(0, 1),
         "", methods, "Share of the force of a maturation step at which the next one begins", numerical},
+    Row{"adhesion.handover", choice([](Parameters& p) -> Handover& { return p.adhesion.handover; }, handovers), "", none,
+        "", "MODEL.md, D20", "How the pull of maturation gives way to contraction: at once, or as the cortex takes over the load", numerical},
     Row{"adhesion.base_drag", [](Parameters& p) -> double& { return p.adhesion.base_drag; }, "N s/m", closed(0, 1000),
         "", "MODEL.md, D19", "Drag of each of six base particles while a protrusion matures", numerical},
     Row{"adhesion.least_support", [](Parameters& p) -> double& { return p.adhesion.least_support; }, "1", open(0, 1),
@@ -238,6 +249,8 @@ constexpr std::array rows{
         "d_degr,cell", table_1, "Reach of degradation around the body of the cell"},
     Row{"degradation.threshold", [](Parameters& p) -> double& { return p.degradation.threshold; }, "Pa", closed(0, 1e6),
         "p_th,degr", table_1, "Pressure above which protrusion and body degrade the matrix"},
+    Row{"degradation.pressure", choice([](Parameters& p) -> DegradationPressure& { return p.degradation.pressure; }, degradation_pressures), "", none,
+        "", "MODEL.md, D15", "Whether the larger of solid and contact pressure is compared with the threshold, or that of the solid", numerical},
 
     Row{"output.track_interval", [](Parameters& p) -> double& { return p.output.track_interval; }, "s", above(0, 1e9),
         "", chosen, "Time between rows of tracks.csv and health.csv"},

@@ -41,10 +41,7 @@ Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionPar
   return p.force / (2.0 * p.tip_half_width + 1.0) * std::max(0.0, normal.dot(direction)) * direction;
 }
 
-double area_factor(double area, const ProtrusionParameters& p) {
-  if (p.number == 0) return 1.0;
-  return std::clamp((p.area_limit - area) / (p.area_limit - 1.0), 0.0, 1.0);
-}
+double area_factor(double area, const ProtrusionParameters& p) { return p.number > 0 && area > 1.0 ? 1.0 / area : 1.0; }
 
 void add_growth(const State& s, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
                 std::span<Vec2> force) {
@@ -66,6 +63,32 @@ void spread_evenly(State& s, const ProtrusionParameters& p, double dt) {
 double protrusion_length(const CortexState& c, std::size_t centre, const ProtrusionParameters& p) {
   const Vec2 base = 0.5 * (c.x[c.along(centre, -p.half_width)] + c.x[c.along(centre, p.half_width)]);
   return (c.x[centre] - base).norm();
+}
+
+double base_width(const CortexState& c, std::size_t centre, const ProtrusionParameters& p) {
+  return (c.x[c.along(centre, p.half_width)] - c.x[c.along(centre, -p.half_width)]).norm();
+}
+
+void add_base_ties(const State& s, const ProtrusionParameters& p, double k_s, double dt, std::span<Vec2> force,
+                   DragSystem& A) {
+  if (p.growing_base != GrowingBase::tied) return;
+  const double stiffness = k_s / (2.0 * p.half_width);
+  for (const Protrusion& protrusion : s.protrusions) {
+    const auto* growing = std::get_if<Growing>(&protrusion.phase);
+    if (growing == nullptr) continue;
+    const std::uint32_t a = s.node(s.cortex.along(protrusion.centre, -p.half_width));
+    const std::uint32_t b = s.node(s.cortex.along(protrusion.centre, p.half_width));
+    const Vec2 ab = s.cortex.x[s.cortex.along(protrusion.centre, p.half_width)]
+                    - s.cortex.x[s.cortex.along(protrusion.centre, -p.half_width)];
+    const double length = ab.norm();
+    const double T = stiffness * (length - growing->base_width);
+    if (T <= 0.0) continue;
+    const Vec2 e = ab / length;
+    force[a] += T * e;
+    force[b] -= T * e;
+    A.directed.add(dt * stiffness, {{a, e}, {b, -e}});
+    A.directed.add(dt * T / length, {{a, perpendicular(e)}, {b, -perpendicular(e)}});
+  }
 }
 
 void relax_rest_lengths(CortexState& c, std::size_t centre, const ProtrusionParameters& p) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
+#include "solve/drag_system.hpp"
 #include "state/state.hpp"
 
 #include <span>
@@ -18,8 +19,8 @@ std::vector<std::size_t> pushing_particles(const CortexState& c, std::size_t cen
 /// @param direction  d_prot, unit vector   @param normal  outward unit normal of the particle
 Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionParameters& p);
 
-/// Share of the growth force that is left as the cell's area nears its limit, Heck et al. 2020, Eq. (10): 1 up to A_0,
-/// then falling linearly to 0 at area_limit A_0. Without a kept number always 1 [-].
+/// Share of the growth force that is left where the cell's area exceeds that of the round cell, Heck et al. 2020,
+/// Eq. (10): ||F_prot|| = F_prot A_0/A for A >= A_0. Without an enforced number of protrusions always 1 [-].
 /// @param area  of the cell over A_0 [-]
 double area_factor(double area, const ProtrusionParameters& p);
 
@@ -36,6 +37,16 @@ void spread_evenly(State& s, const ProtrusionParameters& p, double dt);
 
 /// l_prot: distance from the middle between the first and the last particle to the centre [um].
 double protrusion_length(const CortexState& c, std::size_t centre, const ProtrusionParameters& p);
+
+/// Distance between the first and the last particle of a protrusion [um].
+double base_width(const CortexState& c, std::size_t centre, const ProtrusionParameters& p);
+
+/// The tie between both ends of each growing protrusion (protrusion.growing_base = tied): the cortex that was there
+/// stays behind as an arc, so that the ring is not open at the base. Tension only, stiffness k_s over the number of
+/// segments, rest length the width at initiation; linearly implicit.
+/// @param k_s  stiffness of a segment [nN/um]   @param force  of all nodes [nN]
+void add_base_ties(const State& s, const ProtrusionParameters& p, double k_s, double dt, std::span<Vec2> force,
+                   DragSystem& A);
 
 /// The rest lengths of the segments between the first and the last particle become their lengths.
 void relax_rest_lengths(CortexState& c, std::size_t centre, const ProtrusionParameters& p);

@@ -1,8 +1,10 @@
 #include "protrusion/initiation.hpp"
 
 #include "base/random.hpp"
+#include "protrusion/growth.hpp"
 #include "protrusion/membership.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace matrigrate {
@@ -13,13 +15,19 @@ bool has_room(const CortexState& c, std::size_t i, std::span<const int> of_parti
   return true;
 }
 
-namespace {
+double facing(const CortexState& c, std::size_t i, const Outline& cell, const ProtrusionParameters& p) {
+  const Vec2 direction = (c.x[i] - cell.centre).normalized();
+  double sum = 0.0;
+  for (int k = -p.tip_half_width; k <= p.tip_half_width; ++k)
+    sum += std::max(0.0, cell.normals[c.along(i, k)].dot(direction));
+  return sum / (2.0 * p.tip_half_width + 1.0);
+}
 
-/// A protrusion is born around particle i; it grows from `centre` towards it. The first of all sets the polarization.
-void bear(State& s, std::size_t i, const Vec2& centre) {
+void begin_protrusion(State& s, std::size_t i, const Vec2& centre, const ProtrusionParameters& p) {
   const auto entity = static_cast<std::uint32_t>(i);
   const Vec2 direction = (s.cortex.x[i] - centre).normalized();
-  Protrusion born{.centre = entity, .since = s.t, .phase = Growing{direction}, .record = {}};
+  Protrusion born{
+      .centre = entity, .since = s.t, .phase = Growing{direction, base_width(s.cortex, i, p)}, .record = {}};
   born.record.id = ++s.initiated;
   born.record.centre = entity;
   born.record.t_initiation = s.t;
@@ -27,14 +35,21 @@ void bear(State& s, std::size_t i, const Vec2& centre) {
   if (!s.polarization) s.polarization = std::atan2(direction.y(), direction.x());
 }
 
-void initiate_at_a_rate(State& s, const Parameters& p, std::span<const std::uint8_t> of_front, const Vec2& centre) {
+namespace {
+
+bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_particle, const Outline& cell,
+               const ProtrusionParameters& p) {
+  return has_room(c, i, of_particle, p) && facing(c, i, cell, p) >= p.least_facing;
+}
+
+void initiate_at_a_rate(State& s, const Parameters& p, const Outline& cell) {
   const double probability = event_probability(p.protrusion.initiation_rate, p.run.time_step);
   std::vector<int> of_particle = membership(s, p).of_particle;
   for (std::size_t i = 0; i < s.cortex.size(); ++i) {
-    if (!of_front[i]) continue;
+    if (!cell.of_front[i]) continue;
     if (uniform(p.run.seed, Purpose::initiation, s.step, static_cast<std::uint32_t>(i)) >= probability) continue;
-    if (!has_room(s.cortex, i, of_particle, p.protrusion)) continue;
-    bear(s, i, centre);
+    if (!may_begin(s.cortex, i, of_particle, cell, p.protrusion)) continue;
+    begin_protrusion(s, i, cell.centre, p.protrusion);
     of_particle = membership(s, p).of_particle;
   }
 }
@@ -50,20 +65,29 @@ std::size_t candidate(std::span<const std::uint8_t> of_front, double rear_share,
   return i;
 }
 
-void keep_up_number(State& s, const Parameters& p, std::span<const std::uint8_t> of_front, const Vec2& centre) {
-  if (s.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
-  const double draw = uniform(p.run.seed, Purpose::initiation, s.step, 0);
-  const std::size_t i = candidate(of_front, p.protrusion.rear_share, draw);
-  if (has_room(s.cortex, i, membership(s, p).of_particle, p.protrusion)) bear(s, i, centre);
+/// Number of candidates that have been drawn up to time t: one in each candidate_interval.
+std::uint64_t candidates_until(double t, const ProtrusionParameters& p) {
+  return static_cast<std::uint64_t>(std::max(0.0, std::floor(t / p.candidate_interval + 1e-6))); // t is a sum of steps
+}
+
+void keep_up_number(State& s, const Parameters& p, const Outline& cell) {
+  const std::uint64_t last = candidates_until(s.t, p.protrusion);
+  for (std::uint64_t n = candidates_until(s.t - p.run.time_step, p.protrusion) + 1; n <= last; ++n) {
+    if (s.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
+    const double draw = uniform(p.run.seed, Purpose::initiation, n, 0);
+    const std::size_t i = candidate(cell.of_front, p.protrusion.rear_share, draw);
+    if (may_begin(s.cortex, i, membership(s, p).of_particle, cell, p.protrusion))
+      begin_protrusion(s, i, cell.centre, p.protrusion);
+  }
 }
 
 } // namespace
 
-void initiate(State& s, const Parameters& p, std::span<const std::uint8_t> of_front, const Vec2& centre, double area) {
+void initiate(State& s, const Parameters& p, const Outline& cell) {
   if (p.protrusion.number == 0)
-    initiate_at_a_rate(s, p, of_front, centre);
-  else if (area <= p.protrusion.area_limit)
-    keep_up_number(s, p, of_front, centre);
+    initiate_at_a_rate(s, p, cell);
+  else if (cell.area <= p.protrusion.area_limit)
+    keep_up_number(s, p, cell);
 }
 
 } // namespace matrigrate

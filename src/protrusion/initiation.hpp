@@ -14,16 +14,30 @@ namespace matrigrate {
 /// @param of_particle  from membership()
 bool has_room(const CortexState& c, std::size_t i, std::span<const int> of_particle, const ProtrusionParameters& p);
 
-/// Each particle of the front that has room initiates a protrusion with probability 1 - exp(-r_prot dt), in the order
-/// of the ring; it grows from the centre of mass towards the particle. The first of all sets the polarization.
+/// The cell's outline, as far as initiation needs it.
+struct Outline {
+  std::span<const std::uint8_t> of_front; ///< 1 for the particles of the front; all of them before the first protrusion
+  std::span<const Vec2> normals;          ///< outward unit normals of the particles
+  Vec2 centre = Vec2::Zero();             ///< centre of mass of the cell [um]
+  double area = 1.0;                      ///< over A_0; matters with an enforced number [-]
+};
+
+/// Share of the growth force that the tip of a protrusion around particle i would feel: the mean of max(0, n . d_prot)
+/// over its pushing particles [-].
+double facing(const CortexState& c, std::size_t i, const Outline& cell, const ProtrusionParameters& p);
+
+/// A protrusion begins around particle i; it grows from `centre` towards it. The first of all sets the polarization.
+/// @param centre  centre of mass of the cell [um]
+void begin_protrusion(State& s, std::size_t i, const Vec2& centre, const ProtrusionParameters& p);
+
+/// Each particle of the front that has room and whose tip faces its direction (least_facing) initiates a protrusion
+/// with probability 1 - exp(-r_prot dt), in the order of the ring; it grows from the centre of mass towards the
+/// particle. The first of all sets the polarization.
 ///
-/// With a kept number (protrusion.number > 0) instead one candidate a step is drawn among all particles, rear ones
-/// rear_share times as likely; it initiates if it has room, fewer than that number live, and the cell's area is no more
-/// than area_limit A_0 (Heck et al. 2020, section on the number of protrusions; MODEL.md, D27).
-/// @param of_front  1 for the particles of the front; all of them before the first protrusion
-/// @param centre    centre of mass of the cell [um]
-/// @param area      of the cell over A_0; matters with a kept number [-]
-void initiate(State& s, const Parameters& p, std::span<const std::uint8_t> of_front, const Vec2& centre,
-              double area = 1.0);
+/// With an enforced number (protrusion.number > 0) instead one candidate in each candidate_interval of model time,
+/// whatever the step, is drawn among all particles, rear ones rear_share times as likely; it initiates if it has room
+/// and faces its direction, fewer than that number live, and the cell's area is no more than area_limit A_0 (Heck et
+/// al. 2020, section on the number of protrusions; MODEL.md, D27).
+void initiate(State& s, const Parameters& p, const Outline& cell);
 
 } // namespace matrigrate

@@ -21,30 +21,40 @@ struct Table {
   const Circumstances& now;
   const Parameters& p;
 
+  Contracting contracting(const Maturing& phase) const {
+    const double f_mat = final_f_mat(phase.steps, phase.last_step, now.force, p);
+    return handover(phase.anchor, f_mat, now.force, p);
+  }
+
   bool lost() const { return now.support < p.adhesion.least_support; }
 
   Transition operator()(const Growing& phase) const {
     if (now.age < p.protrusion.growth_time) return {};
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::unadhered);
-    return to(Maturing{phase.direction, now.ahead, 0});
+    return to(Maturing{.direction = phase.direction, .anchor = now.ahead});
   }
 
   Transition operator()(const Maturing& phase) const {
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::lost);
-    if (now.age >= p.adhesion.maturation_time)
-      return to(Contracting{phase.anchor, final_f_mat(phase.steps, now.force, p)});
-    if (phase.steps < most_maturation_steps && now.force >= step_force(phase.steps, p))
-      return to(Maturing{phase.direction, phase.anchor, phase.steps + 1});
+    if (now.age >= p.adhesion.maturation_time) return to(contracting(phase));
+    if (phase.steps < most_maturation_steps && now.force >= step_force(phase.steps, p)) {
+      Maturing next = phase;
+      ++next.steps;
+      next.last_step = now.age;
+      return to(next);
+    }
     return {};
   }
 
   Transition operator()(const Contracting& phase) const {
     const Finishing finishing{phase.f_mat};
     if (lost()) return to(finishing, EndCause::lost);
-    if (ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
+    if (phase.bundle <= 0.0 && ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
     const double rate = disassembly_rate(now.force, phase.f_mat, p.adhesion);
     if (now.draw < event_probability(rate, p.run.time_step)) return to(finishing, EndCause::disassembly);
-    return {};
+    const Contracting next = handed_over(phase, now.force, p);
+    if (next.bundle == phase.bundle && next.falling == phase.falling) return {};
+    return to(next);
   }
 
   Transition operator()(const Finishing&) const {

@@ -31,8 +31,9 @@ struct Transition {
 ///   Maturing     age >= T_mat                        -> Contracting with final_f_mat()
 ///   Maturing     force >= step_force()               -> Maturing, one step on
 ///   Contracting  anchor's support gone               -> Finishing (lost)
-///   Contracting  ruptures()                          -> Finishing (rupture)
+///   Contracting  ruptures(), bundle has given way    -> Finishing (rupture)
 ///   Contracting  draw < 1 - exp(-r_off dt)           -> Finishing (disassembly)
+///   Contracting  load above that of the handover     -> Contracting, with a weaker bundle
 ///   Finishing    age >= T_finish                     -> free
 Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p);
 

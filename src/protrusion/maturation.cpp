@@ -7,9 +7,34 @@ namespace matrigrate {
 
 namespace {
 
-constexpr int pinned = 3; // particles at either end
+constexpr int pinned = 3;            // particles at either end
+constexpr double giving_way = 0.4;   // time in which the bundle does [s]
+constexpr double bundle_share = 0.9; // of f_mat F_am that bundle and cortex together put on the adhesion
 
+void pin_base(const State& s, const Protrusion& protrusion, const Parameters& p, DragSystem& A) {
+  for (int k = 0; k < pinned; ++k)
+    for (const int end : {-p.protrusion.half_width + k, p.protrusion.half_width - k})
+      A.diagonal[s.node(s.cortex.along(protrusion.centre, end))] += p.adhesion.base_drag;
 }
+
+/// A force `pull` between the centre of a protrusion and either end of its base, half of it each.
+void pull_base(const State& s, const Protrusion& protrusion, const Parameters& p, double pull, double dt,
+               std::span<Vec2> force, DragSystem& A) {
+  const std::uint32_t tip = s.node(protrusion.centre);
+  for (const int end : {-p.protrusion.half_width, p.protrusion.half_width}) {
+    const std::size_t i = s.cortex.along(protrusion.centre, end);
+    const Vec2 d = s.cortex.x[i] - s.cortex.x[protrusion.centre];
+    const double length = d.norm();
+    if (length <= 0.0) continue;
+    const Vec2 e = d / length;
+    const double T = 0.5 * pull;
+    force[tip] += T * e;
+    force[s.node(i)] -= T * e;
+    A.directed.add(dt * T / length, {{tip, perpendicular(e)}, {s.node(i), -perpendicular(e)}});
+  }
+}
+
+} // namespace
 
 double maturing_f_mat(int steps) { return std::min(1.0, maturation_step * (steps + 1)); }
 
@@ -17,21 +42,36 @@ double step_force(int steps, const Parameters& p) {
   return maturation_step * (steps + p.adhesion.step_threshold) * p.actomyosin.force;
 }
 
-double final_f_mat(int steps, double F, const Parameters& p) {
-  const double before = maturation_step * steps * p.actomyosin.force;
-  const double part = std::clamp((F - before) / (step_force(steps, p) - before), 0.0, 1.0);
+double final_f_mat(int steps, double last_step, double F, const Parameters& p) {
+  const double part = steps > 0 ? std::clamp((p.adhesion.maturation_time - last_step) * steps / last_step, 0.0, 1.0)
+                                : std::clamp(F / step_force(0, p), 0.0, 1.0);
   return std::clamp(maturation_step * (steps + part), p.actomyosin.f_mat_body, 1.0);
 }
 
 void add_maturation(const State& s, const Parameters& p, std::span<Vec2> force, DragSystem& A) {
   for (const Protrusion& protrusion : s.protrusions) {
+    if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase); contracting != nullptr) {
+      if (contracting->bundle > 0.0) pull_base(s, protrusion, p, contracting->bundle, p.run.time_step, force, A);
+      continue;
+    }
     const auto* maturing = std::get_if<Maturing>(&protrusion.phase);
     if (maturing == nullptr) continue;
     force[s.node(protrusion.centre)] -= maturing_f_mat(maturing->steps) * p.actomyosin.force * maturing->direction;
-    for (int k = 0; k < pinned; ++k)
-      for (const int end : {-p.protrusion.half_width + k, p.protrusion.half_width - k})
-        A.diagonal[s.node(s.cortex.along(protrusion.centre, end))] += p.adhesion.base_drag;
+    pin_base(s, protrusion, p, A);
   }
+}
+
+Contracting handover(const Vec2& anchor, double f_mat, double F, const Parameters& p) {
+  if (p.adhesion.handover == Handover::immediate) return {.anchor = anchor, .f_mat = f_mat};
+  return {.anchor = anchor, .f_mat = f_mat, .bundle = bundle_share * f_mat * p.actomyosin.force, .falling = F};
+}
+
+Contracting handed_over(Contracting phase, double F, const Parameters& p) {
+  const double excess = F - bundle_share * phase.f_mat * p.actomyosin.force;
+  phase.falling = excess > 0.0 && F < phase.falling ? F : 0.0;
+  if (phase.falling > 0.0 || excess <= 0.0) return phase;
+  phase.bundle = std::max(0.0, phase.bundle + std::expm1(-p.run.time_step / giving_way) * excess);
+  return phase;
 }
 
 } // namespace matrigrate

@@ -19,13 +19,27 @@ double maturing_f_mat(int steps);
 /// Force of the adhesion at which the running step is done: (f_mat - 0.1) F_am + 0.98 x 0.1 F_am [nN].
 double step_force(int steps, const Parameters& p);
 
-/// f_mat at the end of maturation: 0.1 (steps done + the part of the running one that its force has reached), at least
-/// that of the body, at most 1 [-].   @param F  force of the adhesion [nN]
-double final_f_mat(int steps, double F, const Parameters& p);
+/// f_mat at the end of maturation: 0.1 (steps done + the part of the running one), at least that of the body, at most 1
+/// [-]. The part of the running step is the time since the last one over the mean time of those done, at most 1, so
+/// that this is the paper's 0.1 T_mat over the mean time of a step where steps come evenly; without a step, the part of
+/// its force that is reached.
+/// @param last_step  when the last step was done [s]   @param F  force of the adhesion [nN]
+double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 
 /// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot, and the high drag of
 /// the three particles at either end of it that pins its base.
 /// @param force  of all nodes [nN]
+/// With handover = bundle also the pull that is left of F_mat in contracting protrusions, between the centre and both
+/// ends of the base.
 void add_maturation(const State& s, const Parameters& p, std::span<Vec2> force, DragSystem& A);
+
+/// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, D20): the
+/// bundle takes over nine tenths of f_mat F_am.
+Contracting handover(const Vec2& anchor, double f_mat, double F, const Parameters& p);
+
+/// The same one step later, with a load F. What the last step of maturation loaded beyond f_mat F_am falls off first;
+/// from then on the bundle gives way by what F exceeds 0.9 f_mat F_am, with a time constant of 0.4 s (MODEL.md, D20).
+/// @param F  force of the adhesion [nN]
+Contracting handed_over(Contracting phase, double F, const Parameters& p);
 
 } // namespace matrigrate

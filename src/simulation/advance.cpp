@@ -128,7 +128,9 @@ void live_protrusions(State& s, const Parameters& p) {
   deflect(s, p, p.run.time_step, [&](const Vec2& point) { return contains(s.cortex, point); });
   live(s, p);
   polarize(s, p.polarization, centre, p.run.time_step);
-  initiate(s, p, front_of(s), centre, area(s.cortex) / initial_area(p.cell));
+  const std::vector<std::uint8_t> of_front = front_of(s);
+  const std::vector<Vec2> n = normals(s.cortex);
+  initiate(s, p, {of_front, n, centre, area(s.cortex) / initial_area(p.cell)});
   ratchet_rest_lengths(s.cortex, p.cell, membership(s, p).soft);
 }
 

@@ -39,6 +39,7 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
   add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
   const Vec2 inner = sum(std::span(w.force).subspan(first));
   add_growth(s, p.protrusion, area(c) / initial_area(p.cell), w.cell.normals, w.force);
+  add_base_ties(s, p.protrusion, p.cell.spring_stiffness, dt, w.force, w.drag);
   add_maturation(s, p, w.force, w.drag);
   w.outer_force += sum(std::span(w.force).subspan(first)) - inner;
   add_adhesions(s, p.adhesion, w.cell.anchor_weights, dt, w.force, w.drag);
@@ -58,8 +59,7 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
   if (!s.has_cell()) return;
   const double reach = 2.0 * p.ecm.smoothing_length;
   w.cell.membership = membership(s, p);
-  w.cell.normals.resize(s.cortex.size());
-  for (std::size_t i = 0; i < s.cortex.size(); ++i) w.cell.normals[i] = normal(s.cortex, i);
+  w.cell.normals = normals(s.cortex);
   w.cell.grid.emplace(s.cortex, reach);
   w.cell.met = encounters(s.ecm, s.cortex, *w.cell.grid, reach);
   w.cell.anchor_weights = anchor_weights(s, p.ecm);

@@ -13,6 +13,7 @@ namespace matrigrate {
 /// Pushes its tip outwards along `direction`.
 struct Growing {
   Vec2 direction = Vec2::Zero(); ///< d_prot, unit vector
+  double base_width = 0.0;       ///< distance of the first from the last particle at initiation [um]
 };
 
 /// Adheres, pulls, and matures as the matrix resists.
@@ -20,12 +21,15 @@ struct Maturing {
   Vec2 direction = Vec2::Zero(); ///< d_prot at the end of growth, unit vector
   Vec2 anchor = Vec2::Zero();    ///< the adhered point of the matrix [um]
   int steps = 0;                 ///< maturation steps done; f_mat stands at 0.1 (steps + 1), at most 1
+  double last_step = 0.0;        ///< when the last one was done, since the end of growth [s]
 };
 
 /// Pulls with its final maturation until its adhesion disassembles.
 struct Contracting {
   Vec2 anchor = Vec2::Zero(); ///< [um]
   double f_mat = 0.0;         ///< [-]
+  double bundle = 0.0;        ///< pull of the tip on its base that is left of maturation [nN]
+  double falling = 0.0; ///< force of the adhesion when last seen, while what maturation loaded falls off; then 0 [nN]
 };
 
 /// Without adhesion, still contracting.

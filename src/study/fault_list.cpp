@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace matrigrate::study {
@@ -54,6 +55,14 @@ std::uint64_t FaultList::whole(const toml::node& node, std::string_view key, std
     return static_cast<std::uint64_t>(value->get());
   }
   return low;
+}
+
+std::optional<double> FaultList::number(const toml::node& node, std::string_view key) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (value && std::isfinite(*value)) return value;
+  add(place_of(node), key,
+      fmt::format("is {}, but a number without quotes is expected", value ? "not finite" : type_of(node)));
+  return std::nullopt;
 }
 
 std::size_t FaultList::choice(const toml::node& node, std::string_view key, const std::vector<std::string>& names) {

@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ public:
   std::string text(const toml::node& node, std::string_view key);
   bool flag(const toml::node& node, std::string_view key);
   std::uint64_t whole(const toml::node& node, std::string_view key, std::uint64_t low, std::uint64_t high);
+  /// A finite number; none with a fault.
+  std::optional<double> number(const toml::node& node, std::string_view key);
   /// Which of `names`; 0 with a fault.
   std::size_t choice(const toml::node& node, std::string_view key, const std::vector<std::string>& names);
 

@@ -1,79 +1,14 @@
 #include "base/random.hpp"
 #include "io/trajectory_hash.hpp"
 #include "parameters/assign.hpp"
-#include "parameters/node.hpp"
+#include "study/range.hpp"
 #include "study/sweep.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <numeric>
 
 namespace matrigrate::study {
-
-namespace {
-
-using Real = double& (*)(Parameters&);
-using Integer = int& (*)(Parameters&);
-
-/// The value of a number's row, in the row's unit; none for flags and choices.
-std::optional<double> number_in_unit(const Row& row, Parameters p) {
-  if (const auto* real = std::get_if<Real>(&row.member)) return (*real)(p) / units::to_internal(1.0, unit_of(row));
-  if (const auto* integer = std::get_if<Integer>(&row.member)) return (*integer)(p);
-  return std::nullopt;
-}
-
-/// A range that is sampled.
-struct Span {
-  const Row* row;
-  Place place;
-  double low = 0.0;
-  double high = 0.0;
-  bool log = false;
-
-  double at(double share) const { return log ? low * std::pow(high / low, share) : low + share * (high - low); }
-};
-
-std::optional<Span> span_of(const Named& named, const Parameters& base, FaultList& faults) {
-  const Row& row = *named.row;
-  const auto complain = [&](std::string message) {
-    faults.add(place_of(*named.node), row.path, std::move(message));
-    return std::nullopt;
-  };
-  const toml::array* list = named.node->as_array();
-  const std::string such = fmt::format("such as [{0}, {0}] or [{0}, {0}, \"log\"]", value_text(row, base));
-  if (!number_in_unit(row, base)) return complain("is no number, and has no range");
-  if (list == nullptr || list->size() < 2 || list->size() > 3)
-    return complain(fmt::format("is {}, but a range of low and high is expected, {}", type_of(*named.node), such));
-  Span span{&row, place_of(*named.node)};
-  if (list->size() == 3) {
-    if (list->get(2)->value_or(std::string()) != "log") return complain("the third of a range can only be \"log\"");
-    span.log = true;
-  }
-  Parameters low = base;
-  Parameters high = base;
-  const auto first = assigned(row, *list->get(0), low, faults);
-  const auto second = assigned(row, *list->get(1), high, faults);
-  if (!first || !second) return std::nullopt;
-  span.low = *number_in_unit(row, low);
-  span.high = *number_in_unit(row, high);
-  if (!(span.low < span.high)) return complain(fmt::format("{} is not below {}", first->value, second->value));
-  if (span.log && !(span.low > 0.0)) return complain("a logarithmic range must start above 0");
-  return span;
-}
-
-/// A number rounded to six digits, as if typed.
-Given given_number(const Row& row, double value) {
-  const std::string digits = fmt::format("{:.6g}", value);
-  if (kind(row) == Kind::quantity) return {fmt::format("{} {}", digits, row.unit), "a string"};
-  if (kind(row) == Kind::integer) return {static_cast<std::int64_t>(std::llround(value)), "a number"};
-  double rounded = 0.0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
-  return {rounded, "a number"};
-}
-
-} // namespace
 
 std::vector<double> stratified(std::size_t n, std::uint64_t seed) {
   std::vector<std::size_t> strip(n);

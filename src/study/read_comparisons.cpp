@@ -45,8 +45,8 @@ void check_control(const Comparisons& c, const toml::table& table, const std::ve
 
 } // namespace
 
-Comparisons read_comparisons(const toml::table& table, const std::vector<Point>& points, FaultList& faults) {
-  Comparisons c;
+Comparisons read_comparisons(const toml::table& table, Comparisons c, const std::vector<Point>& points,
+                             FaultList& faults) {
   for (const auto& [name, node] : table) {
     const std::string key = fmt::format("statistics.{}", name.str());
     if (key == "statistics.compare")

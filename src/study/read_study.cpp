@@ -7,6 +7,8 @@
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/scan.hpp"
+#include "study/conditions.hpp"
+#include "study/designs.hpp"
 #include "study/read_comparisons.hpp"
 #include "study/sweep.hpp"
 
@@ -23,9 +25,23 @@ constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
 constexpr std::size_t most_replicates = 100'000;
 
 const std::vector<std::string>& known_keys() {
-  static const std::vector<std::string> keys{
-      "title", "scenario", "preset", "replicates",      "seed",      "common_random_numbers", "readouts",
-      "set",   "sweep",    "points", "latin_hypercube", "statistics"};
+  static const std::vector<std::string> keys{"title",
+                                             "scenario",
+                                             "preset",
+                                             "replicates",
+                                             "seed",
+                                             "common_random_numbers",
+                                             "readouts",
+                                             "set",
+                                             "sweep",
+                                             "points",
+                                             "latin_hypercube",
+                                             "one_at_a_time",
+                                             "morris",
+                                             "conditions",
+                                             "targets",
+                                             "steps",
+                                             "statistics"};
   return keys;
 }
 
@@ -45,6 +61,7 @@ public:
     read_head();
     read_base();
     read_points();
+    read_targets_and_steps();
     read_statistics();
     require_room();
     m_faults.raise();
@@ -64,6 +81,14 @@ private:
     return nullptr;
   }
 
+  /// The array of tables of that name; null, and a fault if something else stands there.
+  const toml::array* list(std::string_view key, std::string_view what) {
+    const toml::node* node = get(key);
+    if (node == nullptr || node->is_array()) return node == nullptr ? nullptr : node->as_array();
+    m_faults.add(place_of(*node), key, fmt::format("is no list of {0}; write [[{0}]] and {1} below", key, what));
+    return nullptr;
+  }
+
   void check_keys() {
     for (const auto& [name, node] : m_table) {
       const std::string key(name.str());
@@ -76,6 +101,7 @@ private:
   void read_head() {
     if (const auto* node = get("title")) m_study.title = m_faults.text(*node, "title");
     if (const auto* node = get("seed")) m_study.seed = m_faults.whole(*node, "seed", 0, largest_seed);
+    m_study.common_random_numbers = get("one_at_a_time") != nullptr || get("morris") != nullptr;
     if (const auto* node = get("common_random_numbers"))
       m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");
     if (const auto* node = get("replicates"))
@@ -151,21 +177,50 @@ private:
   }
 
   void read_points() {
+    std::vector<ConditionDraft> conditions;
+    if (const auto* tables = list("conditions", "a label and parameters"))
+      conditions = read_conditions(*tables, m_study.base, m_faults);
+    Allowance allowance(m_study.replicates, conditions.size());
+    std::vector<Draft> sets = read_sets(allowance);
+    check_overlaps(m_table, conditions, m_faults);
+    for (const Draft& draft : sets) m_study.sets.push_back({draft.point.label, draft.point.settings});
+    for (const ConditionDraft& draft : conditions) m_study.conditions.push_back(draft.condition);
+    std::vector<Draft> points = crossed(std::move(sets), conditions);
+    check_points(points);
+    for (Draft& draft : points) m_study.points.push_back(std::move(draft.point));
+  }
+
+  std::vector<Draft> read_sets(Allowance& allowance) {
     std::vector<Draft> drafts;
-    Allowance allowance(m_study.replicates);
     const auto take = [&](std::vector<Draft> more) { std::ranges::move(more, std::back_inserter(drafts)); };
+    const auto take_design = [&](Designed more) {
+      for (Step& step : more.steps) {
+        step.from += drafts.size();
+        step.to += drafts.size();
+        m_study.steps.push_back(std::move(step));
+      }
+      take(std::move(more.drafts));
+    };
     if (const auto* sweep = section("sweep")) take(grid_points(*sweep, m_study.base, allowance, m_faults));
-    if (const auto* node = get("points")) {
-      if (const auto* list = node->as_array())
-        take(listed_points(*list, m_study.base, allowance, m_faults));
-      else
-        m_faults.add(place_of(*node), "points", "is no list of points; write [[points]] and its parameters below");
-    }
+    if (const auto* points = list("points", "its parameters"))
+      take(listed_points(*points, m_study.base, allowance, m_faults));
     if (const auto* hypercube = section("latin_hypercube"))
       take(hypercube_points(*hypercube, m_study.base, m_study.seed, allowance, m_faults));
-    if (drafts.empty()) drafts.push_back({{label_of({}), {}, m_study.base}, {}, {}});
-    check_points(drafts);
-    for (Draft& draft : drafts) m_study.points.push_back(std::move(draft.point));
+    if (const auto* lists = section("one_at_a_time"))
+      take_design(one_at_a_time_sets(*lists, m_study.base, allowance, m_faults));
+    if (const auto* ranges = section("morris"))
+      take_design(morris_sets(*ranges, m_study.base, m_study.seed, allowance, m_faults));
+    if (drafts.empty()) drafts.push_back({{.label = label_of({}), .settings = {}, .parameters = m_study.base}, {}, {}});
+    return drafts;
+  }
+
+  void read_targets_and_steps() {
+    if (const auto* tables = list("targets", "a readout, its value and error"))
+      m_study.targets = read_targets(*tables, m_study.conditions, m_faults);
+    if (const auto* tables = list("steps", "its factor")) {
+      std::vector<Step> steps = read_steps(*tables, m_study.sets, m_faults);
+      std::ranges::move(steps, std::back_inserter(m_study.steps));
+    }
   }
 
   void check_points(const std::vector<Draft>& drafts) {
@@ -210,8 +265,9 @@ private:
   }
 
   void read_statistics() {
+    if (!m_study.steps.empty()) m_study.comparisons.pairs = Pairs::none; // effects say what differs
     if (const toml::table* table = section("statistics"))
-      m_study.comparisons = read_comparisons(*table, m_study.points, m_faults);
+      m_study.comparisons = read_comparisons(*table, m_study.comparisons, m_study.points, m_faults);
   }
 
   FaultList m_faults;

@@ -18,11 +18,50 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-/// A point of parameter space.
+/// What a design varies, before it meets the conditions.
+struct FactorSet {
+  std::string label;             ///< unique among the sets of its study
+  std::vector<Setting> settings; ///< what differs from the base, by key
+};
+
+/// Under what each factor set is run: an experiment that measured something, as parameters.
+struct Condition {
+  std::string label; ///< unique among the conditions of its study
+  std::vector<Setting> settings;
+};
+
+/// A point of parameter space: a factor set under a condition.
 struct Point {
   std::string label;             ///< unique in its study
   std::vector<Setting> settings; ///< what differs from the base, by key
   Parameters parameters;         ///< the base with these settings
+  std::size_t set = 0;           ///< index into Study::sets
+  std::size_t condition = 0;     ///< index into Study::conditions; 0 if there are none
+};
+
+/// What a read-out should be: a measured mean, or a range of them.
+struct Target {
+  std::string readout;
+  double low = 0.0;            ///< in the unit of the read-out
+  double high = 0.0;           ///< equal to low for a single value
+  double error = 1.0;          ///< standard error of what was measured, > 0
+  double weight = 1.0;         ///< > 0
+  std::vector<std::size_t> at; ///< conditions that it holds at; empty: all
+};
+
+/// How factors are varied so that each has an effect of its own (effects.hpp).
+enum class Design { one_at_a_time, morris };
+
+/// Two factor sets that differ in one factor.
+struct Step {
+  Design design = Design::one_at_a_time;
+  std::string factor;         ///< path of the parameter
+  std::size_t trajectory = 0; ///< of Morris' design, from 1; 0 otherwise
+  std::size_t from = 0;       ///< index into Study::sets
+  std::size_t to = 0;
+  double size = 1.0; ///< change of the factor as a share of its range, with its sign; not 0
+
+  bool operator==(const Step&) const = default;
 };
 
 /// Which points are compared: neighbours along one parameter, all with all, all with one, or none.
@@ -44,10 +83,18 @@ struct Study {
   std::uint64_t seed = 1;
   bool common_random_numbers = false; ///< the same seeds at each point
   std::vector<std::string> readouts;  ///< names as in summary.json
-  std::vector<Point> points;
+  std::vector<FactorSet> sets;
+  std::vector<Condition> conditions;
+  std::vector<Point> points; ///< each set under each condition, the conditions of a set side by side
+  std::vector<Target> targets;
+  std::vector<Step> steps;
   Comparisons comparisons;
 
   std::size_t runs() const { return points.size() * replicates; }
+  /// Points of a factor set: one without conditions.
+  std::size_t points_of_set() const { return conditions.empty() ? 1 : conditions.size(); }
+  /// Index of a factor set under a condition.
+  std::size_t point_at(std::size_t set, std::size_t condition) const { return set * points_of_set() + condition; }
 };
 
 /// The paper's read-outs, which a study compares if it names none.

@@ -4,7 +4,9 @@
 #include "io/run_page.hpp"
 #include "parameters/schema.hpp"
 #include "statistics/correlation.hpp"
+#include "study/axes.hpp"
 #include "study/run_json.hpp"
+#include "study/screening_data.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
@@ -24,43 +26,6 @@ namespace {
 using Json = nlohmann::ordered_json; // NaN is written as null
 
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
-
-/// A swept value: the number in the unit of its row, or the word.
-Json value_of(const Row& row, const Parameters& p) {
-  std::string text = value_text(row, p);
-  std::erase(text, '"');
-  if (kind(row) == Kind::choice || kind(row) == Kind::boolean) return text;
-  const units::Quantity q = units::parse_quantity(text);
-  if (kind(row) != Kind::quantity) return std::stod(q.number);
-  const double internal = units::to_internal(q.number, units::parse_unit(q.unit));
-  return std::stod(units::from_internal(internal, units::parse_unit(row.unit)));
-}
-
-/// The values of a parameter over all points, each once.
-std::vector<Json> values_of(const Study& study, const Row& row) {
-  std::vector<Json> values;
-  for (const Point& point : study.points) {
-    const Json value = value_of(row, point.parameters);
-    if (std::ranges::find(values, value) == values.end()) values.push_back(value);
-  }
-  if (!values.empty() && values.front().is_number())
-    std::ranges::sort(values, [](const Json& a, const Json& b) { return a.get<double>() < b.get<double>(); });
-  return values;
-}
-
-/// For each point its index along each axis.
-std::vector<Json> places(const Study& study) {
-  std::vector<Json> all(study.points.size(), Json::array());
-  for (const std::string& key : swept_keys(study)) {
-    const Row& row = *find_row(key);
-    const std::vector<Json> values = values_of(study, row);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      all[i].push_back(std::ranges::find(values, value_of(row, study.points[i].parameters)) - values.begin());
-  }
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].empty()) all[i].push_back(i);
-  return all;
-}
 
 /// "v_migr_abs_um_per_h" -> "v_migr_abs": the unit stands apart.
 std::string label_of(const std::string& name) {
@@ -224,23 +189,6 @@ Json players_json(const std::vector<PlayedRun>& played) {
 
 } // namespace
 
-Json axes_json(const Study& study) {
-  Json axes = Json::array();
-  for (const std::string& key : swept_keys(study)) {
-    const Row& row = *find_row(key);
-    const std::string_view label = row.symbol.empty() ? key_of(row) : row.symbol;
-    axes.push_back({{"name", key},
-                    {"label", label},
-                    {"meaning", row.description},
-                    {"unit", row.unit == "1" ? "" : row.unit},
-                    {"values", values_of(study, row)}});
-  }
-  if (!axes.empty()) return axes;
-  Json labels = Json::array();
-  for (const Point& point : study.points) labels.push_back(point.label);
-  return {{{"name", "point"}, {"label", "point"}, {"meaning", "Point of the study"}, {"unit", ""}, {"values", labels}}};
-}
-
 std::string result_sentence(const StudyReport& report) {
   if (report.study.readouts.empty()) return {};
   const Json readout = readouts_json(report.study).at(0);
@@ -263,6 +211,8 @@ std::string result_sentence(const StudyReport& report) {
     ++tested;
     if (c.p_holm < report.study.comparisons.alpha) ++significant;
   }
+  if (report.study.comparisons.pairs == Pairs::none)
+    return fmt::format("{} is lowest, {}, and highest, {}.", label, value(*low), value(*high));
   return fmt::format("{} is lowest, {}, and highest, {}; ", label, value(*low), value(*high))
          + (tested == 0
                 ? fmt::format("no comparison has {} runs at both points.", least_runs)
@@ -284,7 +234,7 @@ Json study_data(const StudyReport& report) {
           {"version", 1},
           {"title", titled(report.study)},
           {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
-          {"summary", result_sentence(report)},
+          {"summary", result_sentence(report) + screening_sentence(report.study, report.screening)},
           {"facts", facts_json(report)},
           {"axes", axes_json(report.study)},
           {"readouts", readouts_json(report.study)},
@@ -296,6 +246,7 @@ Json study_data(const StudyReport& report) {
           {"claims", claims_json(report.claims)},
           {"claims_note", report.claims_note},
           {"claims_caveat", report.claims_caveat},
+          {"screening", screening_json(report.study, report.screening)},
           {"players", players_json(report.played)},
           {"provenance", report.provenance},
           {"citation", io::citation()}};

@@ -2,6 +2,7 @@
 
 #include "study/claims.hpp"
 #include "study/comparison.hpp"
+#include "study/effects.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -31,13 +32,11 @@ struct StudyReport {
   std::string claims_caveat{};       ///< what stands beside each verdict
   std::vector<PlayedRun> played{};
   std::string command{}; ///< that computes the study again
+  Screening screening{};
 };
 
-/// The parameters that differ between points, with their values in the order to draw: numbers in the unit of the
-/// parameter, rising, or words. A study of one point has one axis with that point.
-nlohmann::ordered_json axes_json(const Study& study);
-
-/// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant.
+/// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
+/// were wanted.
 std::string result_sentence(const StudyReport& report);
 
 /// @throws InputOutputError if a table of a run that is done cannot be read

@@ -11,21 +11,17 @@ namespace matrigrate::study {
 
 namespace {
 
-/// A list of a grid.
-struct Axis {
-  const Row* row;
-  std::vector<const toml::node*> nodes;
-  std::vector<Setting> settings;
-};
-
 /// A count as people write it, also beyond any integer.
 std::string count_text(double count) {
   return count < 1e15 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
 }
 
-std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultList& faults) {
-  std::vector<Axis> all;
-  for (const Named& named : named_parameters(sweep, "sweep", {}, faults)) {
+} // namespace
+
+std::vector<ValueList> value_lists(const toml::table& table, std::string_view section, const Parameters& base,
+                                   FaultList& faults) {
+  std::vector<ValueList> all;
+  for (const Named& named : named_parameters(table, section, {}, faults)) {
     const toml::array* list = named.node->as_array();
     if (list == nullptr || list->empty()) {
       faults.add(place_of(*named.node), named.row->path,
@@ -38,7 +34,7 @@ std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultLi
                  fmt::format("has {} values; allowed are {}", list->size(), most_runs));
       continue;
     }
-    Axis& axis = all.emplace_back(Axis{named.row, {}, {}});
+    ValueList& axis = all.emplace_back(ValueList{named.row, {}, {}});
     std::unordered_set<std::string> listed;
     for (const toml::node& value : *list) {
       Parameters scratch = base;
@@ -53,8 +49,6 @@ std::vector<Axis> axes(const toml::table& sweep, const Parameters& base, FaultLi
   }
   return all;
 }
-
-} // namespace
 
 std::string label_of(const std::vector<Setting>& settings) {
   if (settings.empty()) return "all";
@@ -72,20 +66,23 @@ std::string label_of(const std::vector<Setting>& settings) {
 
 bool Allowance::allows(double more, Place place, std::string_view key, FaultList& faults) {
   m_points += more;
-  const double runs = m_points * static_cast<double>(m_replicates);
+  const double points = m_points * static_cast<double>(std::max<std::size_t>(1, m_conditions));
+  const double runs = points * static_cast<double>(m_replicates);
   if (runs <= static_cast<double>(most_runs)) return true;
-  faults.add(place, key,
-             fmt::format("makes {} points, which times {} replicates are {} runs; allowed are {}", count_text(m_points),
-                         m_replicates, count_text(runs), most_runs));
+  const std::string made =
+      m_conditions > 0 ? fmt::format("{} factor sets, which times {} conditions and {} replicates",
+                                     count_text(m_points), m_conditions, m_replicates)
+                       : fmt::format("{} points, which times {} replicates", count_text(m_points), m_replicates);
+  faults.add(place, key, fmt::format("makes {} are {} runs; allowed are {}", made, count_text(runs), most_runs));
   return false;
 }
 
 std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, Allowance& allowance,
                                FaultList& faults) {
-  const std::vector<Axis> all = axes(sweep, base, faults);
+  const std::vector<ValueList> all = value_lists(sweep, "sweep", base, faults);
   if (all.empty()) return {};
   double product = 1.0;
-  for (const Axis& axis : all) product *= static_cast<double>(axis.nodes.size());
+  for (const ValueList& axis : all) product *= static_cast<double>(axis.nodes.size());
   if (!allowance.allows(product, place_of(sweep), "sweep", faults)) return {};
   const auto count = static_cast<std::size_t>(product);
   std::vector<Draft> drafts(count);
@@ -93,7 +90,7 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
     Draft& draft = drafts[i];
     draft.point.parameters = base;
     std::size_t block = count;
-    for (const Axis& axis : all) {
+    for (const ValueList& axis : all) {
       block /= axis.nodes.size();
       const std::size_t k = i / block % axis.nodes.size();
       assign(*axis.row, given_by(*axis.nodes[k]), draft.point.parameters);

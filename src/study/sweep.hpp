@@ -5,14 +5,15 @@
 #include "study/study.hpp"
 
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-/// The points of a study: a grid of lists, points one by one, and a Latin hypercube.
-/// Test: tests/unit/study/read_study_test.cpp, plan_test.cpp
+/// The factor sets of a study: a grid of lists, points one by one, and a Latin hypercube. Designs that give each factor
+/// an effect of its own are in designs.hpp. Test: tests/unit/study/read_study_test.cpp, plan_test.cpp
 namespace matrigrate::study {
 
-/// A point that is being made, and where its settings stand in the file.
+/// A point, or a factor set, that is being made, and where its settings stand in the file.
 struct Draft {
   Point point;
   Place place;
@@ -21,10 +22,12 @@ struct Draft {
 
 inline constexpr std::size_t most_runs = 100'000;
 
-/// How many points a study may still have: times the replicates, most_runs.
+/// How many factor sets a study may still have: times the conditions and the replicates, most_runs.
 class Allowance {
 public:
-  explicit Allowance(std::size_t replicates) : m_replicates(replicates) {}
+  /// @param conditions  0 if the study has none
+  explicit Allowance(std::size_t replicates, std::size_t conditions = 0)
+      : m_replicates(replicates), m_conditions(conditions) {}
 
   /// To be asked before points are made. @param more  a product of lengths, which may be beyond any integer
   /// @return whether that many more are allowed; if not, a fault says how many there would be
@@ -32,8 +35,20 @@ public:
 
 private:
   std::size_t m_replicates;
+  std::size_t m_conditions;
   double m_points = 0.0;
 };
+
+/// A parameter with a list of values.
+struct ValueList {
+  const Row* row;
+  std::vector<const toml::node*> nodes;
+  std::vector<Setting> settings;
+};
+
+/// The lists of a section; what is no list, empty, at fault or listed twice is told.
+std::vector<ValueList> value_lists(const toml::table& table, std::string_view section, const Parameters& base,
+                                   FaultList& faults);
 
 /// [sweep]: each value of each list with each of the others; the last list changes fastest.
 std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, Allowance& allowance,

@@ -1,3 +1,4 @@
+#include "study/designs.hpp"
 #include "study/read_study.hpp"
 
 #include <fmt/format.h>
@@ -18,20 +19,52 @@ std::string statistics_section(const Comparisons& c) {
   return text + fmt::format("test = \"{}\"\nalpha = {}\n", tests[static_cast<std::size_t>(c.test)], c.alpha);
 }
 
+void add_settings(const std::vector<Setting>& settings, std::string& text) {
+  for (const Setting& s : settings) text += fmt::format("\"{}\" = {}\n", s.key, s.value);
+}
+
+std::string target_section(const Study& study, const Target& t) {
+  std::string text = fmt::format("\n[[targets]]\nreadout = {}\n", quoted(t.readout));
+  text += t.low == t.high ? fmt::format("value = {}\n", t.low) : fmt::format("low = {}\nhigh = {}\n", t.low, t.high);
+  text += fmt::format("error = {}\nweight = {}\n", t.error, t.weight);
+  if (t.at.empty()) return text;
+  std::string labels;
+  for (const std::size_t c : t.at)
+    labels += fmt::format("{}{}", labels.empty() ? "" : ", ", quoted(study.conditions[c].label));
+  return text + fmt::format("at = [{}]\n", labels);
+}
+
+std::string step_section(const Study& study, const Step& s) {
+  std::string text = fmt::format("\n[[steps]]\ndesign = \"{}\"\nfactor = \"{}\"\nfrom = {}\nto = {}\n", name(s.design),
+                                 s.factor, quoted(study.sets[s.from].label), quoted(study.sets[s.to].label));
+  if (s.design == Design::morris) text += fmt::format("trajectory = {}\nsize = {}\n", s.trajectory, s.size);
+  return text;
+}
+
 } // namespace
 
 std::string to_toml(const Study& study, const std::string& scenario) {
-  std::string text = "# A study with all its points written out. Running this file again adds nothing.\n";
+  std::string text =
+      study.conditions.empty()
+          ? "# A study with all its points written out. Running this file again adds nothing.\n"
+          : "# A study with all its points written out; each is run at each condition. Running this file "
+            "again adds nothing.\n";
   if (!study.title.empty()) text += fmt::format("title = {}\n", quoted(study.title));
   text += fmt::format("scenario = {}\nreplicates = {}\nseed = {}\ncommon_random_numbers = {}\nreadouts = [",
                       quoted(scenario), study.replicates, study.seed, study.common_random_numbers);
   for (std::size_t i = 0; i < study.readouts.size(); ++i)
     text += fmt::format("{}{}", i == 0 ? "" : ", ", quoted(study.readouts[i]));
   text += "]\n" + statistics_section(study.comparisons);
-  for (const Point& point : study.points) {
-    text += fmt::format("\n[[points]]\nlabel = {}\n", quoted(point.label));
-    for (const Setting& s : point.settings) text += fmt::format("\"{}\" = {}\n", s.key, s.value);
+  for (const Condition& condition : study.conditions) {
+    text += fmt::format("\n[[conditions]]\nlabel = {}\n", quoted(condition.label));
+    add_settings(condition.settings, text);
   }
+  for (const Target& target : study.targets) text += target_section(study, target);
+  for (const FactorSet& set : study.sets) {
+    text += fmt::format("\n[[points]]\nlabel = {}\n", quoted(set.label));
+    add_settings(set.settings, text);
+  }
+  for (const Step& step : study.steps) text += step_section(study, step);
   return text;
 }
 

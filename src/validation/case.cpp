@@ -67,6 +67,9 @@ const std::vector<Case>& cases() {
       {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
       {"time-step", "One protrusion followed with shorter and shorter steps, and with adaptive ones.", time_step},
       {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly},
+      {"handover", "One adhesion from maturation to contraction: its force, and what Eq. 7 makes of it.", handover},
+      {"competition", "Two and three adhesions that hold each other while one more protrusion grows.", competition},
+      {"stunting", "Length of a protrusion that grows askew, or beside an old tunnel.", stunting},
       {"initiation", "Waiting times and places of protrusions of a polarized cell.", initiation},
   };
   return all;

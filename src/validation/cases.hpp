@@ -24,5 +24,8 @@ Result maturation(const Parameters& p);
 Result time_step(const Parameters& p);
 Result disassembly(const Parameters& p);
 Result initiation(const Parameters& p);
+Result handover(const Parameters& p);
+Result competition(const Parameters& p);
+Result stunting(const Parameters& p);
 
 } // namespace matrigrate::validation

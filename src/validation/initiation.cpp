@@ -23,10 +23,12 @@ struct First {
 
 First wait(Parameters p, std::uint64_t seed, const State& start, const std::vector<std::uint8_t>& of_front) {
   p.run.seed = seed;
+  p.protrusion.number = 0;
   State s = start;
+  const std::vector<Vec2> n = normals(s.cortex);
   while (s.protrusions.empty()) {
     ++s.step;
-    initiate(s, p, of_front, Vec2::Zero());
+    initiate(s, p, {of_front, n});
   }
   const std::uint32_t centre = s.protrusions.front().centre;
   const auto before = static_cast<double>(std::count(of_front.begin(), of_front.begin() + centre, 1));

@@ -1,7 +1,12 @@
 #include "validation/single_protrusion.hpp"
 
+#include "cell/geometry.hpp"
+#include "ecm/degradation.hpp"
 #include "protrusion/growth.hpp"
+#include "protrusion/initiation.hpp"
 #include "simulation/start.hpp"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <numbers>
@@ -11,41 +16,64 @@ namespace matrigrate::validation {
 namespace {
 
 constexpr double radius = 75.0; // of the matrix [um]
-constexpr double offset = 20.0; // of the cell from the centre, against the direction of growth [um]
+constexpr double offset = 20.0; // of a cell with one protrusion from the centre, against the direction of growth [um]
 
-Parameters alone(Parameters p, double angle) {
+Parameters lasting(Parameters p, const Vec2& start) {
   p.ecm.radius = radius;
-  p.cell.start_x = -offset * std::cos(angle);
-  p.cell.start_y = -offset * std::sin(angle);
+  p.cell.start_x = start.x();
+  p.cell.start_y = start.y();
   p.protrusion.initiation_rate = 0.0;
+  p.protrusion.number = 0;
   p.adhesion.r_off_min = 0.0;
   p.adhesion.r_off_0 = 0.0;
   return p;
 }
 
-} // namespace
-
-SingleProtrusion::SingleProtrusion(Parameters p, double angle)
-    : m_specimen(initial_state(alone(p, angle)), alone(p, angle)) {
-  State& s = m_specimen.s;
-  const double turns = angle / (2.0 * std::numbers::pi);
-  const auto centre = static_cast<std::uint32_t>(std::lround(turns * static_cast<double>(s.cortex.size())));
-  const Vec2 middle(m_specimen.p.cell.start_x, m_specimen.p.cell.start_y);
-  Protrusion first;
-  first.centre = centre;
-  first.phase = Growing{(s.cortex.x[centre] - middle).normalized()};
-  first.record.id = ++s.initiated;
-  first.record.centre = centre;
-  first.record.t_initiation = 0.0;
-  s.protrusions.push_back(first);
+State initial(const Parameters& p, const std::function<bool(const Vec2&)>& fluid) {
+  State s = initial_state(p);
+  for (std::size_t i = 0; i < s.ecm.size() && fluid; ++i)
+    if (!s.ecm.clamped[i] && fluid(s.ecm.X[i])) fluidize(s.ecm, i);
+  return s;
 }
 
-void SingleProtrusion::march_for(double seconds, const std::function<bool(const State&)>& each_step) {
+} // namespace
+
+PlacedProtrusions::PlacedProtrusions(Parameters p, const Vec2& start, const std::function<bool(const Vec2&)>& fluid)
+    : m_specimen(initial(lasting(p, start), fluid), lasting(p, start)) {}
+
+void PlacedProtrusions::begin(double angle, double tilt) {
+  State& s = m_specimen.s;
+  const double turns = angle / (2.0 * std::numbers::pi);
+  const auto i = static_cast<std::size_t>(std::lround(turns * static_cast<double>(s.cortex.size()))) % s.cortex.size();
+  const Vec2 out = s.cortex.x[i] - centroid(s.cortex);
+  begin_protrusion(s, i, s.cortex.x[i] - Eigen::Rotation2Dd(tilt) * out, m_specimen.p.protrusion);
+}
+
+void PlacedProtrusions::march_for(double seconds, const std::function<bool(const State&)>& each_step) {
   m_specimen.march_for(seconds, {}, each_step);
 }
 
-double SingleProtrusion::length() const {
-  return protrusion_length(state().cortex, protrusion().centre, m_specimen.p.protrusion);
+double PlacedProtrusions::length(std::size_t k) const {
+  return protrusion_length(state().cortex, state().protrusions[k].centre, parameters().protrusion);
+}
+
+double PlacedProtrusions::base_width(std::size_t k) const {
+  return matrigrate::base_width(state().cortex, state().protrusions[k].centre, parameters().protrusion);
+}
+
+double PlacedProtrusions::slack(std::size_t k) const {
+  const CortexState& c = state().cortex;
+  const std::size_t centre = state().protrusions[k].centre;
+  const int half = parameters().protrusion.half_width;
+  double contour = 0.0;
+  for (int i = -half; i < half; ++i) contour += (c.x[c.along(centre, i + 1)] - c.x[c.along(centre, i)]).norm();
+  const Vec2& tip = c.x[centre];
+  return contour / ((c.x[c.along(centre, -half)] - tip).norm() + (c.x[c.along(centre, half)] - tip).norm());
+}
+
+SingleProtrusion::SingleProtrusion(Parameters p, double angle)
+    : PlacedProtrusions(std::move(p), -offset * Vec2(std::cos(angle), std::sin(angle))) {
+  begin(angle);
 }
 
 } // namespace matrigrate::validation

@@ -273,6 +273,68 @@ export interface StudyClaim {
   statistic: string[];
 }
 
+/** What a read-out should be under a condition. */
+export interface StudyTarget {
+  readout: string;
+  /** "" without conditions. */
+  condition: string;
+  /** "12.1 +- 1", "3 to 5 +- 0.2". */
+  target: string;
+  weight: number;
+}
+
+/** A factor set against all targets; null: not defined. */
+export interface StudyFactorSet {
+  label: string;
+  /** What differs from the base, in words. */
+  settings: string;
+  discrepancy: number | null;
+  interval: [number, number] | null;
+  /** Targets that could be judged. */
+  judged: number;
+  /** Finished runs without a value of a target's read-out. */
+  undefined: number;
+  /** One a target. */
+  z: (number | null)[];
+  means: (number | null)[];
+}
+
+/** The effect of a factor on a read-out, or on the discrepancy, under a condition. */
+export interface StudyEffect {
+  design: "one_at_a_time" | "morris";
+  /** A name of `readouts`, or "discrepancy". */
+  readout: string;
+  /** "" for the discrepancy, and without conditions. */
+  condition: string;
+  /** Path of the parameter. */
+  factor: string;
+  /** Short. */
+  label: string;
+  /** One at a time; "" otherwise. */
+  value: string;
+  n: number;
+  /** One at a time: value less base. */
+  effect?: number | null;
+  interval?: [number, number] | null;
+  /** Morris. */
+  mu?: number | null;
+  mu_star?: number | null;
+  mu_star_interval?: [number, number] | null;
+  sigma?: number | null;
+  sigma_interval?: [number, number] | null;
+}
+
+export interface StudyScreening {
+  /** Of the intervals: 0.95. */
+  confidence: number;
+  /** Whether replicates have common random numbers. */
+  paired: boolean;
+  targets: StudyTarget[];
+  /** From the best on; empty without targets. */
+  sets: StudyFactorSet[];
+  effects: StudyEffect[];
+}
+
 /** A run that the page of a study plays. */
 export interface StudyPlayer {
   /** As in `runs`. */
@@ -305,6 +367,7 @@ export interface StudyPage {
   claims_note?: string;
   /** What stands beside each verdict: "not the paper's runs"; "" for nothing. */
   claims_caveat?: string;
+  screening?: StudyScreening | null;
   players?: StudyPlayer[];
   provenance: string;
   citation: string;

@@ -24,8 +24,9 @@ TEST(DegradationRate, HasItsReachOnProtrusionAndBody) {
   EXPECT_EQ(degradation_rate(0.5, false, high, q), 0.02);
 }
 
-TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContact) {
-  const Parameters p;
+TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContactWhereAsked) {
+  Parameters p;
+  p.degradation.pressure = DegradationPressure::larger;
   EXPECT_EQ(degradation_rate(1.5, false, 0.0, p), 0.0);
   EXPECT_EQ(degradation_rate(1.5, false, p.degradation.threshold, p), 0.0);
   EXPECT_GT(degradation_rate(1.5, false, 1.001 * p.degradation.threshold, p), 0.0);
@@ -35,6 +36,12 @@ TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContact) {
   EXPECT_EQ(degradation_rate(d + 1e-6, false, -1.0, p), 0.0);
 }
 
+TEST(DegradationRate, ReadsTheSolidsOwnPressure) {
+  const Parameters p;
+  EXPECT_EQ(degradation_rate(0.1, false, 0.0, p), 0.0); // however hard the contact presses
+  EXPECT_GT(degradation_rate(1.89, false, 1.001 * p.degradation.threshold, p), 0.0);
+}
+
 TEST(Degrade, FollowsTheRateOfEachEncounterAndLeavesTheRestAlone) {
   Scene s = touching_scene();
   const EcmState before = s.ecm;
@@ -42,6 +49,7 @@ TEST(Degrade, FollowsTheRateOfEachEncounterAndLeavesTheRestAlone) {
   std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
   for (std::size_t i = 0; i < 12; ++i) on_protrusion[i] = 1;
   s.p.degradation.protrusion_rate = 0.011;
+  s.p.degradation.pressure = DegradationPressure::larger; // the contact alone presses
   degrade(s.ecm, s.p, met, on_protrusion, {}, 0.4);
   std::vector<double> expected = before.f;
   for (const Encounter& e : met)
@@ -90,6 +98,7 @@ TEST(Degrade, TakesTipsAndParticlesWhereTheyAreInTheMiddleOfTheStep) {
 TEST(Degrade, TurnsAParticleIntoFluidInThirtySecondsAtTheBody) {
   Scene s = touching_scene();
   for (double& f : s.ecm.f) f = 1.0;
+  s.p.degradation.pressure = DegradationPressure::larger;
   const std::vector<Encounter> met = s.met();
   const auto close = std::ranges::find_if(met, [](const Encounter& e) { return e.distance > 0.0 && e.distance < 1.0; });
   ASSERT_NE(close, met.end());

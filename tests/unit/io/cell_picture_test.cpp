@@ -31,14 +31,14 @@ State state(const Parameters& p) {
   s.ecm = disc(p);
   s.cortex = round_cortex(p.cell);
   s.polarization = 0.25 * std::numbers::pi;
-  for (const auto& [centre, phase] : {std::pair<std::uint32_t, Phase>{20, Growing{Vec2::UnitX()}},
-                                      {80, Maturing{Vec2::UnitX(), Vec2(-10, 25), 2}},
-                                      {140, Contracting{Vec2(-30, -5), 0.5}}}) {
-    Protrusion protrusion;
-    protrusion.centre = centre;
-    protrusion.phase = phase;
-    s.protrusions.push_back(protrusion);
-  }
+  const auto add = [&](std::uint32_t centre, Phase phase) {
+    s.protrusions.emplace_back();
+    s.protrusions.back().centre = centre;
+    s.protrusions.back().phase = std::move(phase);
+  };
+  add(20, Growing{Vec2::UnitX()});
+  add(80, Maturing{Vec2::UnitX(), Vec2(-10, 25), 2});
+  add(140, Contracting{Vec2(-30, -5), 0.5});
   return s;
 }
 

@@ -38,10 +38,11 @@ State lively_state() {
   s.v_before.assign(s.ecm.size() + s.cortex.size(), Vec2(0.2 / 3.0, -1.0));
   s.polarization = 0.1 + 0.2;
   s.initiated = 4;
-  s.protrusions = {{.centre = 3, .since = 0.1, .phase = Growing{{0.6, 0.8}}, .record = {.id = 1}},
-                   {.centre = 50, .since = 1e-7, .phase = Maturing{{0, 1}, {1.0 / 3.0, 2}, 4}, .record = {.id = 2}},
-                   {.centre = 90, .since = 3, .phase = Contracting{{5, 6}, 0.7}, .record = {.id = 3}},
-                   {.centre = 99, .since = 4, .phase = Finishing{0.9}, .record = {.id = 4}}};
+  s.protrusions = {
+      {.centre = 3, .since = 0.1, .phase = Growing{{0.6, 0.8}, 44.0 / 3.0}, .record = {.id = 1}},
+      {.centre = 50, .since = 1e-7, .phase = Maturing{{0, 1}, {1.0 / 3.0, 2}, 4, 1e-7}, .record = {.id = 2}},
+      {.centre = 90, .since = 3, .phase = Contracting{{5, 6}, 0.7, 0.2, 1e-7}, .record = {.id = 3}},
+      {.centre = 99, .since = 4, .phase = Finishing{0.9}, .record = {.id = 4}}};
   s.ended = {
       {.id = 9, .centre = 7, .t_initiation = 0.4, .length = 1.0 / 7.0, .direction = -1.1, .cause = EndCause::rupture}};
   return s;
@@ -78,7 +79,11 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
   EXPECT_EQ(after.state.v_before, before.state.v_before);
   EXPECT_EQ(after.state.polarization, before.state.polarization);
   EXPECT_EQ(after.state.protrusions.size(), 4U);
+  EXPECT_EQ(std::get<Growing>(after.state.protrusions[0].phase).base_width, 44.0 / 3.0);
   EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).steps, 4);
+  EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).last_step, 1e-7);
+  EXPECT_EQ(std::get<Contracting>(after.state.protrusions[2].phase).bundle, 0.2);
+  EXPECT_EQ(std::get<Contracting>(after.state.protrusions[2].phase).falling, 1e-7);
   EXPECT_TRUE(std::isnan(after.state.ended[0].t_adhesion));
 }
 
@@ -89,7 +94,7 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
   std::string other = image;
   other[22] = '1';
-  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads format 4"));
+  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads format 5"));
   for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
     EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;
   EXPECT_NE(refusal(image + "x").find("cut short"), std::string::npos);

@@ -63,11 +63,11 @@ TEST(Rupture, HappensAtItsShareOfTheMatureForceWhereSwitchedOn) {
   Parameters p;
   EXPECT_FALSE(ruptures(10.0, 0.5, p));
   p.adhesion.rupture = true;
-  EXPECT_FALSE(ruptures(0.599, 0.5, p)); // 0.5 x 2 x 0.6 nN
-  EXPECT_TRUE(ruptures(0.601, 0.5, p));
-  p.adhesion.rupture_strands = 1;
-  EXPECT_FALSE(ruptures(0.299, 0.5, p));
+  EXPECT_FALSE(ruptures(0.299, 0.5, p)); // 0.5 x 0.6 nN
   EXPECT_TRUE(ruptures(0.301, 0.5, p));
+  p.adhesion.rupture_strands = 2;
+  EXPECT_FALSE(ruptures(0.599, 0.5, p));
+  EXPECT_TRUE(ruptures(0.601, 0.5, p));
 }
 
 TEST(Lifetimes, OfAdhesionsUnderConstantForceAreExponential) {

@@ -1,5 +1,6 @@
 #include "protrusion/growth.hpp"
 
+#include "cell/geometry.hpp"
 #include "scene.hpp"
 
 #include <gtest/gtest.h>
@@ -7,16 +8,6 @@
 #include <set>
 
 using namespace matrigrate;
-
-namespace {
-
-std::vector<Vec2> normals(const CortexState& c) {
-  std::vector<Vec2> n;
-  for (std::size_t i = 0; i < c.size(); ++i) n.push_back(normal(c, i));
-  return n;
-}
-
-} // namespace
 
 TEST(PushingParticles, AreTheCentreAndThreeToEachSide) {
   const Parameters p = small_matrix();
@@ -35,15 +26,15 @@ TEST(GrowthForce, IsAShareOfFProtAlongItsDirectionAndFadesAsTheNormalTurns) {
   EXPECT_EQ(growth_force(d, -d, p).norm(), 0.0);
 }
 
-TEST(AreaFactor, FallsFromOneAtA0ToNothingAtTheLimitWhereANumberIsKept) {
+TEST(AreaFactor, IsTheInverseAreaWhereANumberIsEnforced) {
   ProtrusionParameters p;
   EXPECT_EQ(area_factor(1.7, p), 1.0); // Eq. (10) is for a kept number alone
   p.number = 2;
   EXPECT_EQ(area_factor(0.9, p), 1.0);
   EXPECT_EQ(area_factor(1.0, p), 1.0);
-  EXPECT_DOUBLE_EQ(area_factor(1.25, p), 0.75);
-  EXPECT_EQ(area_factor(2.0, p), 0.0);
-  EXPECT_EQ(area_factor(2.3, p), 0.0);
+  EXPECT_DOUBLE_EQ(area_factor(1.46, p), 1.0 / 1.46);
+  EXPECT_DOUBLE_EQ(area_factor(2.0, p), 0.5);
+  EXPECT_DOUBLE_EQ(area_factor(2.5, p), 0.4);
 }
 
 TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
@@ -107,6 +98,34 @@ TEST(Spreading, LeavesOtherPhasesAlone) {
   const CortexState before = s.cortex;
   spread_evenly(s, p.protrusion, 0.4);
   EXPECT_EQ(s.cortex.x, before.x);
+}
+
+TEST(BaseTie, PullsTheEndsOfAWidenedBaseTogetherAndNothingElse) {
+  Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  const double width = base_width(s.cortex, 100, p.protrusion);
+  EXPECT_NEAR(width, (s.cortex.x[120] - s.cortex.x[80]).norm(), 1e-15);
+  add_protrusion(s, 100, Growing{outward(s, 100), width});
+  const auto tied = [&] {
+    return assemble(s.ecm.size() + s.cortex.size(), [&](std::span<Vec2> force, DragSystem& A) {
+      add_base_ties(s, p.protrusion, p.cell.spring_stiffness, 0.4, force, A);
+    });
+  };
+  const Vec2 along = (s.cortex.x[120] - s.cortex.x[80]) / width;
+  s.cortex.x[120] += 2.0 * along;
+  p.protrusion.growing_base = GrowingBase::free;
+  EXPECT_EQ(largest(tied().force), 0.0);
+  p.protrusion.growing_base = GrowingBase::tied;
+  const Assembled a = tied();
+  const double T = 2.8 / 40.0 * 2.0; // k_s over the 40 segments
+  EXPECT_LT((a.force[s.node(80)] - T * along).norm(), 1e-12);
+  EXPECT_LT((a.force[s.node(120)] + T * along).norm(), 1e-12);
+  EXPECT_LT(net_force(a.force).norm(), 1e-15);
+  EXPECT_EQ(a.A.directed.size(), 2U);
+  EXPECT_DOUBLE_EQ(a.A.directed.c[0], 0.4 * 2.8 / 40.0);
+  EXPECT_NEAR(a.A.directed.c[1], 0.4 * T / (width + 2.0), 1e-12) << "across";
+  s.cortex.x[120] -= 3.0 * along;
+  EXPECT_EQ(largest(tied().force), 0.0) << "tension only";
 }
 
 TEST(ProtrusionLength, RunsFromTheMiddleOfTheBaseToTheCentre) {

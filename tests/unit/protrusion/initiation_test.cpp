@@ -2,14 +2,24 @@
 
 #include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
+#include "cell/geometry.hpp"
 #include "protrusion/membership.hpp"
 #include "scene.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 using namespace matrigrate;
 
 namespace {
+
+void try_to_initiate(State& s, const Parameters& p, const std::vector<std::uint8_t>& of_front,
+                     const Vec2& centre = Vec2::Zero(), double area = 1.0) {
+  const std::vector<Vec2> n = normals(s.cortex);
+  initiate(s, p, {of_front, n, centre, area});
+}
 
 /// Steps until the first protrusion; its time, any moment within the step as likely as for a constant rate [s].
 double first_initiation(Parameters p, std::uint64_t seed, const State& start,
@@ -19,13 +29,18 @@ double first_initiation(Parameters p, std::uint64_t seed, const State& start,
   while (s.protrusions.empty()) {
     ++s.step;
     s.t = static_cast<double>(s.step) * p.run.time_step;
-    initiate(s, p, of_front, Vec2::Zero());
+    try_to_initiate(s, p, of_front);
   }
   const double probability = event_probability(p.protrusion.initiation_rate, p.run.time_step);
   const auto n = static_cast<double>(std::ranges::count(of_front, 1));
   const double u = uniform(seed, Purpose::test, s.step, 0);
   const double within = -std::log1p(-u * -std::expm1(n * std::log1p(-probability))) / n / p.protrusion.initiation_rate;
   return s.t - p.run.time_step + within;
+}
+
+void next_step(State& s, const Parameters& p) {
+  ++s.step;
+  s.t = static_cast<double>(s.step) * p.run.time_step;
 }
 
 } // namespace
@@ -55,7 +70,7 @@ TEST(Initiation, HappensOnFrontParticlesAloneAndEachIsAsLikely) {
     p.run.seed = seed;
     while (start.protrusions.empty()) {
       ++start.step;
-      initiate(start, p, of_front, Vec2::Zero());
+      try_to_initiate(start, p, of_front);
     }
     ASSERT_TRUE(of_front[start.protrusions[0].centre]);
     places.push_back((start.protrusions[0].centre - 50 + uniform(seed, Purpose::test, 0, 1)) / 100.0);
@@ -69,7 +84,7 @@ TEST(Initiation, GrowsAwayFromTheCentreOfMassAndTheFirstSetsThePolarization) {
   State s = cell_in_matrix(p);
   const Vec2 centre(1.0, 2.0);
   s.t = 12.0;
-  initiate(s, p, std::vector<std::uint8_t>(s.cortex.size(), 1), centre);
+  try_to_initiate(s, p, std::vector<std::uint8_t>(s.cortex.size(), 1), centre);
   ASSERT_EQ(s.protrusions.size(), 5U); // 235 particles, 41 each
   for (const Protrusion& protrusion : s.protrusions) {
     const Vec2 d = std::get<Growing>(protrusion.phase).direction;
@@ -91,7 +106,7 @@ TEST(Initiation, ProtrusionsNeverShareParticles) {
     State s = cell_in_matrix(p);
     for (int k = 0; k < 50; ++k) {
       ++s.step;
-      initiate(s, p, std::vector<std::uint8_t>(s.cortex.size(), 1), Vec2::Zero());
+      try_to_initiate(s, p, std::vector<std::uint8_t>(s.cortex.size(), 1));
     }
     const Membership m = membership(s, p);
     EXPECT_EQ(std::ranges::count_if(m.of_particle, [](int n) { return n != no_protrusion; }),
@@ -106,13 +121,16 @@ TEST(KeptNumber, IsReachedAndNeverPassed) {
     State s = cell_in_matrix(p);
     const std::vector<std::uint8_t> of_front = front(s.cortex, 0.3);
     for (int k = 0; k < 200; ++k) {
-      ++s.step;
-      initiate(s, p, of_front, Vec2::Zero());
+      next_step(s, p);
+      try_to_initiate(s, p, of_front);
       ASSERT_LE(s.protrusions.size(), static_cast<std::size_t>(number));
     }
     EXPECT_EQ(s.protrusions.size(), static_cast<std::size_t>(number)) << number;
     s.protrusions.erase(s.protrusions.begin());
-    for (int k = 0; k < 200; ++k, ++s.step) initiate(s, p, of_front, Vec2::Zero());
+    for (int k = 0; k < 200; ++k) {
+      next_step(s, p);
+      try_to_initiate(s, p, of_front);
+    }
     EXPECT_EQ(s.protrusions.size(), static_cast<std::size_t>(number));
   }
 }
@@ -127,8 +145,8 @@ TEST(KeptNumber, TakesRearParticlesAHundredTimesMoreRarely) {
   State s = start;
   for (int n = 0; n < cells; ++n) {
     s.protrusions.clear();
-    ++s.step;
-    initiate(s, p, of_front, Vec2::Zero());
+    next_step(s, p);
+    try_to_initiate(s, p, of_front);
     ASSERT_EQ(s.protrusions.size(), 1U);
     rear += of_front[s.protrusions[0].centre] ? 0 : 1;
   }
@@ -141,10 +159,58 @@ TEST(KeptNumber, WaitsWhileTheCellIsTooLarge) {
   p.protrusion.number = 2;
   State s = cell_in_matrix(p);
   const std::vector<std::uint8_t> all(s.cortex.size(), 1);
-  for (int k = 0; k < 50; ++k, ++s.step) initiate(s, p, all, Vec2::Zero(), 2.01);
+  for (int k = 0; k < 50; ++k) {
+    next_step(s, p);
+    try_to_initiate(s, p, all, Vec2::Zero(), 2.01);
+  }
   EXPECT_TRUE(s.protrusions.empty());
-  initiate(s, p, all, Vec2::Zero(), 1.99);
+  next_step(s, p);
+  try_to_initiate(s, p, all, Vec2::Zero(), 1.99);
   EXPECT_EQ(s.protrusions.size(), 1U);
+}
+
+TEST(KeptNumber, CountsFinishingProtrusions) {
+  Parameters p = small_matrix();
+  p.protrusion.number = 1;
+  State s = cell_in_matrix(p);
+  add_protrusion(s, 100, Finishing{0.5});
+  for (int k = 0; k < 50; ++k) {
+    next_step(s, p);
+    try_to_initiate(s, p, std::vector<std::uint8_t>(s.cortex.size(), 1));
+  }
+  EXPECT_EQ(s.protrusions.size(), 1U);
+  s.protrusions.clear();
+  next_step(s, p);
+  try_to_initiate(s, p, std::vector<std::uint8_t>(s.cortex.size(), 1));
+  EXPECT_EQ(s.protrusions.size(), 1U);
+}
+
+// Twenty eligible particles of the rear, each drawn with probability 0.01/(117 + 0.01 x 118) in each 0.4 s.
+TEST(KeptNumber, WaitsAsLongWhateverTheStep) {
+  const auto mean_wait = [](double dt) {
+    Parameters p = small_matrix();
+    p.protrusion.number = 4;
+    p.run.time_step = dt;
+    const State start = cell_in_matrix(p);
+    const std::vector<std::uint8_t> of_front = front(start.cortex, 0.0);
+    State held = start; // the front is full, and most of the rear
+    for (const std::size_t centre : {0U, 41U, 194U}) add_protrusion(held, centre, Finishing{0.5});
+    double sum = 0.0;
+    constexpr int cells = 200;
+    for (int n = 0; n < cells; ++n) {
+      p.run.seed = static_cast<std::uint64_t>(n);
+      State s = held;
+      while (s.protrusions.size() < 4) {
+        next_step(s, p);
+        try_to_initiate(s, p, of_front);
+      }
+      sum += s.t;
+    }
+    return sum / cells;
+  };
+  const double at_04 = mean_wait(0.4);
+  EXPECT_NEAR(mean_wait(2.4), at_04, 2.4); // the same draws, seen at the end of a step
+  EXPECT_NEAR(mean_wait(0.1), at_04, 0.4);
 }
 
 TEST(HasRoom, NeedsAllParticlesFree) {
@@ -156,4 +222,46 @@ TEST(HasRoom, NeedsAllParticlesFree) {
   EXPECT_TRUE(has_room(s.cortex, 141, of_particle, p.protrusion));
   EXPECT_FALSE(has_room(s.cortex, 60, of_particle, p.protrusion));
   EXPECT_TRUE(has_room(s.cortex, 59, of_particle, p.protrusion));
+}
+
+TEST(Facing, IsOneOnARoundCellAndFallsWithTheAngleOfTheNormal) {
+  const Parameters p = small_matrix();
+  State s;
+  s.cortex = round_cortex(p.cell);
+  const std::vector<std::uint8_t> all(s.cortex.size(), 1);
+  std::vector<Vec2> n = normals(s.cortex);
+  EXPECT_NEAR(facing(s.cortex, 50, {all, n}, p.protrusion), 1.0, 0.01);
+  for (Vec2& normal : n) normal = Eigen::Rotation2Dd(std::numbers::pi / 3.0) * normal;
+  EXPECT_NEAR(facing(s.cortex, 50, {all, n}, p.protrusion), 0.5, 0.02);
+  for (Vec2& normal : n) normal = Eigen::Rotation2Dd(std::numbers::pi / 2.0) * normal; // now 150 degrees
+  EXPECT_EQ(facing(s.cortex, 50, {all, n}, p.protrusion), 0.0);
+}
+
+TEST(Facing, KeepsProtrusionsFromBeginningWhereTheTipFacesAway) {
+  Parameters p = small_matrix();
+  p.protrusion.initiation_rate = 10.0; // all that may, in one step
+  const State start = cell_in_matrix(p);
+  const auto n = [&] {
+    std::vector<Vec2> turned = normals(start.cortex);
+    for (std::size_t i = 0; i < 120; ++i) turned[i] = Eigen::Rotation2Dd(1.2) * turned[i]; // n . d = 0.36
+    return turned;
+  }();
+  const std::vector<std::uint8_t> all(start.cortex.size(), 1);
+  const auto centres = [&](double least, int number) {
+    p.protrusion.least_facing = least;
+    p.protrusion.number = number;
+    State s = start;
+    for (int k = 0; k < 500; ++k) {
+      next_step(s, p);
+      initiate(s, p, {all, n});
+    }
+    std::vector<std::uint32_t> found;
+    for (const Protrusion& protrusion : s.protrusions) found.push_back(protrusion.centre);
+    return found;
+  };
+  const auto in_turned = [](std::uint32_t centre) { return centre < 117; };
+  EXPECT_TRUE(std::ranges::any_of(centres(0.0, 0), in_turned));
+  EXPECT_TRUE(std::ranges::none_of(centres(0.7, 0), in_turned));
+  EXPECT_TRUE(std::ranges::any_of(centres(0.0, 4), in_turned));
+  EXPECT_TRUE(std::ranges::none_of(centres(0.7, 4), in_turned));
 }

@@ -62,12 +62,29 @@ TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
 }
 
 TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
-  const Parameters p;
+  Parameters p;
+  p.adhesion.handover = Handover::immediate;
   Circumstances now = quiet(600.0);
   now.force = 0.27;
-  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4}, now, p));
-  EXPECT_EQ(next.f_mat, final_f_mat(4, 0.27, p));
+  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, now, p)); // 125 s a step
+  EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
+  EXPECT_EQ(next.bundle, 0.0);
   EXPECT_EQ(next.anchor, site);
+}
+
+TEST(Transition, HandsOverToABundle) {
+  const Parameters p;
+  Maturing mature{d, site, 4};
+  mature.last_step = 500.0; // 125 s a step, 100 s of the fifth
+  Circumstances now = quiet(600.0);
+  now.force = 0.25;
+  const auto next = expect_to<Contracting>(transition(mature, now, p));
+  EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
+  EXPECT_DOUBLE_EQ(next.bundle, 0.9 * 0.48 * 0.6);
+  EXPECT_EQ(next.falling, 0.25);
+  now = quiet(1.0);
+  now.force = next.f_mat * 0.6;
+  EXPECT_LT(expect_to<Contracting>(transition(next, now, p)).bundle, next.bundle);
 }
 
 TEST(Transition, AnAdhesionWhoseSolidIsGoneIsLost) {
@@ -93,8 +110,10 @@ TEST(Transition, RuptureIsCertainAboveItsForce) {
   Parameters p;
   p.adhesion.rupture = true;
   Circumstances now = quiet(10.0);
-  now.force = 0.85; // 0.7 x 2 x 0.6 nN is 0.84
+  now.force = 0.43; // 0.7 x 0.6 nN is 0.42
   expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::rupture);
+  // while the bundle still pulls, it gives way instead
+  EXPECT_LT(expect_to<Contracting>(transition(Contracting{site, 0.7, 0.1}, now, p)).bundle, 0.1);
   p.adhesion.rupture = false;
   EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p).changes);
 }
@@ -152,7 +171,7 @@ TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
   until(1000.0);
   ASSERT_TRUE(std::holds_alternative<Contracting>(s.protrusions.at(0).phase));
   EXPECT_NEAR(s.protrusions[0].record.t_mature, 1000.0, 1e-9);
-  EXPECT_NEAR(s.protrusions[0].record.f_mat, 0.1 * (1.0 + 0.04 / 0.0588), 1e-6);
+  EXPECT_NEAR(s.protrusions[0].record.f_mat, 0.2, 1e-12); // one early step: the running one counts as done
   until(1002.0);
   ASSERT_TRUE(std::holds_alternative<Finishing>(s.protrusions.at(0).phase));
   const ProtrusionRecord record = s.protrusions[0].record;

@@ -19,14 +19,71 @@ TEST(Maturation, AStepIsDoneAtNinetyEightPercentOfItsForce) {
   EXPECT_DOUBLE_EQ(step_force(4, p), 0.4 * 0.6 + 0.98 * 0.06);
 }
 
-TEST(Maturation, EndsAtTheStepsDoneAndTheShareOfTheRunningOne) {
+TEST(Maturation, EndsAtTheStepsDoneAndTheShareOfTheRunningOneByTime) {
+  const Parameters p;                                   // T_mat = 600 s
+  EXPECT_DOUBLE_EQ(final_f_mat(3, 450.0, 0.0, p), 0.4); // 150 s a step: the paper's 0.1 x 600/150
+  EXPECT_DOUBLE_EQ(final_f_mat(3, 525.0, 0.0, p), 0.1 * (3.0 + 75.0 / 175.0)); // 0.1 x 600/175
+  EXPECT_DOUBLE_EQ(final_f_mat(2, 364.0, 0.0, p), 0.3);   // the next one took longer: it counts as one
+  EXPECT_DOUBLE_EQ(final_f_mat(1, 5.0, 0.0, p), 0.2);     // and so after a single early step
+  EXPECT_DOUBLE_EQ(final_f_mat(0, 0.0, 0.0294, p), 0.05); // without a step: half of its force
+  EXPECT_DOUBLE_EQ(final_f_mat(0, 0.0, 0.0, p), 0.05);    // at least the body's
+  EXPECT_DOUBLE_EQ(final_f_mat(10, 500.0, 0.6, p), 1.0);
+}
+
+TEST(Handover, TheBundlePullsTipAndBaseTogetherWithoutAResultant) {
+  const Parameters p = small_matrix();
+  State s = cell_in_matrix(p);
+  for (std::size_t i = 45; i <= 55; ++i) s.cortex.x[i] *= 1.5;
+  add_protrusion(s, 50, Contracting{2.0 * s.cortex.x[50], 0.5, 0.2});
+  const Assembled a = assemble(s.ecm.size() + s.cortex.size(),
+                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, force, A); });
+  EXPECT_LT(net_force(a.force).norm(), 1e-15);
+  EXPECT_NEAR(a.force[s.node(30)].norm(), 0.1, 1e-12);
+  EXPECT_NEAR(a.force[s.node(70)].norm(), 0.1, 1e-12);
+  EXPECT_LT(a.force[s.node(50)].dot(outward(s, 50)), 0.0);
+  ASSERT_EQ(a.A.directed.size(), 2U); // a side each, across it
+  EXPECT_NEAR(a.A.directed.c[0], p.run.time_step * 0.1 / (s.cortex.x[30] - s.cortex.x[50]).norm(), 1e-12);
+}
+
+TEST(Handover, TheBundleGivesWayByTheLoadBeyondNineTenthsOfThePull) {
+  Parameters p;
+  p.run.time_step = 40.0; // all of the excess
+  const auto left = [&](double F) { return handed_over(Contracting{Vec2::Zero(), 0.5, 0.2}, F, p).bundle; };
+  EXPECT_DOUBLE_EQ(left(0.26), 0.2); // 0.27 nN are allowed
+  EXPECT_DOUBLE_EQ(left(0.32), 0.2 - 0.05);
+  EXPECT_EQ(left(0.9), 0.0);
+}
+
+TEST(Handover, TheBundleGivesWayAsFastWhateverTheStep) {
+  const auto after = [](double dt) {
+    Parameters p;
+    p.run.time_step = dt;
+    Contracting phase{Vec2::Zero(), 0.5, 10.0};
+    for (double t = 0.5 * dt; t < 1.2; t += dt) phase = handed_over(phase, 0.28, p);
+    return phase.bundle;
+  };
+  // of an excess that stays the bundle loses a share 1 - exp(-dt/0.4 s) a step: a rate of 1/0.4 s for short steps
+  EXPECT_NEAR(10.0 - after(0.025), 0.01 * 1.2 / 0.4, 0.002);
+  EXPECT_NEAR(10.0 - after(0.05), 10.0 - after(0.025), 0.002);
+}
+
+TEST(Handover, WhatMaturationLoadedFallsOffFirst) {
   const Parameters p;
-  EXPECT_DOUBLE_EQ(final_f_mat(3, 0.18, p), 0.3);                   // nothing of the fourth
-  EXPECT_NEAR(final_f_mat(3, 0.18 + 0.5 * 0.0588, p), 0.35, 1e-12); // half of it
-  EXPECT_DOUBLE_EQ(final_f_mat(3, 5.0, p), 0.4);                    // no more than it
-  EXPECT_DOUBLE_EQ(final_f_mat(3, 0.1, p), 0.3);                    // steps done are kept
-  EXPECT_DOUBLE_EQ(final_f_mat(0, 0.0, p), 0.05);                   // at least the body's
-  EXPECT_DOUBLE_EQ(final_f_mat(10, 0.6, p), 1.0);
+  Contracting phase = handover(Vec2::Zero(), 0.5, 0.33, p); // the running step had loaded a tenth more than 0.3 nN
+  const double whole = phase.bundle;
+  EXPECT_DOUBLE_EQ(whole, 0.27);
+  for (const double F : {0.32, 0.30, 0.28, 0.275}) {
+    phase = handed_over(phase, F, p);
+    EXPECT_EQ(phase.bundle, whole) << F;
+    EXPECT_EQ(phase.falling, F);
+  }
+  phase = handed_over(phase, 0.26, p);
+  EXPECT_EQ(phase.falling, 0.0);
+  EXPECT_EQ(phase.bundle, whole);
+  EXPECT_LT(handed_over(phase, 0.28, p).bundle, whole);    // now the cortex pulls
+  Contracting held = handover(Vec2::Zero(), 0.5, 0.33, p); // others pull: the load does not fall
+  held = handed_over(held, 0.34, p);
+  EXPECT_LT(held.bundle, whole);
 }
 
 TEST(Maturation, PullsTheCentreBackAndPinsTheBase) {

@@ -1,6 +1,8 @@
 #include "study/study_data.hpp"
 
 #include "studies.hpp"
+#include "study/axes.hpp"
+#include "study/screening_data.hpp"
 #include "study/table_readouts.hpp"
 
 #include <gtest/gtest.h>
@@ -18,6 +20,42 @@ TEST(StudyData, AxesHoldValuesInOrder) {
   EXPECT_EQ(axes.at(0).at("values").dump(), "[50.0,200.0]");
   EXPECT_EQ(axes.at(1).at("values").dump(), "[\"square\",\"hexagonal\"]");
   EXPECT_EQ(axes_json(read("")).size(), 1U) << "a study of one point";
+}
+
+TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
+  const nlohmann::ordered_json samples =
+      axes_json(read("[latin_hypercube]\nsamples = 5\necm.youngs_modulus = [50, 400]\necm.viscosity = [500, 1000]\n"));
+  ASSERT_EQ(samples.size(), 1U);
+  EXPECT_EQ(samples.at(0).at("values").at(4), "sample 5");
+  const Study study = read("[one_at_a_time]\nadhesion.rupture = [true]\n[[conditions]]\nlabel = \"soft\"\n"
+                           "ecm.youngs_modulus = 50\n[[conditions]]\nlabel = \"stiff\"\necm.youngs_modulus = 400\n");
+  const nlohmann::ordered_json axes = axes_json(study);
+  ASSERT_EQ(axes.size(), 2U);
+  EXPECT_EQ(axes.at(0).at("values").dump(), "[\"base\",\"rupture true\"]");
+  EXPECT_EQ(axes.at(1).at("values").dump(), "[\"soft\",\"stiff\"]");
+  EXPECT_EQ(places(study).at(3).dump(), "[1,1]");
+  EXPECT_EQ(places(read("[sweep]\nprotrusion.number = [2, 1]\n")).at(0).dump(), "[1]") << "a grid, in order";
+}
+
+TEST(StudyData, HoldsFactorsAndTargets) {
+  const Study study = read("readouts = [\"f_mat\"]\n[one_at_a_time]\nadhesion.rupture = [true]\n[[targets]]\n"
+                           "readout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n");
+  const std::vector<Result> results = results_of("f_mat", {{0.25, 0.25, 0.25}, {1.5, 1.5, 1.5}});
+  const Screening found = screening(study, results);
+  const nlohmann::ordered_json json = screening_json(study, found);
+  EXPECT_EQ(json.at("targets").at(0).at("target"), "0.5 to 1 +- 0.25");
+  EXPECT_EQ(json.at("sets").at(0).at("label"), "base");
+  EXPECT_EQ(json.at("sets").at(0).at("z").dump(), "[-1.0]");
+  EXPECT_EQ(json.at("sets").at(1).at("settings"), "rupture true");
+  EXPECT_EQ(json.at("sets").at(1).at("discrepancy"), 2.0);
+  EXPECT_EQ(json.at("effects").at(0).at("readout"), "discrepancy");
+  EXPECT_EQ(json.at("effects").at(0).at("effect"), 1.0);
+  EXPECT_EQ(json.at("effects").at(1).at("interval").dump(), "[1.25,1.25]");
+  EXPECT_EQ(screening_sentence(study, found), " The discrepancy is least, 1 (1 to 1), at base. The largest effect on "
+                                              "discrepancy is that of rupture true: 1 (1 to 1).");
+  const Study plain = read("");
+  EXPECT_TRUE(screening_json(plain, {}).is_null());
+  EXPECT_EQ(screening_sentence(plain, {}), "");
 }
 
 TEST(StudyData, HoldsRunsThatAreNotThereYet) {

@@ -9,6 +9,7 @@ import { pretty } from "../numbers";
 import { grid, seriesColour, type Grid } from "./groups";
 import { claims, runs, safe } from "./lists";
 import { players } from "./players";
+import { rankings, screeningNote, sets } from "./screening";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
 import { paths, shapes } from "./tracks";
@@ -23,6 +24,9 @@ function seriesKey(made: Grid): HTMLElement | null {
     ),
   );
 }
+
+/** Points that small pictures and curves of each are drawn of; of more, nobody could tell one from another. */
+const mostPoints = 60;
 
 /** Where no point has enough runs for a test. */
 function fewRuns(study: StudyPage): HTMLElement | null {
@@ -47,6 +51,7 @@ function show(study: StudyPage, page: HTMLElement): void {
   const played = players(study, safe);
   const draw = () => {
     const made = grid(study, main);
+    const many = made.groups.length > mostPoints;
     const parts = [
       part(
         "claims",
@@ -54,6 +59,8 @@ function show(study: StudyPage, page: HTMLElement): void {
         claims(study),
         study.claims_note ? h("p", { class: "notice" }, pretty(study.claims_note)) : null,
       ),
+      part("factors", "Factors by effect", rankings(study), screeningNote(study)),
+      part("sets", "Factor sets by discrepancy", sets(study)),
       study.readouts.length > 0
         ? section(
             "readouts",
@@ -68,10 +75,17 @@ function show(study: StudyPage, page: HTMLElement): void {
             h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, comparisons))),
           )
         : null,
-      part("paths", "Paths from a common origin", paths(made), seriesKey(made)),
-      part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
+      many
+        ? section(
+            "paths",
+            "Paths and shapes",
+            h("p", {}, `With ${made.groups.length} points, paths, shapes and mean square displacements are not drawn here; the report of each run has them.`),
+          )
+        : null,
+      many ? null : part("paths", "Paths from a common origin", paths(made), seriesKey(made)),
+      many ? null : part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
       played,
-      part("msd", "Mean square displacement", msd(study, made)),
+      many ? null : part("msd", "Mean square displacement", msd(study, made)),
       part("adhesions", "Force at which adhesions ended, over f_mat F_am", adhesionForces(made), seriesKey(made)),
       part("correlation", "Correlations across runs", correlation(study)),
       section("runs", "Runs", runs(study)),

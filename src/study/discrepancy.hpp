@@ -1,0 +1,88 @@
+#pragma once
+
+#include "statistics/compare.hpp"
+#include "study/results.hpp"
+#include "study/study.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// How far the read-outs of a study are from their targets. Test: tests/unit/study/discrepancy_test.cpp
+namespace matrigrate::study {
+
+/// A target at one of its conditions.
+struct Term {
+  std::size_t target = 0;
+  std::size_t condition = 0;
+
+  bool operator==(const Term&) const = default;
+};
+
+/// All targets at all their conditions, in the order of the study.
+std::vector<Term> terms(const Study& study);
+
+/// "v_migr_abs_um_per_h_at_soft"; without conditions the read-out alone.
+std::string term_name(const Study& study, const Term& term);
+
+/// "12.1 +- 1", "3 to 5 +- 0.2".
+std::string target_text(const Target& target);
+
+/// A factor set by a term.
+///   z = (mean - target) / sqrt(error^2 + s^2 / n),  0 within a range, from its nearer end outside
+struct Judged {
+  std::size_t n = 0;         ///< runs that are done and have a value
+  std::size_t undefined = 0; ///< runs that are done and have none
+  double mean = 0.0;         ///< NaN for n = 0
+  double z = 0.0;            ///< NaN for n < 2: the target is not judged
+};
+
+/// z of a mean with its standard error, and of a sample; NaN for fewer than two values.
+double distance(const Target& target, double mean, double standard_error);
+double distance(const Target& target, statistics::Values sample);
+
+/// A factor set by all terms that could be judged.
+///   D = sqrt(sum w z^2 / sum w)
+struct Discrepancy {
+  std::size_t set = 0;
+  statistics::Interval value; ///< NaN if no target was judged; the interval by the bootstrap over replicates
+  std::size_t judged = 0;     ///< terms with a z
+  std::vector<Judged> terms;  ///< in the order of terms()
+};
+
+/// Judges factor sets from the results of a study. With common random numbers a draw of the bootstrap takes the same
+/// replicates at all points, so that differences of sets stay paired; otherwise each point is drawn for itself. Means
+/// are drawn; standard errors stay those of the samples, since a draw from few replicates may hold one of them alone.
+class TargetJudge {
+public:
+  /// @param study, results  must outlive it
+  TargetJudge(const Study& study, const std::vector<Result>& results);
+
+  /// @param with_interval  by bootstrap_draws draws
+  Discrepancy discrepancy(std::size_t set, bool with_interval = true) const;
+
+  /// The discrepancy in each draw; NaN where a term that was judged has no value left.
+  std::vector<double> draws(std::size_t set) const;
+
+  /// What each replicate has at a point, from the first on; NaN where it has no value.
+  /// @param readout  column of all_readouts()
+  std::vector<double> replicates(std::size_t point, std::size_t readout) const;
+
+private:
+  double combined(const std::vector<double>& z) const;
+
+  const Study& m_study;
+  std::vector<Term> m_terms;
+  std::vector<std::size_t> m_columns;                ///< of the read-out of each term
+  std::vector<std::vector<const Result*>> m_results; ///< by point and replicate, null where there is none
+};
+
+/// Column of a read-out in all_readouts().
+/// @throws std::invalid_argument if there is no such read-out
+std::size_t readout_column(const std::string& readout);
+
+/// Indices of discrepancies from the best on: by the number of judged terms, then by value.
+std::vector<std::size_t> ranking(const std::vector<Discrepancy>& all);
+
+} // namespace matrigrate::study

@@ -1,0 +1,63 @@
+#include "parameters/node.hpp"
+#include "study/designs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace matrigrate::study {
+
+namespace {
+
+/// Takes the base's own value off a list.
+void leave_out_base(ValueList& list, const Parameters& base) {
+  const std::string own = value_text(*list.row, base);
+  for (std::size_t k = list.settings.size(); k-- > 0;) {
+    if (list.settings[k].value != own) continue;
+    list.settings.erase(list.settings.begin() + static_cast<std::ptrdiff_t>(k));
+    list.nodes.erase(list.nodes.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+/// "force 1 nN"; with the section in front if another list is of a parameter of the same name.
+std::string label_of_value(const ValueList& list, const Setting& setting, const std::vector<ValueList>& all) {
+  const auto same = std::ranges::count_if(all, [&](const ValueList& l) { return key_of(*l.row) == key_of(*list.row); });
+  return same == 1 ? label_of({setting}) : fmt::format("{}.{}", section_of(*list.row), label_of({setting}));
+}
+
+} // namespace
+
+Designed one_at_a_time_sets(const toml::table& lists, const Parameters& base, Allowance& allowance, FaultList& faults) {
+  Designed made;
+  std::vector<ValueList> all = value_lists(lists, "one_at_a_time", base, faults);
+  if (all.empty() && faults.empty())
+    faults.add(place_of(lists), "one_at_a_time", "has no list of values of a parameter");
+  std::size_t count = 1;
+  for (ValueList& list : all) {
+    const Place place = place_of(*list.nodes.front());
+    leave_out_base(list, base);
+    count += list.settings.size();
+    if (list.settings.empty())
+      faults.add(place, list.row->path,
+                 fmt::format("has no other value than that of the base, {}", value_text(*list.row, base)));
+  }
+  if (all.empty() || !allowance.allows(static_cast<double>(count), place_of(lists), "one_at_a_time", faults))
+    return made;
+  made.drafts.push_back({{.label = std::string(base_label), .settings = {}, .parameters = base}, place_of(lists), {}});
+  for (const ValueList& list : all)
+    for (std::size_t k = 0; k < list.settings.size(); ++k) {
+      Draft draft{
+          {.label = label_of_value(list, list.settings[k], all), .settings = {list.settings[k]}, .parameters = base},
+          place_of(*list.nodes[k]),
+          {{std::string(list.row->path), place_of(*list.nodes[k])}}};
+      assign(*list.row, given_by(*list.nodes[k]), draft.point.parameters);
+      made.steps.push_back({.design = Design::one_at_a_time,
+                            .factor = std::string(list.row->path),
+                            .from = 0,
+                            .to = made.drafts.size()});
+      made.drafts.push_back(std::move(draft));
+    }
+  return made;
+}
+
+} // namespace matrigrate::study

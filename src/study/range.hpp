@@ -1,0 +1,36 @@
+#pragma once
+
+#include "parameters/assign.hpp"
+#include "study/fault_list.hpp"
+#include "study/settings.hpp"
+
+#include <optional>
+
+/// Ranges of parameters in a study file: ["low", "high"] or ["low", "high", "log"].
+/// Test: tests/unit/study/plan_test.cpp, tests/unit/study/designs_test.cpp
+namespace matrigrate::study {
+
+/// A range that is sampled, in the unit of the row.
+struct Span {
+  const Row* row;
+  Place place;
+  double low = 0.0;
+  double high = 0.0;
+  bool log = false;
+
+  /// The value at a share of the way from low to high, on the scale of the range.
+  double at(double share) const;
+  /// Where a value lies: the inverse of at().
+  double share(double value) const;
+};
+
+/// The value of a number's row, in the row's unit; none for flags and choices.
+std::optional<double> number_in_unit(const Row& row, Parameters p);
+
+/// The range that stands behind a parameter; none, and faults, if it is none.
+std::optional<Span> span_of(const Named& named, const Parameters& base, FaultList& faults);
+
+/// A number rounded to six digits, or to an integer, as if typed.
+Given given_number(const Row& row, double value);
+
+} // namespace matrigrate::study

@@ -1,0 +1,159 @@
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/scan.hpp"
+#include "study/conditions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace matrigrate::study {
+
+namespace {
+
+const std::vector<std::string>& target_keys() {
+  static const std::vector<std::string> keys{"readout", "value", "low", "high", "error", "weight", "at"};
+  return keys;
+}
+
+class TargetReader {
+public:
+  TargetReader(const std::vector<Condition>& conditions, FaultList& faults)
+      : m_faults(faults), m_readouts(all_readouts()) {
+    for (const Condition& c : conditions) m_labels.push_back(c.label);
+  }
+
+  Target read(const toml::table& table) {
+    for (const auto& [name, node] : table)
+      if (std::ranges::find(target_keys(), name.str()) == target_keys().end())
+        m_faults.add(place_of(name), fmt::format("targets.{}", name.str()), "there is no such key",
+                     [typed = std::string(name.str())] { return did_you_mean(nearest(typed, target_keys())); });
+    Target target;
+    if (const auto* node = table.get("readout"))
+      target.readout = readout(*node);
+    else
+      m_faults.add(place_of(table), "targets.readout", "is missing; write readout = \"v_migr_abs_um_per_h\"");
+    read_range(table, target);
+    if (const auto* node = table.get("error"))
+      target.error = positive(*node, "targets.error");
+    else
+      m_faults.add(place_of(table), "targets.error",
+                   "is missing; write error = 1.0, the standard error of what was measured");
+    if (const auto* node = table.get("weight")) target.weight = positive(*node, "targets.weight");
+    if (const auto* node = table.get("at")) target.at = conditions(*node);
+    check_twins(target, place_of(table));
+    return target;
+  }
+
+private:
+  std::string readout(const toml::node& node) {
+    const auto* typed = node.as_string();
+    const std::size_t found = m_faults.choice(node, "targets.readout", m_readouts);
+    return typed != nullptr && typed->get() == m_readouts[found] ? typed->get() : std::string();
+  }
+
+  void read_range(const toml::table& table, Target& target) {
+    const toml::node* value = table.get("value");
+    const toml::node* low = table.get("low");
+    const toml::node* high = table.get("high");
+    if (value != nullptr && (low != nullptr || high != nullptr))
+      return m_faults.add(place_of(*value), "targets.value", "stands beside a range; a target is one or the other");
+    if (value != nullptr) {
+      target.low = target.high = m_faults.number(*value, "targets.value").value_or(0.0);
+      return;
+    }
+    if (low == nullptr && high == nullptr)
+      return m_faults.add(place_of(table), "targets.value",
+                          "is missing; write value = 12.1, or low and high of a range");
+    if (low == nullptr || high == nullptr)
+      return m_faults.add(place_of(table), low == nullptr ? "targets.low" : "targets.high",
+                          "is missing; a range has low and high");
+    const auto from = m_faults.number(*low, "targets.low");
+    const auto to = m_faults.number(*high, "targets.high");
+    if (!from || !to) return;
+    if (!(*from < *to))
+      m_faults.add(place_of(*low), "targets.low", fmt::format("{} is not below high, {}", *from, *to));
+    target.low = *from;
+    target.high = *to;
+  }
+
+  double positive(const toml::node& node, std::string_view key) {
+    const auto value = m_faults.number(node, key);
+    if (value && !(*value > 0.0))
+      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed is > 0", *value));
+    return value && *value > 0.0 ? *value : 1.0;
+  }
+
+  std::vector<std::size_t> conditions(const toml::node& node) {
+    std::vector<std::size_t> at;
+    const toml::array* list = node.as_array();
+    if (list == nullptr) {
+      if (const auto c = condition(node)) at.push_back(*c);
+      return at;
+    }
+    if (list->empty()) m_faults.add(place_of(node), "targets.at", "is empty; leave it out for all conditions");
+    for (const toml::node& label : *list) {
+      const auto c = condition(label);
+      const bool twice = c && std::ranges::find(at, *c) != at.end();
+      if (twice)
+        m_faults.add(place_of(label), "targets.at", fmt::format("\"{}\" is listed twice", excerpt(m_labels[*c])));
+      if (c && !twice) at.push_back(*c);
+    }
+    return at;
+  }
+
+  std::optional<std::size_t> condition(const toml::node& node) {
+    const auto* label = node.as_string();
+    if (label == nullptr) {
+      m_faults.add(place_of(node), "targets.at",
+                   fmt::format("is {}, but the label of a condition, or a list of them, is expected", type_of(node)));
+      return std::nullopt;
+    }
+    const auto found = std::ranges::find(m_labels, label->get());
+    if (found != m_labels.end()) return static_cast<std::size_t>(found - m_labels.begin());
+    constexpr std::size_t most = 20;
+    const auto end = m_labels.begin() + static_cast<std::ptrdiff_t>(std::min(m_labels.size(), most));
+    const std::string known = m_labels.empty()
+                                  ? "the study has no [[conditions]]"
+                                  : fmt::format("the labels are \"{}\"{}", fmt::join(m_labels.begin(), end, "\", \""),
+                                                m_labels.size() > most ? ", ..." : "");
+    m_faults.add(place_of(node), "targets.at",
+                 fmt::format("\"{}\" is not the label of a condition; {}", excerpt(label->get()), known),
+                 [typed = label->get(), labels = m_labels] { return did_you_mean(nearest(typed, labels)); });
+    return std::nullopt;
+  }
+
+  /// A read-out has one target at a condition.
+  void check_twins(const Target& target, Place place) {
+    if (target.readout.empty()) return;
+    std::vector<std::size_t> at = target.at;
+    if (at.empty())
+      for (std::size_t c = 0; c < std::max<std::size_t>(1, m_labels.size()); ++c) at.push_back(c);
+    bool twice = false;
+    for (const std::size_t c : at) twice = !m_seen.emplace(target.readout, c).second || twice;
+    if (twice) m_faults.add(place, "targets", fmt::format("{} has two targets at the same condition", target.readout));
+  }
+
+  FaultList& m_faults;
+  std::vector<std::string> m_readouts;
+  std::vector<std::string> m_labels;
+  std::set<std::pair<std::string, std::size_t>> m_seen;
+};
+
+} // namespace
+
+std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions, FaultList& faults) {
+  std::vector<Target> all;
+  TargetReader reader(conditions, faults);
+  for (const toml::node& node : list) {
+    if (const toml::table* table = node.as_table())
+      all.push_back(reader.read(*table));
+    else
+      faults.add(place_of(node), "targets", fmt::format("is {}, but a table is expected", type_of(node)));
+  }
+  return all;
+}
+
+} // namespace matrigrate::study
