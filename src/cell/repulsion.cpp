@@ -58,16 +58,37 @@ std::vector<Touch> touches(const CortexState& c, double reach) {
   return found;
 }
 
+/// What keeps two sides from passing through each other.
+struct Wall {
+  explicit Wall(const CellParameters& p)
+      : reach(0.5 * p.repulsion_distance), force(p.repulsion_stiffness * std::pow(reach, 1.5)) {}
+  double reach; // [um]
+  double force; // [nN]
+};
+
+/// Minus the derivative of repulsion(), d < d_rep [nN/um].
+double slope(double d, const CellParameters& p) {
+  const double hertz = 1.5 * p.repulsion_stiffness * std::sqrt(p.repulsion_distance - d);
+  const Wall wall(p);
+  return d < wall.reach ? hertz + wall.force * wall.reach / (d * d) : hertz;
+}
+
 } // namespace
 
 double repulsion(double d, const CellParameters& p) {
-  return d < p.repulsion_distance ? p.repulsion_stiffness * std::pow(p.repulsion_distance - d, 1.5) : 0.0;
+  if (d >= p.repulsion_distance) return 0.0;
+  const double hertz = p.repulsion_stiffness * std::pow(p.repulsion_distance - d, 1.5);
+  const Wall wall(p);
+  return d < wall.reach ? hertz + wall.force * (wall.reach / d - 1.0) : hertz;
 }
 
 double repulsion_energy(const CortexState& c, const CellParameters& p) {
+  const Wall wall(p);
   double sum = 0.0;
-  for (const Touch& t : touches(c, p.repulsion_distance))
+  for (const Touch& t : touches(c, p.repulsion_distance)) {
     sum += p.repulsion_stiffness / 2.5 * std::pow(p.repulsion_distance - t.d, 2.5);
+    if (t.d < wall.reach) sum += wall.force * (wall.reach * std::log(wall.reach / t.d) - (wall.reach - t.d));
+  }
   return sum;
 }
 
@@ -81,8 +102,7 @@ void add_repulsion(const CortexState& c, const CellParameters& p, double dt, std
     force[i] += f;
     force[a] -= (1.0 - t.s) * f;
     force[b] -= t.s * f;
-    const double slope = 1.5 * p.repulsion_stiffness * std::sqrt(p.repulsion_distance - t.d);
-    A.directed.add(dt * slope, {{i, t.n}, {a, -(1.0 - t.s) * t.n}, {b, -t.s * t.n}});
+    A.directed.add(dt * slope(t.d, p), {{i, t.n}, {a, -(1.0 - t.s) * t.n}, {b, -t.s * t.n}});
   }
 }
 

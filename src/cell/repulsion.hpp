@@ -10,10 +10,11 @@
 /// segment whose ends are at least three particles away along the ring. Test: tests/unit/cell/repulsion_test.cpp
 namespace matrigrate {
 
-/// k_rep (d_rep - d)^1.5 for d < d_rep, Hertz-like [nN].   @param d  distance [um], >= 0
+/// k_rep (d_rep - d)^1.5 for d < d_rep, Hertz-like; closer than d_w = d_rep/2 also k_rep d_w^1.5 (d_w/d - 1), which has
+/// no bound: two sides cannot be pressed through each other (MODEL.md, D31) [nN].   @param d  distance [um], > 0
 double repulsion(double d, const CellParameters& p);
 
-/// Sum of k_rep (d_rep - d)^2.5 / 2.5 [nN um].
+/// Sum over touching particles of the work against repulsion() [nN um].
 double repulsion_energy(const CortexState& c, const CellParameters& p);
 
 /// Adds the repulsion, shared by the ends of the segment, linearly implicit along the distance.

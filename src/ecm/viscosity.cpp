@@ -18,11 +18,10 @@ constexpr double nowhere = 1e9; // where the particles beyond the last are, out 
 
 /// What pair_drag takes, for many pairs.
 struct DragLaw {
-  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel, double factor)
+  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel)
       : period_x(ecm.period_x), per_support(static_cast<float>(1.0 / kernel.support())),
         soft(static_cast<float>(0.01 * kernel.h() * kernel.h())),
-        scale(static_cast<float>(factor * pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {
-  }
+        scale(static_cast<float>(pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {}
   double period_x;
   float per_support, soft, scale;
 };
@@ -173,7 +172,7 @@ void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const Ec
     m_free.resize(n);
     for (std::size_t i = 0; i < n; ++i) m_free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
   }
-  const DragLaw law(ecm, p, Kernel(p.smoothing_length), 1.0 + share);
+  const DragLaw law(ecm, p, Kernel(p.smoothing_length));
   const auto fill = [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
     const std::size_t row = block * lanes;
     double D[lanes];

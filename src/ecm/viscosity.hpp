@@ -28,7 +28,8 @@ inline double pair_drag(double r2, double W_slope, double V, double mu, double t
 /// clamped particles on the free ones; forces are added to A.F afterwards. Rows of clamped particles ask for their
 /// given velocity, those of particles without partners for none.
 /// @param pattern  of a list that is valid for the positions of `ecm`, with its clamped particles
-/// @param share    of the drag that resists changes of the velocities of `ecm`, beside the drag itself; theta >= 0
+/// @param share    theta >= 0: the drag resists changes of the velocities of `ecm` too, theta times as much as the
+///                 velocities; all is divided by 1 + theta, so that the coefficients are those without
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,
                         double share = 0.0);
 

@@ -18,10 +18,18 @@ Vec2 foremost(const CortexState& c, std::size_t centre, const Vec2& direction, c
   return c.x[*std::ranges::max_element(tips, {}, [&](std::size_t i) { return c.x[i].dot(direction); })];
 }
 
+/// Mean of the outward normals of the pushing particles.
+Vec2 where_tip_points(const CortexState& c, std::size_t centre, std::span<const Vec2> normals,
+                      const ProtrusionParameters& p) {
+  Vec2 sum = Vec2::Zero();
+  for (const std::size_t i : pushing_particles(c, centre, p)) sum += normals[i];
+  return sum.normalized();
+}
+
 } // namespace
 
 double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& tip, const Vec2& direction,
-                        const std::function<bool(const Vec2&)>& inside) {
+                        const Vec2& ahead, const std::function<bool(const Vec2&)>& inside) {
   const Kernel kernel(p.ecm.smoothing_length);
   const double nearest = p.degradation.tip_distance;
   const double in_cone = std::cos(p.protrusion.deflection_cone);
@@ -31,19 +39,23 @@ double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& ti
     const Vec2 r = ecm.x[k] - tip;
     if (std::abs(r.x()) > kernel.support() || std::abs(r.y()) > kernel.support()) continue;
     const double d = r.norm();
-    if (d <= nearest || d >= kernel.support() || r.dot(direction) < in_cone * d || inside(ecm.x[k])) continue;
+    if (d <= nearest || d >= kernel.support() || r.dot(direction) < in_cone * d || r.dot(ahead) < in_cone * d
+        || inside(ecm.x[k]))
+      continue;
     weights += kernel.W(d);
     sum += kernel.W(d) * (1.0 - ecm.f[k]) * cross(direction, r) / d;
   }
   return weights > 0.0 ? p.protrusion.deflection_rate * sum / weights : 0.0;
 }
 
-void deflect(State& s, const Parameters& p, double dt, const std::function<bool(const Vec2&)>& inside) {
+void deflect(State& s, const Parameters& p, double dt, std::span<const Vec2> normals,
+             const std::function<bool(const Vec2&)>& inside) {
   for (Protrusion& protrusion : s.protrusions) {
     auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
     const Vec2 tip = foremost(s.cortex, protrusion.centre, growing->direction, p.protrusion);
-    const double angle = dt * deflection_speed(s.ecm, p, tip, growing->direction, inside);
+    const Vec2 ahead = where_tip_points(s.cortex, protrusion.centre, normals, p.protrusion);
+    const double angle = dt * deflection_speed(s.ecm, p, tip, growing->direction, ahead, inside);
     growing->direction = (Eigen::Rotation2Dd(angle) * growing->direction).normalized();
   }
 }

@@ -19,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -125,11 +126,11 @@ std::vector<std::uint8_t> front_of(const State& s) {
 
 void live_protrusions(State& s, const Parameters& p) {
   const Vec2 centre = centroid(s.cortex);
-  deflect(s, p, p.run.time_step, [&](const Vec2& point) { return contains(s.cortex, point); });
+  const std::vector<Vec2> n = normals(s.cortex);
+  deflect(s, p, p.run.time_step, n, [&](const Vec2& point) { return contains(s.cortex, point); });
   live(s, p);
   polarize(s, p.polarization, centre, p.run.time_step);
   const std::vector<std::uint8_t> of_front = front_of(s);
-  const std::vector<Vec2> n = normals(s.cortex);
   initiate(s, p, {of_front, n, centre, area(s.cortex) / initial_area(p.cell)});
   ratchet_rest_lengths(s.cortex, p.cell, membership(s, p).soft);
 }
@@ -152,6 +153,7 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
 
 void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
+  w.elastic_share = elastic_share(p, w.limits);
   update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);
@@ -178,24 +180,42 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, co
 
 namespace {
 
-constexpr int halvings = 6; // of a step, at most
+constexpr int halvings = 7; // of a step, at most
 
 double shortest_step(const Parameters& p) { return p.run.time_step / (1 << halvings); }
 
-/// The next step of the adaptive integrator: as long as s.t, a multiple of it, allows, and halved until nothing moves
-/// further than a step of the paper lets it at a recoil.
-void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+/// Of a particle of matrix or cortex [um/s].
+double fastest(const State& s) {
+  double squared = 0.0;
+  for (const Vec2& v : s.ecm.v) squared = std::max(squared, v.squaredNorm());
+  for (const Vec2& v : s.cortex.v) squared = std::max(squared, v.squaredNorm());
+  return std::sqrt(squared);
+}
+
+/// The longest step that is worth a try: one that s.t is a multiple of, in which nothing moves much too far at the
+/// speeds of the last step.
+double step_to_try(const State& s, const Parameters& p) {
   const double shortest = shortest_step(p);
   const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << halvings);
+  double dt = at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
+  constexpr double much = 1.2;
+  const double furthest = much * usual_move * p.ecm.particle_spacing;
+  for (const double v = fastest(s); v * dt > furthest && dt > 1.5 * shortest;) dt *= 0.5;
+  return dt;
+}
+
+/// The next step of the adaptive integrator: halved until nothing moves further than usual_move.
+void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+  const double shortest = shortest_step(p);
   Parameters now = p;
-  now.run.time_step =
-      at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
+  now.run.time_step = step_to_try(s, p);
   for (bool tried_once = false;; tried_once = true, now.run.time_step *= 0.5) {
     const bool last = now.run.time_step < 1.5 * shortest;
     try {
-      return advance(
-          s, now, w, loads,
-          {.furthest_move = (last ? 0.5 : 0.2) * p.ecm.particle_spacing, .may_cross = last, .tried_once = tried_once});
+      return advance(s, now, w, loads,
+                     {.furthest_move = (last ? 0.5 : usual_move) * p.ecm.particle_spacing,
+                      .may_cross = last,
+                      .tried_once = tried_once});
     } catch (const StepTooLong&) {
       if (last) throw;
     }

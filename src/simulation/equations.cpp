@@ -17,11 +17,26 @@
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace matrigrate {
 
 namespace {
+
+/// 1/(1 + theta): the system is divided by 1 + theta, so that the drag of the matrix does not depend on the step.
+double of_step(const Workspace& w) { return 1.0 / (1.0 + w.elastic_share); }
+
+/// The cortex a quarter of the step on, if it goes on as in the last one; by no more than half of what a step may move
+/// it. Lengths of protrusions depend least on the step so (MODEL.md, D12).
+CortexState a_quarter_on(CortexState c, const Parameters& p) {
+  const double furthest = 0.5 * usual_move * p.ecm.particle_spacing;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Vec2 move = 0.25 * p.run.time_step * c.v[i];
+    c.x[i] += std::min(1.0, furthest / std::max(furthest, move.norm())) * move;
+  }
+  return c;
+}
 
 Vec2 sum(std::span<const Vec2> forces) { return std::accumulate(forces.begin(), forces.end(), Vec2(0.0, 0.0)); }
 
@@ -73,9 +88,10 @@ void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
   w.drag_patches.refresh(s.ecm.x, drag_lag(p), w.x_drag);
   w.matrix_drag.assemble(s.ecm, w.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
   if (!s.has_cell()) return;
-  w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), p.cell.liquid_drag * p.ecm.thickness);
+  w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  add_viscous_contact(s.ecm, s.cortex, p, *w.cell.grid, w.drag);
+  const CortexState c = a_quarter_on(s.cortex, p);
+  add_viscous_contact(s.ecm, c, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length), w.drag);
 }
 
 void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads) {
@@ -90,7 +106,7 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
     add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
     break;
   }
-  add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, p.run.time_step, w.force, w.drag);
+  add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * p.run.time_step, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   if (s.has_cell()) assemble_cell_forces(s, p, w);
   if (loads) {
@@ -98,8 +114,11 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
     loads(s, w.force);
     w.outer_force += sum(w.force) - inner;
   }
+  const double share = of_step(w);
+  for (double& c : w.drag.links.c) c *= share;
+  for (double& c : w.drag.directed.c) c *= share;
   for (std::size_t i = 0; i < w.force.size(); ++i)
-    if (i >= s.ecm.size() || !s.ecm.clamped[i]) w.drag.F[i] += w.force[i];
+    if (i >= s.ecm.size() || !s.ecm.clamped[i]) w.drag.F[i] += share * w.force[i];
 }
 
 } // namespace matrigrate

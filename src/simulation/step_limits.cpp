@@ -129,7 +129,7 @@ double drag_lag(const Parameters& p) {
 }
 
 double largest_step(const Parameters& p, const StepLimits& limits) {
-  constexpr double beyond = 2.0; // with elastic_share; further out it would govern the motion
+  constexpr double beyond = 4.0; // with elastic_share; further out it would govern the motion
   return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * limits.smallest();
 }
 

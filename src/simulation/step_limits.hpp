@@ -36,6 +36,14 @@ StepLimits step_limits(const Parameters& p);
 ///         0 for the reference integrator
 double elastic_share(const Parameters& p, const StepLimits& limits);
 
+/// What `run.time_step` usually is with the adaptive integrator: in the studies of the paper, and in what `explain`
+/// advises. It divides a minute [s].
+inline constexpr double usual_longest_step = 5.0;
+
+/// How far a step of the adaptive integrator may move a particle, about what the recoil of a released protrusion moves
+/// it in the paper's 0.4 s [particle spacings].
+inline constexpr double usual_move = 0.2;
+
 /// Relative residual at which a step's system counts as solved: solver.tolerance, and ten times it where the adaptive
 /// integrator uses multigrid, whose error stays a hundred times below that of its steps (MODEL.md, D29) [-].
 double solver_tolerance(const Parameters& p);

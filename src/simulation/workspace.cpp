@@ -14,14 +14,13 @@ EcmState at_reference(EcmState ecm) {
   return ecm;
 }
 
-/// @param share  theta, which scales the drag of the matrix, and so its grids
-std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p, double share) {
+std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
   if (p.solver.method == SolverMethod::conjugate_gradient || s.ecm.period_x > 0.0)
     return std::make_unique<ConjugateGradient>(solver_tolerance(p), p.solver.max_iterations);
   const EcmState ecm = at_reference(s.ecm);
   const Adjacency pairs = neighbours_within(ecm.x, 2.0 * p.ecm.smoothing_length, ecm.period_x);
   DragSystem reference;
-  assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), reference, share);
+  assemble_viscosity(ecm, p.ecm, RowPattern(pairs, ecm.clamped), reference);
   reference.position = ecm.x;
   return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, solver_tolerance(p), p.solver.max_iterations);
 }
@@ -36,7 +35,6 @@ FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Referen
 Workspace::Workspace(const State& s, const Parameters& p)
     : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
       neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p)), p.ecm.verlet_skin),
-      drag_patches(s.ecm.X, p.ecm.particle_spacing), limits(step_limits(p)),
-      elastic_share(matrigrate::elastic_share(p, limits)), solver(make_solver(s, p, elastic_share)) {}
+      drag_patches(s.ecm.X, p.ecm.particle_spacing), limits(step_limits(p)), solver(make_solver(s, p)) {}
 
 } // namespace matrigrate

@@ -56,7 +56,7 @@ struct Workspace {
   Vec2 outer_force = Vec2::Zero(); ///< their part from outside: growth, and loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
   StepLimits limits;               ///< of the explicit step
-  double elastic_share;            ///< of the drag, against changes of velocity; see step_limits.hpp [-]
+  double elastic_share = 0.0;      ///< theta of this step, against changes of velocity; see step_limits.hpp [-]
   std::unique_ptr<DragSolver> solver;
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]

@@ -28,7 +28,7 @@ draw() { # RUN FACTOR: one --set argument a line
         print "adhesion.rupture=true"
       }
       print "run.integrator=adaptive"
-      print "run.time_step=" (E <= 400 ? 2.4 : E <= 1200 ? 0.6 : 0.2) " s"
+      print "run.time_step=" (E <= 400 ? 5 : E <= 1200 ? 1.25 : 0.4) " s"
     }'
 }
 

@@ -66,7 +66,7 @@ def settings(rows, seed):
     chosen = rng.sample(rows, rng.randint(1, 10))
     sets = [f"{key}={draw(key, allowed, rng)}" for key, allowed in chosen]
     if rng.random() < 0.5 and not any(s.startswith(("run.integrator", "run.time_step")) for s in sets):
-        sets += ["run.integrator=adaptive", "run.time_step=2.4 s"]
+        sets += ["run.integrator=adaptive", "run.time_step=5 s"]
     return rng.choice(PRESETS), sets
 
 

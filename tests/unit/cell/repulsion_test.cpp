@@ -14,9 +14,9 @@ CortexForce repulsion_force(const CellParameters& p) {
   };
 }
 
-/// A slit cell, both long sides 0.13 um apart; the particles of one face the segments of the other.
-CortexState slit() {
-  CortexState c = box(6.0, 0.13, 0.5);
+/// A slit cell; the particles of one long side face the segments of the other.
+CortexState slit(double width = 0.13) {
+  CortexState c = box(6.0, width, 0.5);
   for (Vec2& x : c.x)
     if (x.y() > 0.0) x += Vec2(0.17, 0.01 * std::sin(3.0 * x.x()));
   return c;
@@ -30,7 +30,13 @@ TEST(Repulsion, IsHertzianWithinItsReach) {
   EXPECT_EQ(repulsion(0.3, p), 0.0);
   EXPECT_NEAR(repulsion(0.19, p), 1.4 * 1e-3, 1e-12);
   EXPECT_NEAR(repulsion(0.1, p), 1.4 * std::pow(0.1, 1.5), 1e-15);
-  EXPECT_NEAR(repulsion(0.0, p), 1.4 * std::pow(0.2, 1.5), 1e-15);
+}
+
+TEST(Repulsion, HasNoBoundWhereTwoSidesTouch) {
+  const CellParameters p;
+  EXPECT_NEAR(repulsion(0.05, p), 1.4 * (std::pow(0.15, 1.5) + std::pow(0.1, 1.5)), 1e-15);
+  EXPECT_NEAR(repulsion(0.1 - 1e-9, p), repulsion(0.1 + 1e-9, p), 1e-8);
+  EXPECT_GT(repulsion(1e-3, p), 4.0) << "more than a whole cell pulls";
 }
 
 TEST(Repulsion, LeavesARingThatDoesNotTouchItselfAlone) {
@@ -66,16 +72,20 @@ TEST(Repulsion, ObeysTheLawsOfInternalForces) { expect_internal(repulsion_force(
 
 TEST(Repulsion, IsMinusTheGradientOfItsEnergy) {
   const CellParameters p;
-  CortexState c = slit();
-  EXPECT_GT(repulsion_energy(c, p), 1e-3);
-  expect_minus_gradient(assemble(repulsion_force(p), c).force, c.x, [&] { return repulsion_energy(c, p); });
+  for (const double width : {0.13, 0.07}) {
+    CortexState c = slit(width);
+    EXPECT_GT(repulsion_energy(c, p), 1e-3);
+    expect_minus_gradient(assemble(repulsion_force(p), c).force, c.x, [&] { return repulsion_energy(c, p); });
+  }
 }
 
 TEST(Repulsion, IsImplicitAlongTheDistance) { // the sides approach: the normals do not turn
   const CellParameters p;
-  const CortexState c = box(6.0, 0.13, 0.5);
-  std::vector<Vec2> v;
-  for (const Vec2& x : c.x) v.emplace_back(0.0, x.y() > 0.0 ? -1.0 : 1.0);
-  const std::vector<Vec2> drag = drag_force(assemble(repulsion_force(p), c).A, v);
-  expect_same(drag, implicit_drag(repulsion_force(p), c, v, dt), 1e-6);
+  for (const double width : {0.13, 0.07}) {
+    const CortexState c = box(6.0, width, 0.5);
+    std::vector<Vec2> v;
+    for (const Vec2& x : c.x) v.emplace_back(0.0, x.y() > 0.0 ? -1.0 : 1.0);
+    const std::vector<Vec2> drag = drag_force(assemble(repulsion_force(p), c).A, v);
+    expect_same(drag, implicit_drag(repulsion_force(p), c, v, dt), 1e-6);
+  }
 }
