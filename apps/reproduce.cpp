@@ -255,7 +255,7 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       "Computes what is missing of the studies that the rows need (each in its own folder below DIR, so that rows\n"
       "share runs), then prints for each claim the published value, ours, the statistic and whether it holds, and\n"
       "writes claims-<ID>.csv, boxes-<ID>.svg and report-<ID>.html. Runs use the adaptive integrator with steps of up\n"
-      "to 5 s unless --integrator reference is given: 0.4 s throughout, as in the paper, and 7 times slower.\n"
+      "to 5 s unless --integrator reference is given: 0.4 s throughout, as in the paper, and 4 to 5 times slower.\n"
       "Exit code 4 if a claim does not hold or is undecided. V rows are judged on verification cases (matrigrate\n"
       "validate), by rules on the quantity that each claims.");
   const auto options = std::make_shared<Options>();

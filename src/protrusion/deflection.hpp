@@ -12,7 +12,7 @@ namespace matrigrate {
 
 /// Angular speed of d_prot: r_defl times the mean, with kernel weights W(|r|), of (1 - f_degr) sin(angle from d_prot to
 /// r) over the matrix particles at r from the foremost pushing particle that are further than the reach of tip
-/// degradation, less than deflection_cone off the way the tip points, and not inside the cell [rad/s].
+/// degradation, less than deflection_cone off d_prot and off the way the tip points, and not inside the cell [rad/s].
 /// @param tip        position of the foremost pushing particle [um]
 /// @param direction  d_prot, unit vector
 /// @param ahead      where the tip points, unit vector: d_prot does not turn further away from it than the cone
