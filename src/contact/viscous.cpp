@@ -46,17 +46,22 @@ void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parame
   const double reach2 = kernel.support() * kernel.support();
   const Samples points = samples(c, p);
   for (std::size_t k = 0; k < ecm.size(); ++k) {
-    if (ecm.f[k] <= 0.0 || ecm.clamped[k]) continue;
+    if (ecm.clamped[k] || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
     for (const std::uint32_t i : grid.near(ecm.x[k])) {
       const auto a = static_cast<std::uint32_t>(ecm.size() + i);
       const auto b = static_cast<std::uint32_t>(ecm.size() + c.next(i));
+      const Vec2 e = c.x[c.next(i)] - c.x[i];
       for (std::size_t m = points.first[i]; m < points.first[i + 1]; ++m) {
         const Sample& point = points.all[m];
-        const double r2 = (ecm.x[k] - point.x).squaredNorm();
+        const Vec2 d = ecm.x[k] - point.x;
+        const double r2 = d.squaredNorm();
         if (r2 >= reach2) continue;
+        const bool outside = d.x() * e.y() - d.y() * e.x() > 0.0; // the cortex runs counter-clockwise
+        const double share = ecm.f[k] + (outside ? p.contact.fluid_share * (1.0 - ecm.f[k]) : 0.0);
+        if (share <= 0.0) continue;
         const double shared_volume = std::sqrt(ecm.V0 * point.volume); // pair_drag takes V_i V_j as a square
         const double G =
-            ecm.f[k]
+            share
             * pair_drag(r2, kernel.W_slope(std::sqrt(r2)), shared_volume, p.ecm.viscosity, p.ecm.thickness, kernel.h());
         A.links.add(G, {{static_cast<std::uint32_t>(k), 1.0}, {a, -(1.0 - point.s)}, {b, -point.s}});
       }

@@ -4,13 +4,13 @@
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 
-/// Viscous coupling of cell and solid matrix, Heck et al. 2020, Eqs. (1) and (2), Gamma_ik (MODEL.md, D12).
+/// Viscous coupling of cell and matrix, Heck et al. 2020, Eqs. (1) and (2), Gamma_ik (MODEL.md, D12).
 /// Test: tests/unit/contact/viscous_test.cpp
 namespace matrigrate {
 
-/// Adds the drag between the cortex and the solid particles: a segment of current length l carries the volume l dp,
-/// sampled at points no further apart than contact.sample_spacing; each point meets particle k by pair_drag() (ecm)
-/// with their volumes, times f_degr,k. Fluid does not couple.
+/// Adds the drag between the cortex and the matrix: a segment of current length l carries the volume l dp, sampled at
+/// points no further apart than contact.sample_spacing; each point meets particle k by pair_drag() (ecm) with their
+/// volumes, times f_degr,k and, on the outer side of the segment, contact.fluid_share times the rest.
 void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, const SegmentGrid& grid,
                          DragSystem& A);
 

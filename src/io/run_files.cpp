@@ -10,12 +10,6 @@
 
 namespace matrigrate::io {
 
-namespace {
-
-Field count(std::size_t n) { return std::uint64_t{n}; }
-
-} // namespace
-
 std::vector<std::string_view> track_columns() {
   return {
       "track",          "t_s",       "x_um",       "y_um",          "area_um2",    "perimeter_um", "polarization_rad",

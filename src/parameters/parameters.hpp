@@ -102,6 +102,7 @@ struct CellParameters {
 struct ContactParameters {
   double range = 1.4;          ///< d_c [um]
   double sample_spacing = 0.8; ///< points of the viscous coupling on a segment are no further apart [um]
+  double fluid_share = 0.1;    ///< of the viscous coupling to solid, with the fluid outside the cell [-]
   double deepest_solid = 0.3;  ///< a solid particle deeper inside the cell becomes fluid at once [um]
 };
 

@@ -153,6 +153,8 @@ constexpr std::array rows{
 
     Row{"contact.range", [](Parameters& p) -> double& { return p.contact.range; }, "um", above(0, 20),
         "d_c", "MODEL.md, D13", "Range of the elastic contact with solid matrix"},
+    Row{"contact.fluid_share", [](Parameters& p) -> double& { return p.contact.fluid_share; }, "1", closed(0, 1),
+        "", "MODEL.md, D12", "Viscous coupling to fluid outside the cell, over that to solid"},
     Row{"contact.sample_spacing", [](Parameters& p) -> double& { return p.contact.sample_spacing; }, "um", closed(0.02, 20),
         "", "MODEL.md, D12", "Points of the viscous coupling on a segment are no further apart", numerical},
     Row{"contact.deepest_solid", [](Parameters& p) -> double& { return p.contact.deepest_solid; }, "um", above(0, 20),

@@ -8,11 +8,10 @@ namespace matrigrate::study {
 
 namespace {
 
+using io::count;
 using io::csv_line;
 using io::Field;
 using View = std::string_view;
-
-Field count(std::size_t n) { return std::uint64_t{n}; }
 
 /// A value as it stands in a scenario, without the quotes of a string.
 std::string bare(std::string value) {

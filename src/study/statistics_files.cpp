@@ -8,11 +8,10 @@ namespace matrigrate::study {
 
 namespace {
 
+using io::count;
 using io::csv_line;
 using io::Field;
 using View = std::string_view;
-
-Field count(std::size_t n) { return std::uint64_t{n}; }
 
 /// A read-out of all runs, in their order; NaN where it is not defined.
 std::vector<double> column(const std::vector<Result>& results, const std::string& readout) {

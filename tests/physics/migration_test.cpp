@@ -136,19 +136,26 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
   EXPECT_LT(most, 1e-12);
 }
 
-TEST(Migration, LiquidDragAloneResistsACellInFluid) {
-  Parameters p = hasty();
-  p.protrusion.initiation_rate = 0.0;
-  State s = initial_state(p);
-  for (std::size_t i = 0; i < s.ecm.size(); ++i)
-    if (!s.ecm.clamped[i]) s.ecm.f[i] = 0.0;
-  Workspace w(s, p);
-  advance(s, p, w, [](const State& at, std::span<Vec2> force) {
-    for (std::size_t i = 0; i < at.cortex.size(); ++i) force[at.node(i)] += Vec2(1e-3, 0.0);
-  });
-  Vec2 mean = Vec2::Zero();
-  for (const Vec2& v : s.cortex.v) mean += v / static_cast<double>(s.cortex.size());
-  EXPECT_NEAR(mean.x(), 1e-3 / 0.04, 1e-6); // F / gamma_liquid
+TEST(Migration, ACellInFluidIsResistedByItsOwnDragAndByAShareOfTheFluid) {
+  const auto speed = [](double share) {
+    Parameters p = hasty();
+    p.protrusion.initiation_rate = 0.0;
+    p.contact.fluid_share = share;
+    State s = initial_state(p);
+    for (std::size_t i = 0; i < s.ecm.size(); ++i)
+      if (!s.ecm.clamped[i]) s.ecm.f[i] = 0.0;
+    Workspace w(s, p);
+    advance(s, p, w, [](const State& at, std::span<Vec2> force) {
+      for (std::size_t i = 0; i < at.cortex.size(); ++i) force[at.node(i)] += Vec2(1e-3, 0.0);
+    });
+    Vec2 mean = Vec2::Zero();
+    for (const Vec2& v : s.cortex.v) mean += v / static_cast<double>(s.cortex.size());
+    return mean.x();
+  };
+  const double alone = 1e-3 / 0.04; // F / gamma_liquid
+  EXPECT_NEAR(speed(0.0), alone, 1e-6);
+  EXPECT_LT(speed(0.1), 0.9 * alone);
+  EXPECT_LT(speed(0.2), 0.95 * speed(0.1));
 }
 
 TEST(Migration, StopsAtTheRim) {

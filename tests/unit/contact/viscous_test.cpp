@@ -28,6 +28,17 @@ Vec2 drag_on_cell(const Scene& s, const Vec2& speed) {
   return sum;
 }
 
+/// Fluid all around but for particle k, which lies x on the x axis.
+Scene alone_at(double x, std::uint32_t k) {
+  Scene s;
+  std::fill(s.ecm.f.begin(), s.ecm.f.end(), 0.0);
+  std::fill(s.ecm.clamped.begin(), s.ecm.clamped.end(), 1);
+  s.p.contact.sample_spacing = 10.0; // one sample a segment
+  s.ecm.clamped[k] = 0;
+  s.ecm.x[k] = {x, 0.0};
+  return s;
+}
+
 } // namespace
 
 TEST(ViscousContact, DoesNothingWhereCellAndMatrixMoveTogether) {
@@ -49,31 +60,42 @@ TEST(ViscousContact, ObeysTheThirdLawAndOnlyDissipates) {
   for (const double c : A.links.c) EXPECT_GE(c, 0.0);
 }
 
-TEST(ViscousContact, IsThePairDragOfTheirVolumesTimesTheSolidShare) {
-  Scene s;
-  std::fill(s.ecm.f.begin(), s.ecm.f.end(), 0.0);
-  s.p.contact.sample_spacing = 10.0; // one sample a segment
+TEST(ViscousContact, IsThePairDragOfTheirVolumesTimesTheSolidAndAShareOfTheFluid) {
   const std::uint32_t k = 5;
-  s.ecm.clamped[k] = 0;
+  Scene s = alone_at(9.9, k); // 4.9 um out: few segments in reach, all of them with their outer side
   s.ecm.f[k] = 0.25;
-  s.ecm.x[k] = s.c.x[20] * (1.0 + 4.9 / 5.0); // 4.9 um out: few segments in reach
-  double expected = 0.0;
+  double pair = 0.0;
   const Kernel kernel(s.p.ecm.smoothing_length);
   for (std::size_t i = 0; i < s.c.size(); ++i) {
     const Vec2 e = s.c.x[s.c.next(i)] - s.c.x[i];
     const double r = (s.c.x[i] + 0.5 * e - s.ecm.x[k]).norm();
     const double shared = std::sqrt(s.ecm.V0 * e.norm() * s.p.ecm.particle_spacing);
-    expected += 0.25 * pair_drag(r * r, kernel.W_slope(r), shared, s.p.ecm.viscosity, 1.0, kernel.h());
+    pair += pair_drag(r * r, kernel.W_slope(r), shared, s.p.ecm.viscosity, 1.0, kernel.h());
   }
-  ASSERT_GT(expected, 0.0);
-  EXPECT_NEAR(drag_on_cell(s, {1.0, 0.0}).x(), -expected, 1e-12);
+  ASSERT_GT(pair, 0.0);
+  for (const double share : {0.0, 0.1, 1.0}) {
+    s.p.contact.fluid_share = share;
+    EXPECT_NEAR(drag_on_cell(s, {1.0, 0.0}).x(), -(0.25 + 0.75 * share) * pair, 1e-12) << share;
+  }
 }
 
-TEST(ViscousContact, FluidDoesNotHoldTheCell) {
+TEST(ViscousContact, FluidHoldsTheCellFromOutsideOnly) {
+  const std::uint32_t k = 5;
+  EXPECT_LT(drag_on_cell(alone_at(6.0, k), {1.0, 0.0}).x(), 0.0);
+  EXPECT_EQ(drag_on_cell(alone_at(4.0, k), {1.0, 0.0}).norm(), 0.0);
+  Scene solid = alone_at(4.0, k);
+  solid.ecm.f[k] = 1.0; // solid that the cortex has just passed holds it
+  EXPECT_LT(drag_on_cell(solid, {1.0, 0.0}).x(), 0.0);
+}
+
+TEST(ViscousContact, FluidHoldsTheCellLessThanSolid) {
   const Scene held = touching_scene();
   Scene loose = held;
   std::fill(loose.ecm.f.begin(), loose.ecm.f.end(), 0.0);
-  EXPECT_LT(drag_on_cell(held, {1.0, 0.0}).x(), -1.0);
+  const double in_fluid = drag_on_cell(loose, {1.0, 0.0}).x();
+  EXPECT_LT(in_fluid, 0.0);
+  EXPECT_GT(in_fluid, 0.2 * drag_on_cell(held, {1.0, 0.0}).x());
+  loose.p.contact.fluid_share = 0.0;
   EXPECT_EQ(drag_on_cell(loose, {1.0, 0.0}).norm(), 0.0);
 }
 
