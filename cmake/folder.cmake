@@ -24,10 +24,37 @@ if(MATRIGRATE_SANITIZE)
   target_link_options(matrigrate_options INTERFACE -fsanitize=${MATRIGRATE_SANITIZE})
 endif()
 
-# matrigrate_folder(NAME DEPENDS target...) makes the library matrigrate_NAME of all sources in the current folder.
+# Headers that most sources include, compiled once for each level of optimisation. Sources still include what they use:
+# presets without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS) compile them so.
+#   hot    what a step of the simulation runs, -O3
+#   light  all else, -O1
+set(prelude <Eigen/Core> <fmt/format.h> <algorithm> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional>
+            <span> <string> <string_view> <variant> <vector>)
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/prelude.cpp CONTENT "")
+add_library(matrigrate_with_prelude_hot INTERFACE)
+target_link_libraries(matrigrate_with_prelude_hot INTERFACE Eigen3::Eigen fmt::fmt)
+add_library(matrigrate_with_prelude_light INTERFACE)
+target_link_libraries(matrigrate_with_prelude_light INTERFACE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json
+                                                              CLI11::CLI11)
+target_compile_options(matrigrate_with_prelude_light INTERFACE $<$<CONFIG:Release>:-O1>)
+foreach(kind hot light)
+  add_library(matrigrate_prelude_${kind} OBJECT ${PROJECT_BINARY_DIR}/prelude.cpp)
+  target_link_libraries(matrigrate_prelude_${kind} PRIVATE matrigrate_options matrigrate_with_prelude_${kind})
+endforeach()
+target_precompile_headers(matrigrate_prelude_hot PRIVATE ${prelude})
+target_precompile_headers(matrigrate_prelude_light PRIVATE ${prelude})
+
+# matrigrate_prelude(TARGET hot|light) compiles a target so.
+function(matrigrate_prelude target kind)
+  target_link_libraries(${target} PRIVATE matrigrate_with_prelude_${kind})
+  target_precompile_headers(${target} REUSE_FROM matrigrate_prelude_${kind})
+endfunction()
+
+# matrigrate_folder(NAME [LIGHT] DEPENDS target...) makes the library matrigrate_NAME of all sources in the current folder;
+# LIGHT if no step of the simulation runs them.
 # The folders named in DEPENDS are the only ones whose headers it may include (tests/structure checks it).
 function(matrigrate_folder name)
-  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "LIGHT" "" "DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   file(GLOB headers CONFIGURE_DEPENDS *.hpp)
   set(target matrigrate_${name})
@@ -41,4 +68,9 @@ function(matrigrate_folder name)
   target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
   target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} ${scope} matrigrate_options ${arg_DEPENDS})
+  if(arg_LIGHT)
+    matrigrate_prelude(${target} light)
+  elseif(sources)
+    matrigrate_prelude(${target} hot)
+  endif()
 endfunction()

@@ -82,7 +82,7 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) fail(path, "is a folder, not a file");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) fail(path, "is not a regular file");
-  Temporary temporary{path.parent_path() / ("." + path.filename().string() + ".XXXXXX")};
+  Temporary temporary{path.parent_path() / fmt::format(".{}.XXXXXX", path.filename().string())};
   Descriptor file(::mkstemp(temporary.path.data()));
   if (file.number() < 0) {
     temporary.kept = true; // nothing was made
