@@ -25,28 +25,24 @@ if(MATRIGRATE_SANITIZE)
 endif()
 
 # Headers that most sources include, compiled once for each level of optimisation. Sources still include what they use:
-# presets without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS) compile them so.
-#   hot    what a step of the simulation runs, -O3
-#   light  all else, -O1
+# presets without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS) compile them so. The headers of CLI11 and
+# nlohmann/json in it make it so large that all else becomes slower.
 set(prelude <Eigen/Core> <fmt/format.h> <algorithm> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional>
             <span> <string> <string_view> <variant> <vector>)
+set(optimisation_hot "") # what a step of the simulation runs: -O3
+set(optimisation_light $<$<CONFIG:Release>:-O1>) # all else
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/prelude.cpp CONTENT "")
-add_library(matrigrate_with_prelude_hot INTERFACE)
-target_link_libraries(matrigrate_with_prelude_hot INTERFACE Eigen3::Eigen fmt::fmt)
-add_library(matrigrate_with_prelude_light INTERFACE)
-target_link_libraries(matrigrate_with_prelude_light INTERFACE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json
-                                                              CLI11::CLI11)
-target_compile_options(matrigrate_with_prelude_light INTERFACE $<$<CONFIG:Release>:-O1>)
 foreach(kind hot light)
   add_library(matrigrate_prelude_${kind} OBJECT ${PROJECT_BINARY_DIR}/prelude.cpp)
-  target_link_libraries(matrigrate_prelude_${kind} PRIVATE matrigrate_options matrigrate_with_prelude_${kind})
+  target_link_libraries(matrigrate_prelude_${kind} PRIVATE matrigrate_options Eigen3::Eigen fmt::fmt)
+  target_compile_options(matrigrate_prelude_${kind} PRIVATE ${optimisation_${kind}})
+  target_precompile_headers(matrigrate_prelude_${kind} PRIVATE ${prelude})
 endforeach()
-target_precompile_headers(matrigrate_prelude_hot PRIVATE ${prelude})
-target_precompile_headers(matrigrate_prelude_light PRIVATE ${prelude})
 
 # matrigrate_prelude(TARGET hot|light) compiles a target so.
 function(matrigrate_prelude target kind)
-  target_link_libraries(${target} PRIVATE matrigrate_with_prelude_${kind})
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen fmt::fmt)
+  target_compile_options(${target} PRIVATE ${optimisation_${kind}})
   target_precompile_headers(${target} REUSE_FROM matrigrate_prelude_${kind})
 endfunction()
 

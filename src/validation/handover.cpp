@@ -104,7 +104,7 @@ Result handover(const Parameters& p) {
       result.checks.push_back({fmt::format("largest force over f_mat F_am at {:.0f} Pa [-]", E), life.peak, 1.0, 0.0,
                                "its own pull ruptures an adhesion only occasionally", Sense::at_most});
     result.remarks.push_back(fmt::format("{:.0f} Pa: f_mat {:.3f}, slack of the flanks {:.2f}; force over f_mat F_am "
-                                         "at least {:.2f} within {:.0f} s, at most {:.2f}; mean life "
+                                         "at least {:.2f} within {:.0f} s, at most {:.2f} in all; mean life "
                                          "{:.1f} min.",
                                          E, life.f_mat, life.slack, life.lowest_early, early, life.peak,
                                          life.mean_life / 60.0));
