@@ -110,7 +110,7 @@ std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) 
   if (p.run.integrator == Integrator::adaptive) return std::nullopt;
   Parameters q = p;
   q.run.integrator = Integrator::adaptive;
-  q.run.time_step = std::min({usual_longest_step, rounded_down(largest_step(q, d.limits)), p.run.duration});
+  q.run.time_step = std::min(usual_time_step(Integrator::adaptive), p.run.duration);
   if (q.run.time_step <= p.run.time_step) return std::nullopt;
   return Quicker{q.run.time_step, wall_time(q, static_cast<double>(d.particles()))};
 }

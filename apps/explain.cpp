@@ -34,9 +34,10 @@ std::string description(const Parameters& p, const Derived& d) {
   std::string text;
   text += fmt::format("A cell of {:.4g} um radius in a disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio "
                       "{:.4g},\nviscosity {:.4g} Pa s), "
-                      "clamped at its rim, followed for {} in steps of {:.4g} s.\n\n",
+                      "clamped at its rim, followed for {} in steps of {}{:.4g} s.\n\n",
                       p.cell.radius, p.ecm.radius, 1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio,
-                      1e3 * p.ecm.viscosity, duration_text(p.run.duration), p.run.time_step);
+                      1e3 * p.ecm.viscosity, duration_text(p.run.duration),
+                      p.run.integrator == Integrator::adaptive ? "up to " : "", p.run.time_step);
   const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
     text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
   };
@@ -52,7 +53,8 @@ std::string description(const Parameters& p, const Derived& d) {
       fmt::format("a segment of {}; a protrusion takes {:.3g} um", p.cell.particles, d.protrusion_width));
   add("first protrusion", duration_text(d.first_wait),
       fmt::format("on average; after that a cell without any waits {}", duration_text(d.wait)));
-  add("steps", fmt::format("{:.0f}", d.steps), "duration / time step");
+  add("steps", fmt::format("{:.0f}", d.steps),
+      p.run.integrator == Integrator::adaptive ? "at least: duration / longest step" : "duration / time step");
   add("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)), "set by the " + d.limits.binding());
   if (const auto quicker = with_longer_steps(p, d))
     add("integrator", "reference",

@@ -83,11 +83,7 @@ void check_id(const std::string& id) {
 
 study::Study shipped(std::string_view name, const Options& options) {
   study::Changes changes{options.overrides, options.replicates, start_rules()};
-  if (options.integrator == "adaptive") {
-    const std::vector<std::string> adaptive{"run.integrator=adaptive",
-                                            fmt::format("run.time_step={} s", usual_longest_step)};
-    changes.overrides.insert(changes.overrides.begin(), adaptive.begin(), adaptive.end());
-  }
+  changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
   const auto all = shipped_studies();
   const auto found = std::ranges::find(all, name, &ShippedStudy::name);
   return study::parse_study(found->text, fmt::format("studies/{}.toml", name), ".", changes);
@@ -209,7 +205,7 @@ std::string setting_text(const Options& options) {
   std::string text = options.integrator == "adaptive"
                          ? fmt::format("Integrator: adaptive, steps of up to {} s (the paper's reference is 0.4 s "
                                        "throughout: --integrator reference).",
-                                       usual_longest_step)
+                                       usual_time_step(Integrator::adaptive))
                          : "Integrator: reference, 0.4 s throughout, as in the paper.";
   if (options.replicates) text += fmt::format(" Replicates: {}.", *options.replicates);
   if (!options.overrides.empty()) text += fmt::format(" Changed: {}.", fmt::join(options.overrides, ", "));

@@ -163,7 +163,7 @@ void compare(const Parameters& p, State s) {
     start = now_ms();
     advance_stress(ecm, p.ecm, w.reference, fields, p.run.time_step);
     solid += (now_ms() - start) / steps;
-    if (w.health.list_builds != lists) assembly.forget();
+    if (w.health.list_builds != lists) assembly = MatrixDrag();
     lists = w.health.list_builds;
     start = now_ms();
     assembly.assemble(before.ecm, s.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);

@@ -57,14 +57,21 @@ std::size_t SegmentGrid::row(double y) const {
 }
 
 std::span<const std::uint32_t> SegmentGrid::near(const Vec2& p) const {
-  if ((p.array() < m_low.array()).any() || (p.array() > m_high.array()).any()) return {};
+  if (!covers(p)) return {};
   const std::size_t bin = row(p.y()) * m_columns + column(p.x());
   return {m_segments.data() + m_first[bin], static_cast<std::size_t>(m_first[bin + 1] - m_first[bin])};
 }
 
+std::vector<std::uint32_t> SegmentGrid::candidates(std::span<const Vec2> points) const {
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (covers(points[k]) && !near(points[k]).empty()) found.push_back(static_cast<std::uint32_t>(k));
+  return found;
+}
+
 std::vector<Encounter> encounters(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid, double reach) {
   std::vector<Encounter> found;
-  for (std::size_t k = 0; k < ecm.size(); ++k) {
+  for (const std::uint32_t k : grid.candidates(ecm.x)) {
     if (ecm.f[k] <= 0.0 || ecm.clamped[k]) continue;
     double d2 = reach * reach;
     ClosestPoint closest{0.0, Vec2::Zero()};
@@ -81,7 +88,7 @@ std::vector<Encounter> encounters(const EcmState& ecm, const CortexState& c, con
     const double d = std::sqrt(d2);
     const double sign = closest.from.dot(out) < 0.0 ? -1.0 : 1.0;
     const Vec2 n = d > 1e-9 ? Vec2(sign * closest.from / d) : Vec2(outward(c, segment).normalized());
-    found.push_back({static_cast<std::uint32_t>(k), segment, closest.s, sign * d, n});
+    found.push_back({k, segment, closest.s, sign * d, n});
   }
   return found;
 }

@@ -29,7 +29,13 @@ public:
   /// A superset of the segments within reach of p, in ascending order.
   std::span<const std::uint32_t> near(const Vec2& p) const;
 
+  /// Those of the points that may have a segment near, in ascending order.
+  std::vector<std::uint32_t> candidates(std::span<const Vec2> points) const;
+
 private:
+  bool covers(const Vec2& p) const {
+    return p.x() >= m_low.x() && p.x() <= m_high.x() && p.y() >= m_low.y() && p.y() <= m_high.y();
+  }
   std::size_t column(double x) const;
   std::size_t row(double y) const;
 

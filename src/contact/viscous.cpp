@@ -45,7 +45,7 @@ void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parame
   const Kernel kernel(p.ecm.smoothing_length);
   const double reach2 = kernel.support() * kernel.support();
   const Samples points = samples(c, p);
-  for (std::size_t k = 0; k < ecm.size(); ++k) {
+  for (const std::uint32_t k : grid.candidates(ecm.x)) {
     if (ecm.clamped[k] || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
     for (const std::uint32_t i : grid.near(ecm.x[k])) {
       const auto a = static_cast<std::uint32_t>(ecm.size() + i);
@@ -63,7 +63,7 @@ void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parame
         const double G =
             share
             * pair_drag(r2, kernel.W_slope(std::sqrt(r2)), shared_volume, p.ecm.viscosity, p.ecm.thickness, kernel.h());
-        A.links.add(G, {{static_cast<std::uint32_t>(k), 1.0}, {a, -(1.0 - point.s)}, {b, -point.s}});
+        A.links.add(G, {{k, 1.0}, {a, -(1.0 - point.s)}, {b, -point.s}});
       }
     }
   }

@@ -119,23 +119,30 @@ void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32
 
 } // namespace
 
-void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A) {
-  if (network.empty()) return;
+std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                                           const FibreNetwork& network, double dt, std::span<Vec2> force,
+                                           DragSystem& A) {
+  if (network.empty()) return {};
+  std::vector<std::uint8_t> coupled(ecm.size(), 0);
   parallel_for(ecm.size(), [&](std::size_t i) {
     if (ecm.f[i] <= 0.0) return;
+    const Vec2 u_i = ecm.displacement(i);
     Vec2 sum = Vec2::Zero();
     for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
       const std::uint32_t j = network.pairs().index[k];
-      const Stretched s = stretched(ecm, network, i, k);
-      if (ecm.f[j] <= 0.0 || s.strain <= 0.0) continue;
+      const Vec2 x_ij = network.X_ij(k) + u_i - ecm.displacement(j);
+      const double length = network.length(k);
+      if (x_ij.squaredNorm() <= length * length || ecm.f[j] <= 0.0) continue; // slack
+      const Stretched s{x_ij.norm() / length - 1.0, x_ij};
       sum += ecm.f[j] * pull(s, network.X_ij(k), network.weight(k), fibres);
+      if (s.strain <= fibres.onset || ecm.clamped[i]) continue;
       const double excess = fibre_slope(s.strain, fibres) - k_0(fibres);
-      if (excess > 0.0 && !ecm.clamped[i])
-        add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
+      add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
+      coupled[i] = 1;
     }
     force[i] += p.thickness * ecm.f[i] * sum;
   });
+  return coupled;
 }
 
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network) {

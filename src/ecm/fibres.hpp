@@ -54,8 +54,10 @@ private:
 /// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). Slopes beyond k_0 enter the drag as
 /// well, times dt, so that stiffening does not shorten the step.
 /// @param force  of all nodes   @param A  the drag system after assemble_viscosity()
-void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A);
+/// @return 1 for each particle whose row of A has changed, 0 for the others; empty where there are no fibres
+std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                                           const FibreNetwork& network, double dt, std::span<Vec2> force,
+                                           DragSystem& A);
 
 /// Energy of all fibres of the axial law over t_z [nN].
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network);

@@ -115,6 +115,7 @@ void add_drag_of_given(const EcmState& ecm, std::size_t row, std::span<const std
 } // namespace
 
 void MatrixDrag::forget(std::span<const std::uint8_t> changed) {
+  if (changed.empty()) return;
   m_changed.resize(changed.size(), 0);
   for (std::size_t i = 0; i < changed.size(); ++i) m_changed[i] |= changed[i]; // beside those that wait already
 }

@@ -43,10 +43,8 @@ public:
   void assemble(const EcmState& ecm, std::span<const Vec2> x, const EcmParameters& p, const Adjacency& pairs,
                 const RowPattern& pattern, DragSystem& A, double share);
 
-  /// Makes all rows anew in the next call: where others change the coefficients of A.
-  void forget() { m_marks.clear(); }
-
-  /// After rows of the list, and so of the pattern, have changed.   @param changed  1 for each row that has
+  /// Makes rows anew in the next call: after those of the list, and so of the pattern, or coefficients in A have
+  /// changed.   @param changed  1 for each row that has; empty: none
   void forget(std::span<const std::uint8_t> changed);
 
 private:

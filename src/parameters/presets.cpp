@@ -56,6 +56,10 @@ const Preset* find_preset(std::string_view name) {
   return preset == all.end() ? nullptr : &*preset;
 }
 
-Parameters parameters_of(const Preset& preset) { return apply_overrides({}, preset.overrides); }
+Parameters parameters_of(const Preset& preset) {
+  std::vector<std::string> overrides{"run.integrator=adaptive"};
+  overrides.insert(overrides.end(), preset.overrides.begin(), preset.overrides.end());
+  return apply_overrides({}, overrides);
+}
 
 } // namespace matrigrate

@@ -49,7 +49,8 @@ bool is_section(std::string_view path) {
 class Reader {
 public:
   /// @param file  as it stands in faults
-  Reader(const Parameters& defaults, std::string file) : m_parameters(defaults), m_faults(std::move(file)) {}
+  Reader(const Parameters& defaults, std::string file)
+      : m_parameters(defaults), m_start(defaults.run), m_faults(std::move(file)) {}
 
   void read_text(std::string_view text) {
     auto document = parse_document(text, m_faults.file());
@@ -86,6 +87,7 @@ public:
   /// @throws ConfigurationError if there was any fault
   Parameters finish(std::span<const Rule> more) {
     if (!m_refused) {
+      follow_integrator();
       check_rules(rules());
       check_rules(more);
     }
@@ -94,6 +96,13 @@ public:
   }
 
 private:
+  /// A usual step that nobody has named becomes that of the integrator.
+  void follow_integrator() {
+    const bool usual = m_start.time_step == usual_time_step(m_start.integrator);
+    if (usual && !m_given.contains("run.time_step"))
+      m_parameters.run.time_step = usual_time_step(m_parameters.run.integrator);
+  }
+
   /// Nothing of the file was read.
   void refuse(Fault fault) {
     m_refused = true;
@@ -162,6 +171,7 @@ private:
   }
 
   Parameters m_parameters;
+  RunParameters m_start; ///< before anything was given
   FaultList m_faults;
   bool m_refused = false;
   std::map<std::string, Place, std::less<>> m_given;

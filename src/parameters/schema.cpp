@@ -62,7 +62,7 @@ constexpr std::array rows{
     Row{"run.duration", [](Parameters& p) -> double& { return p.run.duration; }, "h", above(0, 8760),
         "", methods, "Simulated time"},
     Row{"run.time_step", [](Parameters& p) -> double& { return p.run.time_step; }, "s", above(0, 60),
-        "dt", table_1, "Time step"},
+        "dt", table_1, "Time step, with the adaptive integrator the longest; left out: 0.4 s, adaptive 5 s"},
     Row{"run.integrator", choice([](Parameters& p) -> Integrator& { return p.run.integrator; }, integrators), "", none,
         "", "MODEL.md, D29", "Steps of time_step throughout, or steps of up to time_step, halved where anything moves far"},
     Row{"run.seed", [](Parameters& p) -> std::uint64_t& { return p.run.seed; }, "1", closed(0, most_seeds),
@@ -276,7 +276,7 @@ constexpr std::array rows{
     Row{"solver.method", choice([](Parameters& p) -> SolverMethod& { return p.solver.method; }, solver_methods), "", none,
         "", chosen, "Conjugate gradients, with a multigrid cycle or with the diagonal as preconditioner", numerical},
     Row{"solver.tolerance", [](Parameters& p) -> double& { return p.solver.tolerance; }, "1", above(0, 0.1),
-        "", chosen, "Relative residual at which the drag system counts as solved; ten times it with multigrid and the adaptive integrator", numerical},
+        "", chosen, "Relative residual at which the drag system counts as solved; a hundred times it with multigrid and the adaptive integrator", numerical},
     Row{"solver.max_iterations", [](Parameters& p) -> int& { return p.solver.max_iterations; }, "1", closed(1, 1000000),
         "", chosen, "Iterations after which the solver gives up", numerical},
 };

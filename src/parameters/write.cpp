@@ -28,6 +28,13 @@ std::string comment(const Row& row) {
   return fmt::format("# {}{}; {}\n", row.description, symbol, allowed_text(row));
 }
 
+/// Whether a new scenario names the value, and does not only show it in a comment. A usual step is left to follow the
+/// integrator.
+bool is_open(const Row& row, const Parameters& p) {
+  if (row.path == "run.time_step") return p.run.time_step != usual_time_step(p.run.integrator);
+  return row.audience == Audience::usual || value_text(row, p) != value_text(row, {});
+}
+
 std::string assignment(const Row& row, const Parameters& p) {
   return fmt::format("{} = {}\n", key_of(row), value_text(row, p));
 }
@@ -127,7 +134,7 @@ std::string new_scenario(const Preset& preset, const std::string& schema) {
         audience = Audience::usual;
       },
       [&](const Row& row) {
-        const bool open = row.audience == Audience::usual || value_text(row, p) != value_text(row, {});
+        const bool open = is_open(row, p);
         if (audience == Audience::usual && row.audience == Audience::numerical)
           text += "\n# Numerics; rarely changed.\n";
         audience = row.audience;

@@ -180,10 +180,6 @@ void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, co
 
 namespace {
 
-constexpr int halvings = 7; // of a step, at most
-
-double shortest_step(const Parameters& p) { return p.run.time_step / (1 << halvings); }
-
 /// Of a particle of matrix or cortex [um/s].
 double fastest(const State& s) {
   double squared = 0.0;
@@ -192,15 +188,17 @@ double fastest(const State& s) {
   return std::sqrt(squared);
 }
 
-/// The longest step that is worth a try: one that s.t is a multiple of, in which nothing moves much too far at the
-/// speeds of the last step.
-double step_to_try(const State& s, const Parameters& p) {
+/// The longest step that is worth a try: a stable one that s.t is a multiple of, in which nothing moves much too far at
+/// the speeds of the last step.
+double step_to_try(const State& s, const Parameters& p, const StepLimits& limits) {
   const double shortest = shortest_step(p);
   const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << halvings);
   double dt = at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
   constexpr double much = 1.2;
   const double furthest = much * usual_move * p.ecm.particle_spacing;
-  for (const double v = fastest(s); v * dt > furthest && dt > 1.5 * shortest;) dt *= 0.5;
+  const double v = fastest(s);
+  const double stable = largest_step(p, limits);
+  while ((v * dt > furthest || dt > stable) && dt > 1.5 * shortest) dt *= 0.5;
   return dt;
 }
 
@@ -208,7 +206,7 @@ double step_to_try(const State& s, const Parameters& p) {
 void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   const double shortest = shortest_step(p);
   Parameters now = p;
-  now.run.time_step = step_to_try(s, p);
+  now.run.time_step = step_to_try(s, p, w.limits);
   for (bool tried_once = false;; tried_once = true, now.run.time_step *= 0.5) {
     const bool last = now.run.time_step < 1.5 * shortest;
     try {
@@ -227,7 +225,7 @@ void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads
 void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads,
            const std::function<bool(const State&)>& each_step) {
   require_stable_step(p);
-  const double slack = 0.5 * (p.run.integrator == Integrator::adaptive ? shortest_step(p) : p.run.time_step);
+  const double slack = 0.5 * shortest_step(p);
   while (s.t < t_end - slack) {
     if (p.run.integrator == Integrator::adaptive)
       advance_adaptively(s, p, w, loads);

@@ -83,7 +83,7 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
 void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
   w.drag.links.clear();
   w.drag.directed.clear();
-  if (!w.fibres.empty()) w.matrix_drag.forget(); // they add to it
+  w.matrix_drag.forget(w.coupled_by_fibres);
   w.x_drag = s.ecm.x_drag;
   w.drag_patches.refresh(s.ecm.x, drag_lag(p), w.x_drag);
   w.matrix_drag.assemble(s.ecm, w.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
@@ -106,7 +106,8 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
     add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
     break;
   }
-  add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * p.run.time_step, w.force, w.drag);
+  w.coupled_by_fibres =
+      add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * p.run.time_step, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   if (s.has_cell()) assemble_cell_forces(s, p, w);
   if (loads) {

@@ -119,7 +119,7 @@ double elastic_share(const Parameters& p, const StepLimits& limits) {
 
 double solver_tolerance(const Parameters& p) {
   const bool looser = p.run.integrator == Integrator::adaptive && p.solver.method == SolverMethod::multigrid;
-  return (looser ? 10.0 : 1.0) * p.solver.tolerance;
+  return (looser ? 100.0 : 1.0) * p.solver.tolerance;
 }
 
 double drag_lag(const Parameters& p) {
@@ -138,12 +138,16 @@ double rounded_down(double step) {
   return unit * std::floor(step / unit);
 }
 
+double shortest_step(const Parameters& p) {
+  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -halvings);
+}
+
 std::string fault_of_step(const Parameters& p, const StepLimits& limits) {
   const double largest = largest_step(p, limits);
-  if (p.run.time_step <= largest) return {};
+  if (shortest_step(p) <= largest) return {};
   const bool fixed = p.run.integrator == Integrator::reference;
   // a fixed step must be short enough for the recoil of protrusions as well: the paper's is
-  const double advised = std::min(rounded_down(largest), fixed ? RunParameters{}.time_step : largest);
+  const double advised = fixed ? std::min(rounded_down(largest), usual_time_step(p.run.integrator)) : largest;
   return fmt::format(
       "a step of {:.4g} s is longer than the largest stable one of the {} integrator, {:.3g} s, set by the {}; "
       "take {:.2g} s or less{}",

@@ -36,10 +36,6 @@ StepLimits step_limits(const Parameters& p);
 ///         0 for the reference integrator
 double elastic_share(const Parameters& p, const StepLimits& limits);
 
-/// What `run.time_step` usually is with the adaptive integrator: in the studies of the paper, and in what `explain`
-/// advises. It divides a minute [s].
-inline constexpr double usual_longest_step = 5.0;
-
 /// How far a step of the adaptive integrator may move a particle, about what the recoil of a released protrusion moves
 /// it in the paper's 0.4 s [particle spacings].
 inline constexpr double usual_move = 0.2;
@@ -52,13 +48,20 @@ double solver_tolerance(const Parameters& p);
 /// as its step is longer than the paper's 0.4 s (MODEL.md, D30) [um].
 double drag_lag(const Parameters& p);
 
-/// The largest step that p.run.integrator takes [s].
+/// How often the adaptive integrator halves a step, at most.
+inline constexpr int halvings = 7;
+
+/// The shortest step that p.run.integrator takes [s].
+double shortest_step(const Parameters& p);
+
+/// The largest step that p.run.integrator takes; the adaptive one takes shorter ones than run.time_step where it has to
+/// [s].
 double largest_step(const Parameters& p, const StepLimits& limits);
 
 /// A step of two digits that is no longer than this one [s].
 double rounded_down(double step);
 
-/// Why run.time_step is too long, and a value that is not; empty if it is not too long.
+/// Why run.time_step is too long, and a value that is not; empty if it is not too long, or if halves of it are not.
 std::string fault_of_step(const Parameters& p, const StepLimits& limits);
 
 /// @throws NumericalFailure if run.time_step is too long, with a value that is not

@@ -14,6 +14,7 @@
 #include "state/state.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -50,6 +51,7 @@ struct Workspace {
   DragPatches drag_patches;
   std::vector<Vec2> x_drag; ///< where this step takes the drag of the matrix; EcmState::x_drag once it is done [um]
   MatrixDrag matrix_drag;
+  std::vector<std::uint8_t> coupled_by_fibres; ///< 1 for each particle whose drag the fibres added to in the last step
   CellShape cell;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]

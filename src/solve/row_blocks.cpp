@@ -16,7 +16,7 @@ constexpr std::size_t lanes = RowBlocks::lanes;
 MATRIGRATE_SIMD
 void products(std::span<const std::uint32_t> first, std::span<const std::uint32_t> count, const std::int32_t* distance,
               const float* coefficient, std::size_t block, const Field& D, const Field* b, const Field& x, Field& y) {
-  for (std::size_t n = 0; n < first.size(); ++n) {
+  for (std::size_t n = 0; n < count.size(); ++n) {
     const std::size_t row = (block + n) * lanes;
     const float* at_x = x.x() + row;
     const float* at_y = x.y() + row;
@@ -69,7 +69,7 @@ MATRIGRATE_SIMD
 void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32_t> count, const std::int32_t* distance,
                const float* coefficient, std::size_t block, std::size_t size, const double* D, const DoubleField& b,
                const DoubleField& x, DoubleField& y) {
-  for (std::size_t n = 0; n < first.size(); ++n) {
+  for (std::size_t n = 0; n < count.size(); ++n) {
     const std::size_t row = (block + n) * lanes;
     const double* at_x = x.x() + row;
     const double* at_y = x.y() + row;
@@ -115,24 +115,18 @@ RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> giv
 
 void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> given,
                         std::span<const std::uint8_t> changed) {
-  const bool all = m_size != pairs.size() || m_first.empty();
-  const RowPattern before = std::move(*this);
-  *this = {};
+  const bool all = m_size != pairs.size();
   m_size = pairs.size();
-  m_first.reserve(before.m_first.size());
-  m_distance.reserve(before.m_distance.size());
-  m_first.push_back(0);
+  m_blocks.resize((m_size + lanes - 1) / lanes);
+  m_meets_given.resize(m_blocks.size());
   const auto is_given = [given](std::size_t i) { return !given.empty() && given[i] != 0; };
-  std::vector<std::int32_t> distances, of_row, both;
-  for (std::size_t row = 0; row < m_size; row += lanes) {
+  std::vector<std::int32_t> of_row, both;
+  for (std::size_t block = 0; block < m_blocks.size(); ++block) {
+    const std::size_t row = lanes * block;
     const std::size_t end = std::min(m_size, row + lanes);
-    if (!all && std::ranges::find(changed.subspan(row, end - row), 1) == changed.subspan(row, end - row).end()) {
-      const auto same = before.distances(row / lanes);
-      m_distance.insert(m_distance.end(), same.begin(), same.end());
-      m_first.push_back(static_cast<std::uint32_t>(m_distance.size()));
-      m_meets_given.push_back(before.m_meets_given[row / lanes]);
+    if (!all && std::ranges::find(changed.subspan(row, end - row), 1) == changed.subspan(row, end - row).end())
       continue;
-    }
+    std::vector<std::int32_t>& distances = m_blocks[block];
     distances.clear();
     bool meets = false;
     for (std::size_t i = row; i < end; ++i) {
@@ -148,31 +142,34 @@ void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> gi
       if (of_row == distances) continue;
       both.clear();
       std::ranges::set_union(distances, of_row, std::back_inserter(both));
-      distances.swap(both);
+      distances.assign(both.begin(), both.end());
     }
-    m_distance.insert(m_distance.end(), distances.begin(), distances.end());
-    m_first.push_back(static_cast<std::uint32_t>(m_distance.size()));
-    m_meets_given.push_back(meets ? 1 : 0);
+    m_meets_given[block] = meets ? 1 : 0;
   }
 }
 
 void RowBlocks::fit(const RowPattern& pattern, std::span<const std::uint8_t> changed, std::span<std::uint8_t> marks) {
+  constexpr std::uint32_t spare = 4; // entries a block may grow by before its part is laid out anew
   for (std::size_t p = 0; p < m_parts.size(); ++p) {
     const std::size_t begin = p * blocks_per_part;
     const std::size_t end = std::min(pattern.blocks(), begin + blocks_per_part);
-    const auto rows = changed.subspan(begin * lanes, std::min(m_size, end * lanes) - begin * lanes);
-    if (std::ranges::find(rows, 1) == rows.end()) continue;
     Part& part = m_parts[p];
-    part.first.clear();
-    std::uint32_t room = 0;
+    bool fits = !part.first.empty();
     for (std::size_t b = begin; b < end; ++b) {
-      part.first.push_back(room);
-      room += static_cast<std::uint32_t>(pattern.distances(b).size());
+      const auto rows = changed.subspan(b * lanes, std::min(m_size, (b + 1) * lanes) - b * lanes);
+      if (std::ranges::find(rows, 1) == rows.end()) continue;
+      marks[b] = 1;
+      fits = fits && pattern.distances(b).size() <= part.first[b - begin + 1] - part.first[b - begin];
+    }
+    if (fits) continue;
+    part.first.assign(1, 0);
+    for (std::size_t b = begin; b < end; ++b) {
+      part.first.push_back(part.first.back() + static_cast<std::uint32_t>(pattern.distances(b).size()) + spare);
       marks[b] = 1;
     }
-    part.count.resize(part.first.size());
-    part.distance.resize(room);
-    part.coefficient.resize(lanes * room);
+    part.count.resize(end - begin);
+    part.distance.resize(part.first.back());
+    part.coefficient.resize(lanes * part.first.back());
   }
 }
 

@@ -24,17 +24,14 @@ public:
   void update(const Adjacency& pairs, std::span<const std::uint8_t> given, std::span<const std::uint8_t> changed);
 
   std::size_t size() const { return m_size; } ///< rows
-  std::size_t blocks() const { return m_first.empty() ? 0 : m_first.size() - 1; }
-  std::span<const std::int32_t> distances(std::size_t block) const {
-    return {m_distance.data() + m_first[block], m_distance.data() + m_first[block + 1]};
-  }
+  std::size_t blocks() const { return m_blocks.size(); }
+  std::span<const std::int32_t> distances(std::size_t block) const { return m_blocks[block]; }
   /// Whether a row of the block, or a partner, is given.
   bool meets_given(std::size_t block) const { return m_meets_given[block] != 0; }
 
 private:
   std::size_t m_size = 0;
-  std::vector<std::uint32_t> m_first;
-  std::vector<std::int32_t> m_distance;
+  std::vector<std::vector<std::int32_t>> m_blocks; // distances of each, in ascending order
   std::vector<std::uint8_t> m_meets_given;
 };
 
@@ -53,8 +50,8 @@ public:
   template <class Fill>
   void assign(const RowPattern& pattern, const Fill& fill);
 
-  /// Makes room for a pattern of which rows have changed since assign(), and marks the blocks which have lost their
-  /// coefficients thereby with 1.   @param changed  1 for each row that has
+  /// Makes room for a pattern of which rows have changed since assign(), and marks the blocks that have to be filled
+  /// anew with 1.   @param changed  1 for each row that has
   void fit(const RowPattern& pattern, std::span<const std::uint8_t> changed, std::span<std::uint8_t> marks);
 
   /// Fills the blocks anew that are marked with 1.   @param pattern  that of assign(), or of fit() since
@@ -85,7 +82,8 @@ private:
 
   /// Some consecutive blocks, built and multiplied by one thread.
   struct Part {
-    std::vector<std::uint32_t> first, count; // entries of block b: count[b] of them from first[b] on
+    std::vector<std::uint32_t> first, count; // entries of block b: count[b] of them from first[b] on, of a room
+                                             // that ends at first[b + 1]
     std::vector<std::int32_t> distance;
     std::vector<float> coefficient; // eight an entry
   };
@@ -109,7 +107,7 @@ template <class Fill>
 void RowBlocks::refill(const RowPattern& pattern, std::span<const std::uint8_t> marks, const Fill& fill) {
   parallel_parts(m_parts.size(), [&](std::size_t p) {
     Part& part = m_parts[p];
-    for (std::size_t b = 0; b < part.first.size(); ++b) {
+    for (std::size_t b = 0; b < part.count.size(); ++b) {
       const std::size_t block = p * blocks_per_part + b;
       if (marks[block] == 0) continue;
       const std::span<std::int32_t> distances(part.distance.data() + part.first[b], pattern.distances(block).size());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace matrigrate {
@@ -127,10 +128,60 @@ std::span<const std::uint8_t> VerletList::update(std::span<const Vec2> x, double
     mend(x, period_x, from_there);
     return m_changed;
   }
-  m_pairs = neighbours_within(x, m_reach + m_skin, period_x);
   m_x_listed.assign(x.begin(), x.end());
-  m_changed.assign(x.size(), 1);
+  list_anew(period_x);
   return m_changed;
+}
+
+/// All rows, each with room for a few more.
+void VerletList::list_anew(double period_x) {
+  constexpr std::uint32_t room = 8;
+  const Adjacency full = neighbours_within(m_x_listed, m_reach + m_skin, period_x);
+  const std::size_t n = full.size();
+  m_pairs.first.assign(1, 0);
+  m_pairs.count.resize(n);
+  m_pairs.index.assign(full.pairs() + room * n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = full.of(i);
+    std::ranges::copy(row, m_pairs.index.begin() + m_pairs.first[i]);
+    m_pairs.count[i] = static_cast<std::uint32_t>(row.size());
+    m_pairs.first.push_back(m_pairs.first[i] + m_pairs.count[i] + room);
+  }
+  m_changed.assign(n, 1);
+}
+
+/// The row of i.   @return false, with nothing done, where there is no room for it
+bool VerletList::replace(std::uint32_t i, std::span<const std::uint32_t> row) {
+  if (m_pairs.first[i] + row.size() > m_pairs.first[i + 1]) return false;
+  std::ranges::copy(row, m_pairs.index.begin() + m_pairs.first[i]);
+  m_pairs.count[i] = static_cast<std::uint32_t>(row.size());
+  m_changed[i] = 1;
+  return true;
+}
+
+/// j into the row of i, if it is not there.   @return as above
+bool VerletList::insert(std::uint32_t i, std::uint32_t j) {
+  const auto begin = m_pairs.index.begin() + m_pairs.first[i];
+  const auto end = begin + m_pairs.count[i];
+  const auto place = std::lower_bound(begin, end, j);
+  if (place != end && *place == j) return true;
+  if (m_pairs.first[i] + m_pairs.count[i] == m_pairs.first[i + 1]) return false;
+  std::copy_backward(place, end, end + 1);
+  *place = j;
+  ++m_pairs.count[i];
+  m_changed[i] = 1;
+  return true;
+}
+
+/// j out of the row of i, if it is there.
+void VerletList::remove(std::uint32_t i, std::uint32_t j) {
+  const auto begin = m_pairs.index.begin() + m_pairs.first[i];
+  const auto end = begin + m_pairs.count[i];
+  const auto place = std::lower_bound(begin, end, j);
+  if (place == end || *place != j) return;
+  std::copy(place + 1, end, place);
+  --m_pairs.count[i];
+  m_changed[i] = 1;
 }
 
 /// Those that would have to be listed anew soon, or at once.
@@ -142,36 +193,25 @@ std::vector<std::uint32_t> VerletList::moved(std::span<const Vec2> x) const {
   return moved;
 }
 
-/// Lists the moved particles where they are now: their rows, and those of all whom they met or meet, are made anew.
+/// Lists the moved particles where they are now: their rows are made anew, and they leave the rows of those whom they
+/// no longer meet, and enter those of whom they meet.
 void VerletList::mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved) {
   m_changed.assign(x.size(), 0);
-  for (const std::uint32_t i : moved) {
-    m_x_listed[i] = x[i];
-    m_changed[i] = 1;
-    for (const std::uint32_t j : m_pairs.of(i)) m_changed[j] = 1;
-  }
+  for (const std::uint32_t i : moved) m_x_listed[i] = x[i];
   const double reach = m_reach + m_skin;
   const Grid grid = make_grid(m_x_listed, reach, period_x);
-  std::vector<std::uint32_t> partners;
-  for (const std::uint32_t i : moved) add_partners(grid, m_x_listed, i, reach, period_x, partners);
-  for (const std::uint32_t j : partners) m_changed[j] = 1;
-
-  Adjacency list;
-  list.first.reserve(m_pairs.first.size());
-  list.index.reserve(m_pairs.index.size() + partners.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto begin = static_cast<std::ptrdiff_t>(list.index.size());
-    list.first.push_back(static_cast<std::uint32_t>(begin));
-    if (m_changed[i] == 0) {
-      const auto row = m_pairs.of(i);
-      list.index.insert(list.index.end(), row.begin(), row.end());
-      continue;
-    }
-    add_partners(grid, m_x_listed, i, reach, period_x, list.index);
-    std::sort(list.index.begin() + begin, list.index.end());
+  std::vector<std::uint32_t> partners, lost;
+  for (const std::uint32_t i : moved) {
+    partners.clear();
+    add_partners(grid, m_x_listed, i, reach, period_x, partners);
+    std::sort(partners.begin(), partners.end());
+    lost.clear();
+    std::ranges::set_difference(m_pairs.of(i), partners, std::back_inserter(lost));
+    for (const std::uint32_t j : lost) remove(j, i);
+    bool fits = std::ranges::equal(m_pairs.of(i), partners) || replace(i, partners);
+    for (std::size_t k = 0; fits && k < partners.size(); ++k) fits = insert(partners[k], i);
+    if (!fits) return list_anew(period_x);
   }
-  list.first.push_back(static_cast<std::uint32_t>(list.index.size()));
-  std::swap(m_pairs, list);
 }
 
 } // namespace matrigrate

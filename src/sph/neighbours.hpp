@@ -37,11 +37,15 @@ public:
 private:
   std::vector<std::uint32_t> moved(std::span<const Vec2> x) const;
   void mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved);
+  void list_anew(double period_x);
+  bool replace(std::uint32_t i, std::span<const std::uint32_t> row);
+  bool insert(std::uint32_t i, std::uint32_t j);
+  void remove(std::uint32_t i, std::uint32_t j);
 
   double m_reach;
   double m_skin;
   std::vector<Vec2> m_x_listed; // where each particle was when its row was last made
-  Adjacency m_pairs;            // those of neighbours_within(m_x_listed, m_reach + m_skin)
+  Adjacency m_pairs;            // those of neighbours_within(m_x_listed, m_reach + m_skin), with room
   std::vector<std::uint8_t> m_changed;
 };
 

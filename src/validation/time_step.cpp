@@ -84,8 +84,9 @@ Result time_step(const Parameters& p) {
                              quarter, "a quarter of a spacing, of the way of 23 um"});
   const double paper_length = mean_length(p, Integrator::reference, paper_step);
   result.checks.push_back({fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions [um]",
-                                       usual_longest_step, directions),
-                           mean_length(p, Integrator::adaptive, usual_longest_step), paper_length, quarter,
+                                       usual_time_step(Integrator::adaptive), directions),
+                           mean_length(p, Integrator::adaptive, usual_time_step(Integrator::adaptive)), paper_length,
+                           quarter,
                            fmt::format("that with reference steps of {} s; a quarter of a spacing", paper_step)});
   result.remarks.push_back(
       fmt::format("Errors are distances of the tip from that with steps of {} s, the largest at {:.0f}, {:.0f} and "

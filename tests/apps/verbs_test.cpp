@@ -163,7 +163,7 @@ TEST_F(Program, CheckKnowsAStudy) {
   write("bad.toml", head + "ecm.youngs_modulu = [1]\nrun.time_step = [\"0.4 s\", \"20 s\"]\n");
   EXPECT_EQ(run("check bad.toml").err,
             "bad.toml:4:5: sweep.ecm.youngs_modulu: there is no such parameter; did you mean ecm.youngs_modulus?\n");
-  write("bad.toml", head + "run.time_step = [\"0.4 s\", \"20 s\"]\n");
+  write("bad.toml", head + "run.time_step = [\"0.4 s\", \"20 s\"]\nrun.integrator = [\"reference\"]\n");
   const Ended step = run("check bad.toml");
   EXPECT_EQ(step.code, 3);
   EXPECT_TRUE(step.err.starts_with("bad.toml:4:27: run.time_step: a step of 20 s is longer than")) << step.err;
@@ -220,7 +220,10 @@ TEST_F(Program, ExplainTellsDerivedQuantities) {
   EXPECT_NEAR(derived.at("bulk_modulus_Pa").get<double>(), 200.0 / 0.3, 1e-9);
   EXPECT_NEAR(derived.at("shear_modulus_Pa").get<double>(), 200.0 / 2.9, 1e-9);
   EXPECT_NEAR(derived.at("shear_relaxation_s").get<double>(), 14.5, 1e-9);
-  EXPECT_EQ(derived.at("steps"), 54000.0);
+  EXPECT_EQ(derived.at("steps"), 4320.0);
+  EXPECT_TRUE(contains(plain.out, "followed for 6 h in steps of up to 5 s")) << plain.out;
+  const std::string reference = run("explain a.toml --set run.integrator=reference").out;
+  EXPECT_TRUE(contains(reference, "followed for 6 h in steps of 0.4 s")) << reference;
   EXPECT_NEAR(derived.at("particles").get<double>(), 3.14159265 * 75 * 75, 100.0);
   EXPECT_EQ(derived.at("neighbours"), 20.0);
   EXPECT_NEAR(derived.at("cortex_segment_um").get<double>(), 0.401, 1e-3);
@@ -232,7 +235,7 @@ TEST_F(Program, ExplainTellsDerivedQuantities) {
 
 TEST_F(Program, ExplainWarnsOfAStepBeyondTheLimit) {
   ASSERT_EQ(run("new a.toml").code, 0);
-  const Ended ended = run("explain a.toml --set 'run.time_step=40 s'");
+  const Ended ended = run("explain a.toml --set run.integrator=reference --set 'run.time_step=40 s'");
   EXPECT_EQ(ended.code, 0);
   EXPECT_TRUE(contains(ended.out, "WARNING: a step of 40 s is longer than the largest stable one")) << ended.out;
   EXPECT_TRUE(contains(ended.out, " A run of it is refused")) << ended.out;
@@ -246,12 +249,13 @@ TEST_F(Program, ExplainWarnsOfAStepBeyondTheLimit) {
 
 TEST_F(Program, ExplainTellsOfFibresAndOfTheAdaptiveIntegrator) {
   ASSERT_EQ(run("new a.toml --preset two-protrusions-fibres").code, 0);
-  const Ended ended = run("explain a.toml");
+  const Ended ended = run("explain a.toml --set run.integrator=reference");
   EXPECT_EQ(ended.code, 0);
   EXPECT_TRUE(contains(ended.out, "8 bonds")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "mean direction 0 degrees")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "run.integrator = \"adaptive\"")) << ended.out;
-  const json baseline = json::parse(run("explain a.toml --json --set fibres.arrangement=none").out);
+  const json baseline =
+      json::parse(run("explain a.toml --json --set fibres.arrangement=none --set run.integrator=reference").out);
   EXPECT_EQ(baseline.at("adaptive_time_step_s"), 5.0);
   EXPECT_LT(baseline.at("adaptive_wall_time_estimate_s"), 0.5 * baseline.at("wall_time_estimate_s").get<double>());
   EXPECT_TRUE(baseline.at("fibre_mean_direction_deg").is_null());

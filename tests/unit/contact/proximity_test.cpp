@@ -35,6 +35,18 @@ TEST(SegmentGrid, FindsNothingFarAway) {
   EXPECT_TRUE(grid.near({3.0, -30.0}).empty());
 }
 
+TEST(SegmentGrid, KnowsWhichPointsMayHaveASegmentNear) {
+  const SegmentGrid grid(wavy_cortex(small_cell()), 2.0);
+  std::vector<Vec2> points;
+  for (double y = -30.0; y < 30.0; y += 0.7)
+    for (double x = -30.0; x < 30.0; x += 0.7) points.emplace_back(x, y);
+  const std::vector<std::uint32_t> found = grid.candidates(points);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+  const std::set<std::uint32_t> set(found.begin(), found.end());
+  for (std::uint32_t k = 0; k < points.size(); ++k) EXPECT_EQ(set.contains(k), !grid.near(points[k]).empty());
+  EXPECT_LT(found.size(), points.size() / 2);
+}
+
 TEST(Encounters, AreTheClosestSegmentsOfAllParticles) {
   const Scene s = touching_scene();
   const std::vector<Encounter> met = s.met();

@@ -144,7 +144,7 @@ TEST(MatrixDrag, HasTheSameBitsAsIfAllWereMadeAnew) {
     }
     const Adjacency fewer = neighbours_within(ecm.x, 7.0, ecm.period_x);
     const RowPattern other(fewer, ecm.clamped);
-    drag.forget();
+    drag.forget(std::vector<std::uint8_t>(ecm.size(), 1));
     drag.assemble(ecm, ecm.x, p, fewer, other, kept, 0.3);
     DragSystem anew;
     assemble_viscosity(ecm, p, other, anew, 0.3);

@@ -29,6 +29,18 @@ TEST(Read, EveryKindIsRead) {
   EXPECT_EQ(p.ecm.smoothing_length, Parameters{}.ecm.smoothing_length);
 }
 
+TEST(Read, AStepThatNobodyNamesIsThatOfTheIntegrator) {
+  const std::string adaptive = "run.integrator = \"adaptive\"\n";
+  EXPECT_EQ(parse_parameters(adaptive, "f.toml").run.time_step, usual_time_step(Integrator::adaptive));
+  EXPECT_EQ(parse_parameters(adaptive + "run.time_step = 3\n", "f.toml").run.time_step, 3.0);
+  EXPECT_EQ(parse_parameters(adaptive, "f.toml", {"run.integrator=reference"}).run.time_step, 0.4);
+  const Parameters p = parse_parameters(adaptive, "f.toml");
+  EXPECT_EQ(apply_overrides(p, {"run.integrator=reference"}).run.time_step, 0.4);
+  EXPECT_EQ(apply_overrides(p, {"run.seed=2"}).run.time_step, p.run.time_step);
+  const Parameters own = parse_parameters(adaptive + "run.time_step = 3\n", "f.toml");
+  EXPECT_EQ(apply_overrides(own, {"run.integrator=reference", "run.duration=1 h"}).run.time_step, 3.0);
+}
+
 TEST(Read, ABareNumberIsInTheUnitOfTheRow) {
   EXPECT_EQ(parse_parameters("run.duration = 6", "f.toml").run.duration, 21600.0);
   EXPECT_EQ(parse_parameters("ecm.youngs_modulus = 200.0", "f.toml").ecm.youngs_modulus, 0.2);

@@ -37,12 +37,18 @@ TEST(StartRules, DefaultsFulfilThemAndTheirKeysExist) {
 
 TEST(StartRules, TooLongAStepIsRefusedWithOneThatWorks) {
   for (const std::string& with :
-       {std::string(), std::string("run.integrator = \"adaptive\"\n"), std::string("ecm.youngs_modulus = 1500\n"),
+       {std::string(), std::string("run.integrator = \"adaptive\"\necm.youngs_modulus = \"1 MPa\"\n"),
+        std::string("ecm.youngs_modulus = 1500\n"),
         std::string("fibres.arrangement = \"isotropic\"\nfibres.stiffness = \"50 kPa\"\n")}) {
-    const std::string fault = faults_of("run.time_step = 20\n" + with);
-    EXPECT_TRUE(fault.starts_with("f.toml:1:17: run.time_step: a step of 20 s is longer than")) << fault;
+    const std::string fault = faults_of("run.time_step = 40\n" + with);
+    EXPECT_TRUE(fault.starts_with("f.toml:1:17: run.time_step: a step of 40 s is longer than")) << fault;
     EXPECT_EQ(faults_of("run.time_step = " + advised(fault) + "\n" + with), "") << fault;
   }
+}
+
+TEST(StartRules, TheAdaptiveIntegratorHalvesStepsThatAreTooLong) {
+  EXPECT_EQ(faults_of("run.time_step = 40\nrun.integrator = \"adaptive\"\n"), "");
+  EXPECT_EQ(faults_of("run.integrator = \"adaptive\"\necm.youngs_modulus = \"5 kPa\"\n"), "");
 }
 
 TEST(StartRules, StiffFibresShortenTheStepAndAreNamed) {
