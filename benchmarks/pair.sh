@@ -2,9 +2,9 @@
 # Times two commands in turn, so that both see the same machine, and prints the user times and the ratio of medians.
 #   benchmarks/pair.sh "COMMAND A" "COMMAND B" [TIMES]
 # Two builds, or two settings of one: {} in a command becomes a fresh folder.
-#   benchmarks/pair.sh "build/release/bin/matrigrate run scenarios/baseline.toml --hours 0.2 --quiet -o {}" \
-#     "build/release/bin/matrigrate run scenarios/baseline.toml --hours 0.2 --quiet -o {} --set run.integrator=adaptive \
-#     --set 'run.time_step=2 s'"
+#   benchmarks/pair.sh \
+#     "build/release/bin/matrigrate run scenarios/baseline.toml --hours 0.2 --quiet -o {} --set run.integrator=reference" \
+#     "build/release/bin/matrigrate run scenarios/baseline.toml --hours 0.2 --quiet -o {}"
 set -euo pipefail
 a=$1
 b=$2
