@@ -69,7 +69,7 @@ std::string minute_text(Clock::time_point time) { return minute_of(utc(time)); }
 std::string configuration_hash(const Parameters& p) {
   Parameters q = p;
   q.run.threads = RunParameters{}.threads;
-  return io::text_hash(to_toml(q));
+  return io::text_hash(values_text(q));
 }
 
 std::string scenario_name(const Json& record, const fs::path& folder) {

@@ -63,6 +63,7 @@ void add_reading(CLI::App& group, Action& chosen) {
   add_common(*verb, *gather, "Print no tables");
   verb->footer(
       "Writes results.csv (a row a run), groups.csv, statistics.csv, correlations.csv, boxes.svg and report.html;\n"
+      "of at most 60 points paths, msd and adhesions, as .csv and .svg;\n"
       "with targets discrepancy.csv, and of designs that screen factors effects.csv.");
   verb->callback([gather, &chosen] { chosen = [gather] { return collect_study(*gather); }; });
 }

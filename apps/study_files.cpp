@@ -11,6 +11,7 @@
 #include "base/file.hpp"
 #include "io/run_page.hpp"
 #include "study/box_plot.hpp"
+#include "study/run_curves.hpp"
 #include "study/study_data.hpp"
 
 #include <fmt/format.h>
@@ -87,6 +88,20 @@ void write_or_remove(const std::filesystem::path& file, bool wanted, const std::
     remove_file(file);
 }
 
+/// The tables of what the runs look like, and the figures drawn from them.
+void write_curves(const StudyFolder& study, const std::vector<study::Result>& results) {
+  constexpr std::size_t most_points = 60;
+  const bool wanted = study.study.points.size() <= most_points;
+  const auto write = [&](const std::string& name, const auto& table, std::string (*figure)(std::string_view)) {
+    const std::string csv = wanted ? table(study.study, results, study.folder) : std::string();
+    write_or_remove(study.folder / (name + ".csv"), wanted, csv);
+    write_or_remove(study.folder / (name + ".svg"), wanted, wanted ? figure(csv) : std::string());
+  };
+  write("paths", study::paths_csv, study::paths_svg);
+  write("msd", study::msd_csv, study::msd_svg);
+  write("adhesions", study::adhesions_csv, study::adhesions_svg);
+}
+
 } // namespace
 
 Collected gathered(const StudyFolder& study) {
@@ -108,6 +123,7 @@ Collected collect_tables(const StudyFolder& study) {
   write_or_remove(study.folder / "effects.csv", !study.study.steps.empty(),
                   study::effects_csv(study.study, c.screening.effects));
   write_file(study.folder / "boxes.svg", study::boxes_svg(study.study, c.results));
+  write_curves(study, c.results);
   return c;
 }
 

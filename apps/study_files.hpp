@@ -19,8 +19,9 @@ struct Collected {
 /// Reads the results of all runs, and compares the points.
 Collected gathered(const StudyFolder& study);
 
-/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and boxes.svg; with
-/// targets discrepancy.csv, and of designs that screen factors effects.csv.
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv, boxes.svg, and
+/// paths, msd and adhesions as .csv and .svg, of at most 60 points; with targets discrepancy.csv, and of designs that
+/// screen factors effects.csv.
 Collected collect_tables(const StudyFolder& study);
 
 /// Writes report.html.

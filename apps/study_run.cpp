@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <thread>
@@ -154,6 +155,8 @@ int collect_study(const StudyOptions& options) {
   const auto finished = std::ranges::count_if(collected.results, [](const auto& r) { return r.standing.done(); });
   if (options.json) {
     Json files{"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "boxes.svg", "report.html"};
+    for (const char* name : {"paths.csv", "paths.svg", "msd.csv", "msd.svg", "adhesions.csv", "adhesions.svg"})
+      if (std::filesystem::exists(study.folder / name)) files.push_back(name);
     if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
     if (!study.study.steps.empty()) files.push_back("effects.csv");
     print_json({{"folder", options.folder}, {"runs", study.runs.size()}, {"done", finished}, {"files", files}});

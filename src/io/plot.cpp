@@ -123,6 +123,9 @@ std::string to_svg(const Plot& plot, int width, int height) {
   check(plot, width, height);
   std::vector<double> x_values = drawn_values(plot, &Series::x);
   std::vector<double> y_values = drawn_values(plot, &Series::y);
+  if (plot.least_extent > 0.0)
+    for (std::vector<double>* values : {&x_values, &y_values})
+      values->insert(values->end(), {-plot.least_extent, plot.least_extent});
   if (plot.equal_axes) match_extents(x_values, y_values, 0.86 * width / (0.75 * height));
   Axis x = fitted_axis(x_values, plot.log_x, 0.02, std::max(2, width / 105));
   Axis y = fitted_axis(y_values, plot.log_y, 0.05, std::max(2, height / 70));

@@ -33,7 +33,8 @@ struct Plot {
   std::string x_label = {}, y_label = {}; ///< with unit: "time [s]"
   bool log_x = false, log_y = false;
   std::vector<Series> series = {};
-  bool equal_axes = false; ///< a unit is as long on one axis as on the other, as on a map; linear axes only
+  bool equal_axes = false;   ///< a unit is as long on one axis as on the other, as on a map; linear axes only
+  double least_extent = 0.0; ///< both axes reach at least from minus to plus this, for plots to one scale; 0: as needed
 };
 
 /// @param width, height  [pixel] at least 240 x 200; the drawing gets taller where title and legend need it

@@ -62,4 +62,7 @@ double text_height(std::size_t lines, double size);
 /// @param title  read out by screen readers
 std::string document(double width, double height, std::string_view title, std::string_view body);
 
+/// Documents of document() side by side, so many in a row, as one document under a title.
+std::string sheet(const std::vector<std::string>& documents, std::size_t columns, std::string_view title);
+
 } // namespace matrigrate::io::svg

@@ -119,6 +119,12 @@ std::string to_toml(const Parameters& p) {
   return text;
 }
 
+std::string values_text(const Parameters& p) {
+  std::string text;
+  for (const Row& row : schema()) text += fmt::format("{} = {}\n", row.path, value_text(row, p));
+  return text;
+}
+
 std::string new_scenario(const Preset& preset, const std::string& schema) {
   const Parameters p = parameters_of(preset);
   std::string text =

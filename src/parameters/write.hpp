@@ -10,6 +10,9 @@ namespace matrigrate {
 /// The resolved scenario: every parameter with its value and unit; parse_parameters gives the same bits back.
 std::string to_toml(const Parameters& p);
 
+/// Every parameter, a line each, and nothing else: what decides on a run, however its descriptions are worded.
+std::string values_text(const Parameters& p);
+
 /// The scenario that `new` writes: the usual parameters to be edited, the numerical ones commented out at their
 /// defaults.
 /// @param schema  where json_schema() lies, seen from the file, for the first line, by which editors find it

@@ -5,6 +5,7 @@
 #include "parameters/schema.hpp"
 #include "statistics/correlation.hpp"
 #include "study/axes.hpp"
+#include "study/run_curves.hpp"
 #include "study/run_json.hpp"
 #include "study/screening_data.hpp"
 #include "study/table_readouts.hpp"
@@ -24,8 +25,6 @@ namespace matrigrate::study {
 namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
-
-constexpr std::size_t largest_table = std::size_t{1} << 28U;
 
 /// "v_migr_abs_um_per_h" -> "v_migr_abs": the unit stands apart.
 std::string label_of(const std::string& name) {
@@ -50,10 +49,6 @@ Json readouts_json(const Study& study) {
         {{"name", name}, {"label", label_of(name)}, {"meaning", meaning}, {"unit", unit == "-" ? "" : unit}});
   }
   return list;
-}
-
-std::vector<double> column(const std::filesystem::path& file, std::string_view name) {
-  return csv_column(read_file(file, largest_table), name);
 }
 
 /// The samples that are compared, with the numbers of groups.csv.
@@ -87,28 +82,14 @@ Json test_json(const Study& study, const Comparison& c, const std::vector<Json>&
           {"interval", bounded ? Json{c.difference.low, c.difference.high} : Json()}};
 }
 
-/// Mean square displacement over the runs of a point, at the lags that all of them have.
 Json msd_json(const StudyReport& report, std::size_t point, const Json& place) {
-  std::vector<double> lags;
-  std::vector<std::vector<double>> runs;
-  for (const Result& result : report.results) {
-    if (result.run.point != point || !result.standing.done()) continue;
-    const std::filesystem::path file = run_folder(report.folder, result.run) / "msd.csv";
-    const std::vector<double> here = column(file, "lag_s");
-    if (runs.empty() || here.size() < lags.size()) lags = here;
-    runs.push_back(column(file, "msd_um2"));
-  }
   Json json{{"point", place}, {"lag_min", Json::array()}, {"msd_um2", Json::array()}, {"sem_um2", Json::array()}};
   std::vector<MsdPoint> means;
-  for (std::size_t k = 0; k < lags.size(); ++k) {
-    std::vector<double> values;
-    values.reserve(runs.size());
-    for (const std::vector<double>& run : runs) values.push_back(run[k]);
-    const statistics::Moments m = statistics::moments(values);
-    json["lag_min"].push_back(lags[k] / 60.0);
+  for (const MeanMsd& m : mean_msd(report.results, point, report.folder)) {
+    json["lag_min"].push_back(m.lag / 60.0);
     json["msd_um2"].push_back(m.mean);
-    json["sem_um2"].push_back(m.sd / std::sqrt(static_cast<double>(values.size())));
-    means.push_back({.lag = lags[k], .msd = m.mean, .samples = values.size()});
+    json["sem_um2"].push_back(m.sem);
+    means.push_back({.lag = m.lag, .msd = m.mean, .samples = m.runs});
   }
   json["slope"] = msd_slope(means);
   return json;

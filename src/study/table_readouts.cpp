@@ -25,12 +25,6 @@ std::string_view field(std::string_view line, std::size_t index) {
   return cut(line, ',');
 }
 
-double number(std::string_view text) {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 /// Share of the finite values that fulfil a condition.
 template <class Condition>
 double share(const std::vector<double>& values, const Condition& condition) {
@@ -46,6 +40,12 @@ double share(const std::vector<double>& values, const Condition& condition) {
 
 } // namespace
 
+double csv_number(std::string_view field) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(field.data(), field.data() + field.size(), value);
+  return value;
+}
+
 std::vector<double> csv_column(std::string_view text, std::string_view column) {
   std::string_view header = cut(text, '\n');
   std::size_t index = 0;
@@ -54,7 +54,7 @@ std::vector<double> csv_column(std::string_view text, std::string_view column) {
     if (header.empty()) return {};
   }
   std::vector<double> values;
-  while (!text.empty()) values.push_back(number(field(cut(text, '\n'), index)));
+  while (!text.empty()) values.push_back(csv_number(field(cut(text, '\n'), index)));
   return values;
 }
 

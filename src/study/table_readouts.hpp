@@ -22,6 +22,9 @@ std::array<std::string_view, 2> table_readout_names();
 /// @throws InputOutputError if a table cannot be read
 std::array<double, 2> table_readouts(const std::filesystem::path& folder);
 
+/// The number at the start of a CSV field, NaN of an empty one.
+double csv_number(std::string_view field);
+
 /// Numbers of a column of a CSV text as this program writes it, NaN for empty fields; empty if there is no such column.
 std::vector<double> csv_column(std::string_view text, std::string_view column);
 

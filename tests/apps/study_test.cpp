@@ -57,7 +57,8 @@ TEST_F(Study, RunsOnceAndAddsWhatIsNew) {
   ASSERT_EQ(first.code, 0) << first.out << first.err;
   EXPECT_TRUE(contains(first.out, "4 of 4 runs done, 4 of them now")) << first.out;
   for (const char* name : {"study.resolved.toml", "scenario.resolved.toml", "results.csv", "groups.csv",
-                           "statistics.csv", "correlations.csv", "boxes.svg"})
+                           "statistics.csv", "correlations.csv", "boxes.svg", "paths.csv", "paths.svg", "msd.csv",
+                           "msd.svg", "adhesions.csv", "adhesions.svg"})
     EXPECT_TRUE(exists(std::string("e-study/") + name)) << name;
   const auto before = hashes("e-study");
   EXPECT_EQ(before.size(), 4U);

@@ -108,6 +108,14 @@ TEST(Write, EveryParameterStandsInTheResolvedFile) {
     EXPECT_NE(text.find("\n" + std::string(key_of(row)) + " = "), std::string::npos) << row.path;
 }
 
+TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
+  const std::string text = values_text({});
+  EXPECT_EQ(text.find('#'), std::string::npos);
+  EXPECT_TRUE(text.starts_with("run.duration = \"6 h\"\n")) << text;
+  for (const Row& row : schema())
+    EXPECT_NE(text.find(std::string(row.path) + " = " + value_text(row, {}) + "\n"), std::string::npos) << row.path;
+}
+
 TEST(Write, PresetsAreGoodAndDiffer) {
   Parameters adaptive;
   adaptive.run.integrator = Integrator::adaptive;
