@@ -40,8 +40,8 @@ double elastic_share(const Parameters& p, const StepLimits& limits);
 /// it in the paper's 0.4 s [particle spacings].
 inline constexpr double usual_move = 0.2;
 
-/// Relative residual at which a step's system counts as solved: solver.tolerance, and a hundred times it where the adaptive
-/// integrator uses multigrid, whose error stays a hundred times below that of its steps (MODEL.md, D29) [-].
+/// Relative residual at which a step's system counts as solved: solver.tolerance, and a hundred times it where the
+/// adaptive integrator uses multigrid, whose error stays a hundred times below that of its steps (MODEL.md, D29) [-].
 double solver_tolerance(const Parameters& p);
 
 /// How far a particle may move before its drag is taken anew: ecm.drag_lag, with the adaptive integrator as many times
