@@ -88,6 +88,9 @@ Derived derived(const Parameters& p) {
   const Moduli m = moduli(p.ecm);
   const auto clamped = static_cast<std::size_t>(std::ranges::count(ecm.clamped, 1));
   const int in_front = p.cell.particles / 2;
+  const StepLimits limits = step_limits(p);
+  Parameters as_run = p;
+  as_run.run.time_step = longest_step(p, limits);
   return {.K = m.K,
           .G = m.G,
           .shear_time = p.ecm.viscosity / m.G,
@@ -100,10 +103,11 @@ Derived derived(const Parameters& p) {
           .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
           .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
           .wait = 1.0 / (in_front * p.protrusion.initiation_rate),
-          .steps = steps(p),
-          .limits = step_limits(p),
+          .longest_step = as_run.run.time_step,
+          .steps = steps(as_run),
+          .limits = limits,
           .bonds = fibre_bonds(p),
-          .cost = run_cost(p, ecm.size())};
+          .cost = run_cost(as_run, ecm.size())};
 }
 
 std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) {
@@ -111,6 +115,7 @@ std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) 
   Parameters q = p;
   q.run.integrator = Integrator::adaptive;
   q.run.time_step = std::min(usual_time_step(Integrator::adaptive), p.run.duration);
+  q.run.time_step = longest_step(q, d.limits);
   if (q.run.time_step <= p.run.time_step) return std::nullopt;
   return Quicker{q.run.time_step, wall_time(q, static_cast<double>(d.particles()))};
 }

@@ -38,7 +38,8 @@ struct Derived {
   double protrusion_width;     ///< cortex that a protrusion takes, of the round cell [um]
   double first_wait;           ///< mean time to the first protrusion, from all of the cortex [s]
   double wait;                 ///< mean time between protrusions of a polarized cell without any [s]
-  double steps;
+  double longest_step;         ///< that the run takes [s]
+  double steps;                ///< of that length
   StepLimits limits;
   FibreBonds bonds; ///< of a particle, that carry fibres
   RunCost cost;

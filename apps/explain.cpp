@@ -37,7 +37,7 @@ std::string description(const Parameters& p, const Derived& d) {
                       "clamped at its rim, followed for {} in steps of {}{:.4g} s.\n\n",
                       p.cell.radius, p.ecm.radius, 1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio,
                       1e3 * p.ecm.viscosity, duration_text(p.run.duration),
-                      p.run.integrator == Integrator::adaptive ? "up to " : "", p.run.time_step);
+                      p.run.integrator == Integrator::adaptive ? "up to " : "", d.longest_step);
   const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
     text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
   };

@@ -192,13 +192,13 @@ double fastest(const State& s) {
 /// the speeds of the last step.
 double step_to_try(const State& s, const Parameters& p, const StepLimits& limits) {
   const double shortest = shortest_step(p);
-  const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << halvings);
+  const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << most_halvings);
   double dt = at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
   constexpr double much = 1.2;
   const double furthest = much * usual_move * p.ecm.particle_spacing;
   const double v = fastest(s);
-  const double stable = largest_step(p, limits);
-  while ((v * dt > furthest || dt > stable) && dt > 1.5 * shortest) dt *= 0.5;
+  dt = std::min(dt, longest_step(p, limits));
+  while (v * dt > furthest && dt > 1.5 * shortest) dt *= 0.5;
   return dt;
 }
 

@@ -139,7 +139,13 @@ double rounded_down(double step) {
 }
 
 double shortest_step(const Parameters& p) {
-  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -halvings);
+  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -most_halvings);
+}
+
+double longest_step(const Parameters& p, const StepLimits& limits) {
+  double dt = p.run.time_step;
+  while (dt > largest_step(p, limits) && dt > 1.5 * shortest_step(p)) dt *= 0.5;
+  return dt;
 }
 
 std::string fault_of_step(const Parameters& p, const StepLimits& limits) {

@@ -49,7 +49,7 @@ double solver_tolerance(const Parameters& p);
 double drag_lag(const Parameters& p);
 
 /// How often the adaptive integrator halves a step, at most.
-inline constexpr int halvings = 7;
+inline constexpr int most_halvings = 7;
 
 /// The shortest step that p.run.integrator takes [s].
 double shortest_step(const Parameters& p);
@@ -57,6 +57,9 @@ double shortest_step(const Parameters& p);
 /// The largest step that p.run.integrator takes; the adaptive one takes shorter ones than run.time_step where it has to
 /// [s].
 double largest_step(const Parameters& p, const StepLimits& limits);
+
+/// run.time_step, halved until it is stable, as the longest steps of a run are [s].
+double longest_step(const Parameters& p, const StepLimits& limits);
 
 /// A step of two digits that is no longer than this one [s].
 double rounded_down(double step);

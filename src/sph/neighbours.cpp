@@ -128,15 +128,15 @@ std::span<const std::uint8_t> VerletList::update(std::span<const Vec2> x, double
     mend(x, period_x, from_there);
     return m_changed;
   }
-  m_x_listed.assign(x.begin(), x.end());
-  list_anew(period_x);
+  list_anew(x, period_x);
   return m_changed;
 }
 
 /// All rows, each with room for a few more.
-void VerletList::list_anew(double period_x) {
+void VerletList::list_anew(std::span<const Vec2> x, double period_x) {
   constexpr std::uint32_t room = 8;
-  const Adjacency full = neighbours_within(m_x_listed, m_reach + m_skin, period_x);
+  const Adjacency full = neighbours_within(x, m_reach + m_skin, period_x);
+  m_x_listed.assign(x.begin(), x.end());
   const std::size_t n = full.size();
   m_pairs.first.assign(1, 0);
   m_pairs.count.resize(n);
@@ -210,7 +210,7 @@ void VerletList::mend(std::span<const Vec2> x, double period_x, std::span<const 
     for (const std::uint32_t j : lost) remove(j, i);
     bool fits = std::ranges::equal(m_pairs.of(i), partners) || replace(i, partners);
     for (std::size_t k = 0; fits && k < partners.size(); ++k) fits = insert(partners[k], i);
-    if (!fits) return list_anew(period_x);
+    if (!fits) return list_anew(x, period_x);
   }
 }
 

@@ -37,7 +37,7 @@ public:
 private:
   std::vector<std::uint32_t> moved(std::span<const Vec2> x) const;
   void mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved);
-  void list_anew(double period_x);
+  void list_anew(std::span<const Vec2> x, double period_x);
   bool replace(std::uint32_t i, std::span<const std::uint32_t> row);
   bool insert(std::uint32_t i, std::uint32_t j);
   void remove(std::uint32_t i, std::uint32_t j);

@@ -224,6 +224,8 @@ TEST_F(Program, ExplainTellsDerivedQuantities) {
   EXPECT_TRUE(contains(plain.out, "followed for 6 h in steps of up to 5 s")) << plain.out;
   const std::string reference = run("explain a.toml --set run.integrator=reference").out;
   EXPECT_TRUE(contains(reference, "followed for 6 h in steps of 0.4 s")) << reference;
+  const std::string stiff = run("explain a.toml --set 'ecm.youngs_modulus=1 kPa'").out; // 5 s would be too long
+  EXPECT_TRUE(contains(stiff, "followed for 6 h in steps of up to 1.25 s")) << stiff;
   EXPECT_NEAR(derived.at("particles").get<double>(), 3.14159265 * 75 * 75, 100.0);
   EXPECT_EQ(derived.at("neighbours"), 20.0);
   EXPECT_NEAR(derived.at("cortex_segment_um").get<double>(), 0.401, 1e-3);

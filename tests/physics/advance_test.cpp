@@ -218,6 +218,18 @@ TEST(ElasticShare, BearsStepsBeyondTheLimitOfTheExplicitStep) {
   EXPECT_GT(energy_left(p), 1e3);
 }
 
+TEST(AdaptiveStep, IsHalvedUntilItIsStable) {
+  Parameters p = small();
+  const StepLimits limits{.elastic_s = 0.3, .fluid_s = 0.5};
+  p.run.time_step = 0.4;
+  EXPECT_EQ(longest_step(p, limits), 0.4) << "the reference takes its step as it is";
+  p.run.integrator = Integrator::adaptive;
+  p.run.time_step = 5.0;
+  EXPECT_EQ(longest_step(p, limits), 0.625); // within 1.2 s, four times the shorter limit
+  p.run.time_step = 1.0;
+  EXPECT_EQ(longest_step(p, limits), 1.0);
+}
+
 TEST(AdaptiveStep, LeavesOpenWhatIsSmallBesideItsOwnError) {
   Parameters p = small();
   EXPECT_EQ(solver_tolerance(p), p.solver.tolerance);
