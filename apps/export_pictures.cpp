@@ -158,11 +158,6 @@ void export_svg(const FinishedRun& run, const std::filesystem::path& folder) {
                  .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = {path}, .equal_axes = true}));
 }
 
-std::string last_picture(const FinishedRun& run, Layer layer) {
-  const io::Film last{.head = run.film.head, .frames = {run.film.frames.back()}};
-  return picture(run, last.frames.front(), layer, limits_of(last, layer));
-}
-
 void export_pictures(const FinishedRun& run, Layer layer, const std::filesystem::path& folder) {
   const io::Limits limits = limits_of(run.film, layer);
   for (std::size_t k = 0; k < run.film.frames.size(); ++k) {

@@ -22,9 +22,6 @@ void require_tools(bool movie);
 /// Writes contact_sheet.svg and path.svg.
 void export_svg(const FinishedRun& run, const std::filesystem::path& folder);
 
-/// The last frame, with its own colour bar.   @return the SVG document
-std::string last_picture(const FinishedRun& run, Layer layer);
-
 /// Writes frame_0000.svg and frame_0000.png, ..., with one colour bar for all.
 /// @throws InputOutputError if a tool fails
 void export_pictures(const FinishedRun& run, Layer layer, const std::filesystem::path& folder);

@@ -4,6 +4,7 @@
 #include "apps/run_record.hpp"
 #include "apps/study_claims.hpp"
 #include "apps/terminal.hpp"
+#include "apps/text_table.hpp"
 #include "base/file.hpp"
 #include "io/claims_page.hpp"
 #include "io/row_file.hpp"
@@ -22,8 +23,10 @@ namespace {
 
 std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
 
-std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
-  using View = std::string_view;
+using View = std::string_view;
+
+/// Every mean and condition of each claim.
+std::string conditions_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
   std::string text = io::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
                                    View("verdict"), View("caveat")});
   for (const ReproducedRow& row : rows) {
@@ -37,10 +40,29 @@ std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evid
   return text;
 }
 
+/// The table that people read, a line a claim.
+std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
+  std::string text = io::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"),
+                                   View("verdict"), View("why_not"), View("verdict_in_larger_disc"), View("caveat")});
+  for (const ReproducedRow& row : rows) {
+    const std::string kind = to_string(study::row_kind(row.id));
+    const std::string verdict = to_string(row.finding.verdict);
+    const std::string why = study::why_not(row.finding);
+    const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
+    const std::string caveat = claims_caveat(row.id, evidence);
+    text += io::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
+                          View(verdict), View(why), View(larger), View(caveat)});
+  }
+  return text;
+}
+
 io::ClaimSection section(const ReproducedRow& row, const study::Evidence& evidence) {
   return {.id = row.id,
           .sentence = row.sentence,
           .published = row.published,
+          .kind = to_string(study::row_kind(row.id)),
+          .brief = row.finding.brief,
+          .why_not = study::why_not(row.finding),
           .verdict = to_string(row.finding.verdict),
           .caveat = claims_caveat(row.id, evidence),
           .ours = row.finding.ours,
@@ -72,14 +94,14 @@ std::vector<io::Fact> facts(const study::Evidence& evidence, const std::string& 
 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, io::Figure>& figures, const std::string& setting,
+                        const std::map<std::string, std::vector<io::Figure>>& figures, const std::string& setting,
                         const std::string& command) {
-  write_file(folder / fmt::format("claims-{}.csv", id), claims_csv(rows, evidence));
+  write_file(folder / fmt::format("claims-{}.csv", id), conditions_csv(rows, evidence));
+  write_file(folder / "claims.csv", claims_csv(rows, evidence));
   std::vector<io::ClaimSection> sections;
   for (const ReproducedRow& row : rows) {
     sections.push_back(section(row, evidence));
-    if (const auto figure = figures.find(row.id); figure != figures.end())
-      sections.back().figures.push_back(figure->second);
+    if (const auto figure = figures.find(row.id); figure != figures.end()) sections.back().figures = figure->second;
   }
   std::vector<study::BoxPlot> all_plots;
   for (const auto& [name, ensemble] : evidence) {
@@ -108,8 +130,22 @@ std::string reproduction_text(const std::vector<ReproducedRow>& rows, const stud
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
+    if (row.in_larger_disc)
+      text += fmt::format("    with runs that ended at the rim made again in a larger disc: {}\n      {}\n",
+                          to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief);
   }
   return text;
+}
+
+std::string reproduction_table(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
+  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "claim"}};
+  for (const ReproducedRow& row : rows) {
+    const std::string caveat = claims_caveat(row.id, evidence);
+    cells.push_back({row.id, to_string(study::row_kind(row.id)),
+                     to_string(row.finding.verdict) + (caveat.empty() ? "" : fmt::format(" ({})", caveat)),
+                     row.sentence});
+  }
+  return aligned(cells, 4) + fmt::format("{}.\n", study::bottom_line(rows));
 }
 
 std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
@@ -123,7 +159,10 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const stud
                     {"ours", row.finding.ours},
                     {"statistic", row.finding.conditions},
                     {"verdict", to_string(row.finding.verdict)},
-                    {"caveat", claims_caveat(row.id, evidence)}});
+                    {"caveat", claims_caveat(row.id, evidence)},
+                    {"kind", to_string(study::row_kind(row.id))},
+                    {"brief", row.finding.brief},
+                    {"why_not", study::why_not(row.finding)}});
   return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
                                                                                          Json::error_handler_t::replace)
          + "\n";

@@ -13,20 +13,24 @@ namespace matrigrate::apps {
 /// A row of the table of claims.
 using ReproducedRow = study::JudgedClaim;
 
-/// Writes claims-<id>.csv, boxes-<id>.svg and report-<id>.html into the folder. Beside each verdict on runs that are
-/// not the paper's stands that they are not: in the column `caveat`, and on the page.
+/// Writes claims.csv (the table), claims-<id>.csv (every mean and condition), boxes-<id>.svg and report-<id>.html into
+/// the folder. Beside each verdict on runs that are not the paper's stands that they are not: in the column `caveat`,
+/// and on the page.
 /// @param command  that made them
 /// @param figures  beside the box plots, by the id of the row they belong to
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, io::Figure>& figures, const std::string& setting,
+                        const std::map<std::string, std::vector<io::Figure>>& figures, const std::string& setting,
                         const std::string& command);
 
 /// The table for people. Where runs are not the paper's, that stands beside the verdict.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);
 
+/// The verdicts in a table, a line a row, with the bottom line.
+std::string reproduction_table(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);
+
 /// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict,
-/// caveat}]}.
+/// caveat, kind, brief, why_not}]}.
 /// @param as_published  whether replicates and parameters are the paper's; otherwise these are no verdicts on it
 std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
                               const std::string& setting, bool as_published);

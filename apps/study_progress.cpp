@@ -3,7 +3,7 @@
 #include "apps/stopped_run.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "study/table_readouts.hpp"
+#include "io/csv.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -32,7 +32,7 @@ bool is_worked_on(const fs::path& folder) {
 
 /// Simulated time of the last row of tracks.csv [s].
 double time_reached(const fs::path& folder) {
-  const std::vector<double> t = study::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
+  const std::vector<double> t = io::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
   return t.empty() ? 0.0 : t.back();
 }
 

@@ -34,11 +34,19 @@ std::string summary_html(const std::vector<ClaimSection>& claims) {
   const auto undecided = std::ranges::count(claims, std::string("undecided"), &ClaimSection::verdict);
   std::string text = fmt::format("<p>{} of {} hold{}.</p>\n", holding, claims.size(),
                                  undecided > 0 ? fmt::format(", {} undecided", undecided) : "");
-  text += "<table class=\"overview\">\n<thead><tr><th scope=\"col\">row</th><th scope=\"col\">claim</th>"
-          "<th scope=\"col\">verdict</th></tr></thead>\n<tbody>\n";
+  text += "<table class=\"checks claims\">\n<thead><tr>";
+  for (const char* column : {"row", "claim", "published", "ours", "verdict", "why not"})
+    text += fmt::format("<th scope=\"col\">{}</th>", column);
+  text += "</tr></thead>\n<tbody>\n";
+  const auto cell = [](std::string_view label, const std::string& html) {
+    return html.empty() ? std::string("<td class=\"nothing\"></td>")
+                        : fmt::format("<td data-label=\"{}\"><span>{}</span></td>", label, html);
+  };
   for (std::size_t k = 0; k < claims.size(); ++k)
-    text += fmt::format("<tr><td><a href=\"#c{}\">{}</a></td><td>{}</td><td>{}</td></tr>\n", k + 1,
-                        svg::escape(claims[k].id), svg::escape(claims[k].sentence), verdict_html(claims[k]));
+    text += fmt::format("<tr><td><a href=\"#c{}\">{}</a> {}</td>{}{}{}{}{}</tr>\n", k + 1, svg::escape(claims[k].id),
+                        svg::escape(claims[k].kind), cell("claim", svg::escape(claims[k].sentence)),
+                        cell("published", svg::escape(claims[k].published)), cell("ours", svg::escape(claims[k].brief)),
+                        cell("verdict", verdict_html(claims[k])), cell("why not", svg::escape(claims[k].why_not)));
   return text + "</tbody>\n</table>\n";
 }
 

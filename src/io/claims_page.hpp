@@ -15,6 +15,9 @@ struct ClaimSection {
   std::string id;
   std::string sentence;
   std::string published; ///< the paper's numbers; empty where it gives none
+  std::string kind{};    ///< "calibration", "predicted" or "verification"
+  std::string brief{};   ///< ours, in a line
+  std::string why_not{}; ///< in a line; empty if it holds
   std::string verdict;   ///< "holds", "does not hold" or "undecided"
   std::string caveat;    ///< beside the verdict: "not the paper's runs"; empty for nothing
   std::vector<std::string> ours;

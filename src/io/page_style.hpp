@@ -19,6 +19,9 @@ table { border-collapse: collapse; margin: 1rem 0; width: 100%; font-variant-num
 th, td { border-bottom: 1px solid #d0d7de; padding: .4rem .7rem .4rem 0; text-align: left; vertical-align: top; }
 th { border-bottom-color: #57606a; }
 td.verdict, .checks td:nth-child(2), .checks td:nth-child(3), .checks td:nth-child(4) { white-space: nowrap; }
+table.claims { font-size: .9rem; }
+.claims td:nth-child(2), .claims td:nth-child(3), .claims td:nth-child(4) { white-space: normal; }
+.claims td:nth-child(5) { white-space: nowrap; }
 .holds, .fails { font-weight: 600; }
 .holds { color: #0a5c36; }
 .fails { color: #9a1c00; }
@@ -50,6 +53,8 @@ pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #f6f8fa; paddi
   .checks td::before { content: attr(data-label); color: #57606a; }
   .checks td:first-child { display: block; font-weight: 600; }
   .checks td:first-child::before { content: none; }
+  .claims td.nothing { display: none; }
+  .claims td:nth-child(5) { white-space: normal; }
   .figures { margin: 0 -.75rem; }
   figcaption { padding: 0 .75rem; }
 }

@@ -2,7 +2,9 @@
 
 #include "study/judge.hpp"
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +18,14 @@
 /// path are sampled every 60 s, since the paper names no interval.
 /// Test: tests/unit/study/claims_test.cpp
 namespace matrigrate::study {
+
+/// What a row of the table is for: closures were chosen on calibration rows, no predicted row was looked at before they
+/// were frozen (MODEL.md, "The choice of the closures"), and verification rows test parts of the model.
+enum class RowKind { calibration, predicted, verification };
+
+/// Of a row by its id: A1 to A7 and D are for calibration, V and F for verification.
+RowKind row_kind(std::string_view id);
+std::string to_string(RowKind kind);
 
 struct Claim {
   std::string_view id;                   ///< "A1"
@@ -34,9 +44,19 @@ struct JudgedClaim {
   std::string sentence;
   std::string published;
   Finding finding;
+  std::optional<Finding> in_larger_disc{}; ///< with runs that ended at the rim made again in a larger disc
 };
 
 JudgedClaim judged(const Claim& claim, const Evidence& evidence);
+
+/// Why a claim does not hold, in a line; empty if it does.
+std::string why_not(const Finding& finding);
+
+/// "19 of 30 hold: 7 of 11 calibration, 9 of 15 predicted, 3 of 4 verification; 2 undecided"
+std::string bottom_line(const std::vector<JudgedClaim>& claims);
+
+/// The table of a page of Markdown: a row a claim, with what was published, what came out, and the verdict.
+std::string markdown_table(const std::vector<JudgedClaim>& claims);
 
 /// The parts of the table: rows on stiffness and force (A), rates and times (B), adhesion laws (C), kept numbers of
 /// protrusions without and with fibres (D, E).

@@ -119,7 +119,7 @@ std::span<const Claim> claims() {
 }
 
 JudgedClaim judged(const Claim& claim, const Evidence& evidence) {
-  return {std::string(claim.id), std::string(claim.sentence), std::string(claim.published), claim.judge(evidence)};
+  return {std::string(claim.id), std::string(claim.sentence), std::string(claim.published), claim.judge(evidence), {}};
 }
 
 } // namespace matrigrate::study

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace matrigrate::study {
@@ -50,7 +51,53 @@ void Judge::tell(Group g, std::string_view readout, const std::vector<double>& x
                      : x.size() == 1 ? fmt::format("{} at {} {:.3g} (n = 1)", readout, label(g), mean.value)
                                      : fmt::format("{} at {} {:.3g} [{:.3g}, {:.3g}] (n = {})", readout, label(g),
                                                    mean.value, mean.low, mean.high, x.size());
-  if (std::ranges::find(m_ours, text) == m_ours.end()) m_ours.push_back(std::move(text));
+  if (std::ranges::find(m_ours, text) != m_ours.end()) return;
+  m_ours.push_back(std::move(text));
+  if (!x.empty())
+    m_means.push_back({g, std::string(readout), label(g),
+                       x.size() == 1 ? fmt::format("{:.3g}", mean.value)
+                                     : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high)});
+}
+
+/// Without what a table has no room for: units of read-outs, the name of the parameter that varies, effect sizes.
+std::string Judge::shortened(std::string text) const {
+  const auto strike = [&](std::string_view what, bool at_word_end) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos;) {
+      const std::size_t end = at + what.size();
+      const bool goes_on =
+          end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_');
+      if (at_word_end && goes_on)
+        at = end;
+      else
+        text.erase(at, what.size());
+    }
+  };
+  for (const char* unit : {"_um_per_h", "_min", "_um"}) strike(unit, true);
+  for (const auto& [name, ensemble] : m_evidence)
+    for (const std::string& key : swept_keys(ensemble.study)) strike(key.substr(key.rfind('.') + 1) + " ", false);
+  for (std::size_t at; (at = text.find(", g ")) != std::string::npos;) text.erase(at, text.find(']', at) + 1 - at);
+  return text;
+}
+
+/// All means if they are few, else the first and the last of each read-out, in the order of its points.
+std::string Judge::brief() const {
+  constexpr std::size_t few = 5;
+  std::vector<std::string> parts;
+  std::vector<std::string> readouts;
+  for (const Mean& m : m_means)
+    if (std::ranges::find(readouts, m.readout) == readouts.end()) readouts.push_back(m.readout);
+  for (const std::string& readout : readouts) {
+    std::vector<const Mean*> of;
+    for (const Mean& m : m_means)
+      if (m.readout == readout) of.push_back(&m);
+    std::ranges::stable_sort(of, {}, [](const Mean* m) { return std::pair(m->group.study, m->group.point); });
+    if (m_means.size() > few && of.size() > 2) of = {of.front(), of.back()};
+    std::vector<std::string> values;
+    for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, shortened(m->label)));
+    parts.push_back(fmt::format("{} {}", shortened(readout), fmt::join(values, ", ")));
+  }
+  for (const std::string& other : m_others) parts.push_back(shortened(other));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 void Judge::condition(const std::string& wanted, const std::string& measured, bool defined, bool met) {
@@ -58,6 +105,11 @@ void Judge::condition(const std::string& wanted, const std::string& measured, bo
   m_met = m_met && met;
   m_conditions.push_back(defined ? fmt::format("{} ({}): {}", wanted, measured, met ? "met" : "not met")
                                  : fmt::format("{}: too few runs", wanted));
+  constexpr const char* too_few = "too few runs";
+  if (defined && !met)
+    m_unmet.push_back(shortened(fmt::format("{} ({})", wanted, measured)));
+  else if (!defined && std::ranges::find(m_unmet, too_few) == m_unmet.end())
+    m_unmet.emplace_back(too_few);
 }
 
 void Judge::compare(Group a, Group b, std::string_view readout, std::string_view wanted,
@@ -160,7 +212,10 @@ Judge& Judge::ratio_below(Group a, Group b, std::string_view readout, double bou
 void Judge::correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,
                       const std::function<bool(double, double)>& met) {
   const statistics::Correlation c = statistics::pearson(column(study, x), column(study, y));
-  if (std::isfinite(c.r)) m_ours.push_back(fmt::format("r of {} and {} {:.2g} (n = {})", x, y, c.r, c.n));
+  if (std::isfinite(c.r)) {
+    m_ours.push_back(fmt::format("r of {} and {} {:.2g} (n = {})", x, y, c.r, c.n));
+    m_others.push_back(m_ours.back());
+  }
   condition(fmt::format("{} and {} {} over the runs of {}", x, y, wanted, study),
             fmt::format("r {:.2g}, p {:.2g}", c.r, c.p), std::isfinite(c.p), met(c.r, c.p));
 }
@@ -179,7 +234,10 @@ Judge& Judge::uncorrelated(std::string_view study, std::string_view x, std::stri
 Judge& Judge::mean_above(std::string_view study, std::string_view readout, double bound) {
   const std::vector<double> x = statistics::finite(column(study, readout));
   const double mean = statistics::moments(x).mean;
-  if (!x.empty()) m_ours.push_back(fmt::format("mean {} {:.3g} (n = {})", readout, mean, x.size()));
+  if (!x.empty()) {
+    m_ours.push_back(fmt::format("mean {} {:.3g} (n = {})", readout, mean, x.size()));
+    m_others.push_back(m_ours.back());
+  }
   condition(fmt::format("mean {} over the runs of {} is above {:.3g}", readout, study, bound),
             fmt::format("{:.3g}", mean), x.size() > 1, mean > bound);
   return *this;
@@ -188,7 +246,10 @@ Judge& Judge::mean_above(std::string_view study, std::string_view readout, doubl
 Judge& Judge::none_above(std::string_view study, std::string_view readout, double bound) {
   const std::vector<double> x = statistics::finite(column(study, readout));
   const double most = x.empty() ? NAN : *std::ranges::max_element(x);
-  if (!x.empty()) m_ours.push_back(fmt::format("largest {} {:.3g} (n = {})", readout, most, x.size()));
+  if (!x.empty()) {
+    m_ours.push_back(fmt::format("largest {} {:.3g} (n = {})", readout, most, x.size()));
+    m_others.push_back(m_ours.back());
+  }
   condition(fmt::format("largest {} over the runs of {} is at most {:.3g}", readout, study, bound),
             fmt::format("{:.3g}", most), x.size() > 1, most <= bound);
   return *this;
@@ -198,7 +259,7 @@ Finding Judge::finding() const {
   const Verdict verdict = !m_defined || m_conditions.empty() ? Verdict::undecided
                           : m_met                            ? Verdict::holds
                                                              : Verdict::does_not_hold;
-  return {verdict, m_ours, m_conditions};
+  return {verdict, m_ours, m_conditions, brief(), verdict == Verdict::holds ? std::vector<std::string>{} : m_unmet};
 }
 
 std::string to_string(Verdict verdict) {

@@ -35,6 +35,8 @@ struct Finding {
   Verdict verdict = Verdict::undecided;
   std::vector<std::string> ours;       ///< means with their 95 % intervals
   std::vector<std::string> conditions; ///< each with its statistic, and whether it is met
+  std::string brief{};                 ///< ours in a line, for a table
+  std::vector<std::string> unmet{};    ///< why it does not hold: the conditions that are not met, shortened
 };
 
 enum class Sign { up, down };
@@ -80,16 +82,29 @@ private:
   std::string label(Group g) const;
   void tell(Group g, std::string_view readout, const std::vector<double>& x);
   void condition(const std::string& wanted, const std::string& measured, bool defined, bool met);
+  std::string shortened(std::string text) const;
+  std::string brief() const;
   void compare(Group a, Group b, std::string_view readout, std::string_view wanted,
                const std::function<bool(double difference, double p)>& met);
   void correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,
                  const std::function<bool(double r, double p)>& met);
 
+  /// A mean that a condition is about.
+  struct Mean {
+    Group group;
+    std::string readout;
+    std::string label;
+    std::string value; ///< with its interval
+  };
+
   const Evidence& m_evidence;
+  std::vector<Mean> m_means;
+  std::vector<std::string> m_others; ///< correlations, and numbers over all runs of a study
   bool m_defined = true;
   bool m_met = true;
   std::vector<std::string> m_ours;
   std::vector<std::string> m_conditions;
+  std::vector<std::string> m_unmet;
 };
 
 std::string to_string(Verdict verdict);

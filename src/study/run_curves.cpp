@@ -1,11 +1,11 @@
 #include "study/run_curves.hpp"
 
 #include "base/file.hpp"
+#include "io/csv.hpp"
 #include "io/plot.hpp"
 #include "io/svg.hpp"
 #include "io/table.hpp"
 #include "statistics/sample.hpp"
-#include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
 
@@ -35,32 +35,14 @@ struct CurveRow {
   std::string label;
 };
 
-/// The label at the end of a row, out of its quotes.
-std::string unquoted(std::string_view field) {
-  if (!field.starts_with('"')) return std::string(field);
-  std::string text;
-  for (std::size_t k = 1; k + 1 < field.size(); ++k) {
-    text += field[k];
-    if (field[k] == '"') ++k; // doubled
-  }
-  return text;
-}
-
-/// The rows of a table, its header left out: so many numbers each, then the label.
-std::vector<CurveRow> rows_of(std::string_view csv, std::size_t numbers) {
+/// The rows of a table: numbers, then the label.
+std::vector<CurveRow> rows_of(std::string_view csv) {
   std::vector<CurveRow> rows;
-  csv.remove_prefix(std::min(csv.find('\n') + 1, csv.size()));
-  while (!csv.empty()) {
-    const std::size_t end = std::min(csv.find('\n'), csv.size());
-    std::string_view line = csv.substr(0, end);
-    csv.remove_prefix(std::min(end + 1, csv.size()));
+  for (std::vector<std::string>& fields : io::read_csv(csv).rows) {
     CurveRow& row = rows.emplace_back();
-    for (std::size_t k = 0; k < numbers; ++k) {
-      const std::size_t comma = std::min(line.find(','), line.size());
-      row.numbers.push_back(csv_number(line.substr(0, comma)));
-      line.remove_prefix(std::min(comma + 1, line.size()));
-    }
-    row.label = unquoted(line);
+    row.label = std::move(fields.back());
+    fields.pop_back();
+    for (const std::string& field : fields) row.numbers.push_back(io::csv_number(field));
   }
   return rows;
 }
@@ -85,9 +67,9 @@ std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t po
   for (const Result& result : results) {
     if (result.run.point != point || !result.standing.done()) continue;
     const std::string table = read_file(run_folder(study_folder, result.run) / "msd.csv", largest_table);
-    const std::vector<double> here = csv_column(table, "lag_s");
+    const std::vector<double> here = io::csv_column(table, "lag_s");
     if (runs.empty() || here.size() < lags.size()) lags = here;
-    runs.push_back(csv_column(table, "msd_um2"));
+    runs.push_back(io::csv_column(table, "msd_um2"));
   }
   std::vector<MeanMsd> means;
   for (std::size_t k = 0; k < lags.size(); ++k) {
@@ -104,9 +86,9 @@ std::string paths_csv(const Study& study, const std::vector<Result>& results,
   std::string csv = "replicate,t_s,x_um,y_um,point\n";
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
     const std::string table = read_file(folder / "tracks.csv", largest_table);
-    const std::vector<double> t = csv_column(table, "t_s");
-    const std::vector<double> x = csv_column(table, "x_um");
-    const std::vector<double> y = csv_column(table, "y_um");
+    const std::vector<double> t = io::csv_column(table, "t_s");
+    const std::vector<double> x = io::csv_column(table, "x_um");
+    const std::vector<double> y = io::csv_column(table, "y_um");
     for (std::size_t k = 0; k < t.size(); ++k) {
       if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
       csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
@@ -131,9 +113,9 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
   std::string csv = "replicate,length_um,f_mat,f_adh_rel,point\n";
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
     const std::string table = read_file(folder / "protrusions.csv", largest_table);
-    const std::vector<double> length = csv_column(table, "length_um");
-    const std::vector<double> f_mat = csv_column(table, "f_mat");
-    const std::vector<double> force = csv_column(table, "f_adh_rel");
+    const std::vector<double> length = io::csv_column(table, "length_um");
+    const std::vector<double> f_mat = io::csv_column(table, "f_mat");
+    const std::vector<double> force = io::csv_column(table, "f_adh_rel");
     for (std::size_t k = 0; k < force.size(); ++k)
       if (std::isfinite(force[k]))
         csv += fmt::format("{},{:.2f},{:.3f},{:.3f},{}\n", r.run.replicate, length[k], f_mat[k], force[k],
@@ -143,7 +125,7 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
 }
 
 std::string paths_svg(std::string_view paths_csv) {
-  const auto groups = by_label(rows_of(paths_csv, 4));
+  const auto groups = by_label(rows_of(paths_csv));
   double extent = 1.0;
   for (const auto& [label, rows] : groups)
     for (const CurveRow& row : rows) extent = std::max({extent, std::abs(row.numbers[2]), std::abs(row.numbers[3])});
@@ -168,7 +150,7 @@ std::string msd_svg(std::string_view msd_csv) {
   io::Plot plot{
       .title = "Mean square displacement, mean over the runs", .x_label = "lag [min]", .y_label = "MSD [um^2]"};
   plot.log_x = plot.log_y = true;
-  for (const auto& [label, rows] : by_label(rows_of(msd_csv, 4))) {
+  for (const auto& [label, rows] : by_label(rows_of(msd_csv))) {
     io::Series& series = plot.series.emplace_back(io::Series{.label = label});
     for (const CurveRow& row : rows) {
       series.x.push_back(row.numbers[0] / 60.0);
@@ -182,7 +164,7 @@ std::string adhesions_svg(std::string_view adhesions_csv) {
   io::Plot plot{.title = "Relative force f_adh_rel at the end of adhesions",
                 .x_label = "f_adh_rel [-]",
                 .y_label = "share below it [-]"};
-  for (const auto& [label, rows] : by_label(rows_of(adhesions_csv, 4))) {
+  for (const auto& [label, rows] : by_label(rows_of(adhesions_csv))) {
     std::vector<double> forces;
     for (const CurveRow& row : rows) forces.push_back(row.numbers[3]);
     std::ranges::sort(forces);

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "io/checkpoint.hpp"
-#include "study/table_readouts.hpp"
+#include "io/csv.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr std::size_t largest_table = std::size_t{1} << 28U;
 constexpr std::size_t path_points = 100;
 
 std::vector<double> column(const std::filesystem::path& file, std::string_view name) {
-  return csv_column(read_file(file, largest_table), name);
+  return io::csv_column(read_file(file, largest_table), name);
 }
 
 /// At most path_points of a path, the last one among them.

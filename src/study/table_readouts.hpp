@@ -2,9 +2,7 @@
 
 #include <array>
 #include <filesystem>
-#include <string>
 #include <string_view>
-#include <vector>
 
 /// Read-outs of a run that claims of the paper need and that its tables hold: shares, which are no means of a run.
 /// Test: tests/unit/study/comparison_test.cpp
@@ -21,11 +19,5 @@ std::array<std::string_view, 2> table_readout_names();
 /// @return  in the order of the names; NaN where there is nothing to take a share of
 /// @throws InputOutputError if a table cannot be read
 std::array<double, 2> table_readouts(const std::filesystem::path& folder);
-
-/// The number at the start of a CSV field, NaN of an empty one.
-double csv_number(std::string_view field);
-
-/// Numbers of a column of a CSV text as this program writes it, NaN for empty fields; empty if there is no such column.
-std::vector<double> csv_column(std::string_view text, std::string_view column);
 
 } // namespace matrigrate::study

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 
 namespace matrigrate::study {
@@ -144,6 +145,36 @@ TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
     }
     EXPECT_NE(claim.judge(e).verdict, Verdict::undecided) << claim.id;
   }
+}
+
+TEST(Claims, AreThirtyWithThePartsAndHaveAKind) {
+  std::map<RowKind, int> kinds;
+  for (const Claim& claim : claims()) ++kinds[row_kind(claim.id)];
+  EXPECT_EQ(kinds[RowKind::calibration], 11);
+  EXPECT_EQ(kinds[RowKind::predicted], 15);
+  EXPECT_EQ(kinds[RowKind::verification], 0);
+  EXPECT_EQ(row_kind("V2"), RowKind::verification);
+  EXPECT_EQ(row_kind("A7"), RowKind::calibration);
+  EXPECT_EQ(row_kind("A8"), RowKind::predicted);
+}
+
+TEST(Claims, TableSaysWhyNot) {
+  const Evidence e = evidence(f, apart);
+  const Group a{"s", 0};
+  const Group b{"s", 1};
+  Judge judge(e);
+  judge.differs(a, b, f, Sign::up).same(a, b, f);
+  const JudgedClaim no{"A1", "f_mat rises and does not", "1 to 2", judge.finding(), {}};
+  const JudgedClaim yes{"B1", "f_mat rises", "", Judge(e).differs(a, b, f, Sign::up).finding(), {}};
+  EXPECT_EQ(no.finding.brief, "f_mat 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
+  EXPECT_EQ(why_not(no.finding),
+            "f_mat at n_prot 2 not significantly different from that at n_prot 1 (difference 1 [0.777, 1.22], p 3.4e-05)");
+  EXPECT_EQ(why_not(yes.finding), "");
+  EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted");
+  const std::string table = markdown_table({no, yes});
+  EXPECT_NE(table.find("| A1 | calibration | f_mat rises and does not | 1 to 2 | f_mat 1.15"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("| **holds** |  |\n"), std::string::npos) << table;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "studies.hpp"
 
+#include "io/csv.hpp"
 #include "study/box_plot.hpp"
 #include "study/comparison.hpp"
 #include "study/table_readouts.hpp"
@@ -86,13 +87,13 @@ TEST(Results, LabelsAreNoFormulas) {
 
 TEST(Results, NumbersOfAColumn) {
   const std::string csv = "a,b_um,c\n1,2.5,x\n,,y\n3,-1e-3,z\n";
-  const auto b = csv_column(csv, "b_um");
+  const auto b = io::csv_column(csv, "b_um");
   ASSERT_EQ(b.size(), 3U);
   EXPECT_EQ(b[0], 2.5);
   EXPECT_TRUE(std::isnan(b[1]));
   EXPECT_EQ(b[2], -1e-3);
-  EXPECT_TRUE(csv_column(csv, "d").empty());
-  EXPECT_TRUE(csv_column("", "a").empty());
+  EXPECT_TRUE(io::csv_column(csv, "d").empty());
+  EXPECT_TRUE(io::csv_column("", "a").empty());
 }
 
 TEST(BoxPlot, DrawsEachSample) {

@@ -1,0 +1,130 @@
+#include "apps/reproduce_evidence.hpp"
+
+#include "apps/folder_lock.hpp"
+#include "apps/shipped_studies.hpp"
+#include "apps/study_files.hpp"
+#include "apps/study_verbs.hpp"
+#include "apps/terminal.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/write.hpp"
+#include "simulation/start_rules.hpp"
+#include "study/read_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace matrigrate::apps {
+
+namespace {
+
+bool ended_at_rim(const study::Result& r) { return r.standing.reason.find("clamped rim") != std::string::npos; }
+bool crossed_itself(const study::Result& r) { return r.standing.reason.find("cross") != std::string::npos; }
+
+/// Computes those of the given runs that are missing.
+/// @throws Stopped, InputOutputError
+void compute_missing(const StudyFolder& study, const std::vector<std::size_t>& runs, const ReproduceOptions& options) {
+  make_study_folder(study.folder);
+  const FolderLock lock(study.folder, FolderLock::Kind::alone);
+  write_study(study);
+  const bool quiet = options.quiet || options.json || options.markdown;
+  if (!quiet)
+    print_error(fmt::format("{}: {} points x {} replicates\n", study.study.title, study.study.points.size(),
+                            study.study.replicates));
+  const PoolOutcome outcome = compute(study, runs, {.jobs = job_count(options.jobs), .quiet = quiet});
+  const std::string troubles = troubles_text(study, outcome.troubles);
+  if (!troubles.empty()) print_error(troubles);
+  if (outcome.signal != 0) throw Stopped{outcome.signal};
+  if (outcome.cannot_write)
+    throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
+}
+
+/// Runs again, in a larger disc, those that ended at the rim. @return all results, these replaced; none if there were
+/// none
+std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::vector<study::Result>& results,
+                                          std::string_view name, const ReproduceOptions& options) {
+  if (std::ranges::none_of(results, ended_at_rim)) return {};
+  ReproduceOptions larger = options;
+  larger.overrides.push_back(
+      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
+  const StudyFolder second =
+      planned(shipped(name, larger), std::filesystem::path(options.folder) / fmt::format("{}-larger-disc", name));
+  std::vector<std::size_t> runs;
+  for (std::size_t k = 0; k < second.runs.size(); ++k)
+    if (std::ranges::any_of(results, [&](const study::Result& r) {
+          return ended_at_rim(r) && r.run.point == second.runs[k].point && r.run.replicate == second.runs[k].replicate;
+        }))
+      runs.push_back(k);
+  compute_missing(second, runs, larger);
+  std::vector<study::Result> all = results;
+  for (study::Result& r : study::results(second.study, second.runs, second.folder)) {
+    const auto same = std::ranges::find_if(
+        all, [&](const study::Result& a) { return a.run.point == r.run.point && a.run.replicate == r.run.replicate; });
+    if (ended_at_rim(*same)) *same = std::move(r);
+  }
+  return all;
+}
+
+/// The kept results of a study; the study without runs if there are none.
+void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceOptions& options) {
+  constexpr std::size_t largest_table = std::size_t{1} << 28U;
+  const std::filesystem::path file = std::filesystem::path(options.from) / fmt::format("{}-results.csv", name);
+  if (!std::filesystem::exists(file)) return;
+  study::Study study = shipped(name, options);
+  auto results = study::read_results(study, read_file(file, largest_table), file.string());
+  evidence.emplace(name, study::Ensemble{std::move(study), std::move(results)});
+}
+
+} // namespace
+
+study::Study shipped(std::string_view name, const ReproduceOptions& options) {
+  study::Changes changes{options.overrides, options.replicates, start_rules()};
+  changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
+  const auto all = shipped_studies();
+  const auto found = std::ranges::find(all, name, &ShippedStudy::name);
+  return study::parse_study(found->text, fmt::format("studies/{}.toml", name), ".", changes);
+}
+
+Gathered gathered(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options) {
+  std::vector<std::string_view> names;
+  for (const study::Claim* claim : claims)
+    for (const std::string_view name : claim->studies)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  Gathered all;
+  std::vector<std::pair<StudyFolder, Collected>> collected;
+  for (const std::string_view name : names) {
+    if (!options.from.empty()) {
+      add_kept(all.evidence, name, options);
+      continue;
+    }
+    StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
+    std::vector<std::size_t> runs(study.runs.size());
+    std::iota(runs.begin(), runs.end(), std::size_t{0});
+    compute_missing(study, runs, options);
+    Collected tables = collect_tables(study);
+    if (auto larger = in_larger_disc(study, tables.results, name, options); !larger.empty())
+      all.larger.emplace(name, study::Ensemble{study.study, std::move(larger)});
+    all.evidence.emplace(name, study::Ensemble{study.study, tables.results});
+    collected.emplace_back(std::move(study), std::move(tables));
+  }
+  for (const auto& [study, tables] : collected) write_study_report(study, tables); // claims may need several studies
+  return all;
+}
+
+std::string ends_text(const study::Evidence& evidence) {
+  std::string text;
+  for (const auto& [name, ensemble] : evidence) {
+    const auto count = [&](const auto& condition) { return std::ranges::count_if(ensemble.results, condition); };
+    const auto finished = count([](const study::Result& r) { return r.standing.done(); });
+    const auto rim = count(ended_at_rim);
+    const auto crossing = count(crossed_itself);
+    const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
+    text += fmt::format("{}: {} of {} runs done; {} ended at the rim, {} by crossing themselves, {} otherwise\n", name,
+                        finished, all, rim, crossing, all - finished - rim - crossing);
+  }
+  return text;
+}
+
+} // namespace matrigrate::apps

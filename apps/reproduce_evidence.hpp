@@ -1,0 +1,35 @@
+#pragma once
+
+#include "apps/reproduce_options.hpp"
+#include "study/claims.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the studies behind claims have come to. Test: tests/apps/reproduce_test.cpp
+namespace matrigrate::apps {
+
+/// The evidence, and a second one in which runs that ended at the rim are replaced by the same ones (point, seed) in a
+/// disc of larger_disc times the radius; that has only studies with such runs.
+struct Gathered {
+  study::Evidence evidence;
+  study::Evidence larger;
+};
+
+inline constexpr double larger_disc = 1.5;
+
+/// A shipped study with the settings of the options.
+/// @throws ConfigurationError if an override is wrong
+study::Study shipped(std::string_view name, const ReproduceOptions& options);
+
+/// Computes what is missing of the studies that claims need, each in its own folder; with options.from reads
+/// <study>-results.csv of that folder in place of it, where it is there.
+/// @throws Stopped after a signal
+/// @throws InputOutputError if a run cannot write its files, or a table cannot be read
+Gathered gathered(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options);
+
+/// "stiffness: 60 runs, 60 done; 0 ended at the rim, 0 crossing themselves, 0 otherwise", a line a study.
+std::string ends_text(const study::Evidence& evidence);
+
+} // namespace matrigrate::apps

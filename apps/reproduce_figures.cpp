@@ -1,0 +1,112 @@
+#include "apps/reproduce_figures.hpp"
+
+#include "apps/finished_run.hpp"
+#include "base/file.hpp"
+#include "study/box_plot.hpp"
+#include "study/run_curves.hpp"
+#include "study/run_shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Figures = std::map<std::string, std::vector<io::Figure>>;
+
+constexpr std::size_t largest_table = std::size_t{1} << 28U;
+constexpr std::string_view fibre_study = "kept-protrusions-fibres";
+
+/// A figure of a study that is drawn from a table, and the first row of the claims that it belongs to.
+struct Drawn {
+  std::string_view table, caption;
+  std::string (*draw)(std::string_view csv);
+};
+constexpr std::array<Drawn, 4> drawn{{{"paths", "Paths of the centre of mass from a common origin", study::paths_svg},
+                                      {"shapes", "Shapes of three cells at the end of their paths", study::shapes_svg},
+                                      {"msd", "Mean square displacement", study::msd_svg},
+                                      {"adhesions", "Relative force at the end of adhesions", study::adhesions_svg}}};
+
+/// The row beside which the figures of a study stand.
+std::string row_of(std::string_view study) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> rows{{{"stiffness", "A1"},
+                                                                               {"contraction", "A8"},
+                                                                               {"initiation-rate", "B1"},
+                                                                               {"disassembly-rate", "B3"},
+                                                                               {"growth-time", "B4"},
+                                                                               {"sensitive-adhesions", "C2"},
+                                                                               {"insensitive-adhesions", "C3"},
+                                                                               {"kept-protrusions", "D1"},
+                                                                               {"kept-protrusions-fibres", "E1"}}};
+  const auto* found = std::ranges::find(rows, study, &std::pair<std::string_view, std::string_view>::first);
+  return found == rows.end() ? std::string() : std::string(found->second);
+}
+
+io::Figure figure(std::string_view study, const Drawn& kind, const std::string& csv) {
+  return {fmt::format("{}-{}", study, kind.table), fmt::format("{} ({})", kind.caption, study), kind.draw(csv)};
+}
+
+io::Figure fibre_stress(const std::string& csv, double spacing) {
+  return {"fibre-stress", "Von Mises stress of the fibres on the solid matrix, at the end of one run (Fig 13)",
+          study::fibre_stress_svg(csv, spacing)};
+}
+
+/// The film of the first run with two protrusions among fibres that is done; empty if there is none.
+io::Film film_among_fibres(const study::Ensemble& ensemble, const ReproduceOptions& options) {
+  constexpr std::size_t two_protrusions = 1;
+  const auto one = std::ranges::find_if(
+      ensemble.results, [](const auto& r) { return r.run.point == two_protrusions && r.standing.done(); });
+  if (one == ensemble.results.end()) return {};
+  return read_run(study::run_folder(std::filesystem::path(options.folder) / fibre_study, one->run)).film;
+}
+
+} // namespace
+
+Figures draw_runs(const study::Evidence& evidence, const ReproduceOptions& options) {
+  Figures figures;
+  for (const auto& [name, ensemble] : evidence) {
+    const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
+    const std::string shapes = study::shapes_csv(ensemble.study, ensemble.results, folder);
+    write_file(folder / "shapes.csv", shapes);
+    write_file(folder / "shapes.svg", study::shapes_svg(shapes));
+    write_file(folder / "centres.csv", study::centres_csv(ensemble.study, ensemble.results, folder));
+    for (const Drawn& kind : drawn)
+      figures[row_of(name)].push_back(
+          figure(name, kind, read_file(folder / fmt::format("{}.csv", kind.table), largest_table)));
+  }
+  if (const auto found = evidence.find(fibre_study); found != evidence.end())
+    if (const io::Film film = film_among_fibres(found->second, options); !film.frames.empty()) {
+      const std::string csv = study::fibre_stress_csv(film);
+      figures["E5"].push_back(fibre_stress(csv, film.head.spacing));
+      write_file(std::filesystem::path(options.folder) / "fibre-stress.csv", csv);
+      write_file(std::filesystem::path(options.folder) / "fibre-stress.svg", figures["E5"].back().svg);
+    }
+  return figures;
+}
+
+Figures draw_kept(const study::Evidence& evidence, const ReproduceOptions& options) {
+  Figures figures;
+  const std::filesystem::path from = options.from;
+  const std::filesystem::path to = options.folder;
+  for (const auto& [name, ensemble] : evidence) {
+    write_file(to / fmt::format("{}.svg", name), study::boxes_svg(ensemble.study, ensemble.results));
+    for (const Drawn& kind : drawn) {
+      const std::filesystem::path table = from / fmt::format("{}-{}.csv", name, kind.table);
+      if (!std::filesystem::exists(table)) continue;
+      figures[row_of(name)].push_back(figure(name, kind, read_file(table, largest_table)));
+      write_file(to / fmt::format("{}-{}.svg", name, kind.table), figures[row_of(name)].back().svg);
+    }
+  }
+  const auto fibres = evidence.find(fibre_study);
+  if (fibres != evidence.end() && std::filesystem::exists(from / "fibre-stress.csv")) {
+    figures["E5"].push_back(fibre_stress(read_file(from / "fibre-stress.csv", largest_table),
+                                         fibres->second.study.base.ecm.particle_spacing));
+    write_file(to / "fibre-stress.svg", figures["E5"].back().svg);
+  }
+  return figures;
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Reading of CSV as this program writes it (csv_line, csv_text, to_csv). Test: tests/unit/io/csv_test.cpp
+namespace matrigrate::io {
+
+/// A table of text: a header, and rows as long as it.
+struct CsvTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+
+  /// Where a column is; nothing if there is none of that name.
+  std::optional<std::size_t> column(std::string_view name) const;
+};
+
+/// @throws InputOutputError naming the line, if a row is not as long as the header or a quote is not closed
+CsvTable read_csv(std::string_view text);
+
+/// The number at the start of a field, NaN of an empty one.
+double csv_number(std::string_view field);
+
+/// Numbers of a column of a CSV text without quoted fields before it, NaN for empty fields; empty if there is no such
+/// column.
+std::vector<double> csv_column(std::string_view text, std::string_view column);
+
+} // namespace matrigrate::io

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "study/results.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The results of a study from its results.csv alone, where its runs are no longer there: so that claims can be judged
+/// anew by what was kept of them. Test: tests/unit/study/read_results_test.cpp
+namespace matrigrate::study {
+
+/// All rows, point by point: name, seed, status, fingerprint and read-outs of each run. Read-outs without a column are
+/// NaN; columns that are no read-outs are passed over.
+/// @param name  stands for the file in messages
+/// @throws InputOutputError if the text is no results.csv of this study: no table, a column missing, a label that is no
+///         point's, or a number of runs other than the study's
+std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name);
+
+} // namespace matrigrate::study

@@ -1,0 +1,57 @@
+#include "study/read_results.hpp"
+
+#include "base/failure.hpp"
+#include "studies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace matrigrate::study {
+namespace {
+
+const std::string sweep = "[sweep]\necm.youngs_modulus = [50, 200]\n";
+
+/// Three runs a point; the last one has failed.
+std::vector<Result> made(const Study& study) {
+  std::vector<Result> all = results_of("f_mat", {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}});
+  all[1].run.seed = 9007199254740991; // the largest there is
+  all[1].standing.trajectory_hash = "0123456789abcdef";
+  all.back().standing.status = "failed";
+  all.back().standing.reason = "the cell has reached the clamped rim, at (1, 2) um";
+  all.back().readouts.assign(all.back().readouts.size(), NAN);
+  EXPECT_EQ(all.size(), study.runs());
+  return all;
+}
+
+TEST(ReadResults, GivesBackWhatWasWritten) {
+  const Study study = read(sweep);
+  const std::vector<Result> all = made(study);
+  const std::string csv = results_csv(study, all);
+  const std::vector<Result> again = read_results(study, csv, "r.csv");
+  EXPECT_EQ(results_csv(study, again), csv);
+  EXPECT_EQ(again[1].run.seed, all[1].run.seed);
+  EXPECT_EQ(again[1].standing.trajectory_hash, "0123456789abcdef");
+  EXPECT_EQ(again[5].standing.reason, all[5].standing.reason);
+  EXPECT_EQ(sample(again, 1, "f_mat"), (std::vector<double>{0.4, 0.5}));
+}
+
+TEST(ReadResults, RefusesResultsOfAnotherStudy) {
+  const Study study = read(sweep);
+  const std::string csv = results_csv(study, made(study));
+  const auto message = [](const Study& of, const std::string& text) {
+    try {
+      read_results(of, text, "r.csv");
+    } catch (const InputOutputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message(read("[sweep]\necm.youngs_modulus = [50, 400]\n"), csv),
+            "r.csv: \"youngs_modulus 200 Pa\" is no point of the study");
+  EXPECT_EQ(message(study, csv.substr(0, csv.rfind("\n", csv.size() - 2) + 1)), "r.csv: holds 5 runs; the study has 6");
+  EXPECT_EQ(message(study, "a,b\n"), "r.csv: has no column run");
+}
+
+} // namespace
+} // namespace matrigrate::study

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, then draws the
+# figures and writes claims.csv from these copies. Studies that are not in the folder stay as they are kept.
+#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
+set -euo pipefail
+program=$(realpath "$1")
+from=$(realpath "$2")
+cd "$(dirname "$0")/.."
+to=docs/validation
+for folder in "$from"/*/; do
+  study=$(basename "$folder")
+  [ -e "studies/$study.toml" ] || continue
+  for table in results statistics paths msd adhesions shapes centres; do
+    [ ! -e "$folder/$table.csv" ] || cp "$folder/$table.csv" "$to/$study-$table.csv"
+  done
+done
+for case in fibres fibres-uniaxial disassembly; do
+  [ ! -e "$from/validate-$case/results.json" ] ||
+    sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"
+done
+for table in fields fibre-stress; do
+  [ ! -e "$from/$table.csv" ] || cp "$from/$table.csv" "$to/$table.csv"
+done
+drawn=$(mktemp -d)
+trap 'rm -rf "$drawn"' EXIT
+"$program" reproduce all --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ] # some claims do not hold
+rm -f "$drawn"/boxes-*.svg
+cp "$drawn"/*.svg "$drawn/claims.csv" "$to/"
+cp "$drawn/claims-all.csv" "$to/conditions.csv"
+"$program" reproduce all --from "$to" --markdown || [ $? -eq 4 ]
