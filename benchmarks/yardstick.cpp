@@ -139,7 +139,7 @@ void compare(const Parameters& p, State s) {
   Parameters to_the_end = p;
   to_the_end.solver.tolerance = 1e-11;
   const Workspace exactly(s, to_the_end);
-  for (int k = 0; k < begun; ++k) advance(s, p, w);
+  for (int k = 0; k < begun; ++k) advance(s, p, p.run.time_step, w);
   MatrixDrag assembly; // the step's own, once more
   DragSystem A;
   SolidFields fields;
@@ -151,7 +151,7 @@ void compare(const Parameters& p, State s) {
   for (int k = 0; k < steps; ++k) {
     State before = s;
     double start = now_ms();
-    advance(s, p, w);
+    advance(s, p, p.run.time_step, w);
     step += (now_ms() - start) / steps;
     iterations += static_cast<double>(w.health.solve.iterations) / steps;
     EcmState ecm = before.ecm;

@@ -36,12 +36,12 @@ const Vec2& position(const State& s, std::size_t node) {
 }
 
 /// @throws StepTooLong if the step would make the cortex cross itself
-void require_no_crossing(const State& s, const Parameters& p, std::span<const Vec2> v) {
+void require_no_crossing(const State& s, double dt, std::span<const Vec2> v) {
   CortexState next{.x = s.cortex.x, .v = {}, .l0 = {}};
-  for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += p.run.time_step * v[s.node(i)];
+  for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += dt * v[s.node(i)];
   if (!crosses_itself(next) || crosses_itself(s.cortex)) return;
-  throw StepTooLong(fmt::format("step {} (t = {:.6g} s): the cell would cross itself in one step of {:.4g} s",
-                                s.step + 1, s.t, p.run.time_step));
+  throw StepTooLong(
+      fmt::format("step {} (t = {:.6g} s): the cell would cross itself in one step of {:.4g} s", s.step + 1, s.t, dt));
 }
 
 /// Velocities of matrix and cortex if they go on changing as in the last step.
@@ -54,7 +54,7 @@ void extrapolate(const State& s, std::vector<Vec2>& v) {
 }
 
 /// Solves A v = F into the velocities of matrix and cortex.
-void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBounds& bounds) {
+void solve_velocities(State& s, const Parameters& p, double dt, Workspace& w, const StepBounds& bounds) {
   std::vector<Vec2>& v = w.v;
   if (!bounds.tried_once) extrapolate(s, v);
   w.health.solve = w.solver->solve(w.drag, v);
@@ -63,16 +63,16 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBou
                                        "{:.3g} after {} iterations, wanted {:.3g}",
                                        s.step + 1, s.t, w.health.solve.residual, w.health.solve.iterations,
                                        solver_tolerance(p)));
-  const double furthest = bounds.furthest_move / p.run.time_step;
+  const double furthest = bounds.furthest_move / dt;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].squaredNorm() <= furthest * furthest) continue; // false for what is not a number
     throw StepTooLong(fmt::format(
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
         "beyond the limit of {:.3g} um; {}",
         s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
-        v[i].norm() * p.run.time_step, p.run.time_step, bounds.furthest_move, describe(w.limits)));
+        v[i].norm() * dt, dt, bounds.furthest_move, describe(w.limits)));
   }
-  if (!bounds.may_cross) require_no_crossing(s, p, v); // nothing from here on throws: the state may change
+  if (!bounds.may_cross) require_no_crossing(s, dt, v); // nothing from here on throws: the state may change
   s.ecm.x_drag.swap(w.x_drag);
   s.v_before = s.ecm.v;
   s.v_before.insert(s.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
@@ -81,8 +81,7 @@ void solve_velocities(State& s, const Parameters& p, Workspace& w, const StepBou
   s.cortex.v.assign(cell, v.end());
 }
 
-void advance_positions(State& s, const Parameters& p, const Workspace& w) {
-  const double dt = p.run.time_step;
+void advance_positions(State& s, const Parameters& p, double dt, const Workspace& w) {
   parallel_for(s.ecm.size(), [&](std::size_t i) { s.ecm.x[i] += dt * s.ecm.v[i]; });
   for (std::size_t i = 0; i < s.cortex.size(); ++i) s.cortex.x[i] += dt * s.cortex.v[i];
   spread_evenly(s, p.protrusion, dt);
@@ -91,17 +90,16 @@ void advance_positions(State& s, const Parameters& p, const Workspace& w) {
 
 /// Positions, density and stress. Reference neighbours give the change of F over the step, current ones its rate at the
 /// start.
-void move(State& s, const Parameters& p, Workspace& w) {
-  const double dt = p.run.time_step;
+void move(State& s, const Parameters& p, double dt, Workspace& w) {
   DensityBounds bounds;
   switch (p.ecm.formulation) {
   case Formulation::total_lagrangian:
-    advance_positions(s, p, w);
+    advance_positions(s, p, dt, w);
     bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
     break;
   case Formulation::updated_lagrangian:
     bounds = advance_current_stress(s.ecm, p.ecm, w.neighbours.pairs(), dt);
-    advance_positions(s, p, w);
+    advance_positions(s, p, dt, w);
     break;
   }
   w.health.density_bounds = bounds.below + bounds.above;
@@ -109,13 +107,13 @@ void move(State& s, const Parameters& p, Workspace& w) {
 
 /// Degradation around tips, protrusions and body, of the particles met at x(t). Tips act from where they are in the
 /// middle of the step: at its end they would run ahead of their own degradation, the more the longer the step.
-void degrade_around_cell(State& s, const Parameters& p, Workspace& w) {
+void degrade_around_cell(State& s, const Parameters& p, double dt, Workspace& w) {
   std::vector<Vec2> tips;
   for (const Protrusion& protrusion : s.protrusions)
     if (std::holds_alternative<Growing>(protrusion.phase))
       for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p.protrusion))
-        tips.push_back(s.cortex.x[i] - 0.5 * p.run.time_step * s.cortex.v[i]);
-  degrade(s.ecm, p, w.cell.met, w.cell.membership.on_protrusion, tips, p.run.time_step);
+        tips.push_back(s.cortex.x[i] - 0.5 * dt * s.cortex.v[i]);
+  degrade(s.ecm, p, w.cell.met, w.cell.membership.on_protrusion, tips, dt);
   w.health.engulfed += fluidize_engulfed(s.ecm, p, w.cell.met);
 }
 
@@ -124,14 +122,14 @@ std::vector<std::uint8_t> front_of(const State& s) {
   return s.polarization ? front(s.cortex, *s.polarization) : std::vector<std::uint8_t>(s.cortex.size(), 1);
 }
 
-void live_protrusions(State& s, const Parameters& p) {
+void live_protrusions(State& s, const Parameters& p, double dt) {
   const Vec2 centre = centroid(s.cortex);
   const std::vector<Vec2> n = normals(s.cortex);
-  deflect(s, p, p.run.time_step, n, [&](const Vec2& point) { return contains(s.cortex, point); });
-  live(s, p);
-  polarize(s, p.polarization, centre, p.run.time_step);
+  deflect(s, p, dt, n, [&](const Vec2& point) { return contains(s.cortex, point); });
+  live(s, p, dt);
+  polarize(s, p.polarization, centre, dt);
   const std::vector<std::uint8_t> of_front = front_of(s);
-  initiate(s, p, {of_front, n, centre, area(s.cortex) / initial_area(p.cell)});
+  initiate(s, p, dt, {of_front, n, centre, area(s.cortex) / initial_area(p.cell)});
   ratchet_rest_lengths(s.cortex, p.cell, membership(s, p).soft);
 }
 
@@ -147,31 +145,31 @@ void require_inside(const State& s, const Parameters& p) {
 
 } // namespace
 
-void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
-  advance(s, p, w, loads, {.furthest_move = 0.5 * p.ecm.particle_spacing});
+void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
+  advance(s, p, dt, w, loads, {.furthest_move = 0.5 * p.ecm.particle_spacing});
 }
 
-void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds) {
+void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads, const StepBounds& bounds) {
   // neighbours, and shape of the cell, at x(t)
-  w.elastic_share = elastic_share(p, w.limits);
+  w.elastic_share = elastic_share(p, dt, w.limits);
   update_neighbours(s, w);
   w.reference.update(s.ecm);
   describe_cell(s, p, w);
 
   // momentum balances, Eqs. 1 and 2: A v = F
-  assemble_drag(s, p, w);
-  assemble_forces(s, p, w, loads);
-  solve_velocities(s, p, w, bounds);
+  assemble_drag(s, p, dt, w);
+  assemble_forces(s, p, dt, w, loads);
+  solve_velocities(s, p, dt, w, bounds);
 
   // positions, density, stress
-  move(s, p, w);
+  move(s, p, dt, w);
   ++s.step;
-  s.t = (std::round(s.t / p.run.time_step) + 1.0) * p.run.time_step;
+  s.t = (std::round(s.t / dt) + 1.0) * dt; // the next multiple of dt, whatever rounding left before
 
   // events
   if (s.has_cell()) {
-    degrade_around_cell(s, p, w);
-    live_protrusions(s, p);
+    degrade_around_cell(s, p, dt, w);
+    live_protrusions(s, p, dt);
     require_inside(s, p);
   }
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
@@ -205,12 +203,11 @@ double step_to_try(const State& s, const Parameters& p, const StepLimits& limits
 /// The next step of the adaptive integrator: halved until nothing moves further than usual_move.
 void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   const double shortest = shortest_step(p);
-  Parameters now = p;
-  now.run.time_step = step_to_try(s, p, w.limits);
-  for (bool tried_once = false;; tried_once = true, now.run.time_step *= 0.5) {
-    const bool last = now.run.time_step < 1.5 * shortest;
+  double dt = step_to_try(s, p, w.limits);
+  for (bool tried_once = false;; tried_once = true, dt *= 0.5) {
+    const bool last = dt < 1.5 * shortest;
     try {
-      return advance(s, now, w, loads,
+      return advance(s, p, dt, w, loads,
                      {.furthest_move = (last ? 0.5 : usual_move) * p.ecm.particle_spacing,
                       .may_cross = last,
                       .tried_once = tried_once});
@@ -230,7 +227,7 @@ void march(State& s, const Parameters& p, Workspace& w, double t_end, const Load
     if (p.run.integrator == Integrator::adaptive)
       advance_adaptively(s, p, w, loads);
     else
-      advance(s, p, w, loads);
+      advance(s, p, p.run.time_step, w, loads);
     if (each_step && !each_step(s)) return;
   }
 }

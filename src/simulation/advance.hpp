@@ -5,12 +5,13 @@
 /// One step in time. Test: tests/physics
 namespace matrigrate {
 
-/// Advances the state by run.time_step. The order of its lines is a modelling decision: MODEL.md, "Order of a step".
+/// Advances the state by dt. The order of its lines is a modelling decision: MODEL.md, "Order of a step".
+/// @param dt     at most run.time_step, the longest step of the run [s]
 /// @param loads  forces from outside the model; none by default
 /// @throws NumericalFailure if the drag system cannot be solved, or a particle would move further in the step than half
 ///         a spacing: the state is then, bit by bit, that before the step; also if the cell has reached the rim: the
 ///         state is then that after the step
-void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads = {});
+void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads = {});
 
 /// What a step may do.
 struct StepBounds {
@@ -21,7 +22,7 @@ struct StepBounds {
 
 /// The same with other bounds.
 /// @throws StepTooLong if one is broken; the state is then, bit by bit, that before the step
-void advance(State& s, const Parameters& p, Workspace& w, const Loads& loads, const StepBounds& bounds);
+void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads, const StepBounds& bounds);
 
 /// Advances until s.t has reached t_end [s] (to within half a step), after a check of the step against step_limits().
 /// @param each_step  called after every step; returning false ends the march

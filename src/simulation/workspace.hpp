@@ -42,6 +42,7 @@ struct CellShape {
 
 /// Everything that can be thrown away: derived from State and Parameters, rebuilt at will.
 struct Workspace {
+  /// For steps of at most run.time_step.
   Workspace(const State& s, const Parameters& p);
 
   Reference reference;

@@ -29,7 +29,7 @@ bool stable(const Parameters& p, double dt) {
   SolidFields at_rest = undeformed(a.s.ecm.size());
   advance_stress(a.s.ecm, q.ecm, a.w.reference, at_rest, 1.0);
   try {
-    for (int step = 0; step < 400; ++step) advance(a.s, q, a.w);
+    for (int step = 0; step < 400; ++step) advance(a.s, q, dt, a.w);
   } catch (const NumericalFailure&) {
     return false;
   }
