@@ -9,6 +9,7 @@
 #include "ecm/viscosity.hpp"
 #include "parameters/read.hpp"
 #include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 #include "simulation/start.hpp"
 
 #include <Eigen/IterativeLinearSolvers>

@@ -82,6 +82,7 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w) {
   w.drag.links.clear();
   w.drag.directed.clear();
+  w.elastic_share = elastic_share(p, dt, w.limits);
   w.matrix_drag.forget(w.coupled_by_fibres);
   w.x_drag = s.ecm.x_drag;
   w.drag_patches.refresh(s.ecm.x, drag_lag(p, dt), w.x_drag);

@@ -4,8 +4,8 @@
 
 #include <string>
 
-/// How large an explicit step may be, and what a longer one leaves open. Test: tests/physics/advance_test.cpp; measured
-/// by `validate step-limit`.
+/// How large an explicit step may be, and what a longer one leaves open. Test:
+/// tests/unit/simulation/step_limits_test.cpp, tests/physics/advance_test.cpp; measured by `validate step-limit`.
 namespace matrigrate {
 
 /// Largest stable steps of the explicit Euler update; the drag itself is implicit and sets none.

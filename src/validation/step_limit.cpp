@@ -1,5 +1,6 @@
 #include "base/failure.hpp"
 #include "ecm/stress.hpp"
+#include "simulation/advance.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/initial.hpp"
 #include "validation/cases.hpp"

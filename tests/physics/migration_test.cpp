@@ -4,6 +4,7 @@
 #include "protrusion/maturation.hpp"
 #include "same_bits.hpp"
 #include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 #include "simulation/start.hpp"
 
 #include <gtest/gtest.h>
