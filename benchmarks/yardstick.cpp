@@ -167,7 +167,7 @@ void compare(const Parameters& p, State s) {
     if (w.health.list_builds != lists) assembly = MatrixDrag();
     lists = w.health.list_builds;
     start = now_ms();
-    assembly.assemble(before.ecm, s.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);
+    assembly.assemble(before.ecm, s.solver_memory.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);
     drag += (now_ms() - start) / steps;
     if (k % each != each - 1) continue;
     // the parts that are done in two ways, at the start of the same step
@@ -183,7 +183,8 @@ void compare(const Parameters& p, State s) {
       solves.squared_error += squared_distance(v, exact);
     }
     std::vector<Vec2> v = velocities(before);
-    for (std::size_t i = 0; i < before.v_before.size(); ++i) v[i] = 2.0 * v[i] - before.v_before[i];
+    for (std::size_t i = 0; i < before.solver_memory.v_before.size(); ++i)
+      v[i] = 2.0 * v[i] - before.solver_memory.v_before[i];
     start = now_ms();
     w.solver->solve(w.drag, v);
     drag += share * (now_ms() - start);

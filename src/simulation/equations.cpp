@@ -84,7 +84,7 @@ void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w)
   w.drag.directed.clear();
   w.elastic_share = elastic_share(p, dt, w.limits);
   w.matrix_drag.forget(w.coupled_by_fibres);
-  w.x_drag = s.ecm.x_drag;
+  w.x_drag = s.solver_memory.x_drag;
   w.drag_patches.refresh(s.ecm.x, drag_lag(p, dt), w.x_drag);
   w.matrix_drag.assemble(s.ecm, w.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
   if (!s.has_cell()) return;

@@ -23,9 +23,10 @@ const Vec2& position(const State& s, std::size_t node) {
 void extrapolate(const State& s, std::vector<Vec2>& v) {
   v = s.ecm.v;
   v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
-  if (s.v_before.size() != v.size()) return;
+  const std::vector<Vec2>& v_before = s.solver_memory.v_before;
+  if (v_before.size() != v.size()) return;
   for (std::size_t i = 0; i < v.size(); ++i)
-    if (i >= s.ecm.size() || !s.ecm.clamped[i]) v[i] = 2.0 * v[i] - s.v_before[i];
+    if (i >= s.ecm.size() || !s.ecm.clamped[i]) v[i] = 2.0 * v[i] - v_before[i];
 }
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
@@ -61,9 +62,10 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 
 /// Makes v the velocities of matrix and cortex.
 void accept(State& s, Workspace& w) {
-  s.ecm.x_drag.swap(w.x_drag);
-  s.v_before = s.ecm.v;
-  s.v_before.insert(s.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
+  SolverMemory& memory = s.solver_memory;
+  memory.x_drag.swap(w.x_drag);
+  memory.v_before = s.ecm.v;
+  memory.v_before.insert(memory.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
   const auto cell = w.v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
   s.ecm.v.assign(w.v.begin(), cell);
   s.cortex.v.assign(cell, w.v.end());

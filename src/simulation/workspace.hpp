@@ -50,7 +50,7 @@ struct Workspace {
   VerletList neighbours;
   RowPattern drag_pattern; ///< of the neighbours
   DragPatches drag_patches;
-  std::vector<Vec2> x_drag; ///< where this step takes the drag of the matrix; EcmState::x_drag once it is done [um]
+  std::vector<Vec2> x_drag; ///< where this step takes the drag of the matrix; SolverMemory::x_drag once it is done [um]
   MatrixDrag matrix_drag;
   std::vector<std::uint8_t> coupled_by_fibres; ///< 1 for each particle whose drag the fibres added to in the last step
   CellShape cell;

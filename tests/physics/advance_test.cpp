@@ -188,7 +188,7 @@ TEST(AdaptiveStep, IsNotTakenAtAllWhereItWouldBeTooLong) {
   };
   advance(s, p, p.run.time_step, w, load);
   const State before = s;
-  ASSERT_NE(s.ecm.x, s.ecm.x_drag);
+  ASSERT_NE(s.ecm.x, s.solver_memory.x_drag);
   const auto refused = advance(s, p, p.run.time_step, w, load, {.max_move = 1e-6});
   ASSERT_TRUE(refused.has_value());
   EXPECT_NE(refused->reason.find("beyond the limit of 1e-06 um"), std::string::npos) << refused->reason;
