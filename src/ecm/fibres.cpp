@@ -104,8 +104,10 @@ FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const Fi
 
 namespace {
 
-/// Lets a pair resist its change with the drag g. Pairs that have drifted out of each other's reach stay explicit.
+/// Lets particle i resist changes of its distance to j with the drag g. Pairs that have drifted out of each other's
+/// reach stay explicit.
 void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32_t j, double g) {
+  A.touched[i] = 1;
   const auto drag = static_cast<float>(g);
   if (ecm.clamped[j]) {
     A.F[i] += static_cast<double>(drag) * ecm.v[j];
@@ -119,11 +121,9 @@ void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32
 
 } // namespace
 
-std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                                           const FibreNetwork& network, double dt, std::span<Vec2> force,
-                                           DragSystem& A) {
-  if (network.empty()) return {};
-  std::vector<std::uint8_t> coupled(ecm.size(), 0);
+void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A) {
+  if (network.empty()) return;
   parallel_for(ecm.size(), [&](std::size_t i) {
     if (ecm.f[i] <= 0.0) return;
     const Vec2 u_i = ecm.displacement(i);
@@ -138,11 +138,9 @@ std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParamet
       if (s.strain <= fibres.onset || ecm.clamped[i]) continue;
       const double excess = fibre_slope(s.strain, fibres) - k_0(fibres);
       add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
-      coupled[i] = 1;
     }
     force[i] += p.thickness * ecm.f[i] * sum;
   });
-  return coupled;
 }
 
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network) {

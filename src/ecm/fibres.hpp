@@ -53,11 +53,9 @@ private:
 ///   -t_z sum_j f_i f_j w_ij T(eps_ij) |X_ij| n,   eps_ij = |x_ij|/|X_ij| - 1,
 /// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). Slopes beyond k_0 enter the drag as
 /// well, times dt, so that stiffening does not shorten the step.
-/// @param force  of all nodes   @param A  the drag system after assemble_viscosity()
-/// @return 1 for each particle whose row of A has changed, 0 for the others; empty where there are no fibres
-std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                                           const FibreNetwork& network, double dt, std::span<Vec2> force,
-                                           DragSystem& A);
+/// @param force  of all nodes   @param A  the drag system after assemble_viscosity(); rows that change are marked there
+void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A);
 
 /// Energy of all fibres of the axial law over t_z [nN].
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network);

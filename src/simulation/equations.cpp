@@ -62,11 +62,7 @@ void assemble_cell_forces(const State& s, const Parameters& p, double dt, Worksp
 } // namespace
 
 void update_neighbours(const State& s, Workspace& w) {
-  const std::span<const std::uint8_t> changed = w.neighbours.update(s.ecm.x, s.ecm.period_x);
-  if (changed.empty()) return;
-  w.drag_pattern.update(w.neighbours.pairs(), s.ecm.clamped, changed);
-  w.matrix_drag.forget(changed);
-  ++w.health.list_builds;
+  if (!w.neighbours.update(s.ecm.x, s.ecm.period_x).empty()) ++w.health.list_builds;
 }
 
 void describe_cell(const State& s, const Parameters& p, Workspace& w) {
@@ -83,10 +79,7 @@ void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w)
   w.drag.links.clear();
   w.drag.directed.clear();
   w.elastic_share = elastic_share(p, dt, w.limits);
-  w.matrix_drag.forget(w.coupled_by_fibres);
-  w.x_drag = s.solver_memory.x_drag;
-  w.drag_patches.refresh(s.ecm.x, drag_lag(p, dt), w.x_drag);
-  w.matrix_drag.assemble(s.ecm, w.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
+  w.drag_cache.assemble(s.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, drag_lag(p, dt), w.elastic_share, w.drag);
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
@@ -106,7 +99,7 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
     add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
     break;
   }
-  w.coupled_by_fibres = add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
+  add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   if (s.has_cell()) assemble_cell_forces(s, p, dt, w);
   if (loads) {

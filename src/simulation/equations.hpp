@@ -19,7 +19,7 @@ void update_neighbours(const State& s, Workspace& w);
 void describe_cell(const State& s, const Parameters& p, Workspace& w);
 
 /// Eqs. (1) and (2), left side: viscous drag of all pairs of the matrix (ecm/viscosity), of the cell in the liquid, and
-/// between both (contact/viscous). That of the matrix is taken at Workspace::x_drag (MODEL.md, D30).
+/// between both (contact/viscous). That of the matrix is taken a little behind (MODEL.md, D30).
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w);
 
 /// Eq. (2), right side: stress (ecm/stress or ecm/updated_lagrangian) and pressure of the fluid (ecm/fluid); Eq. (1),

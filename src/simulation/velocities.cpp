@@ -63,7 +63,7 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 /// Makes v the velocities of matrix and cortex.
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
-  memory.x_drag.swap(w.x_drag);
+  memory.x_drag = w.drag_cache.x_drag();
   memory.v_before = s.ecm.v;
   memory.v_before.insert(memory.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
   const auto cell = w.v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());

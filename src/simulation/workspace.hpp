@@ -1,10 +1,10 @@
 #pragma once
 
 #include "contact/proximity.hpp"
+#include "ecm/drag_cache.hpp"
 #include "ecm/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "ecm/stress.hpp"
-#include "ecm/viscosity.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
 #include "simulation/step_limits.hpp"
@@ -48,11 +48,7 @@ struct Workspace {
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
-  RowPattern drag_pattern; ///< of the neighbours
-  DragPatches drag_patches;
-  std::vector<Vec2> x_drag; ///< where this step takes the drag of the matrix; SolverMemory::x_drag once it is done [um]
-  MatrixDrag matrix_drag;
-  std::vector<std::uint8_t> coupled_by_fibres; ///< 1 for each particle whose drag the fibres added to in the last step
+  DragCache drag_cache; ///< of the matrix
   CellShape cell;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]

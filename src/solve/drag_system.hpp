@@ -55,13 +55,14 @@ struct DragTerms {
 /// F; its drag on others stands in their F and D_ii. A is symmetric, and positive definite as soon as each group of
 /// coupled nodes has a given velocity or own drag.
 struct DragSystem {
-  RowBlocks pairs;                 ///< G_ij of the matrix [nN s/um]; 0 where either node is given
-  std::vector<std::uint8_t> given; ///< 1 for each node of the matrix whose velocity is given
-  std::vector<double> diagonal;    ///< D_ii > 0, one a node; terms not included [nN s/um]
-  DragTerms<double> links;         ///< terms that treat both components alike
-  DragTerms<Vec2> directed;        ///< terms along a direction
-  std::vector<Vec2> position;      ///< of the nodes of the matrix, for solvers that are made for this system [um]
-  std::vector<Vec2> F;             ///< right-hand side [nN]
+  RowBlocks pairs;                   ///< G_ij of the matrix [nN s/um]; 0 where either node is given
+  std::vector<std::uint8_t> given;   ///< 1 for each node of the matrix whose velocity is given
+  std::vector<double> diagonal;      ///< D_ii > 0, one a node; terms not included [nN s/um]
+  std::vector<std::uint8_t> touched; ///< 1 for each row of the matrix that more than the drag of its pairs was added to
+  DragTerms<double> links;           ///< terms that treat both components alike
+  DragTerms<Vec2> directed;          ///< terms along a direction
+  std::vector<Vec2> position;        ///< of the nodes of the matrix, for solvers that are made for this system [um]
+  std::vector<Vec2> F;               ///< right-hand side [nN]
 
   std::size_t size() const { return diagonal.size(); }
 };
