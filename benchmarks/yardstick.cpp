@@ -6,7 +6,7 @@
 
 #include "ecm/deformation.hpp"
 #include "ecm/drag_cache.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "parameters/read.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/march.hpp"

@@ -2,7 +2,7 @@
 
 #include "contact/elastic.hpp"
 #include "ecm/degradation.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 
 #include <algorithm>
 

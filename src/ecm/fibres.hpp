@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ecm/law/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
@@ -11,19 +12,6 @@
 /// Strain-stiffening fibres of the matrix: springs between reference neighbours, Heck et al. 2020, Eqs. (3)-(5), and
 /// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/fibres_test.cpp
 namespace matrigrate {
-
-/// Stiffness of a fibre, Eq. (5): 0 in compression, k_0 up to eps_s, k_0 exp((strain - eps_s)/d_s) beyond [kPa].
-double fibre_stiffness(double strain, const FibreParameters& p);
-
-/// Force of a fibre over w_ij |X_ij|, per depth [kPa]: the integral of the stiffness over the strain (tangent law), or
-/// stiffness times strain (secant law). 0 in compression.
-double fibre_tension(double strain, const FibreParameters& p);
-
-/// Slope of fibre_tension() [kPa].
-double fibre_slope(double strain, const FibreParameters& p);
-
-/// Integral of fibre_tension() over the strain: energy of a fibre over w_ij |X_ij|^2, per depth [kPa].
-double fibre_energy(double strain, const FibreParameters& p);
 
 /// Whether a fibre joins neighbours that lie X apart in the reference configuration: all of them, or of a uniaxial
 /// matrix those within half_angle_deg of the direction, boundary included.

@@ -14,24 +14,14 @@ namespace {
 constexpr std::size_t lanes = RowBlocks::lanes;
 constexpr double nowhere = 1e9; // where the particles beyond the last are, out of reach of all others [um]
 
-/// What pair_drag takes, for many pairs.
-struct DragLaw {
-  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel)
-      : period_x(ecm.period_x), per_support(static_cast<float>(1.0 / kernel.support())),
-        soft(static_cast<float>(0.01 * kernel.h() * kernel.h())),
-        scale(static_cast<float>(pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {}
-  double period_x;
-  float per_support, soft, scale;
-};
-
 /// |x_ij|^2 of the eight particles from row on and their partners at a distance.
 [[gnu::always_inline]] inline void squared_distances(const double* x_i, const double* y_i, std::ptrdiff_t distance,
-                                                     const DragLaw& law, float* r2) {
-  if (law.period_x > 0.0) {
+                                                     double period_x, float* r2) {
+  if (period_x > 0.0) {
     for (std::size_t l = 0; l < lanes; ++l) {
       const Vec2 x_ij(x_i[l] - x_i[static_cast<std::ptrdiff_t>(l) + distance],
                       y_i[l] - y_i[static_cast<std::ptrdiff_t>(l) + distance]);
-      r2[l] = static_cast<float>(nearest_image(x_ij, law.period_x).squaredNorm());
+      r2[l] = static_cast<float>(nearest_image(x_ij, period_x).squaredNorm());
     }
     return;
   }
@@ -51,16 +41,14 @@ struct DragLaw {
 /// without any within reach are left out. Adds the sums over partners to D.
 /// @return the number of distances that remain
 MATRIGRATE_SIMD
-std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law, std::span<std::int32_t> distances,
-                       float* G, double* D) {
+std::size_t pair_drags(const DoubleField& x, std::size_t row, double period_x, const PairDrag<float>& law,
+                       std::span<std::int32_t> distances, float* G, double* D) {
   for (std::size_t k = 0; k < distances.size(); ++k)
-    squared_distances(x.x() + row, x.y() + row, distances[k], law, G + lanes * k);
-  const float per_support = law.per_support, soft = law.soft, scale = law.scale;
+    squared_distances(x.x() + row, x.y() + row, distances[k], period_x, G + lanes * k);
+  const PairDrag<float> drag = law; // which no store to G can change
   for (std::size_t k = 0; k < lanes * distances.size(); ++k) {
     const float r2 = G[k];
-    const float left = 1.0F - std::sqrt(r2) * per_support;
-    const float a = 0.5F * (left + std::abs(left)); // 0 beyond the support
-    G[k] = scale * (a * a * a) * (r2 / (r2 + soft));
+    G[k] = drag(std::sqrt(r2), r2);
   }
   Doubles low{}, high{};
   std::size_t count = 0;
@@ -184,11 +172,11 @@ void ViscosityRows::assemble(const EcmState& ecm, std::span<const Vec2> x, const
     m_free.resize(n);
     for (std::size_t i = 0; i < n; ++i) m_free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
   }
-  const DragLaw law(ecm, p, Kernel(p.smoothing_length));
+  const PairDrag<float> law(p, Kernel(p.smoothing_length), ecm.V0);
   const auto fill = [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
     const std::size_t row = block * lanes;
     double D[lanes];
-    const std::size_t count = pair_drags(m_x, row, law, distances, G, D);
+    const std::size_t count = pair_drags(m_x, row, ecm.period_x, law, distances, G, D);
     for (std::size_t i = row; i < std::min(row + lanes, n); ++i) {
       A.given[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0; // without partners there is no force: it stays
       A.diagonal[i] = A.given[i] ? 1.0 : D[i - row];

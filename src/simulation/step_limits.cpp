@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "base/vector.hpp"
 #include "ecm/fibres.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "ecm/viscosity.hpp"
 #include "state/initial.hpp"
 

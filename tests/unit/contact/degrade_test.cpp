@@ -1,7 +1,7 @@
 #include "contact/degrade.hpp"
 
 #include "contact/elastic.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "contact/elastic.hpp"
 
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "scene.hpp"
 
 #include <gtest/gtest.h>

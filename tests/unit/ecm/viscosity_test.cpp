@@ -31,17 +31,6 @@ struct Assembled {
 
 } // namespace
 
-TEST(PairDrag, IsThatOfEquation2) {
-  const double h = 2.6;
-  const Kernel kernel(h);
-  const Vec2 x_ij(2.0, 1.0);
-  const double r = x_ij.norm();
-  const Vec2 grad_W = kernel.W_slope(r) * x_ij;
-  EXPECT_DOUBLE_EQ(pair_drag(r * r, kernel.W_slope(r), 4.0, 1.5, 0.7, h),
-                   0.7 * 4.0 * 4.0 * (1.5 + 1.5) * (-x_ij.dot(grad_W)) / (r * r + 0.01 * h * h));
-  EXPECT_EQ(pair_drag(36.0, kernel.W_slope(6.0), 4.0, 1.0, 1.0, h), 0.0);
-}
-
 TEST(DragMatrix, IsSymmetricToTheBitAndPositiveDefinite) {
   EcmState ecm = deformed_body(EcmParameters{});
   for (std::size_t i = 0; i < 15; ++i) ecm.clamped[i] = 1;
