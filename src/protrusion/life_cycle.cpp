@@ -110,7 +110,7 @@ Circumstances circumstances(const State& s, const Protrusion& protrusion, const 
   return now;
 }
 
-void live(State& s, const Parameters& p, double dt) {
+void update_protrusions(State& s, const Parameters& p, double dt) {
   std::vector<Protrusion> alive;
   for (Protrusion& protrusion : s.protrusions) {
     const Circumstances now = circumstances(s, protrusion, p, dt);

@@ -42,6 +42,6 @@ Circumstances circumstances(const State& s, const Protrusion& protrusion, const 
 
 /// Lets every protrusion make its transition; those that end move to s.ended. Rest lengths become the lengths at the
 /// end of growth and of maturation.
-void live(State& s, const Parameters& p, double dt);
+void update_protrusions(State& s, const Parameters& p, double dt);
 
 } // namespace matrigrate

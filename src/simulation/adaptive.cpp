@@ -25,7 +25,7 @@ double max_speed(const State& s) {
 
 double step_to_try(const State& s, const Parameters& p, const StepLimits& limits) {
   const double shortest = shortest_step(p);
-  const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << most_halvings);
+  const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << max_halvings);
   double dt = at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
   constexpr double much = 1.2;
   const double max_move = much * usual_move * p.ecm.particle_spacing;

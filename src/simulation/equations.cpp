@@ -25,15 +25,15 @@ namespace matrigrate {
 namespace {
 
 /// 1/(1 + theta): the system is divided by 1 + theta, so that the drag of the matrix does not depend on the step.
-double of_step(const Workspace& w) { return 1.0 / (1.0 + w.elastic_share); }
+double of_step(const Workspace& w) { return 1.0 / (1.0 + w.theta); }
 
 /// The cortex a quarter of the step on, if it goes on as in the last one; by no more than half of what a step may move
 /// it. Lengths of protrusions depend least on the step so (MODEL.md, D12).
-CortexState a_quarter_on(CortexState c, const Parameters& p, double dt) {
-  const double furthest = 0.5 * usual_move * p.ecm.particle_spacing;
+CortexState after_a_quarter_step(CortexState c, const Parameters& p, double dt) {
+  const double max_move = 0.5 * usual_move * p.ecm.particle_spacing;
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec2 move = 0.25 * dt * c.v[i];
-    c.x[i] += std::min(1.0, furthest / std::max(furthest, move.norm())) * move;
+    c.x[i] += std::min(1.0, max_move / std::max(max_move, move.norm())) * move;
   }
   return c;
 }
@@ -49,7 +49,7 @@ void assemble_cell_forces(const State& s, const Parameters& p, double dt, Worksp
   add_bending(c, p.cell, dt, first, w.force, w.drag);
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
-  add_elastic_contact(s.ecm, c, p, w.cell.met, dt, w.force, w.drag);
+  add_elastic_contact(s.ecm, c, p, w.cell.nearby, dt, w.force, w.drag);
   add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
   const Vec2 inner = sum(std::span(w.force).subspan(first));
   add_growth(s, p.protrusion, area(c) / initial_area(p.cell), w.cell.normals, w.force);
@@ -71,19 +71,19 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
   w.cell.membership = membership(s, p);
   w.cell.normals = normals(s.cortex);
   w.cell.grid.emplace(s.cortex, reach);
-  w.cell.met = encounters(s.ecm, s.cortex, *w.cell.grid, reach);
+  w.cell.nearby = nearby_solid(s.ecm, s.cortex, *w.cell.grid, reach);
   w.cell.anchor_weights = anchor_weights(s, p.ecm);
 }
 
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w) {
   w.drag.links.clear();
   w.drag.directed.clear();
-  w.elastic_share = elastic_share(p, dt, w.limits);
-  w.drag_cache.assemble(s.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, drag_lag(p, dt), w.elastic_share, w.drag);
+  w.theta = relaxation_theta(p, dt, w.limits);
+  w.drag_cache.assemble(s.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, drag_lag(p, dt), w.theta, w.drag);
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  const CortexState c = a_quarter_on(s.cortex, p, dt);
+  const CortexState c = after_a_quarter_step(s.cortex, p, dt);
   add_viscous_contact(s.ecm, c, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length), w.drag);
 }
 

@@ -33,15 +33,15 @@ void degrade_around_cell(State& s, const Parameters& p, double dt, Workspace& w)
     if (std::holds_alternative<Growing>(protrusion.phase))
       for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p.protrusion))
         tips.push_back(s.cortex.x[i] - 0.5 * dt * s.cortex.v[i]);
-  degrade(s.ecm, p, w.cell.met, w.cell.membership.on_protrusion, tips, dt);
-  w.health.engulfed += fluidize_engulfed(s.ecm, p, w.cell.met);
+  degrade(s.ecm, p, w.cell.nearby, w.cell.membership.on_protrusion, tips, dt);
+  w.health.engulfed += fluidize_engulfed(s.ecm, p, w.cell.nearby);
 }
 
 void advance_protrusions(State& s, const Parameters& p, double dt) {
   const Vec2 centre = centroid(s.cortex);
   const std::vector<Vec2> n = normals(s.cortex);
   deflect(s, p, dt, n, [&](const Vec2& point) { return contains(s.cortex, point); });
-  live(s, p, dt);
+  update_protrusions(s, p, dt);
   polarize(s, p.polarization, centre, dt);
   const std::vector<std::uint8_t> of_front = front_of(s);
   initiate(s, p, dt, {of_front, n, centre, area(s.cortex) / initial_area(p.cell)});

@@ -111,7 +111,7 @@ StepLimits step_limits(const Parameters& p) {
   return {.elastic_s = 2.0 / elastic, .fluid_s = 2.0 / fluid};
 }
 
-double elastic_share(const Parameters& p, double dt, const StepLimits& limits) {
+double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits) {
   if (p.run.integrator == Integrator::reference) return 0.0;
   const double both = 1.0 / limits.elastic_s + 1.0 / limits.fluid_s; // where solid and fluid meet, their rates add up
   return std::max(0.0, 0.5 * dt * both - 0.4);
@@ -129,7 +129,7 @@ double drag_lag(const Parameters& p, double dt) {
 }
 
 double largest_step(const Parameters& p, const StepLimits& limits) {
-  constexpr double beyond = 4.0; // with elastic_share; further out it would govern the motion
+  constexpr double beyond = 4.0; // with relaxation_theta; further out it would govern the motion
   return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * limits.smallest();
 }
 
@@ -139,7 +139,7 @@ double rounded_down(double step) {
 }
 
 double shortest_step(const Parameters& p) {
-  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -most_halvings);
+  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -max_halvings);
 }
 
 double longest_step(const Parameters& p, const StepLimits& limits) {

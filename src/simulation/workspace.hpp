@@ -36,7 +36,7 @@ struct CellShape {
   Membership membership;
   std::vector<Vec2> normals;                ///< outward unit normals of the cortex particles
   std::optional<SegmentGrid> grid;          ///< segments within the support of the kernel
-  std::vector<Encounter> met;               ///< solid particles within the support of the kernel
+  std::vector<NearbyParticle> nearby;       ///< solid particles within the support of the kernel
   std::vector<PointWeights> anchor_weights; ///< beside State::protrusions
 };
 
@@ -55,7 +55,7 @@ struct Workspace {
   Vec2 outer_force = Vec2::Zero(); ///< their part from outside: growth, and loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
   StepLimits limits;               ///< of the explicit step
-  double elastic_share = 0.0;      ///< theta of this step, against changes of velocity; see step_limits.hpp [-]
+  double theta = 0.0;              ///< of this step, against changes of velocity; see step_limits.hpp [-]
   std::unique_ptr<DragSolver> solver;
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]

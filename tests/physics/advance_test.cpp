@@ -143,14 +143,14 @@ TEST(Advance, StopsWhenAParticleWouldLeapOverItsNeighbours) {
   EXPECT_THROW(advance(s, p, p.run.time_step, w, load), NumericalFailure);
 }
 
-TEST(ElasticShare, BearsStepsBeyondTheLimitOfTheExplicitStep) {
+TEST(RelaxationTheta, BearsStepsBeyondTheLimitOfTheExplicitStep) {
   Parameters p = small();
   p.run.time_step = 1.7 * step_limits(p).smallest();
   const StepLimits limits = step_limits(p);
-  EXPECT_EQ(elastic_share(p, p.run.time_step, limits), 0.0);
+  EXPECT_EQ(relaxation_theta(p, p.run.time_step, limits), 0.0);
   EXPECT_EQ(largest_step(p, limits), limits.smallest());
   p.run.integrator = Integrator::adaptive;
-  EXPECT_NEAR(elastic_share(p, p.run.time_step, limits),
+  EXPECT_NEAR(relaxation_theta(p, p.run.time_step, limits),
               0.5 * p.run.time_step * (1.0 / limits.elastic_s + 1.0 / limits.fluid_s) - 0.4, 1e-12);
   EXPECT_GT(largest_step(p, limits), p.run.time_step);
 

@@ -145,7 +145,7 @@ TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
   EXPECT_NE(circumstances(s, s.protrusions[0], p, dt).draw, now.draw);
 }
 
-TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
+TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
   Parameters p = small_matrix();
   p.adhesion.r_off_min = 10.0; // disassembles at once when it contracts
   State s = cell_in_matrix(p);
@@ -156,7 +156,7 @@ TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
     while (s.t < t - 0.5 * dt) {
       ++s.step;
       s.t = static_cast<double>(s.step) * dt;
-      live(s, p, dt);
+      update_protrusions(s, p, dt);
     }
   };
   const double stretched = (s.cortex.x[95] - s.cortex.x[94]).norm();
