@@ -120,7 +120,7 @@ void ViscosityRows::mark_moved(std::span<const Vec2> x, const Adjacency& pairs, 
     }
     if (all) continue;
     m_stale[block] = 1;
-    if (pattern.meets_given(block)) { // rows of clamped particles have no partners in the pattern
+    if (pattern.meets_prescribed(block)) { // rows of clamped particles have no partners in the pattern
       for (std::size_t i = row; i < end; ++i)
         for (const std::uint32_t j : pairs.of(i)) m_stale[j / lanes] = 1;
       continue;
@@ -148,7 +148,7 @@ void ViscosityRows::add_relaxation(const EcmState& ecm, double theta, DragSystem
   A.pairs.residual(A.diagonal, m_zero, m_v.matrix, m_drag);
   const double *x_drag = m_drag.x(), *y_drag = m_drag.y();
   parallel_for(n, [&](std::size_t i) {
-    if (!A.given[i]) A.F[i] -= theta / (1.0 + theta) * (A.F[i] + Vec2(x_drag[i], y_drag[i]));
+    if (!A.prescribed[i]) A.F[i] -= theta / (1.0 + theta) * (A.F[i] + Vec2(x_drag[i], y_drag[i]));
   });
 }
 
@@ -168,7 +168,7 @@ void ViscosityRows::assemble(const EcmState& ecm, std::span<const Vec2> x, const
   }
   if (clamps_move) std::ranges::fill(m_stale, std::uint8_t{1}); // their drag on others is added on the way
   if (all) {
-    A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
+    A.prescribed.assign(ecm.clamped.begin(), ecm.clamped.end());
     m_free.resize(n);
     for (std::size_t i = 0; i < n; ++i) m_free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
   }
@@ -178,10 +178,10 @@ void ViscosityRows::assemble(const EcmState& ecm, std::span<const Vec2> x, const
     double D[lanes];
     const std::size_t count = pair_drags(m_x, row, ecm.period_x, law, distances, G, D);
     for (std::size_t i = row; i < std::min(row + lanes, n); ++i) {
-      A.given[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0; // without partners there is no force: it stays
-      A.diagonal[i] = A.given[i] ? 1.0 : D[i - row];
+      A.prescribed[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0; // without partners there is no force: it stays
+      A.diagonal[i] = A.prescribed[i] ? 1.0 : D[i - row];
     }
-    if (!pattern.meets_given(block)) return count;
+    if (!pattern.meets_prescribed(block)) return count;
     if (clamps_move) add_drag_of_clamps(ecm, row, distances.first(count), G, A.F);
     return leave_out_clamps(m_free, row, distances.first(count), G);
   };

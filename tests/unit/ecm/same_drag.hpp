@@ -12,7 +12,7 @@ namespace matrigrate {
 /// The drag of the matrix, coefficient by coefficient.
 inline void expect_same(const DragSystem& a, const DragSystem& b) {
   EXPECT_EQ(a.diagonal, b.diagonal);
-  EXPECT_EQ(a.given, b.given);
+  EXPECT_EQ(a.prescribed, b.prescribed);
   EXPECT_EQ(a.F, b.F);
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::vector<std::pair<std::size_t, float>> of_a, of_b;
