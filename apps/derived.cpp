@@ -1,6 +1,6 @@
 #include "apps/derived.hpp"
 
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "state/cortex.hpp"
 #include "state/initial.hpp"
 

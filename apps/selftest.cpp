@@ -6,7 +6,7 @@
 #include "io/checkpoint.hpp"
 #include "io/trajectory_hash.hpp"
 #include "parameters/write.hpp"
-#include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 #include "simulation/start.hpp"
 
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 #include "io/checkpoint.hpp"
 #include "io/run_files.hpp"
 #include "parameters/units.hpp"
-#include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

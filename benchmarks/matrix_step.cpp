@@ -25,7 +25,7 @@ struct Pulled {
     w = std::make_unique<Workspace>(s, p);
     const PointWeights centre = solid_weights(s.ecm, Kernel(p.ecm.smoothing_length), Vec2::Zero());
     load = [centre](const State&, std::span<Vec2> force) { spread(centre, Vec2(0.06, 0.0), force); };
-    for (int k = 0; k < 10; ++k) advance(s, p, *w, load);
+    for (int k = 0; k < 10; ++k) advance(s, p, p.run.time_step, *w, load);
   }
   Parameters p;
   State s;
@@ -49,14 +49,14 @@ void neighbours(benchmark::State& state) {
 
 void assembly(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
-  for (auto _ : state) assemble_drag(a.s, a.p, *a.w);
+  for (auto _ : state) assemble_drag(a.s, a.p, a.p.run.time_step, *a.w);
   count(state, a);
 }
 
 void forces(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
   for (auto _ : state) {
-    assemble_forces(a.s, a.p, *a.w, a.load);
+    assemble_forces(a.s, a.p, a.p.run.time_step, *a.w, a.load);
     benchmark::ClobberMemory();
   }
   count(state, a);
@@ -65,8 +65,8 @@ void forces(benchmark::State& state) {
 void solve(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
   update_neighbours(a.s, *a.w);
-  assemble_drag(a.s, a.p, *a.w);
-  assemble_forces(a.s, a.p, *a.w, a.load);
+  assemble_drag(a.s, a.p, a.p.run.time_step, *a.w);
+  assemble_forces(a.s, a.p, a.p.run.time_step, *a.w, a.load);
   int iterations = 0;
   for (auto _ : state) {
     std::vector<Vec2> v = a.s.ecm.v; // warm start from the step before
@@ -86,7 +86,7 @@ void stress(benchmark::State& state) {
 
 void whole_step(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
-  for (auto _ : state) advance(a.s, a.p, *a.w, a.load);
+  for (auto _ : state) advance(a.s, a.p, a.p.run.time_step, *a.w, a.load);
   count(state, a);
 }
 

@@ -5,10 +5,11 @@
 //   matrigrate_yardstick [key=value...]
 
 #include "ecm/deformation.hpp"
-#include "ecm/material.hpp"
-#include "ecm/viscosity.hpp"
+#include "ecm/drag_cache.hpp"
+#include "ecm/law/material.hpp"
 #include "parameters/read.hpp"
 #include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 #include "simulation/start.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -139,19 +140,18 @@ void compare(const Parameters& p, State s) {
   Parameters to_the_end = p;
   to_the_end.solver.tolerance = 1e-11;
   const Workspace exactly(s, to_the_end);
-  for (int k = 0; k < begun; ++k) advance(s, p, w);
-  MatrixDrag assembly; // the step's own, once more
+  for (int k = 0; k < begun; ++k) advance(s, p, p.run.time_step, w);
+  DragCache assembly(s.ecm, p.ecm); // the step's own, once more
   DragSystem A;
   SolidFields fields;
   std::vector<Vec2> force;
-  std::size_t lists = w.health.list_builds;
   double step = 0.0, drag = 0.0, solid = 0.0, plain_solid = 0.0, iterations = 0.0;
   double squared_error = 0.0, squared_size = 0.0; // of velocities
   PlainSolves plain[] = {{.tolerance = p.solver.tolerance}, {.tolerance = 0.01 * p.solver.tolerance}};
   for (int k = 0; k < steps; ++k) {
     State before = s;
     double start = now_ms();
-    advance(s, p, w);
+    advance(s, p, p.run.time_step, w);
     step += (now_ms() - start) / steps;
     iterations += static_cast<double>(w.health.solve.iterations) / steps;
     EcmState ecm = before.ecm;
@@ -163,10 +163,8 @@ void compare(const Parameters& p, State s) {
     start = now_ms();
     advance_stress(ecm, p.ecm, w.reference, fields, p.run.time_step);
     solid += (now_ms() - start) / steps;
-    if (w.health.list_builds != lists) assembly = MatrixDrag();
-    lists = w.health.list_builds;
     start = now_ms();
-    assembly.assemble(before.ecm, s.ecm.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, A, 0.0);
+    assembly.assemble(before.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, p.ecm.drag_lag, 0.0, A);
     drag += (now_ms() - start) / steps;
     if (k % each != each - 1) continue;
     // the parts that are done in two ways, at the start of the same step
@@ -182,7 +180,8 @@ void compare(const Parameters& p, State s) {
       solves.squared_error += squared_distance(v, exact);
     }
     std::vector<Vec2> v = velocities(before);
-    for (std::size_t i = 0; i < before.v_before.size(); ++i) v[i] = 2.0 * v[i] - before.v_before[i];
+    for (std::size_t i = 0; i < before.solver_memory.v_before.size(); ++i)
+      v[i] = 2.0 * v[i] - before.solver_memory.v_before[i];
     start = now_ms();
     w.solver->solve(w.drag, v);
     drag += share * (now_ms() - start);

@@ -35,12 +35,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Something would move too far in one step.
-class StepTooLong : public NumericalFailure {
-public:
-  using NumericalFailure::NumericalFailure;
-};
-
 /// A file could not be read or written. Exit code 5.
 class InputOutputError : public std::runtime_error {
 public:

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// Some numbers side by side, computed with at once. What the compiler's own vectors cannot say stands here; loops over
-/// packs stay loops over packs, where a compiler left to itself may turn loops inside out. Functions that use them are
-/// marked MATRIGRATE_SIMD. Test: tests/unit/base/pack_test.cpp
+/// SIMD vectors of a fixed width (the vector extensions of GCC and clang) with load, store and fill. Explicit packs
+/// keep the compiler from vectorising the wrong loop. Functions that use them are marked MATRIGRATE_SIMD. Test:
+/// tests/unit/base/pack_test.cpp
 namespace matrigrate {
 
 inline constexpr std::size_t pack_bytes = 32; // a register of AVX2, two of SSE2 or NEON

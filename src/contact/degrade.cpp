@@ -2,7 +2,7 @@
 
 #include "contact/elastic.hpp"
 #include "ecm/degradation.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 
 #include <algorithm>
 
@@ -18,11 +18,11 @@ double degradation_rate(double distance, bool on_protrusion, double solid_pressu
   return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
 }
 
-void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
+void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby,
              std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt) {
   const double K = moduli(p.ecm).K;
   const double tip_reach2 = p.degradation.tip_distance * p.degradation.tip_distance;
-  for (const Encounter& e : met) {
+  for (const NearbyParticle& e : nearby) {
     const std::uint32_t k = e.particle;
     if (ecm.f[k] <= 0.0) continue;
     double rate = degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K), p);
@@ -36,9 +36,9 @@ void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
   }
 }
 
-std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const Encounter> met) {
+std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby) {
   std::size_t count = 0;
-  for (const Encounter& e : met) {
+  for (const NearbyParticle& e : nearby) {
     if (ecm.f[e.particle] <= 0.0 || e.distance >= -p.contact.deepest_solid) continue;
     fluidize(ecm, e.particle);
     ++count;

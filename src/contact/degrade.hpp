@@ -21,10 +21,10 @@ double degradation_rate(double distance, bool on_protrusion, double solid_pressu
 /// protrusions and body by degradation_rate(); the faster one counts. Particles that reach f = 0 become fluid.
 /// @param on_protrusion  1 for the segments that belong to any protrusion
 /// @param tips           positions of the pushing particles of all growing protrusions in the middle of the step [um]
-void degrade(EcmState& ecm, const Parameters& p, std::span<const Encounter> met,
+void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby,
              std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt);
 
 /// Fluidizes solid particles deeper inside the cell than contact.deepest_solid.   @return how many
-std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const Encounter> met);
+std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby);
 
 } // namespace matrigrate

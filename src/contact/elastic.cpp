@@ -1,6 +1,6 @@
 #include "contact/elastic.hpp"
 
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 
 namespace matrigrate {
 
@@ -8,11 +8,11 @@ double contact_pressure(double distance, const Parameters& p) {
   return distance < p.contact.range ? moduli(p.ecm).K * (1.0 - distance / p.contact.range) : 0.0;
 }
 
-void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, std::span<const Encounter> met,
-                         double dt, std::span<Vec2> force, DragSystem& A) {
+void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p,
+                         std::span<const NearbyParticle> nearby, double dt, std::span<Vec2> force, DragSystem& A) {
   const double width = p.ecm.particle_spacing * p.ecm.thickness; // [um^2] a unit of pressure acts on
   const double stiffness = moduli(p.ecm).K * width / p.contact.range;
-  for (const Encounter& e : met) {
+  for (const NearbyParticle& e : nearby) {
     if (e.distance >= p.contact.range) continue;
     const double f = ecm.f[e.particle];
     const auto a = static_cast<std::uint32_t>(ecm.size() + e.segment);

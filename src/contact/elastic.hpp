@@ -16,7 +16,7 @@ double contact_pressure(double distance, const Parameters& p);
 /// Adds f_degr p_c dp t_z along the normal to the particle and its reaction to the ends of the segment, linearly
 /// implicit along the normal.
 /// @param force  of all nodes, the particles of the matrix first, then those of the cortex [nN]
-void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, std::span<const Encounter> met,
-                         double dt, std::span<Vec2> force, DragSystem& A);
+void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p,
+                         std::span<const NearbyParticle> nearby, double dt, std::span<Vec2> force, DragSystem& A);
 
 } // namespace matrigrate

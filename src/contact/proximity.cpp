@@ -69,8 +69,9 @@ std::vector<std::uint32_t> SegmentGrid::candidates(std::span<const Vec2> points)
   return found;
 }
 
-std::vector<Encounter> encounters(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid, double reach) {
-  std::vector<Encounter> found;
+std::vector<NearbyParticle> nearby_solid(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid,
+                                         double reach) {
+  std::vector<NearbyParticle> found;
   for (const std::uint32_t k : grid.candidates(ecm.x)) {
     if (ecm.f[k] <= 0.0 || ecm.clamped[k]) continue;
     double d2 = reach * reach;

@@ -12,7 +12,7 @@
 namespace matrigrate {
 
 /// A solid particle (f_degr > 0) and the segment of the cortex that is closest to it.
-struct Encounter {
+struct NearbyParticle {
   std::uint32_t particle;
   std::uint32_t segment;
   double s;        ///< closest point along the segment, 0 at its first end and 1 at its second [-]
@@ -48,6 +48,7 @@ private:
 
 /// The encounters of all free solid particles within the grid's reach, in the order of the particles.
 /// @param reach  that of the grid [um]
-std::vector<Encounter> encounters(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid, double reach);
+std::vector<NearbyParticle> nearby_solid(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid,
+                                         double reach);
 
 } // namespace matrigrate

@@ -11,15 +11,6 @@ namespace matrigrate {
 
 namespace {
 
-constexpr double plane_to_space = 8.0 / 15.0; // mean cos^4 of directions in space over that in the plane
-
-double k_0(const FibreParameters& p) { return p.plane_to_space ? plane_to_space * p.stiffness : p.stiffness; }
-
-/// Growth of the stiffness beyond the onset: exp((strain - eps_s)/d_s).
-double stiffening(double strain, const FibreParameters& p) {
-  return std::exp((strain - p.onset) / p.stiffening_strain);
-}
-
 /// A fibre as it stands: strain, and x_ij of its ends.
 struct Stretched {
   double strain;
@@ -32,17 +23,6 @@ Stretched stretched(const EcmState& ecm, const FibreNetwork& network, std::size_
   return {x_ij.norm() / network.length(k) - 1.0, x_ij};
 }
 
-/// T(eps)/eps, also where the strain is 0 [kPa].
-double secant(double strain, const FibreParameters& p) {
-  return strain > 1e-12 ? fibre_tension(strain, p) / strain : k_0(p);
-}
-
-/// Pull of particle j on i over t_z f_i f_j [nN/um].
-Vec2 pull(const Stretched& s, const Vec2& X_ij, double weight, const FibreParameters& p) {
-  if (p.pull == FibreForce::vectorial) return -weight * secant(s.strain, p) * (s.x_ij - X_ij);
-  return -weight * fibre_tension(s.strain, p) / (1.0 + s.strain) * s.x_ij;
-}
-
 } // namespace
 
 bool joined(const Vec2& X, const FibreParameters& p) {
@@ -51,33 +31,6 @@ bool joined(const Vec2& X, const FibreParameters& p) {
   constexpr double boundary = 1e-9; // pairs on it belong
   const Vec2 direction(std::cos(degree * p.direction_deg), std::sin(degree * p.direction_deg));
   return std::abs(X.dot(direction)) >= (std::cos(degree * p.half_angle_deg) - boundary) * X.norm();
-}
-
-double fibre_stiffness(double strain, const FibreParameters& p) {
-  if (strain < 0.0) return 0.0;
-  return strain <= p.onset ? k_0(p) : k_0(p) * stiffening(strain, p);
-}
-
-double fibre_tension(double strain, const FibreParameters& p) {
-  if (strain <= 0.0) return 0.0;
-  if (p.law == FibreLaw::secant || strain <= p.onset) return fibre_stiffness(strain, p) * strain;
-  return k_0(p) * (p.onset + p.stiffening_strain * (stiffening(strain, p) - 1.0));
-}
-
-double fibre_slope(double strain, const FibreParameters& p) {
-  const double k = fibre_stiffness(strain, p);
-  return p.law == FibreLaw::secant && strain > p.onset ? k * (1.0 + strain / p.stiffening_strain) : k;
-}
-
-double fibre_energy(double strain, const FibreParameters& p) {
-  if (strain <= 0.0) return 0.0;
-  if (strain <= p.onset) return 0.5 * k_0(p) * strain * strain;
-  const double beyond = strain - p.onset;
-  const double d = p.stiffening_strain;
-  const double growth = stiffening(strain, p);
-  const double below = 0.5 * p.onset * p.onset;
-  if (p.law == FibreLaw::tangent) return k_0(p) * (below + (p.onset - d) * beyond + d * d * (growth - 1.0));
-  return k_0(p) * (below + d * (strain * growth - p.onset) - d * d * (growth - 1.0));
 }
 
 FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
@@ -104,8 +57,10 @@ FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const Fi
 
 namespace {
 
-/// Lets a pair resist its change with the drag g. Pairs that have drifted out of each other's reach stay explicit.
+/// Lets particle i resist changes of its distance to j with the drag g. Pairs that have drifted out of each other's
+/// reach stay explicit.
 void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32_t j, double g) {
+  A.touched[i] = 1;
   const auto drag = static_cast<float>(g);
   if (ecm.clamped[j]) {
     A.F[i] += static_cast<double>(drag) * ecm.v[j];
@@ -119,11 +74,9 @@ void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32
 
 } // namespace
 
-std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                                           const FibreNetwork& network, double dt, std::span<Vec2> force,
-                                           DragSystem& A) {
-  if (network.empty()) return {};
-  std::vector<std::uint8_t> coupled(ecm.size(), 0);
+void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A) {
+  if (network.empty()) return;
   parallel_for(ecm.size(), [&](std::size_t i) {
     if (ecm.f[i] <= 0.0) return;
     const Vec2 u_i = ecm.displacement(i);
@@ -134,15 +87,13 @@ std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParamet
       const double length = network.length(k);
       if (x_ij.squaredNorm() <= length * length || ecm.f[j] <= 0.0) continue; // slack
       const Stretched s{x_ij.norm() / length - 1.0, x_ij};
-      sum += ecm.f[j] * pull(s, network.X_ij(k), network.weight(k), fibres);
+      sum += ecm.f[j] * fibre_pull(s.strain, s.x_ij, network.X_ij(k), network.weight(k), fibres);
       if (s.strain <= fibres.onset || ecm.clamped[i]) continue;
       const double excess = fibre_slope(s.strain, fibres) - k_0(fibres);
       add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
-      coupled[i] = 1;
     }
     force[i] += p.thickness * ecm.f[i] * sum;
   });
-  return coupled;
 }
 
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network) {

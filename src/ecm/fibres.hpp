@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ecm/law/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
@@ -11,19 +12,6 @@
 /// Strain-stiffening fibres of the matrix: springs between reference neighbours, Heck et al. 2020, Eqs. (3)-(5), and
 /// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/fibres_test.cpp
 namespace matrigrate {
-
-/// Stiffness of a fibre, Eq. (5): 0 in compression, k_0 up to eps_s, k_0 exp((strain - eps_s)/d_s) beyond [kPa].
-double fibre_stiffness(double strain, const FibreParameters& p);
-
-/// Force of a fibre over w_ij |X_ij|, per depth [kPa]: the integral of the stiffness over the strain (tangent law), or
-/// stiffness times strain (secant law). 0 in compression.
-double fibre_tension(double strain, const FibreParameters& p);
-
-/// Slope of fibre_tension() [kPa].
-double fibre_slope(double strain, const FibreParameters& p);
-
-/// Integral of fibre_tension() over the strain: energy of a fibre over w_ij |X_ij|^2, per depth [kPa].
-double fibre_energy(double strain, const FibreParameters& p);
 
 /// Whether a fibre joins neighbours that lie X apart in the reference configuration: all of them, or of a uniaxial
 /// matrix those within half_angle_deg of the direction, boundary included.
@@ -53,11 +41,9 @@ private:
 ///   -t_z sum_j f_i f_j w_ij T(eps_ij) |X_ij| n,   eps_ij = |x_ij|/|X_ij| - 1,
 /// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). Slopes beyond k_0 enter the drag as
 /// well, times dt, so that stiffening does not shorten the step.
-/// @param force  of all nodes   @param A  the drag system after assemble_viscosity()
-/// @return 1 for each particle whose row of A has changed, 0 for the others; empty where there are no fibres
-std::vector<std::uint8_t> add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                                           const FibreNetwork& network, double dt, std::span<Vec2> force,
-                                           DragSystem& A);
+/// @param force  of all nodes   @param A  the drag system after assemble_viscosity(); rows that change are marked there
+void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
+                      const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A);
 
 /// Energy of all fibres of the axial law over t_z [nN].
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network);

@@ -11,9 +11,9 @@
 /// Sums over reference neighbours for many particles at once. Test: tests/unit/ecm/rows_test.cpp
 namespace matrigrate {
 
-/// Consecutive particles whose sums are made at once. Partner k of all of them is as far behind in the list of
-/// particles, and lies alike: on a lattice these are its rows. Ragged rows gather what is left at the edge of a body:
-/// some of their particles lack some of the partners.
+/// A run of consecutive particles that share one stencil of neighbours: partner k has the same offset in the list of
+/// particles and the same separation for all of them. On a lattice these are its rows. Ragged rows gather the particles
+/// at the edge of a body: partners that some of them lack are masked.
 struct ParticleRow {
   static constexpr std::size_t longest = 128;
 

@@ -2,7 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "ecm/deformation.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -53,19 +53,16 @@ void advance_row(std::size_t n, std::size_t begin, const double* rho, const doub
                  const RowTensors& rate, const EcmParameters& p, double G, double dt, Advanced& to) {
   const double *Hxx = &H.xx.data()[begin], *Hxy = &H.xy.data()[begin];
   const double *Hyx = &H.yx.data()[begin], *Hyy = &H.yy.data()[begin];
-  const double least = p.density_min, most = p.density_max;
+  const double density_min = p.density_min, density_max = p.density_max;
   for (std::size_t t = 0; t < n; ++t) {
     const Tensor F{1.0 + Hxx[t], Hxy[t], Hyx[t], 1.0 + Hyy[t]};
     const Tensor L = velocity_gradient(Tensor{rate.xx[t], rate.xy[t], rate.yx[t], rate.yy[t]}, F);
-    const double density = rho[t] + dt * density_rate(rho[t], L);
-    const double raised = density < least ? least : density;
-    to.rho[t] = raised > most ? most : raised;
-    const Tensor old = stress_of(S, t);
-    const Tensor change = jaumann_rate(old, L, G);
-    to.S.xx[t] = old.xx + dt * change.xx;
-    to.S.xy[t] = old.xy + dt * change.xy;
-    to.S.yx[t] = old.yx + dt * change.yx;
-    to.S.yy[t] = old.yy + dt * change.yy;
+    const SolidStateOf<double> now = advanced({rho[t], stress_of(S, t)}, L, G, dt, density_min, density_max);
+    to.rho[t] = now.rho;
+    to.S.xx[t] = now.S.xx;
+    to.S.xy[t] = now.S.xy;
+    to.S.yx[t] = now.S.yx;
+    to.S.yy[t] = now.S.yy;
   }
 }
 
@@ -237,9 +234,10 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
 }
 
 void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt) {
-  const double rho = ecm.rho[i] + dt * density_rate(ecm.rho[i], L);
-  ecm.rho[i] = std::clamp(rho, p.density_min, p.density_max);
-  ecm.S[i] += dt * jaumann_rate(ecm.S[i], L, moduli(p).G);
+  const SolidStateOf<double> now =
+      advanced({ecm.rho[i], components(ecm.S[i])}, components(L), moduli(p).G, dt, p.density_min, p.density_max);
+  ecm.rho[i] = now.rho;
+  ecm.S[i] = matrix(now.S);
 }
 
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "ecm/reference.hpp"
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"

@@ -1,7 +1,7 @@
 #include "ecm/updated_lagrangian.hpp"
 
 #include "base/parallel.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "sph/kernel.hpp"
 
 #include <vector>

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
-#include <utility>
 
 namespace matrigrate {
 
@@ -16,24 +14,14 @@ namespace {
 constexpr std::size_t lanes = RowBlocks::lanes;
 constexpr double nowhere = 1e9; // where the particles beyond the last are, out of reach of all others [um]
 
-/// What pair_drag takes, for many pairs.
-struct DragLaw {
-  DragLaw(const EcmState& ecm, const EcmParameters& p, const Kernel& kernel)
-      : period_x(ecm.period_x), per_support(static_cast<float>(1.0 / kernel.support())),
-        soft(static_cast<float>(0.01 * kernel.h() * kernel.h())),
-        scale(static_cast<float>(pair_drag(1.0, kernel.W_slope(0.0), ecm.V0, p.viscosity, p.thickness, 0.0))) {}
-  double period_x;
-  float per_support, soft, scale;
-};
-
 /// |x_ij|^2 of the eight particles from row on and their partners at a distance.
 [[gnu::always_inline]] inline void squared_distances(const double* x_i, const double* y_i, std::ptrdiff_t distance,
-                                                     const DragLaw& law, float* r2) {
-  if (law.period_x > 0.0) {
+                                                     double period_x, float* r2) {
+  if (period_x > 0.0) {
     for (std::size_t l = 0; l < lanes; ++l) {
       const Vec2 x_ij(x_i[l] - x_i[static_cast<std::ptrdiff_t>(l) + distance],
                       y_i[l] - y_i[static_cast<std::ptrdiff_t>(l) + distance]);
-      r2[l] = static_cast<float>(nearest_image(x_ij, law.period_x).squaredNorm());
+      r2[l] = static_cast<float>(nearest_image(x_ij, period_x).squaredNorm());
     }
     return;
   }
@@ -53,16 +41,14 @@ struct DragLaw {
 /// without any within reach are left out. Adds the sums over partners to D.
 /// @return the number of distances that remain
 MATRIGRATE_SIMD
-std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law, std::span<std::int32_t> distances,
-                       float* G, double* D) {
+std::size_t pair_drags(const DoubleField& x, std::size_t row, double period_x, const PairDrag<float>& law,
+                       std::span<std::int32_t> distances, float* G, double* D) {
   for (std::size_t k = 0; k < distances.size(); ++k)
-    squared_distances(x.x() + row, x.y() + row, distances[k], law, G + lanes * k);
-  const float per_support = law.per_support, soft = law.soft, scale = law.scale;
+    squared_distances(x.x() + row, x.y() + row, distances[k], period_x, G + lanes * k);
+  const PairDrag<float> drag = law; // which no store to G can change
   for (std::size_t k = 0; k < lanes * distances.size(); ++k) {
     const float r2 = G[k];
-    const float left = 1.0F - std::sqrt(r2) * per_support;
-    const float a = 0.5F * (left + std::abs(left)); // 0 beyond the support
-    G[k] = scale * (a * a * a) * (r2 / (r2 + soft));
+    G[k] = drag(std::sqrt(r2), r2);
   }
   Doubles low{}, high{};
   std::size_t count = 0;
@@ -82,9 +68,9 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, const DragLaw& law
   return count;
 }
 
-/// Takes the given particles out of the coefficients of a block, as pair_drags.   @param free  1, or 0 for given ones
+/// Takes clamped particles out of the coefficients of a block, as pair_drags.   @param free  1, or 0 for clamped ones
 MATRIGRATE_SIMD
-std::size_t leave_out_given(const Field& free, std::size_t row, std::span<std::int32_t> distances, float* G) {
+std::size_t leave_out_clamps(const Field& free, std::size_t row, std::span<std::int32_t> distances, float* G) {
   Floats of_i;
   load(free.x() + row, of_i);
   std::size_t count = 0;
@@ -100,9 +86,9 @@ std::size_t leave_out_given(const Field& free, std::size_t row, std::span<std::i
   return count;
 }
 
-/// Adds the drag of the given particles on the others to their forces.
-void add_drag_of_given(const EcmState& ecm, std::size_t row, std::span<const std::int32_t> distances, const float* G,
-                       std::span<Vec2> F) {
+/// Adds the drag of clamped particles on the others to their forces.
+void add_drag_of_clamps(const EcmState& ecm, std::size_t row, std::span<const std::int32_t> distances, const float* G,
+                        std::span<Vec2> F) {
   for (std::size_t k = 0; k < distances.size(); ++k)
     for (std::size_t l = 0; l < lanes; ++l) {
       if (G[lanes * k + l] == 0.0F) continue;
@@ -114,121 +100,104 @@ void add_drag_of_given(const EcmState& ecm, std::size_t row, std::span<const std
 
 } // namespace
 
-void MatrixDrag::forget(std::span<const std::uint8_t> changed) {
-  if (changed.empty()) return;
-  m_changed.resize(changed.size(), 0);
-  for (std::size_t i = 0; i < changed.size(); ++i) m_changed[i] |= changed[i]; // beside those that wait already
-}
-
 /// Marks the blocks of all particles that are not where they were, and of their neighbours; of others now and then.
-void MatrixDrag::mark(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern) {
-  const bool all = m_marks.size() != pattern.blocks();
-  m_marks.assign(pattern.blocks(), all ? 1 : 0);
-  if (m_x.size() != x.size()) {
+void ViscosityRows::mark_moved(std::span<const Vec2> x, const Adjacency& pairs, const RowPattern& pattern) {
+  const bool all = m_stale.size() != pattern.blocks();
+  m_stale.assign(pattern.blocks(), all ? 1 : 0);
+  if (m_x_seen.size() != x.size()) {
     m_x.resize(x.size());
     std::ranges::fill(m_x.values(), nowhere);
-    m_seen.assign(x.size(), Vec2(nowhere, nowhere));
+    m_x_seen.assign(x.size(), Vec2(nowhere, nowhere));
   }
-  const std::span<std::uint8_t> marks = m_marks;
   for (std::size_t block = 0; block < pattern.blocks(); ++block) {
     const std::size_t row = block * lanes;
     const std::size_t end = std::min(row + lanes, x.size());
-    if (std::memcmp(&m_seen[row], &x[row], (end - row) * sizeof(Vec2)) == 0) continue;
+    if (std::memcmp(&m_x_seen[row], &x[row], (end - row) * sizeof(Vec2)) == 0) continue;
     for (std::size_t i = row; i < end; ++i) {
-      m_seen[i] = x[i];
+      m_x_seen[i] = x[i];
       m_x.x()[i] = x[i].x();
       m_x.y()[i] = x[i].y();
     }
     if (all) continue;
-    marks[block] = 1;
-    if (pattern.meets_given(block)) { // rows of given particles have no partners in the pattern
+    m_stale[block] = 1;
+    if (pattern.meets_prescribed(block)) { // rows of clamped particles have no partners in the pattern
       for (std::size_t i = row; i < end; ++i)
-        for (const std::uint32_t j : pairs.of(i)) marks[j / lanes] = 1;
+        for (const std::uint32_t j : pairs.of(i)) m_stale[j / lanes] = 1;
       continue;
     }
     for (const std::int32_t distance : pattern.distances(block))
       for (const std::size_t i : {row, row + lanes - 1}) {
         const std::size_t partner = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distance) / lanes;
-        if (partner < marks.size()) marks[partner] = 1; // not so where only other rows have one at that distance
+        if (partner < m_stale.size()) m_stale[partner] = 1; // not so where only other rows have one at that distance
       }
   }
 }
 
-void MatrixDrag::assemble(const EcmState& ecm, std::span<const Vec2> x, const EcmParameters& p, const Adjacency& pairs,
-                          const RowPattern& pattern, DragSystem& A, double share) {
+/// Marks the blocks of rows that have another list of partners than before, or that have been added to.
+void ViscosityRows::mark_changed(const RowPattern& pattern, std::span<const std::uint8_t> changed, DragSystem& A) {
+  for (std::size_t i = 0; i < changed.size(); ++i) A.touched[i] |= changed[i];
+  if (std::ranges::find(A.touched, 1) != A.touched.end()) A.pairs.fit(pattern, A.touched, m_stale);
+}
+
+/// Lets the drag resist changes of the velocities as well.
+void ViscosityRows::add_relaxation(const EcmState& ecm, double theta, DragSystem& A) {
   const std::size_t n = ecm.size();
-  const bool anew = m_marks.size() != pattern.blocks();
-  mark(x, pairs, pattern);
-  A.diagonal.resize(n);
-  A.F.assign(n, Vec2::Zero());
-  bool given_move = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!ecm.clamped[i]) continue;
-    A.F[i] = ecm.v[i];
-    given_move = given_move || ecm.v[i] != Vec2(0.0, 0.0);
-  }
-  if (given_move) std::ranges::fill(m_marks, std::uint8_t{1}); // their drag on others is added on the way
-  if (anew) {
-    A.given.assign(ecm.clamped.begin(), ecm.clamped.end());
-    m_free.resize(n);
-    for (std::size_t i = 0; i < n; ++i) m_free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
-  }
-  const DragLaw law(ecm, p, Kernel(p.smoothing_length));
-  const auto fill = [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
-    const std::size_t row = block * lanes;
-    double D[lanes];
-    const std::size_t count = pair_drags(m_x, row, law, distances, G, D);
-    for (std::size_t i = row; i < std::min(row + lanes, n);
-         ++i) { // a particle without partners feels no force: it stays
-      A.given[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0;
-      A.diagonal[i] = A.given[i] ? 1.0 : D[i - row];
-    }
-    if (!pattern.meets_given(block)) return count;
-    if (given_move) add_drag_of_given(ecm, row, distances.first(count), G, A.F);
-    return leave_out_given(m_free, row, distances.first(count), G);
-  };
-  if (!anew && !m_changed.empty()) A.pairs.fit(pattern, m_changed, m_marks);
-  m_changed.clear();
-  if (anew)
-    A.pairs.assign(pattern, fill);
-  else
-    A.pairs.refill(pattern, m_marks, fill);
-  if (share == 0.0) return;
   split(ecm.v, n, m_v);
   if (m_zero.size() != n) m_zero.resize(n);
   if (m_drag.size() != n) m_drag.resize(n);
   A.pairs.residual(A.diagonal, m_zero, m_v.matrix, m_drag);
   const double *x_drag = m_drag.x(), *y_drag = m_drag.y();
   parallel_for(n, [&](std::size_t i) {
-    if (!A.given[i]) A.F[i] -= share / (1.0 + share) * (A.F[i] + Vec2(x_drag[i], y_drag[i]));
+    if (!A.prescribed[i]) A.F[i] -= theta / (1.0 + theta) * (A.F[i] + Vec2(x_drag[i], y_drag[i]));
   });
 }
 
-DragPatches::DragPatches(std::span<const Vec2> X, double spacing) {
-  std::map<std::pair<double, double>, std::vector<std::uint32_t>> patches;
-  const double width = 8.0 * spacing;
-  for (std::uint32_t i = 0; i < X.size(); ++i)
-    patches[{std::floor(X[i].y() / width), std::floor(X[i].x() / width)}].push_back(i);
-  m_first.push_back(0);
-  for (const auto& [place, particles] : patches) {
-    m_particle.insert(m_particle.end(), particles.begin(), particles.end());
-    m_first.push_back(static_cast<std::uint32_t>(m_particle.size()));
+void ViscosityRows::assemble(const EcmState& ecm, std::span<const Vec2> x, const EcmParameters& p,
+                             const Adjacency& pairs, const RowPattern& pattern, std::span<const std::uint8_t> changed,
+                             double theta, DragSystem& A) {
+  const std::size_t n = ecm.size();
+  const bool all = m_stale.size() != pattern.blocks();
+  mark_moved(x, pairs, pattern);
+  A.diagonal.resize(n);
+  A.F.assign(n, Vec2::Zero());
+  bool clamps_move = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!ecm.clamped[i]) continue;
+    A.F[i] = ecm.v[i];
+    clamps_move = clamps_move || ecm.v[i] != Vec2(0.0, 0.0);
   }
-}
-
-void DragPatches::refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const {
-  if (x_drag.size() != x.size()) x_drag.assign(x.begin(), x.end());
-  const double furthest = lag * lag;
-  for (std::size_t k = 0; k + 1 < m_first.size(); ++k) {
-    const auto patch = std::span(m_particle).subspan(m_first[k], m_first[k + 1] - m_first[k]);
-    if (std::ranges::any_of(patch, [&](std::uint32_t i) { return (x[i] - x_drag[i]).squaredNorm() > furthest; }))
-      for (const std::uint32_t i : patch) x_drag[i] = x[i];
+  if (clamps_move) std::ranges::fill(m_stale, std::uint8_t{1}); // their drag on others is added on the way
+  if (all) {
+    A.prescribed.assign(ecm.clamped.begin(), ecm.clamped.end());
+    m_free.resize(n);
+    for (std::size_t i = 0; i < n; ++i) m_free.x()[i] = ecm.clamped[i] ? 0.0F : 1.0F;
   }
+  const PairDrag<float> law(p, Kernel(p.smoothing_length), ecm.V0);
+  const auto fill = [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
+    const std::size_t row = block * lanes;
+    double D[lanes];
+    const std::size_t count = pair_drags(m_x, row, ecm.period_x, law, distances, G, D);
+    for (std::size_t i = row; i < std::min(row + lanes, n); ++i) {
+      A.prescribed[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0; // without partners there is no force: it stays
+      A.diagonal[i] = A.prescribed[i] ? 1.0 : D[i - row];
+    }
+    if (!pattern.meets_prescribed(block)) return count;
+    if (clamps_move) add_drag_of_clamps(ecm, row, distances.first(count), G, A.F);
+    return leave_out_clamps(m_free, row, distances.first(count), G);
+  };
+  if (all) {
+    A.pairs.assign(pattern, fill);
+  } else {
+    mark_changed(pattern, changed, A);
+    A.pairs.refill(pattern, m_stale, fill);
+  }
+  A.touched.assign(n, 0);
+  if (theta != 0.0) add_relaxation(ecm, theta, A);
 }
 
 void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPattern& pattern, DragSystem& A,
-                        double share) {
-  MatrixDrag().assemble(ecm, ecm.x, p, {}, pattern, A, share);
+                        double theta) {
+  ViscosityRows().assemble(ecm, ecm.x, p, {}, pattern, {}, theta, A);
 }
 
 } // namespace matrigrate

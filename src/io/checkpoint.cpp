@@ -83,8 +83,9 @@ State small_parts_of(const Json& json) {
 /// What a whole file may still have wrong: arrays that do not belong together.
 void require_consistent(const State& s) {
   const std::size_t n = s.ecm.size();
-  const bool knows_before = s.v_before.empty() || s.v_before.size() == n + s.cortex.size();
-  const bool lags = s.ecm.x_drag.empty() || s.ecm.x_drag.size() == n;
+  const SolverMemory& memory = s.solver_memory;
+  const bool knows_before = memory.v_before.empty() || memory.v_before.size() == n + s.cortex.size();
+  const bool lags = memory.x_drag.empty() || memory.x_drag.size() == n;
   const bool matrix = lags && knows_before && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n
                       && s.ecm.S.size() == n && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
   const bool cortex = s.cortex.v.size() == s.cortex.size() && s.cortex.l0.size() == s.cortex.size();
@@ -101,13 +102,13 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   MemoryFile file;
   file.write("/ecm/X", s.ecm.X, "um");
   file.write("/ecm/x", s.ecm.x, "um");
-  file.write("/ecm/x_drag", s.ecm.x_drag, "um");
+  file.write("/ecm/x_drag", s.solver_memory.x_drag, "um");
   file.write("/ecm/v", s.ecm.v, "um/s");
   file.write("/ecm/rho", s.ecm.rho, "1");
   file.write("/ecm/S", s.ecm.S, "kPa");
   file.write("/ecm/f", s.ecm.f, "1");
   file.write("/ecm/clamped", s.ecm.clamped);
-  file.write("/v_before", s.v_before, "um/s");
+  file.write("/v_before", s.solver_memory.v_before, "um/s");
   file.write("/cortex/x", s.cortex.x, "um");
   file.write("/cortex/v", s.cortex.v, "um/s");
   file.write("/cortex/l0", s.cortex.l0, "um");
@@ -141,13 +142,13 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     s = parse_state_parts(file.text("/state.json"));
     s.ecm.X = file.vectors("/ecm/X");
     s.ecm.x = file.vectors("/ecm/x");
-    s.ecm.x_drag = file.vectors("/ecm/x_drag");
+    s.solver_memory.x_drag = file.vectors("/ecm/x_drag");
     s.ecm.v = file.vectors("/ecm/v");
     s.ecm.rho = file.doubles("/ecm/rho");
     s.ecm.S = file.matrices("/ecm/S");
     s.ecm.f = file.doubles("/ecm/f");
     s.ecm.clamped = file.bytes("/ecm/clamped");
-    s.v_before = file.vectors("/v_before");
+    s.solver_memory.v_before = file.vectors("/v_before");
     s.cortex.x = file.vectors("/cortex/x");
     s.cortex.v = file.vectors("/cortex/v");
     s.cortex.l0 = file.doubles("/cortex/l0");

@@ -3,7 +3,7 @@
 #include "cell/actomyosin.hpp"
 #include "cell/geometry.hpp"
 #include "ecm/fluid.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "observe/fields.hpp"
 #include "protrusion/adhesion.hpp"
 #include "sph/neighbours.hpp"

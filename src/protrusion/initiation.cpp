@@ -42,8 +42,8 @@ bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_part
   return has_room(c, i, of_particle, p) && facing(c, i, cell, p) >= p.least_facing;
 }
 
-void initiate_at_a_rate(State& s, const Parameters& p, const Outline& cell) {
-  const double probability = event_probability(p.protrusion.initiation_rate, p.run.time_step);
+void initiate_at_a_rate(State& s, const Parameters& p, double dt, const Outline& cell) {
+  const double probability = event_probability(p.protrusion.initiation_rate, dt);
   std::vector<int> of_particle = membership(s, p).of_particle;
   for (std::size_t i = 0; i < s.cortex.size(); ++i) {
     if (!cell.of_front[i]) continue;
@@ -70,9 +70,9 @@ std::uint64_t candidates_until(double t, const ProtrusionParameters& p) {
   return static_cast<std::uint64_t>(std::max(0.0, std::floor(t / p.candidate_interval + 1e-6))); // t is a sum of steps
 }
 
-void keep_up_number(State& s, const Parameters& p, const Outline& cell) {
+void keep_up_number(State& s, const Parameters& p, double dt, const Outline& cell) {
   const std::uint64_t last = candidates_until(s.t, p.protrusion);
-  for (std::uint64_t n = candidates_until(s.t - p.run.time_step, p.protrusion) + 1; n <= last; ++n) {
+  for (std::uint64_t n = candidates_until(s.t - dt, p.protrusion) + 1; n <= last; ++n) {
     if (s.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
     const double draw = uniform(p.run.seed, Purpose::initiation, n, 0);
     const std::size_t i = candidate(cell.of_front, p.protrusion.rear_share, draw);
@@ -83,11 +83,11 @@ void keep_up_number(State& s, const Parameters& p, const Outline& cell) {
 
 } // namespace
 
-void initiate(State& s, const Parameters& p, const Outline& cell) {
+void initiate(State& s, const Parameters& p, double dt, const Outline& cell) {
   if (p.protrusion.number == 0)
-    initiate_at_a_rate(s, p, cell);
+    initiate_at_a_rate(s, p, dt, cell);
   else if (cell.area <= p.protrusion.area_limit)
-    keep_up_number(s, p, cell);
+    keep_up_number(s, p, dt, cell);
 }
 
 } // namespace matrigrate

@@ -38,6 +38,6 @@ void begin_protrusion(State& s, std::size_t i, const Vec2& centre, const Protrus
 /// whatever the step, is drawn among all particles, rear ones rear_share times as likely; it initiates if it has room
 /// and faces its direction, fewer than that number live, and the cell's area is no more than area_limit A_0 (Heck et
 /// al. 2020, section on the number of protrusions; MODEL.md, D27).
-void initiate(State& s, const Parameters& p, const Outline& cell);
+void initiate(State& s, const Parameters& p, double dt, const Outline& cell);
 
 } // namespace matrigrate

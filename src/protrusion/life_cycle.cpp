@@ -20,6 +20,7 @@ Transition to(Phase next, EndCause cause = EndCause::none) {
 struct Table {
   const Circumstances& now;
   const Parameters& p;
+  double dt;
 
   Contracting contracting(const Maturing& phase) const {
     const double f_mat = final_f_mat(phase.steps, phase.last_step, now.force, p);
@@ -51,8 +52,8 @@ struct Table {
     if (lost()) return to(finishing, EndCause::lost);
     if (phase.bundle <= 0.0 && ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
     const double rate = disassembly_rate(now.force, phase.f_mat, p.adhesion);
-    if (now.draw < event_probability(rate, p.run.time_step)) return to(finishing, EndCause::disassembly);
-    const Contracting next = handed_over(phase, now.force, p);
+    if (now.draw < event_probability(rate, dt)) return to(finishing, EndCause::disassembly);
+    const Contracting next = handed_over(phase, now.force, p, dt);
     if (next.bundle == phase.bundle && next.falling == phase.falling) return {};
     return to(next);
   }
@@ -94,12 +95,12 @@ void record(Protrusion& protrusion, const Transition& change, const Circumstance
 
 } // namespace
 
-Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p) {
-  return std::visit(Table{now, p}, phase);
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt) {
+  return std::visit(Table{now, p, dt}, phase);
 }
 
-Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p) {
-  Circumstances now{.age = s.t - protrusion.since + 1e-6 * p.run.time_step, // times are sums of steps
+Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p, double dt) {
+  Circumstances now{.age = s.t - protrusion.since + 1e-6 * dt, // times are sums of steps
                     .force = adhesion_force(s, protrusion, p.adhesion),
                     .ahead = adhesion_site(s, protrusion, p.adhesion),
                     .draw = uniform(p.run.seed, Purpose::disassembly, s.step, protrusion.record.id)};
@@ -109,11 +110,11 @@ Circumstances circumstances(const State& s, const Protrusion& protrusion, const 
   return now;
 }
 
-void live(State& s, const Parameters& p) {
+void update_protrusions(State& s, const Parameters& p, double dt) {
   std::vector<Protrusion> alive;
   for (Protrusion& protrusion : s.protrusions) {
-    const Circumstances now = circumstances(s, protrusion, p);
-    const Transition change = transition(protrusion.phase, now, p);
+    const Circumstances now = circumstances(s, protrusion, p, dt);
+    const Transition change = transition(protrusion.phase, now, p, dt);
     if (!change.changes) {
       alive.push_back(protrusion);
       continue;

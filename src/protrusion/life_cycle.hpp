@@ -16,7 +16,7 @@ struct Circumstances {
   double draw = 1.0;         ///< uniform in (0, 1)
 };
 
-/// What becomes of a protrusion in a step.
+/// What becomes of a protrusion in a step of dt.
 struct Transition {
   bool changes = false;
   bool ends = false; ///< its particles are free again; `next` does not matter
@@ -35,13 +35,13 @@ struct Transition {
 ///   Contracting  draw < 1 - exp(-r_off dt)           -> Finishing (disassembly)
 ///   Contracting  load above that of the handover     -> Contracting, with a weaker bundle
 ///   Finishing    age >= T_finish                     -> free
-Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p);
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt);
 
-/// Circumstances of a protrusion after the step, with its draw.
-Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p);
+/// Circumstances of a protrusion after a step of dt, with its draw.
+Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p, double dt);
 
 /// Lets every protrusion make its transition; those that end move to s.ended. Rest lengths become the lengths at the
 /// end of growth and of maturation.
-void live(State& s, const Parameters& p);
+void update_protrusions(State& s, const Parameters& p, double dt);
 
 } // namespace matrigrate

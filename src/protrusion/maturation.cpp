@@ -48,10 +48,10 @@ double final_f_mat(int steps, double last_step, double F, const Parameters& p) {
   return std::clamp(maturation_step * (steps + part), p.actomyosin.f_mat_body, 1.0);
 }
 
-void add_maturation(const State& s, const Parameters& p, std::span<Vec2> force, DragSystem& A) {
+void add_maturation(const State& s, const Parameters& p, double dt, std::span<Vec2> force, DragSystem& A) {
   for (const Protrusion& protrusion : s.protrusions) {
     if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase); contracting != nullptr) {
-      if (contracting->bundle > 0.0) pull_base(s, protrusion, p, contracting->bundle, p.run.time_step, force, A);
+      if (contracting->bundle > 0.0) pull_base(s, protrusion, p, contracting->bundle, dt, force, A);
       continue;
     }
     const auto* maturing = std::get_if<Maturing>(&protrusion.phase);
@@ -66,11 +66,11 @@ Contracting handover(const Vec2& anchor, double f_mat, double F, const Parameter
   return {.anchor = anchor, .f_mat = f_mat, .bundle = bundle_share * f_mat * p.actomyosin.force, .falling = F};
 }
 
-Contracting handed_over(Contracting phase, double F, const Parameters& p) {
+Contracting handed_over(Contracting phase, double F, const Parameters& p, double dt) {
   const double excess = F - bundle_share * phase.f_mat * p.actomyosin.force;
   phase.falling = excess > 0.0 && F < phase.falling ? F : 0.0;
   if (phase.falling > 0.0 || excess <= 0.0) return phase;
-  phase.bundle = std::max(0.0, phase.bundle + std::expm1(-p.run.time_step / giving_way) * excess);
+  phase.bundle = std::max(0.0, phase.bundle + std::expm1(-dt / giving_way) * excess);
   return phase;
 }
 

@@ -31,15 +31,15 @@ double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 /// @param force  of all nodes [nN]
 /// With handover = bundle also the pull that is left of F_mat in contracting protrusions, between the centre and both
 /// ends of the base.
-void add_maturation(const State& s, const Parameters& p, std::span<Vec2> force, DragSystem& A);
+void add_maturation(const State& s, const Parameters& p, double dt, std::span<Vec2> force, DragSystem& A);
 
 /// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, D20): the
 /// bundle takes over nine tenths of f_mat F_am.
 Contracting handover(const Vec2& anchor, double f_mat, double F, const Parameters& p);
 
-/// The same one step later, with a load F. What the last step of maturation loaded beyond f_mat F_am falls off first;
+/// The same after dt with a load F. What the last step of maturation loaded beyond f_mat F_am falls off first;
 /// from then on the bundle gives way by what F exceeds 0.9 f_mat F_am, with a time constant of 0.4 s (MODEL.md, D20).
 /// @param F  force of the adhesion [nN]
-Contracting handed_over(Contracting phase, double F, const Parameters& p);
+Contracting handed_over(Contracting phase, double F, const Parameters& p, double dt);
 
 } // namespace matrigrate

@@ -25,15 +25,15 @@ namespace matrigrate {
 namespace {
 
 /// 1/(1 + theta): the system is divided by 1 + theta, so that the drag of the matrix does not depend on the step.
-double of_step(const Workspace& w) { return 1.0 / (1.0 + w.elastic_share); }
+double of_step(const Workspace& w) { return 1.0 / (1.0 + w.theta); }
 
 /// The cortex a quarter of the step on, if it goes on as in the last one; by no more than half of what a step may move
 /// it. Lengths of protrusions depend least on the step so (MODEL.md, D12).
-CortexState a_quarter_on(CortexState c, const Parameters& p) {
-  const double furthest = 0.5 * usual_move * p.ecm.particle_spacing;
+CortexState after_a_quarter_step(CortexState c, const Parameters& p, double dt) {
+  const double max_move = 0.5 * usual_move * p.ecm.particle_spacing;
   for (std::size_t i = 0; i < c.size(); ++i) {
-    const Vec2 move = 0.25 * p.run.time_step * c.v[i];
-    c.x[i] += std::min(1.0, furthest / std::max(furthest, move.norm())) * move;
+    const Vec2 move = 0.25 * dt * c.v[i];
+    c.x[i] += std::min(1.0, max_move / std::max(max_move, move.norm())) * move;
   }
   return c;
 }
@@ -41,8 +41,7 @@ CortexState a_quarter_on(CortexState c, const Parameters& p) {
 Vec2 sum(std::span<const Vec2> forces) { return std::accumulate(forces.begin(), forces.end(), Vec2(0.0, 0.0)); }
 
 /// Right side of Eq. (1), in the paper's order.
-void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
-  const double dt = p.run.time_step;
+void assemble_cell_forces(const State& s, const Parameters& p, double dt, Workspace& w) {
   const std::uint32_t first = s.node(0);
   const CortexState& c = s.cortex;
   const Membership& m = w.cell.membership;
@@ -50,12 +49,12 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
   add_bending(c, p.cell, dt, first, w.force, w.drag);
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
-  add_elastic_contact(s.ecm, c, p, w.cell.met, dt, w.force, w.drag);
+  add_elastic_contact(s.ecm, c, p, w.cell.nearby, dt, w.force, w.drag);
   add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
   const Vec2 inner = sum(std::span(w.force).subspan(first));
   add_growth(s, p.protrusion, area(c) / initial_area(p.cell), w.cell.normals, w.force);
   add_base_ties(s, p.protrusion, p.cell.spring_stiffness, dt, w.force, w.drag);
-  add_maturation(s, p, w.force, w.drag);
+  add_maturation(s, p, dt, w.force, w.drag);
   w.outer_force += sum(std::span(w.force).subspan(first)) - inner;
   add_adhesions(s, p.adhesion, w.cell.anchor_weights, dt, w.force, w.drag);
 }
@@ -63,11 +62,7 @@ void assemble_cell_forces(const State& s, const Parameters& p, Workspace& w) {
 } // namespace
 
 void update_neighbours(const State& s, Workspace& w) {
-  const std::span<const std::uint8_t> changed = w.neighbours.update(s.ecm.x, s.ecm.period_x);
-  if (changed.empty()) return;
-  w.drag_pattern.update(w.neighbours.pairs(), s.ecm.clamped, changed);
-  w.matrix_drag.forget(changed);
-  ++w.health.list_builds;
+  if (!w.neighbours.update(s.ecm.x, s.ecm.period_x).empty()) ++w.health.list_builds;
 }
 
 void describe_cell(const State& s, const Parameters& p, Workspace& w) {
@@ -76,25 +71,23 @@ void describe_cell(const State& s, const Parameters& p, Workspace& w) {
   w.cell.membership = membership(s, p);
   w.cell.normals = normals(s.cortex);
   w.cell.grid.emplace(s.cortex, reach);
-  w.cell.met = encounters(s.ecm, s.cortex, *w.cell.grid, reach);
+  w.cell.nearby = nearby_solid(s.ecm, s.cortex, *w.cell.grid, reach);
   w.cell.anchor_weights = anchor_weights(s, p.ecm);
 }
 
-void assemble_drag(const State& s, const Parameters& p, Workspace& w) {
+void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w) {
   w.drag.links.clear();
   w.drag.directed.clear();
-  w.matrix_drag.forget(w.coupled_by_fibres);
-  w.x_drag = s.ecm.x_drag;
-  w.drag_patches.refresh(s.ecm.x, drag_lag(p), w.x_drag);
-  w.matrix_drag.assemble(s.ecm, w.x_drag, p.ecm, w.neighbours.pairs(), w.drag_pattern, w.drag, w.elastic_share);
+  w.theta = relaxation_theta(p, dt, w.limits);
+  w.drag_cache.assemble(s.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, drag_lag(p, dt), w.theta, w.drag);
   if (!s.has_cell()) return;
   w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  const CortexState c = a_quarter_on(s.cortex, p);
+  const CortexState c = after_a_quarter_step(s.cortex, p, dt);
   add_viscous_contact(s.ecm, c, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length), w.drag);
 }
 
-void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
   const Adjacency& pairs = w.neighbours.pairs();
   w.force.assign(w.drag.size(), Vec2::Zero());
   w.outer_force = Vec2::Zero();
@@ -106,10 +99,9 @@ void assemble_forces(const State& s, const Parameters& p, Workspace& w, const Lo
     add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
     break;
   }
-  w.coupled_by_fibres =
-      add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * p.run.time_step, w.force, w.drag);
+  add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
-  if (s.has_cell()) assemble_cell_forces(s, p, w);
+  if (s.has_cell()) assemble_cell_forces(s, p, dt, w);
   if (loads) {
     const Vec2 inner = sum(w.force);
     loads(s, w.force);

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "base/vector.hpp"
 #include "ecm/fibres.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "ecm/viscosity.hpp"
 #include "state/initial.hpp"
 
@@ -111,10 +111,10 @@ StepLimits step_limits(const Parameters& p) {
   return {.elastic_s = 2.0 / elastic, .fluid_s = 2.0 / fluid};
 }
 
-double elastic_share(const Parameters& p, const StepLimits& limits) {
+double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits) {
   if (p.run.integrator == Integrator::reference) return 0.0;
   const double both = 1.0 / limits.elastic_s + 1.0 / limits.fluid_s; // where solid and fluid meet, their rates add up
-  return std::max(0.0, 0.5 * p.run.time_step * both - 0.4);
+  return std::max(0.0, 0.5 * dt * both - 0.4);
 }
 
 double solver_tolerance(const Parameters& p) {
@@ -122,14 +122,14 @@ double solver_tolerance(const Parameters& p) {
   return (looser ? 100.0 : 1.0) * p.solver.tolerance;
 }
 
-double drag_lag(const Parameters& p) {
+double drag_lag(const Parameters& p, double dt) {
   constexpr double paper = 0.4; // [s]
-  const double steps = p.run.integrator == Integrator::adaptive ? std::max(1.0, p.run.time_step / paper) : 1.0;
+  const double steps = p.run.integrator == Integrator::adaptive ? std::max(1.0, dt / paper) : 1.0;
   return steps * p.ecm.drag_lag;
 }
 
 double largest_step(const Parameters& p, const StepLimits& limits) {
-  constexpr double beyond = 4.0; // with elastic_share; further out it would govern the motion
+  constexpr double beyond = 4.0; // with relaxation_theta; further out it would govern the motion
   return (p.run.integrator == Integrator::reference ? 1.0 : beyond) * limits.smallest();
 }
 
@@ -139,7 +139,7 @@ double rounded_down(double step) {
 }
 
 double shortest_step(const Parameters& p) {
-  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -most_halvings);
+  return p.run.integrator == Integrator::reference ? p.run.time_step : std::ldexp(p.run.time_step, -max_halvings);
 }
 
 double longest_step(const Parameters& p, const StepLimits& limits) {

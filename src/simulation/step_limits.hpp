@@ -4,8 +4,8 @@
 
 #include <string>
 
-/// How large an explicit step may be, and what a longer one leaves open. Test: tests/physics/advance_test.cpp; measured
-/// by `validate step-limit`.
+/// How large an explicit step may be, and what a longer one leaves open. Test:
+/// tests/unit/simulation/step_limits_test.cpp, tests/physics/advance_test.cpp; measured by `validate step-limit`.
 namespace matrigrate {
 
 /// Largest stable steps of the explicit Euler update; the drag itself is implicit and sets none.
@@ -34,7 +34,7 @@ StepLimits step_limits(const Parameters& p);
 /// @return theta = max(0, dt/(2 dt_0) - 0.4) with 1/dt_0 = 1/elastic_s + 1/fluid_s, a tenth more than stability asks
 /// for;
 ///         0 for the reference integrator
-double elastic_share(const Parameters& p, const StepLimits& limits);
+double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits);
 
 /// How far a step of the adaptive integrator may move a particle, about what the recoil of a released protrusion moves
 /// it in the paper's 0.4 s [particle spacings].
@@ -45,11 +45,11 @@ inline constexpr double usual_move = 0.2;
 double solver_tolerance(const Parameters& p);
 
 /// How far a particle may move before its drag is taken anew: ecm.drag_lag, with the adaptive integrator as many times
-/// as its step is longer than the paper's 0.4 s (MODEL.md, D30) [um].
-double drag_lag(const Parameters& p);
+/// as its step dt is longer than the paper's 0.4 s (MODEL.md, D30) [um].
+double drag_lag(const Parameters& p, double dt);
 
 /// How often the adaptive integrator halves a step, at most.
-inline constexpr int most_halvings = 7;
+inline constexpr int max_halvings = 7;
 
 /// The shortest step that p.run.integrator takes [s].
 double shortest_step(const Parameters& p);

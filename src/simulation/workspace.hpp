@@ -1,10 +1,10 @@
 #pragma once
 
 #include "contact/proximity.hpp"
+#include "ecm/drag_cache.hpp"
 #include "ecm/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "ecm/stress.hpp"
-#include "ecm/viscosity.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
 #include "simulation/step_limits.hpp"
@@ -36,29 +36,26 @@ struct CellShape {
   Membership membership;
   std::vector<Vec2> normals;                ///< outward unit normals of the cortex particles
   std::optional<SegmentGrid> grid;          ///< segments within the support of the kernel
-  std::vector<Encounter> met;               ///< solid particles within the support of the kernel
+  std::vector<NearbyParticle> nearby;       ///< solid particles within the support of the kernel
   std::vector<PointWeights> anchor_weights; ///< beside State::protrusions
 };
 
 /// Everything that can be thrown away: derived from State and Parameters, rebuilt at will.
 struct Workspace {
+  /// For steps of at most run.time_step.
   Workspace(const State& s, const Parameters& p);
 
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
-  RowPattern drag_pattern; ///< of the neighbours
-  DragPatches drag_patches;
-  std::vector<Vec2> x_drag; ///< where this step takes the drag of the matrix; EcmState::x_drag once it is done [um]
-  MatrixDrag matrix_drag;
-  std::vector<std::uint8_t> coupled_by_fibres; ///< 1 for each particle whose drag the fibres added to in the last step
+  DragCache drag_cache; ///< of the matrix
   CellShape cell;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]
   Vec2 outer_force = Vec2::Zero(); ///< their part from outside: growth, and loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
   StepLimits limits;               ///< of the explicit step
-  double elastic_share = 0.0;      ///< theta of this step, against changes of velocity; see step_limits.hpp [-]
+  double theta = 0.0;              ///< of this step, against changes of velocity; see step_limits.hpp [-]
   std::unique_ptr<DragSolver> solver;
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]

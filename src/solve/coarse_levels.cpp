@@ -64,7 +64,7 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
   m_X = reference.position;
   std::vector<Vec2> x = m_X;
   std::vector<std::uint8_t> free(n);
-  for (std::size_t i = 0; i < n; ++i) free[i] = reference.given[i] == 0 ? 1 : 0;
+  for (std::size_t i = 0; i < n; ++i) free[i] = reference.prescribed[i] == 0 ? 1 : 0;
   Grid grid(x, spacing);
   for (;;) {
     grid.locate(x, free);

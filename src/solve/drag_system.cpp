@@ -31,12 +31,12 @@ void subtract_products(const DragTerms<Vec2>& terms, const NodeVectors& x, NodeV
 
 void NodeVectors::resize(std::size_t of_matrix, std::size_t of_all) {
   if (matrix.size() != of_matrix) matrix.resize(of_matrix);
-  behind.resize(of_all - of_matrix);
+  cell_dofs.resize(of_all - of_matrix);
 }
 
 void NodeVectors::add(std::size_t k, const Vec2& a) {
   if (k >= matrix.size()) {
-    behind[k - matrix.size()] += a;
+    cell_dofs[k - matrix.size()] += a;
     return;
   }
   matrix.x()[k] += a.x();
@@ -50,20 +50,21 @@ void split(std::span<const Vec2> a, std::size_t matrix, NodeVectors& b) {
     x[i] = a[i].x();
     y[i] = a[i].y();
   });
-  std::ranges::copy(a.subspan(matrix), b.behind.begin());
+  std::ranges::copy(a.subspan(matrix), b.cell_dofs.begin());
 }
 
 void join(const NodeVectors& a, std::span<Vec2> b) {
   const double *x = a.matrix.x(), *y = a.matrix.y();
   parallel_for(a.matrix.size(), [=](std::size_t i) { b[i] = Vec2(x[i], y[i]); });
-  std::ranges::copy(a.behind, b.begin() + static_cast<std::ptrdiff_t>(a.matrix.size()));
+  std::ranges::copy(a.cell_dofs, b.begin() + static_cast<std::ptrdiff_t>(a.matrix.size()));
 }
 
 void residual(const DragSystem& A, const NodeVectors& F, const NodeVectors& x, NodeVectors& r) {
   const std::size_t matrix = A.pairs.size();
   r.resize(matrix, A.size());
   A.pairs.residual(A.diagonal, F.matrix, x.matrix, r.matrix);
-  for (std::size_t a = 0; a < r.behind.size(); ++a) r.behind[a] = F.behind[a] - A.diagonal[matrix + a] * x.behind[a];
+  for (std::size_t a = 0; a < r.cell_dofs.size(); ++a)
+    r.cell_dofs[a] = F.cell_dofs[a] - A.diagonal[matrix + a] * x.cell_dofs[a];
   subtract_products(A.links, x, r);
   subtract_products(A.directed, x, r);
 }

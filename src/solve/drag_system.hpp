@@ -50,18 +50,19 @@ struct DragTerms {
 /// The equation solved in every step (Heck et al. 2020, Eqs. 1-2, without inertia):
 ///   A v = F,   A = (D - G) (x) I_2 + sum over links and directed terms,
 /// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um] between the first pairs.size() nodes (the matrix), and
-/// a diagonal D for all nodes: D_ii = sum_j G_ij + own drag. The nodes behind them (the cell) are coupled by terms
-/// alone. A node whose velocity is given has the row D_ii = 1, no coupling, no place in any term, and its velocity as
-/// F; its drag on others stands in their F and D_ii. A is symmetric, and positive definite as soon as each group of
-/// coupled nodes has a given velocity or own drag.
+/// a diagonal D for all nodes: D_ii = sum_j G_ij + own drag. The nodes after them (those of the cell) are coupled by
+/// terms alone. A node whose velocity is prescribed has the row D_ii = 1, no coupling, no place in any term, and its
+/// velocity as F; its drag on others stands in their F and D_ii. A is symmetric, and positive definite as soon as each
+/// group of coupled nodes has a prescribed velocity or own drag.
 struct DragSystem {
-  RowBlocks pairs;                 ///< G_ij of the matrix [nN s/um]; 0 where either node is given
-  std::vector<std::uint8_t> given; ///< 1 for each node of the matrix whose velocity is given
-  std::vector<double> diagonal;    ///< D_ii > 0, one a node; terms not included [nN s/um]
-  DragTerms<double> links;         ///< terms that treat both components alike
-  DragTerms<Vec2> directed;        ///< terms along a direction
-  std::vector<Vec2> position;      ///< of the nodes of the matrix, for solvers that are made for this system [um]
-  std::vector<Vec2> F;             ///< right-hand side [nN]
+  RowBlocks pairs;                      ///< G_ij of the matrix [nN s/um]; 0 where either node is prescribed
+  std::vector<std::uint8_t> prescribed; ///< 1 for each node of the matrix whose velocity is prescribed
+  std::vector<double> diagonal;         ///< D_ii > 0, one a node; terms not included [nN s/um]
+  std::vector<std::uint8_t> touched; ///< 1 for each row of the matrix that more than the drag of its pairs was added to
+  DragTerms<double> links;           ///< terms that treat both components alike
+  DragTerms<Vec2> directed;          ///< terms along a direction
+  std::vector<Vec2> position;        ///< of the nodes of the matrix, for solvers that are made for this system [um]
+  std::vector<Vec2> F;               ///< right-hand side [nN]
 
   std::size_t size() const { return diagonal.size(); }
 };
@@ -69,14 +70,14 @@ struct DragSystem {
 /// y = A x.
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
 
-/// Velocities or forces of all nodes: those of the matrix as a field, those behind it as they are.
+/// Velocities or forces of all nodes: those of the matrix as a field, those of the cell as they are.
 struct NodeVectors {
   DoubleField matrix;
-  std::vector<Vec2> behind;
+  std::vector<Vec2> cell_dofs;
 
   void resize(std::size_t of_matrix, std::size_t of_all);
   Vec2 operator[](std::size_t k) const {
-    return k < matrix.size() ? Vec2(matrix.x()[k], matrix.y()[k]) : behind[k - matrix.size()];
+    return k < matrix.size() ? Vec2(matrix.x()[k], matrix.y()[k]) : cell_dofs[k - matrix.size()];
   }
   void add(std::size_t k, const Vec2& a);
 };

@@ -27,24 +27,24 @@ bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatri
 
 void Elimination::factorise(const DragSystem& A) {
   m_matrix = A.pairs.size();
-  m_behind = A.size() - m_matrix;
+  m_cell_dofs = A.size() - m_matrix;
   m_diagonal.assign(A.diagonal.begin(), A.diagonal.begin() + static_cast<std::ptrdiff_t>(m_matrix));
   m_linked_of.assign(m_matrix, -1);
   m_linked.clear();
   m_mixed.clear();
   m_updates.clear();
-  m_rows.resize(m_behind);
-  for (std::size_t a = 0; a < m_behind; ++a) {
+  m_rows.resize(m_cell_dofs);
+  for (std::size_t a = 0; a < m_cell_dofs; ++a) {
     m_rows[a].clear();
     block(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a)) = A.diagonal[m_matrix + a] * Mat2::Identity();
   }
-  m_t.setZero(static_cast<long>(2 * m_behind));
+  m_t.setZero(static_cast<long>(2 * m_cell_dofs));
   for (std::size_t m = 0; m < A.links.size(); ++m) add_link(A.links, m);
   for (std::size_t m = 0; m < A.directed.size(); ++m)
     add_term(A.directed.c[m], nodes(A.directed, m), weights(A.directed, m));
   m_sums.resize(m_mixed.size());
   set_bound();
-  factorise_behind();
+  factorise_cell();
 }
 
 /// A link of one matrix node is kept by that node; any other becomes two directed terms.
@@ -69,12 +69,12 @@ void Elimination::add_link(const DragTerms<double>& terms, std::size_t m) {
   }
   auto& drags = m_linked[static_cast<std::size_t>(m_linked_of[k])].drag;
   for (std::size_t p = 1; p < node.size(); ++p) {
-    const std::uint32_t a = behind(node[p]);
+    const std::uint32_t a = cell_dof(node[p]);
     const auto at = std::find_if(drags.rbegin(), drags.rend(), [a](const auto& d) { return d.first == a; });
     double& drag = at != drags.rend() ? at->second : drags.emplace_back(a, 0.0).second;
     drag -= c * weight[0] * weight[p];
     for (std::size_t q = 1; q < node.size(); ++q)
-      if (node[q] <= node[p]) block(a, behind(node[q])).diagonal().array() += c * weight[p] * weight[q];
+      if (node[q] <= node[p]) block(a, cell_dof(node[q])).diagonal().array() += c * weight[p] * weight[q];
   }
 }
 
@@ -85,16 +85,16 @@ void Elimination::add_term(double c, std::span<const std::uint32_t> node, std::s
     m_mixed.close(c);
   }
   if (node.size() > most_entries) {
-    Update update{Eigen::VectorXd::Zero(static_cast<long>(2 * m_behind)), {}, c};
+    Update update{Eigen::VectorXd::Zero(static_cast<long>(2 * m_cell_dofs)), {}, c};
     for (std::size_t p = 0; p < node.size(); ++p)
-      if (!in_matrix(node[p])) update.w.segment<2>(2L * behind(node[p])) += weight[p];
+      if (!in_matrix(node[p])) update.w.segment<2>(2L * cell_dof(node[p])) += weight[p];
     m_updates.push_back(std::move(update));
     return;
   }
   for (std::size_t p = 0; p < node.size(); ++p)
     for (std::size_t q = 0; q < node.size(); ++q)
       if (!in_matrix(node[p]) && !in_matrix(node[q]) && node[q] <= node[p])
-        block(behind(node[p]), behind(node[q])) += c * weight[p] * weight[q].transpose();
+        block(cell_dof(node[p]), cell_dof(node[q])) += c * weight[p] * weight[q].transpose();
 }
 
 Mat2& Elimination::block(std::uint32_t a, std::uint32_t b) {
@@ -115,9 +115,9 @@ void Elimination::set_bound() {
   }
 }
 
-void Elimination::factorise_behind() {
-  if (m_behind == 0) return;
-  const auto size = static_cast<long>(2 * m_behind);
+void Elimination::factorise_cell() {
+  if (m_cell_dofs == 0) return;
+  const auto size = static_cast<long>(2 * m_cell_dofs);
   std::size_t entries = 0;
   for (auto& row : m_rows) {
     std::ranges::sort(row, {}, &Block::column);
@@ -125,7 +125,7 @@ void Elimination::factorise_behind() {
   }
   Eigen::SparseMatrix<double> matrix(size, size); // column a of the upper half is row a of the lower
   matrix.reserve(static_cast<long>(entries));
-  for (std::size_t a = 0; a < m_behind; ++a)
+  for (std::size_t a = 0; a < m_cell_dofs; ++a)
     for (long e = 0; e < 2; ++e) {
       const long column = 2 * static_cast<long>(a) + e;
       matrix.startVec(column);
@@ -143,7 +143,7 @@ void Elimination::factorise_behind() {
   updates.swap(m_updates);
   for (Update& update : updates) { // each with the ones before in place
     m_t = update.w;
-    solve_behind();
+    solve_cell();
     update.factor /= 1.0 + update.factor * update.w.dot(m_t);
     update.solved = m_t;
     m_updates.push_back(std::move(update));
@@ -151,7 +151,7 @@ void Elimination::factorise_behind() {
 }
 
 /// m_t := A_cc^-1 m_t.
-void Elimination::solve_behind() {
+void Elimination::solve_cell() {
   m_t = m_factor.solve(m_t).eval();
   for (const Update& update : m_updates) m_t -= update.factor * update.w.dot(m_t) * update.solved;
 }
@@ -170,7 +170,7 @@ void Elimination::gather(const At& at) {
     m_sums[m] = sum;
     for (std::uint32_t k = m_mixed.first[m]; k < m_mixed.first[m + 1]; ++k)
       if (m_mixed.node[k] >= m_matrix)
-        m_t.segment<2>(2L * behind(m_mixed.node[k])) += m_mixed.c[m] * sum * m_mixed.weight[k];
+        m_t.segment<2>(2L * cell_dof(m_mixed.node[k])) += m_mixed.c[m] * sum * m_mixed.weight[k];
   }
 }
 
@@ -185,7 +185,7 @@ void Elimination::scatter(const Add& add) {
   for (std::size_t m = 0; m < m_mixed.size(); ++m) {
     double sum = m_sums[m];
     for (std::uint32_t k = m_mixed.first[m]; k < m_mixed.first[m + 1]; ++k)
-      if (m_mixed.node[k] >= m_matrix) sum -= m_mixed.weight[k].dot(m_t.segment<2>(2L * behind(m_mixed.node[k])));
+      if (m_mixed.node[k] >= m_matrix) sum -= m_mixed.weight[k].dot(m_t.segment<2>(2L * cell_dof(m_mixed.node[k])));
     for (std::uint32_t k = m_mixed.first[m]; k < m_mixed.first[m + 1]; ++k)
       if (m_mixed.node[k] < m_matrix) add(m_mixed.node[k], m_mixed.c[m] * sum * m_mixed.weight[k]);
   }
@@ -201,7 +201,7 @@ void Elimination::add_product(float factor, const Field& x, Field& y) {
   if (m_linked.empty() && m_mixed.size() == 0) return;
   m_t.setZero();
   gather([&x](std::uint32_t k) { return Vec2(x.x()[k], x.y()[k]); });
-  if (m_behind > 0) solve_behind();
+  if (m_cell_dofs > 0) solve_cell();
   scatter([&y, factor](std::uint32_t k, const Vec2& a) {
     y.x()[k] += factor * static_cast<float>(a.x());
     y.y()[k] += factor * static_cast<float>(a.y());
@@ -209,23 +209,23 @@ void Elimination::add_product(float factor, const Field& x, Field& y) {
 }
 
 void Elimination::reduce(NodeVectors& r) {
-  if (m_behind == 0) return;
-  for (std::size_t a = 0; a < m_behind; ++a) m_t.segment<2>(static_cast<long>(2 * a)) = r.behind[a];
-  solve_behind();
+  if (m_cell_dofs == 0) return;
+  for (std::size_t a = 0; a < m_cell_dofs; ++a) m_t.segment<2>(static_cast<long>(2 * a)) = r.cell_dofs[a];
+  solve_cell();
   std::ranges::fill(m_sums, 0.0);
   scatter([&r](std::uint32_t k, const Vec2& a) { r.add(k, a); });
 }
 
 void Elimination::recover(std::span<const Vec2> r_c, const Field& v_m, std::span<Vec2> v_c) {
-  if (m_behind == 0) return;
+  if (m_cell_dofs == 0) return;
   m_t.setZero();
   gather([&v_m](std::uint32_t k) { return Vec2(v_m.x()[k], v_m.y()[k]); });
-  for (std::size_t a = 0; a < m_behind; ++a) {
+  for (std::size_t a = 0; a < m_cell_dofs; ++a) {
     auto t = m_t.segment<2>(static_cast<long>(2 * a));
     t = r_c[a] - t;
   }
-  solve_behind();
-  for (std::size_t a = 0; a < m_behind; ++a) v_c[a] = m_t.segment<2>(static_cast<long>(2 * a));
+  solve_cell();
+  for (std::size_t a = 0; a < m_cell_dofs; ++a) v_c[a] = m_t.segment<2>(static_cast<long>(2 * a));
 }
 
 } // namespace matrigrate

@@ -12,7 +12,8 @@
 
 namespace matrigrate {
 
-/// The nodes behind the matrix (the cell), eliminated exactly. With m the matrix and c the nodes behind it,
+/// Schur complement on the matrix: the degrees of freedom of the cell are eliminated exactly. With m the matrix and c
+/// the cell,
 ///   S = A_mm - A_mc A_cc^-1 A_cm,   S v_m = F_m - A_mc A_cc^-1 F_c,   v_c = A_cc^-1 (F_c - A_cm v_m).
 /// S differs from the pair drag of the matrix at few nodes, and by no more than the diagonal of the terms there:
 /// however stiff the cell is, a solver of S does not notice. Terms over very many nodes count as updates of rank one of
@@ -37,7 +38,7 @@ public:
   /// From a right-hand side r of A that of S, in part m: r_m := r_m - A_mc A_cc^-1 r_c.
   void reduce(NodeVectors& r);
 
-  /// v_c := A_cc^-1 (r_c - A_cm v_m).   @param v_c  of the nodes behind the matrix
+  /// v_c := A_cc^-1 (r_c - A_cm v_m).   @param v_c  of the nodes of the cell
   void recover(std::span<const Vec2> r_c, const Field& v_m, std::span<Vec2> v_c);
 
 private:
@@ -46,7 +47,7 @@ private:
     std::uint32_t column;
     Mat2 value;
   };
-  /// All links of a matrix node: it meets node k behind with the drag -(A_mc)_k.
+  /// All links of a matrix node: it meets node k of the cell with the drag -(A_mc)_k.
   struct Linked {
     std::uint32_t node;
     std::vector<std::pair<std::uint32_t, double>> drag;
@@ -57,19 +58,19 @@ private:
     double factor;
   };
 
-  std::uint32_t behind(std::uint32_t node) const { return node - static_cast<std::uint32_t>(m_matrix); }
+  std::uint32_t cell_dof(std::uint32_t node) const { return node - static_cast<std::uint32_t>(m_matrix); }
   void add_link(const DragTerms<double>& terms, std::size_t m);
   void add_term(double c, std::span<const std::uint32_t> node, std::span<const Vec2> weight);
   Mat2& block(std::uint32_t a, std::uint32_t b);
   void set_bound();
-  void factorise_behind();
-  void solve_behind();
+  void factorise_cell();
+  void solve_cell();
   template <class At>
   void gather(const At& at);
   template <class Add>
   void scatter(const Add& add);
 
-  std::size_t m_matrix = 0, m_behind = 0; // numbers of nodes
+  std::size_t m_matrix = 0, m_cell_dofs = 0; // numbers of nodes
   std::vector<double> m_diagonal, m_bound;
   std::vector<std::vector<Block>> m_rows; // of A_cc
   std::vector<Linked> m_linked;
@@ -79,7 +80,7 @@ private:
   std::vector<Update> m_updates;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper> m_factor;
   Eigen::SparseMatrix<double> m_pattern; // of A_cc for which m_factor is ordered
-  Eigen::VectorXd m_t;                   // nodes behind, x and y in turn
+  Eigen::VectorXd m_t;                   // nodes of the cell, x and y in turn
 };
 
 } // namespace matrigrate

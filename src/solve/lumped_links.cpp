@@ -6,7 +6,7 @@ void LumpedLinks::clear(std::span<const double> own) {
   m_x.clear();
   m_g.clear();
   m_first.assign(1, 0);
-  m_behind.clear();
+  m_cell_dofs.clear();
   m_drag.clear();
   m_T.assign(own.begin(), own.end());
 }
@@ -17,12 +17,12 @@ void LumpedLinks::add(const Vec2& x, std::span<const std::pair<std::uint32_t, do
     if (drag <= 0.0) continue;
     sum += drag;
     m_T[a] += static_cast<float>(drag);
-    m_behind.push_back(a);
+    m_cell_dofs.push_back(a);
     m_drag.push_back(static_cast<float>(drag));
   }
   m_x.push_back(x);
   m_g.push_back(static_cast<float>(sum));
-  m_first.push_back(static_cast<std::uint32_t>(m_behind.size()));
+  m_first.push_back(static_cast<std::uint32_t>(m_cell_dofs.size()));
 }
 
 void LumpedLinks::close() {
@@ -36,7 +36,7 @@ void LumpedLinks::add_to(const Grid& grid, Eigen::MatrixXf& A) const {
     for (std::size_t p = 0; p < 4; ++p) {
       for (std::size_t q = 0; q < 4; ++q) A(at.point[p], at.point[q]) += m_g[k] * at.weight[p] * at.weight[q];
       for (std::uint32_t e = m_first[k]; e < m_first[k + 1]; ++e)
-        g(at.point[p], m_behind[e]) += at.weight[p] * m_drag[e];
+        g(at.point[p], m_cell_dofs[e]) += at.weight[p] * m_drag[e];
     }
   }
   std::vector<long> touched;
@@ -53,8 +53,8 @@ void LumpedLinks::multiply(Field& u) {
   m_sum.assign(2 * m_T.size(), 0.0F);
   for (std::size_t k = 0; k < size(); ++k)
     for (std::uint32_t e = m_first[k]; e < m_first[k + 1]; ++e) {
-      m_sum[2 * m_behind[e]] += m_drag[e] * u.x()[k];
-      m_sum[2 * m_behind[e] + 1] += m_drag[e] * u.y()[k];
+      m_sum[2 * m_cell_dofs[e]] += m_drag[e] * u.x()[k];
+      m_sum[2 * m_cell_dofs[e] + 1] += m_drag[e] * u.y()[k];
     }
   for (std::size_t a = 0; a < m_T.size(); ++a) {
     m_sum[2 * a] *= m_T[a];
@@ -64,8 +64,8 @@ void LumpedLinks::multiply(Field& u) {
     float x = m_g[k] * u.x()[k];
     float y = m_g[k] * u.y()[k];
     for (std::uint32_t e = m_first[k]; e < m_first[k + 1]; ++e) {
-      x -= m_drag[e] * m_sum[2 * m_behind[e]];
-      y -= m_drag[e] * m_sum[2 * m_behind[e] + 1];
+      x -= m_drag[e] * m_sum[2 * m_cell_dofs[e]];
+      y -= m_drag[e] * m_sum[2 * m_cell_dofs[e] + 1];
     }
     u.x()[k] = x;
     u.y()[k] = y;

@@ -12,17 +12,17 @@
 
 namespace matrigrate {
 
-/// What the links do to smooth fields of the matrix if each node a behind it moves with the mean of its partners,
+/// What the links do to smooth fields of the matrix if each node a of the cell moves with the mean of its partners,
 /// held back by its own drag alone:
 ///   E = diag(g_k) - sum over a of g_a g_a^T / T_a,   g_k = sum_a g_ka,   T_a = own drag + sum_k g_ka.
 /// E is positive semidefinite. On a grid it is P^T E P.
 /// Test: tests/unit/solve/lumped_links_test.cpp
 class LumpedLinks {
 public:
-  /// @param own  drag of the nodes behind the matrix [nN s/um]
+  /// @param own  drag of the nodes of the cell [nN s/um]
   void clear(std::span<const double> own);
 
-  /// The links of a node of the matrix at x: nodes behind and drags; only drags above 0 count.
+  /// The links of a node of the matrix at x: nodes of the cell and drags; only drags above 0 count.
   void add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags);
 
   /// To be called after the last add().
@@ -41,10 +41,10 @@ public:
 private:
   std::vector<Vec2> m_x;
   std::vector<float> m_g;
-  std::vector<std::uint32_t> m_first, m_behind;
+  std::vector<std::uint32_t> m_first, m_cell_dofs;
   std::vector<float> m_drag;
   std::vector<float> m_T;   // then 1 / T
-  std::vector<float> m_sum; // of the nodes behind, x and y in turn
+  std::vector<float> m_sum; // of the nodes of the cell, x and y in turn
 };
 
 } // namespace matrigrate

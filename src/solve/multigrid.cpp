@@ -15,9 +15,9 @@ constexpr double margin = 0.9;   // a pass aims at this much of the goal
 constexpr int most_idle = 3;     // passes that do not halve the residual before giving up
 
 double norm(const NodeVectors& a) {
-  double behind = 0.0;
-  for (const Vec2& b : a.behind) behind += b.squaredNorm();
-  return std::sqrt(squared_norm(a.matrix) + behind);
+  double of_cell = 0.0;
+  for (const Vec2& b : a.cell_dofs) of_cell += b.squaredNorm();
+  return std::sqrt(squared_norm(a.matrix) + of_cell);
 }
 
 } // namespace
@@ -95,13 +95,13 @@ double Multigrid::correct(double r, double reduction, SolveReport& report) {
     ++report.iterations;
   }
   const double left = std::sqrt(dot(m_r, m_r));
-  for (Vec2& a : m_residual.behind) a *= per_r;
-  m_behind.resize(m_residual.behind.size());
-  m_elimination.recover(m_residual.behind, m_x, m_behind);
+  for (Vec2& a : m_residual.cell_dofs) a *= per_r;
+  m_cell_dofs.resize(m_residual.cell_dofs.size());
+  m_elimination.recover(m_residual.cell_dofs, m_x, m_cell_dofs);
   const float* x = m_x.values().data();
   double* v = m_v.matrix.values().data();
   parallel_for(m_x.values().size(), [=](std::size_t k) { v[k] += r * static_cast<double>(x[k]); });
-  for (std::size_t a = 0; a < m_behind.size(); ++a) m_v.behind[a] += r * m_behind[a];
+  for (std::size_t a = 0; a < m_cell_dofs.size(); ++a) m_v.cell_dofs[a] += r * m_cell_dofs[a];
   return left;
 }
 

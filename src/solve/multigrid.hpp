@@ -10,10 +10,11 @@
 namespace matrigrate {
 
 /// Conjugate gradients preconditioned by one V-cycle of geometric multigrid (Brandt 1977), for the matrix alone: the
-/// nodes behind it are eliminated. Corrections are computed in single precision, residuals in double. Where a
-/// correction takes the residual down by no more than 1e4, its own account of it is believed (it is within 2 % then).
-/// Keeps nothing from one solve to the next: a solve depends on the reference, A and the first guess alone, and has the
-/// same bits for any number of threads. Test: tests/unit/solve/multigrid_test.cpp
+/// nodes of the cell are eliminated. Corrections are computed in single precision, residuals in double. Where a
+/// correction in single precision reduces the residual by at most 1e4, the residual of its recurrence is used instead
+/// of one recomputed in double precision (they agree within 2 %). Keeps nothing from one solve to the next: a solve
+/// depends on the reference, A and the first guess alone, and has the same bits for any number of threads. Test:
+/// tests/unit/solve/multigrid_test.cpp
 class Multigrid final : public DragSolver {
 public:
   /// @param reference       the system at rest with its positions; its terms are ignored
@@ -39,7 +40,7 @@ private:
   Elimination m_elimination;
   const RowBlocks* m_pairs = nullptr; ///< of the system that is solved
   NodeVectors m_F, m_v, m_residual;
-  std::vector<Vec2> m_behind; ///< correction of the nodes behind the matrix
+  std::vector<Vec2> m_cell_dofs; ///< correction of the nodes of the cell
   Field m_diagonal, m_smoother, m_x, m_r, m_z, m_p,
       m_q; // of the correction: solution, residual, the same preconditioned, direction
 };

@@ -64,7 +64,7 @@ void products(std::span<const std::uint32_t> first, std::span<const std::uint32_
   store(of_b - (d * of_x - sum), y);
 }
 
-/// y = b - (D x - G x) in double precision; D has no frame, and rows behind `size` are left alone.
+/// y = b - (D x - G x) in double precision; D has no frame, and rows beyond `size` are left alone.
 MATRIGRATE_SIMD
 void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32_t> count, const std::int32_t* distance,
                const float* coefficient, std::size_t block, std::size_t size, const double* D, const DoubleField& b,
@@ -111,15 +111,17 @@ void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32
 
 } // namespace
 
-RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given) { update(pairs, given, {}); }
+RowPattern::RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> prescribed) {
+  update(pairs, prescribed, {});
+}
 
-void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> given,
+void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> prescribed,
                         std::span<const std::uint8_t> changed) {
   const bool all = m_size != pairs.size();
   m_size = pairs.size();
   m_blocks.resize((m_size + lanes - 1) / lanes);
-  m_meets_given.resize(m_blocks.size());
-  const auto is_given = [given](std::size_t i) { return !given.empty() && given[i] != 0; };
+  m_meets_prescribed.resize(m_blocks.size());
+  const auto is_prescribed = [prescribed](std::size_t i) { return !prescribed.empty() && prescribed[i] != 0; };
   std::vector<std::int32_t> of_row, both;
   for (std::size_t block = 0; block < m_blocks.size(); ++block) {
     const std::size_t row = lanes * block;
@@ -130,21 +132,21 @@ void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> gi
     distances.clear();
     bool meets = false;
     for (std::size_t i = row; i < end; ++i) {
-      if (is_given(i)) {
+      if (is_prescribed(i)) {
         meets = true;
         continue;
       }
       of_row.clear();
       for (const std::uint32_t j : pairs.of(i)) {
         of_row.push_back(static_cast<std::int32_t>(j) - static_cast<std::int32_t>(i));
-        meets = meets || is_given(j);
+        meets = meets || is_prescribed(j);
       }
       if (of_row == distances) continue;
       both.clear();
       std::ranges::set_union(distances, of_row, std::back_inserter(both));
       distances.assign(both.begin(), both.end());
     }
-    m_meets_given[block] = meets ? 1 : 0;
+    m_meets_prescribed[block] = meets ? 1 : 0;
   }
 }
 

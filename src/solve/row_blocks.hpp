@@ -17,22 +17,23 @@ class RowPattern {
 public:
   RowPattern() = default;
 
-  /// @param given  1 for nodes whose velocity is given, 0 for the others; empty: none. Their rows need no partners.
-  explicit RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> given = {});
+  /// @param prescribed  1 for nodes whose velocity is prescribed, 0 for the others; empty: none. Their rows need no
+  /// partners.
+  explicit RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> prescribed = {});
 
   /// After rows of the list have changed; a pattern of another size is made anew.   @param changed  1 for each that has
-  void update(const Adjacency& pairs, std::span<const std::uint8_t> given, std::span<const std::uint8_t> changed);
+  void update(const Adjacency& pairs, std::span<const std::uint8_t> prescribed, std::span<const std::uint8_t> changed);
 
   std::size_t size() const { return m_size; } ///< rows
   std::size_t blocks() const { return m_blocks.size(); }
   std::span<const std::int32_t> distances(std::size_t block) const { return m_blocks[block]; }
-  /// Whether a row of the block, or a partner, is given.
-  bool meets_given(std::size_t block) const { return m_meets_given[block] != 0; }
+  /// Whether a row of the block, or a partner, is prescribed.
+  bool meets_prescribed(std::size_t block) const { return m_meets_prescribed[block] != 0; }
 
 private:
   std::size_t m_size = 0;
   std::vector<std::vector<std::int32_t>> m_blocks; // distances of each, in ascending order
-  std::vector<std::uint8_t> m_meets_given;
+  std::vector<std::uint8_t> m_meets_prescribed;
 };
 
 /// A symmetric sparse matrix G without diagonal, in single precision, in blocks of eight rows: products run over

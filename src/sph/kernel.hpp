@@ -1,9 +1,21 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace matrigrate {
+
+/// W_slope(r)/W_slope(0) of the kernel below, (1 - q/2)^3 and 0 beyond its support, for any type of number and without
+/// a branch: loops over many distances become loops over packs. Test: tests/unit/sph/kernel_test.cpp
+/// @param r  distance [um]   @param per_support  1/(2h) [1/um]
+template <class Real>
+[[gnu::always_inline]] inline Real slope_shape(const Real& r, const Real& per_support) {
+  using std::abs;
+  const Real left = Real(1) - r * per_support;
+  const Real a = Real(0.5) * (left + abs(left));
+  return a * a * a;
+}
 
 /// Wendland C2 kernel of the plane (Wendland 1995; MODEL.md, D2):
 ///   W(r) = 7/(4 pi h^2) (1 - q/2)^4 (2q + 1),  q = r/h < 2, and 0 beyond.

@@ -123,6 +123,7 @@ std::span<const std::uint8_t> VerletList::update(std::span<const Vec2> x, double
   bool valid = listed;
   for (std::size_t i = 0; valid && i < x.size(); ++i) valid = (x[i] - m_x_listed[i]).squaredNorm() <= safe * safe;
   if (valid) return {};
+  ++m_updates;
   const std::vector<std::uint32_t> from_there = listed ? moved(x) : std::vector<std::uint32_t>();
   if (listed && few * from_there.size() < x.size()) {
     mend(x, period_x, from_there);

@@ -34,6 +34,10 @@ public:
 
   const Adjacency& pairs() const { return m_pairs; }
 
+  std::size_t updates() const { return m_updates; } ///< how often rows have changed since the start
+  /// 1 for each row that changed in the last of these updates, 0 for the others.
+  std::span<const std::uint8_t> changed() const { return m_changed; }
+
 private:
   std::vector<std::uint32_t> moved(std::span<const Vec2> x) const;
   void mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved);
@@ -47,6 +51,7 @@ private:
   std::vector<Vec2> m_x_listed; // where each particle was when its row was last made
   Adjacency m_pairs;            // those of neighbours_within(m_x_listed, m_reach + m_skin), with room
   std::vector<std::uint8_t> m_changed;
+  std::size_t m_updates = 0;
 };
 
 } // namespace matrigrate

@@ -16,7 +16,6 @@ struct EcmState {
 
   std::vector<Vec2> X;               ///< reference positions [um]
   std::vector<Vec2> x;               ///< positions [um]; never wrapped where the matrix is periodic
-  std::vector<Vec2> x_drag;          ///< positions at which the drag is taken, a little behind x; empty: at x [um]
   std::vector<Vec2> v;               ///< velocities of the last step [um/s]; of clamped particles: as prescribed
   std::vector<double> rho;           ///< density over rho_0 [-]
   std::vector<Mat2> S;               ///< deviatoric Cauchy stress, in-plane part [kPa]; S_zz = -(S_xx + S_yy)

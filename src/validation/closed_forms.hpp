@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vector.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "parameters/parameters.hpp"
 #include "sph/kernel.hpp"
 

@@ -1,4 +1,4 @@
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "state/initial.hpp"
 #include "validation/cases.hpp"
 #include "validation/closed_forms.hpp"

@@ -37,7 +37,7 @@ std::vector<double> lifetimes(const Parameters& p, double F) {
     for (Transition change; !change.changes;) {
       ++step;
       const Circumstances now{.force = F, .support = 1.0, .draw = uniform(p.run.seed, Purpose::disassembly, step, id)};
-      change = transition(phase, now, p);
+      change = transition(phase, now, p, p.run.time_step);
     }
     lives.push_back((static_cast<double>(step) - 0.5) * p.run.time_step);
   }

@@ -28,7 +28,7 @@ First wait(Parameters p, std::uint64_t seed, const State& start, const std::vect
   const std::vector<Vec2> n = normals(s.cortex);
   while (s.protrusions.empty()) {
     ++s.step;
-    initiate(s, p, {of_front, n});
+    initiate(s, p, p.run.time_step, {of_front, n});
   }
   const std::uint32_t centre = s.protrusions.front().centre;
   const auto before = static_cast<double>(std::count(of_front.begin(), of_front.begin() + centre, 1));

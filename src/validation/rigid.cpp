@@ -1,4 +1,4 @@
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "ecm/stress.hpp"
 #include "ecm/viscosity.hpp"
 #include "state/initial.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
-#include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 #include "state/state.hpp"
 
 /// Small helpers that the cases share.

@@ -1,5 +1,6 @@
 #include "base/failure.hpp"
 #include "ecm/stress.hpp"
+#include "simulation/advance.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/initial.hpp"
 #include "validation/cases.hpp"
@@ -29,7 +30,7 @@ bool stable(const Parameters& p, double dt) {
   SolidFields at_rest = undeformed(a.s.ecm.size());
   advance_stress(a.s.ecm, q.ecm, a.w.reference, at_rest, 1.0);
   try {
-    for (int step = 0; step < 400; ++step) advance(a.s, q, a.w);
+    for (int step = 0; step < 400; ++step) advance(a.s, q, dt, a.w);
   } catch (const NumericalFailure&) {
     return false;
   }

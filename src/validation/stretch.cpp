@@ -1,5 +1,5 @@
 #include "ecm/deformation.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "ecm/stress.hpp"
 #include "observe/reaction.hpp"
 #include "state/initial.hpp"

@@ -1,5 +1,5 @@
 #include "base/failure.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "sph/interpolate.hpp"
 #include "state/initial.hpp"
 #include "validation/cases.hpp"

@@ -4,6 +4,7 @@
 #include "protrusion/maturation.hpp"
 #include "same_bits.hpp"
 #include "simulation/advance.hpp"
+#include "simulation/march.hpp"
 #include "simulation/start.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ State migrated(const Parameters& p, int steps, bool fresh_workspaces = false) {
   auto w = std::make_unique<Workspace>(s, p);
   for (int k = 0; k < steps; ++k) {
     if (fresh_workspaces && k % 50 == 49) w = std::make_unique<Workspace>(s, p);
-    advance(s, p, *w);
+    advance(s, p, p.run.time_step, *w);
   }
   return s;
 }
@@ -108,7 +109,7 @@ TEST(Migration, SeedsBeginTheirFirstProtrusionElsewhere) {
     p.run.seed = seed;
     State s = initial_state(p);
     Workspace w(s, p);
-    while (s.protrusions.empty()) advance(s, p, w);
+    while (s.protrusions.empty()) advance(s, p, p.run.time_step, w);
     return std::pair(s.step, s.protrusions.front().centre);
   };
   EXPECT_EQ(first(1), first(1));
@@ -122,15 +123,15 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
   Workspace w(s, p);
   double most = 0.0;
   for (int k = 0; k < 300; ++k) {
-    advance(s, p, w);
+    advance(s, p, p.run.time_step, w);
     update_neighbours(s, w);
     w.reference.update(s.ecm);
     describe_cell(s, p, w);
-    assemble_drag(s, p, w);
-    assemble_forces(s, p, w, {});
+    assemble_drag(s, p, p.run.time_step, w);
+    assemble_forces(s, p, p.run.time_step, w, {});
     std::vector<Vec2> external(w.force.size(), Vec2::Zero());
     add_growth(s, p.protrusion, 1.0, w.cell.normals, external);
-    add_maturation(s, p, external, w.drag);
+    add_maturation(s, p, p.run.time_step, external, w.drag);
     most = std::max(most, (sum(w.force) - sum(external)).norm());
   }
   EXPECT_LT(most, 1e-12);
@@ -145,7 +146,7 @@ TEST(Migration, ACellInFluidIsResistedByItsOwnDragAndByAShareOfTheFluid) {
     for (std::size_t i = 0; i < s.ecm.size(); ++i)
       if (!s.ecm.clamped[i]) s.ecm.f[i] = 0.0;
     Workspace w(s, p);
-    advance(s, p, w, [](const State& at, std::span<Vec2> force) {
+    advance(s, p, p.run.time_step, w, [](const State& at, std::span<Vec2> force) {
       for (std::size_t i = 0; i < at.cortex.size(); ++i) force[at.node(i)] += Vec2(1e-3, 0.0);
     });
     Vec2 mean = Vec2::Zero();

@@ -22,7 +22,7 @@ TEST(ClampForce, BalancesTheLoad) {
         total += Vec2(1e-4, 2e-4);
       }
   };
-  for (int k = 0; k < 20; ++k) advance(s, p, w, load);
+  for (int k = 0; k < 20; ++k) advance(s, p, p.run.time_step, w, load);
   // drag is read after the move of the last step: equal up to a displacement of 1e-3 um against a spacing of 2 um
   const Vec2 force = clamp_force(s, p, w, [](const Vec2&) { return true; });
   EXPECT_NEAR((force + total).norm(), 0.0, 1e-3 * total.norm());

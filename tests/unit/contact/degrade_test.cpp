@@ -1,7 +1,7 @@
 #include "contact/degrade.hpp"
 
 #include "contact/elastic.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "scene.hpp"
 
 #include <gtest/gtest.h>
@@ -45,14 +45,14 @@ TEST(DegradationRate, ReadsTheSolidsOwnPressure) {
 TEST(Degrade, FollowsTheRateOfEachEncounterAndLeavesTheRestAlone) {
   Scene s = touching_scene();
   const EcmState before = s.ecm;
-  const std::vector<Encounter> met = s.met();
+  const std::vector<NearbyParticle> nearby = s.nearby();
   std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
   for (std::size_t i = 0; i < 12; ++i) on_protrusion[i] = 1;
   s.p.degradation.protrusion_rate = 0.011;
   s.p.degradation.pressure = DegradationPressure::larger; // the contact alone presses
-  degrade(s.ecm, s.p, met, on_protrusion, {}, 0.4);
+  degrade(s.ecm, s.p, nearby, on_protrusion, {}, 0.4);
   std::vector<double> expected = before.f;
-  for (const Encounter& e : met)
+  for (const NearbyParticle& e : nearby)
     expected[e.particle] -= 0.4 * degradation_rate(e.distance, on_protrusion[e.segment] != 0, 0.0, s.p);
   int changed = 0;
   for (std::size_t k = 0; k < s.ecm.size(); ++k) {
@@ -67,7 +67,7 @@ TEST(Degrade, WorksAtATipWhateverThePressureAndTheFasterRateCounts) {
   const Vec2 tip = s.c.x[0];
   const std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
   const EcmState before = s.ecm;
-  degrade(s.ecm, s.p, s.met(), on_protrusion, std::vector<Vec2>{tip, tip}, 0.4);
+  degrade(s.ecm, s.p, s.nearby(), on_protrusion, std::vector<Vec2>{tip, tip}, 0.4);
   int at_tip = 0;
   for (std::size_t k = 0; k < s.ecm.size(); ++k) {
     if ((s.ecm.x[k] - tip).norm() >= 2.4 || s.ecm.clamped[k]) continue;
@@ -81,7 +81,7 @@ TEST(Degrade, TakesTipsAndParticlesWhereTheyAreInTheMiddleOfTheStep) {
   Scene rest = touching_scene();
   const Vec2 tip = rest.c.x[0];
   const std::vector<std::uint8_t> on_protrusion(rest.c.size(), 0);
-  const auto met = rest.met();
+  const auto nearby = rest.nearby();
   Scene moving = rest;
   const Vec2 v(4.0, -3.0);
   const double dt = 0.4;
@@ -89,8 +89,8 @@ TEST(Degrade, TakesTipsAndParticlesWhereTheyAreInTheMiddleOfTheStep) {
     moving.ecm.v[k] = v;
     moving.ecm.x[k] += dt * v;
   }
-  degrade(rest.ecm, rest.p, met, on_protrusion, std::vector<Vec2>{tip}, dt);
-  degrade(moving.ecm, moving.p, met, on_protrusion, std::vector<Vec2>{tip + 0.5 * dt * v}, dt);
+  degrade(rest.ecm, rest.p, nearby, on_protrusion, std::vector<Vec2>{tip}, dt);
+  degrade(moving.ecm, moving.p, nearby, on_protrusion, std::vector<Vec2>{tip + 0.5 * dt * v}, dt);
   EXPECT_EQ(moving.ecm.f, rest.ecm.f);
   EXPECT_LT(std::ranges::min(rest.ecm.f), 1.0);
 }
@@ -99,25 +99,26 @@ TEST(Degrade, TurnsAParticleIntoFluidInThirtySecondsAtTheBody) {
   Scene s = touching_scene();
   for (double& f : s.ecm.f) f = 1.0;
   s.p.degradation.pressure = DegradationPressure::larger;
-  const std::vector<Encounter> met = s.met();
-  const auto close = std::ranges::find_if(met, [](const Encounter& e) { return e.distance > 0.0 && e.distance < 1.0; });
-  ASSERT_NE(close, met.end());
+  const std::vector<NearbyParticle> nearby = s.nearby();
+  const auto close =
+      std::ranges::find_if(nearby, [](const NearbyParticle& e) { return e.distance > 0.0 && e.distance < 1.0; });
+  ASSERT_NE(close, nearby.end());
   const std::uint32_t k = close->particle;
   s.ecm.S[k](0, 1) = 0.01;
   int steps = 0;
   for (; s.ecm.f[k] > 0.0 && steps < 1000; ++steps)
-    degrade(s.ecm, s.p, met, std::vector<std::uint8_t>(s.c.size(), 0), {}, 0.4);
+    degrade(s.ecm, s.p, nearby, std::vector<std::uint8_t>(s.c.size(), 0), {}, 0.4);
   EXPECT_NEAR(0.4 * steps, 1.0 / 0.033, 0.41);
   EXPECT_EQ(s.ecm.S[k].norm(), 0.0);
 }
 
 TEST(FluidizeEngulfed, TakesWhatLiesDeepInsideTheCell) {
   Scene s = touching_scene();
-  const std::vector<Encounter> met = s.met();
-  const auto deep =
-      static_cast<std::size_t>(std::ranges::count_if(met, [](const Encounter& e) { return e.distance < -0.3; }));
+  const std::vector<NearbyParticle> nearby = s.nearby();
+  const auto deep = static_cast<std::size_t>(
+      std::ranges::count_if(nearby, [](const NearbyParticle& e) { return e.distance < -0.3; }));
   ASSERT_GT(deep, 0U);
-  EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, met), deep);
-  EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, met), 0U);
-  for (const Encounter& e : met) EXPECT_EQ(s.ecm.f[e.particle] > 0.0, e.distance >= -0.3);
+  EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, nearby), deep);
+  EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, nearby), 0U);
+  for (const NearbyParticle& e : nearby) EXPECT_EQ(s.ecm.f[e.particle] > 0.0, e.distance >= -0.3);
 }

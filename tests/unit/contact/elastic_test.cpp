@@ -1,6 +1,6 @@
 #include "contact/elastic.hpp"
 
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "scene.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ constexpr double dt = 0.4;
 
 Assembled contact_of(const Scene& s) {
   return assemble(s.ecm.size() + s.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_elastic_contact(s.ecm, s.c, s.p, s.met(), dt, force, A);
+    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), dt, force, A);
   });
 }
 
@@ -73,11 +73,11 @@ TEST(ElasticContact, TurnsWithTheScene) {
 TEST(ElasticContact, IsImplicitAlongTheNormal) {
   const Scene s = touching_scene();
   Scene after = s; // one particle comes closer, the nearest of those well within a segment
-  const std::vector<Encounter> met = s.met();
+  const std::vector<NearbyParticle> nearby = s.nearby();
   const auto inner = std::ranges::find_if(
-      met, [](const Encounter& e) { return e.s > 0.2 && e.s < 0.8 && e.distance > 0.1 && e.distance < 1.0; });
-  ASSERT_NE(inner, met.end());
-  const Encounter& e = *inner;
+      nearby, [](const NearbyParticle& e) { return e.s > 0.2 && e.s < 0.8 && e.distance > 0.1 && e.distance < 1.0; });
+  ASSERT_NE(inner, nearby.end());
+  const NearbyParticle& e = *inner;
   const double speed = -0.01;
   after.ecm.x[e.particle] += dt * speed * e.normal;
   const std::vector<Vec2> grown = contact_of(after).force;

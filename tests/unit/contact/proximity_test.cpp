@@ -49,15 +49,15 @@ TEST(SegmentGrid, KnowsWhichPointsMayHaveASegmentNear) {
 
 TEST(Encounters, AreTheClosestSegmentsOfAllParticles) {
   const Scene s = touching_scene();
-  const std::vector<Encounter> met = s.met();
+  const std::vector<NearbyParticle> nearby = s.nearby();
   std::size_t next = 0;
   for (std::uint32_t k = 0; k < s.ecm.size(); ++k) {
     double closest = 1e9;
     for (std::size_t i = 0; i < s.c.size(); ++i)
       closest = std::min(closest, closest_point(s.ecm.x[k], s.c.x[i], s.c.x[s.c.next(i)]).from.norm());
     if (closest >= s.reach || s.ecm.clamped[k]) continue;
-    ASSERT_LT(next, met.size());
-    const Encounter& e = met[next++];
+    ASSERT_LT(next, nearby.size());
+    const NearbyParticle& e = nearby[next++];
     EXPECT_EQ(e.particle, k);
     EXPECT_NEAR(std::abs(e.distance), closest, 1e-12);
     EXPECT_EQ(e.distance < 0.0, contains(s.c, s.ecm.x[k])) << "particle " << k;
@@ -65,24 +65,24 @@ TEST(Encounters, AreTheClosestSegmentsOfAllParticles) {
     EXPECT_LT((at + e.distance * e.normal - s.ecm.x[k]).norm(), 1e-9);
     EXPECT_NEAR(e.normal.norm(), 1.0, 1e-12);
   }
-  EXPECT_EQ(next, met.size());
-  EXPECT_TRUE(std::ranges::any_of(met, [](const Encounter& e) { return e.distance < 0.0; }));
-  EXPECT_TRUE(std::ranges::any_of(met, [](const Encounter& e) { return e.s == 0.0 || e.s == 1.0; }));
+  EXPECT_EQ(next, nearby.size());
+  EXPECT_TRUE(std::ranges::any_of(nearby, [](const NearbyParticle& e) { return e.distance < 0.0; }));
+  EXPECT_TRUE(std::ranges::any_of(nearby, [](const NearbyParticle& e) { return e.s == 0.0 || e.s == 1.0; }));
 }
 
 TEST(Encounters, LeaveFluidAndClampedParticlesOut) {
   Scene s = touching_scene();
-  const std::size_t all = s.met().size();
-  s.ecm.f[s.met()[3].particle] = 0.0;
-  s.ecm.clamped[s.met()[5].particle] = 1;
-  EXPECT_EQ(s.met().size(), all - 2);
+  const std::size_t all = s.nearby().size();
+  s.ecm.f[s.nearby()[3].particle] = 0.0;
+  s.ecm.clamped[s.nearby()[5].particle] = 1;
+  EXPECT_EQ(s.nearby().size(), all - 2);
 }
 
 TEST(Encounters, GiveANormalEvenToAParticleOnTheCortex) {
   Scene s = touching_scene();
-  const std::uint32_t k = s.met().front().particle;
+  const std::uint32_t k = s.nearby().front().particle;
   s.ecm.x[k] = 0.5 * (s.c.x[7] + s.c.x[8]);
-  for (const Encounter& e : s.met())
+  for (const NearbyParticle& e : s.nearby())
     if (e.particle == k) {
       EXPECT_NEAR(e.distance, 0.0, 1e-12);
       EXPECT_NEAR(e.normal.norm(), 1.0, 1e-12);

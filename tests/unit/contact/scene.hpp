@@ -21,7 +21,7 @@ struct Scene {
   CortexState c = round_cortex(p.cell);
   double reach = 2.0 * p.ecm.smoothing_length;
 
-  std::vector<Encounter> met() const { return encounters(ecm, c, SegmentGrid(c, reach), reach); }
+  std::vector<NearbyParticle> nearby() const { return nearby_solid(ecm, c, SegmentGrid(c, reach), reach); }
 
   std::vector<Vec2> positions() const {
     std::vector<Vec2> x = ecm.x;

@@ -2,7 +2,7 @@
 
 #include "body.hpp"
 #include "ecm/deformation.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "ecm/updated_lagrangian.hpp"
 
 #include "body.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "sph/neighbours.hpp"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,11 @@
 #include "ecm/viscosity.hpp"
 
 #include "body.hpp"
+#include "same_drag.hpp"
 #include "sph/neighbours.hpp"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
-
-#include <utility>
 
 using namespace matrigrate;
 
@@ -31,17 +30,6 @@ struct Assembled {
 };
 
 } // namespace
-
-TEST(PairDrag, IsThatOfEquation2) {
-  const double h = 2.6;
-  const Kernel kernel(h);
-  const Vec2 x_ij(2.0, 1.0);
-  const double r = x_ij.norm();
-  const Vec2 grad_W = kernel.W_slope(r) * x_ij;
-  EXPECT_DOUBLE_EQ(pair_drag(r * r, kernel.W_slope(r), 4.0, 1.5, 0.7, h),
-                   0.7 * 4.0 * 4.0 * (1.5 + 1.5) * (-x_ij.dot(grad_W)) / (r * r + 0.01 * h * h));
-  EXPECT_EQ(pair_drag(36.0, kernel.W_slope(6.0), 4.0, 1.0, 1.0, h), 0.0);
-}
 
 TEST(DragMatrix, IsSymmetricToTheBitAndPositiveDefinite) {
   EcmState ecm = deformed_body(EcmParameters{});
@@ -107,24 +95,7 @@ TEST(DragMatrix, AShareAgainstChangesOfVelocityChangesNothingAtThePresentOnes) {
   }
 }
 
-namespace {
-
-/// The matrix as it is, coefficient by coefficient.
-void expect_same(const DragSystem& a, const DragSystem& b) {
-  EXPECT_EQ(a.diagonal, b.diagonal);
-  EXPECT_EQ(a.given, b.given);
-  EXPECT_EQ(a.F, b.F);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::vector<std::pair<std::size_t, float>> of_a, of_b;
-    a.pairs.each_of_row(i, [&](std::size_t j, float G) { of_a.emplace_back(j, G); });
-    b.pairs.each_of_row(i, [&](std::size_t j, float G) { of_b.emplace_back(j, G); });
-    EXPECT_EQ(of_a, of_b) << "row " << i;
-  }
-}
-
-} // namespace
-
-TEST(MatrixDrag, HasTheSameBitsAsIfAllWereMadeAnew) {
+TEST(ViscosityRows, HaveTheSameBitsAsIfAllWereComputed) {
   const EcmParameters p;
   for (const bool clamp_moves : {false, true}) {
     EcmState ecm = deformed_body(p);
@@ -133,68 +104,20 @@ TEST(MatrixDrag, HasTheSameBitsAsIfAllWereMadeAnew) {
       for (std::size_t i = 0; i < 30; ++i) ecm.v[i].setZero();
     const Adjacency pairs = neighbours_within(ecm.x, 8.0, ecm.period_x);
     const RowPattern pattern(pairs, ecm.clamped);
-    MatrixDrag drag;
+    ViscosityRows rows;
     DragSystem kept;
     for (int step = 0; step < 4; ++step) {
-      drag.assemble(ecm, ecm.x, p, pairs, pattern, kept, 0.3);
-      DragSystem anew;
-      assemble_viscosity(ecm, p, pattern, anew, 0.3);
-      expect_same(kept, anew);
+      rows.assemble(ecm, ecm.x, p, pairs, pattern, {}, 0.3, kept);
+      DragSystem all;
+      assemble_viscosity(ecm, p, pattern, all, 0.3);
+      expect_same(kept, all);
       for (std::size_t i = 0; i < ecm.size(); i += 37) ecm.x[i] += Vec2(0.1 * step, -0.2);
     }
     const Adjacency fewer = neighbours_within(ecm.x, 7.0, ecm.period_x);
     const RowPattern other(fewer, ecm.clamped);
-    drag.forget(std::vector<std::uint8_t>(ecm.size(), 1));
-    drag.assemble(ecm, ecm.x, p, fewer, other, kept, 0.3);
-    DragSystem anew;
-    assemble_viscosity(ecm, p, other, anew, 0.3);
-    expect_same(kept, anew);
+    rows.assemble(ecm, ecm.x, p, fewer, other, std::vector<std::uint8_t>(ecm.size(), 1), 0.3, kept);
+    DragSystem all;
+    assemble_viscosity(ecm, p, other, all, 0.3);
+    expect_same(kept, all);
   }
-}
-
-TEST(MatrixDrag, HasTheSameBitsWhereAFewRowsOfTheListChange) {
-  const EcmParameters p;
-  EcmState ecm = deformed_body(p);
-  VerletList list(2.0 * p.smoothing_length, p.verlet_skin);
-  MatrixDrag drag;
-  RowPattern pattern;
-  DragSystem kept;
-  std::size_t mended = 0;
-  for (int step = 0; step < 12; ++step) {
-    const auto changed = list.update(ecm.x, ecm.period_x);
-    if (!changed.empty()) {
-      if (std::ranges::count(changed, 1) < std::ssize(changed)) ++mended;
-      pattern.update(list.pairs(), ecm.clamped, changed);
-      drag.forget(changed);
-    }
-    drag.assemble(ecm, ecm.x, p, list.pairs(), pattern, kept, 0.3);
-    const Adjacency pairs = neighbours_within(ecm.x, 8.0, ecm.period_x);
-    DragSystem anew;
-    assemble_viscosity(ecm, p, RowPattern(pairs, ecm.clamped), anew, 0.3);
-    expect_same(kept, anew);
-    for (std::size_t i = ecm.size() / 2; i < ecm.size() / 2 + 20; ++i) ecm.x[i] += Vec2(0.1, -0.07);
-  }
-  EXPECT_GE(mended, 3U);
-}
-
-TEST(DragPatches, AreRefreshedTogetherWhereOneParticleHasMovedFurtherThanTheLag) {
-  const EcmParameters p;
-  EcmState ecm = rectangle(p, 80.0, 40.0, 0.0);
-  const DragPatches patches(ecm.X, p.particle_spacing);
-  patches.refresh(ecm.x, 0.01, ecm.x_drag);
-  EXPECT_EQ(ecm.x_drag, ecm.x);
-  const auto patch_of = [&](std::size_t i) {
-    const double width = 8.0 * p.particle_spacing;
-    return std::pair(std::floor(ecm.X[i].x() / width), std::floor(ecm.X[i].y() / width));
-  };
-  const std::vector<Vec2> before = ecm.x;
-  const std::size_t far = ecm.size() - 3; // in the last patch
-  ASSERT_NE(patch_of(3), patch_of(far));
-  for (Vec2& x : ecm.x) x += Vec2(0.009, 0.0);
-  ecm.x[3] = before[3] + Vec2(0.0, -0.011);
-  patches.refresh(ecm.x, 0.01, ecm.x_drag);
-  for (std::size_t i = 0; i < ecm.size(); ++i)
-    EXPECT_EQ(ecm.x_drag[i], patch_of(i) == patch_of(3) ? ecm.x[i] : before[i]) << i;
-  patches.refresh(ecm.x, 0.0, ecm.x_drag);
-  EXPECT_EQ(ecm.x_drag, ecm.x);
 }

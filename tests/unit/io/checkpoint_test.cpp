@@ -32,10 +32,10 @@ State lively_state() {
     s.ecm.S[i] << a, 2 * a, 3 * a, 4 * a;
     s.ecm.f[i] = std::abs(a);
   }
-  s.ecm.x_drag = s.ecm.x;
-  s.ecm.x_drag[7] += Vec2(1e-3 / 3.0, 0.0);
+  s.solver_memory.x_drag = s.ecm.x;
+  s.solver_memory.x_drag[7] += Vec2(1e-3 / 3.0, 0.0);
   s.cortex.v.assign(s.cortex.size(), Vec2(0.1, 0.7));
-  s.v_before.assign(s.ecm.size() + s.cortex.size(), Vec2(0.2 / 3.0, -1.0));
+  s.solver_memory.v_before.assign(s.ecm.size() + s.cortex.size(), Vec2(0.2 / 3.0, -1.0));
   s.polarization = 0.1 + 0.2;
   s.initiated = 4;
   s.protrusions = {
@@ -75,8 +75,8 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
   EXPECT_EQ(after.memory, before.memory);
   EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
   EXPECT_TRUE(std::signbit(after.state.ecm.v[0].x()));
-  EXPECT_EQ(after.state.ecm.x_drag, before.state.ecm.x_drag);
-  EXPECT_EQ(after.state.v_before, before.state.v_before);
+  EXPECT_EQ(after.state.solver_memory.x_drag, before.state.solver_memory.x_drag);
+  EXPECT_EQ(after.state.solver_memory.v_before, before.state.solver_memory.v_before);
   EXPECT_EQ(after.state.polarization, before.state.polarization);
   EXPECT_EQ(after.state.protrusions.size(), 4U);
   EXPECT_EQ(std::get<Growing>(after.state.protrusions[0].phase).base_width, 44.0 / 3.0);

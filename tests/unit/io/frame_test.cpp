@@ -1,7 +1,7 @@
 #include "io/frame.hpp"
 
 #include "ecm/fluid.hpp"
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 #include "frames.hpp"
 #include "sph/neighbours.hpp"
 

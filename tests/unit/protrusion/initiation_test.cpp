@@ -18,7 +18,7 @@ namespace {
 void try_to_initiate(State& s, const Parameters& p, const std::vector<std::uint8_t>& of_front,
                      const Vec2& centre = Vec2::Zero(), double area = 1.0) {
   const std::vector<Vec2> n = normals(s.cortex);
-  initiate(s, p, {of_front, n, centre, area});
+  initiate(s, p, p.run.time_step, {of_front, n, centre, area});
 }
 
 /// Steps until the first protrusion; its time, any moment within the step as likely as for a constant rate [s].
@@ -253,7 +253,7 @@ TEST(Facing, KeepsProtrusionsFromBeginningWhereTheTipFacesAway) {
     State s = start;
     for (int k = 0; k < 500; ++k) {
       next_step(s, p);
-      initiate(s, p, {all, n});
+      initiate(s, p, p.run.time_step, {all, n});
     }
     std::vector<std::uint32_t> found;
     for (const Protrusion& protrusion : s.protrusions) found.push_back(protrusion.centre);

@@ -14,6 +14,7 @@ using namespace matrigrate;
 namespace {
 
 const Vec2 d(1.0, 0.0);
+constexpr double dt = 0.4; // [s]
 const Vec2 site(20.0, 1.0);
 
 /// A quiet moment: solid all around, no force, no bad luck.
@@ -32,8 +33,8 @@ Next expect_to(const Transition& change, EndCause cause = EndCause::none) {
 
 TEST(Transition, GrowthLastsTProtAndThenAdheresAhead) {
   const Parameters p;
-  EXPECT_FALSE(transition(Growing{d}, quiet(399.9), p).changes);
-  const auto next = expect_to<Maturing>(transition(Growing{d}, quiet(400.0), p));
+  EXPECT_FALSE(transition(Growing{d}, quiet(399.9), p, dt).changes);
+  const auto next = expect_to<Maturing>(transition(Growing{d}, quiet(400.0), p, dt));
   EXPECT_EQ(next.anchor, site);
   EXPECT_EQ(next.direction, d);
   EXPECT_EQ(next.steps, 0);
@@ -43,22 +44,22 @@ TEST(Transition, GrowthThatFindsNoSolidStaysUnadhered) {
   const Parameters p;
   Circumstances now = quiet(400.0);
   now.support = 0.019;
-  EXPECT_EQ(expect_to<Finishing>(transition(Growing{d}, now, p), EndCause::unadhered).f_mat, 0.05);
+  EXPECT_EQ(expect_to<Finishing>(transition(Growing{d}, now, p, dt), EndCause::unadhered).f_mat, 0.05);
   now.age = 100.0; // solid does not matter before
-  EXPECT_FALSE(transition(Growing{d}, now, p).changes);
+  EXPECT_FALSE(transition(Growing{d}, now, p, dt).changes);
 }
 
 TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.force = 0.9 * step_force(2, p);
-  EXPECT_FALSE(transition(Maturing{d, site, 2}, now, p).changes);
+  EXPECT_FALSE(transition(Maturing{d, site, 2}, now, p, dt).changes);
   now.force = step_force(2, p);
-  const auto next = expect_to<Maturing>(transition(Maturing{d, site, 2}, now, p));
+  const auto next = expect_to<Maturing>(transition(Maturing{d, site, 2}, now, p, dt));
   EXPECT_EQ(next.steps, 3);
   EXPECT_EQ(next.anchor, site);
   now.force = 10.0;
-  EXPECT_FALSE(transition(Maturing{d, site, most_maturation_steps}, now, p).changes);
+  EXPECT_FALSE(transition(Maturing{d, site, most_maturation_steps}, now, p, dt).changes);
 }
 
 TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
@@ -66,7 +67,7 @@ TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
   p.adhesion.handover = Handover::immediate;
   Circumstances now = quiet(600.0);
   now.force = 0.27;
-  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, now, p)); // 125 s a step
+  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, now, p, dt)); // 125 s a step
   EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
   EXPECT_EQ(next.bundle, 0.0);
   EXPECT_EQ(next.anchor, site);
@@ -78,32 +79,32 @@ TEST(Transition, HandsOverToABundle) {
   mature.last_step = 500.0; // 125 s a step, 100 s of the fifth
   Circumstances now = quiet(600.0);
   now.force = 0.25;
-  const auto next = expect_to<Contracting>(transition(mature, now, p));
+  const auto next = expect_to<Contracting>(transition(mature, now, p, dt));
   EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
   EXPECT_DOUBLE_EQ(next.bundle, 0.9 * 0.48 * 0.6);
   EXPECT_EQ(next.falling, 0.25);
   now = quiet(1.0);
   now.force = next.f_mat * 0.6;
-  EXPECT_LT(expect_to<Contracting>(transition(next, now, p)).bundle, next.bundle);
+  EXPECT_LT(expect_to<Contracting>(transition(next, now, p, dt)).bundle, next.bundle);
 }
 
 TEST(Transition, AnAdhesionWhoseSolidIsGoneIsLost) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.support = 0.0;
-  expect_to<Finishing>(transition(Maturing{d, site, 4}, now, p), EndCause::lost);
-  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::lost).f_mat, 0.7);
+  expect_to<Finishing>(transition(Maturing{d, site, 4}, now, p, dt), EndCause::lost);
+  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, dt), EndCause::lost).f_mat, 0.7);
 }
 
 TEST(Transition, ContractionEndsByADrawAgainstEquationSeven) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.force = 0.05;
-  const double probability = -std::expm1(-disassembly_rate(0.05, 0.7, p.adhesion) * p.run.time_step);
+  const double probability = -std::expm1(-disassembly_rate(0.05, 0.7, p.adhesion) * dt);
   now.draw = 1.0001 * probability;
-  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p).changes);
+  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, dt).changes);
   now.draw = 0.9999 * probability;
-  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::disassembly).f_mat, 0.7);
+  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, dt), EndCause::disassembly).f_mat, 0.7);
 }
 
 TEST(Transition, RuptureIsCertainAboveItsForce) {
@@ -111,17 +112,17 @@ TEST(Transition, RuptureIsCertainAboveItsForce) {
   p.adhesion.rupture = true;
   Circumstances now = quiet(10.0);
   now.force = 0.43; // 0.7 x 0.6 nN is 0.42
-  expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p), EndCause::rupture);
+  expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, dt), EndCause::rupture);
   // while the bundle still pulls, it gives way instead
-  EXPECT_LT(expect_to<Contracting>(transition(Contracting{site, 0.7, 0.1}, now, p)).bundle, 0.1);
+  EXPECT_LT(expect_to<Contracting>(transition(Contracting{site, 0.7, 0.1}, now, p, dt)).bundle, 0.1);
   p.adhesion.rupture = false;
-  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p).changes);
+  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, dt).changes);
 }
 
 TEST(Transition, FinishingLastsTFinishAndFreesTheParticles) {
   const Parameters p;
-  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.9), p).changes);
-  EXPECT_TRUE(transition(Finishing{0.7}, quiet(400.0), p).ends);
+  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.9), p, dt).changes);
+  EXPECT_TRUE(transition(Finishing{0.7}, quiet(400.0), p, dt).ends);
 }
 
 TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
@@ -130,21 +131,21 @@ TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
   s.t = 400.0;
   Protrusion& growing = add_protrusion(s, 0, Growing{d});
   growing.since = 0.0;
-  Circumstances now = circumstances(s, s.protrusions[0], p);
+  Circumstances now = circumstances(s, s.protrusions[0], p, dt);
   EXPECT_NEAR(now.age, 400.0, 1e-5);
   EXPECT_GE(now.age, 400.0);
   EXPECT_LT((now.ahead - Vec2(20.0, 0.0)).norm(), 1e-9);
   EXPECT_GT(now.support, 0.5);
   EXPECT_EQ(now.force, 0.0);
   s.protrusions[0].phase = Contracting{s.cortex.x[0] + Vec2(5.2, 0.0), 1.0};
-  const Circumstances then = circumstances(s, s.protrusions[0], p);
+  const Circumstances then = circumstances(s, s.protrusions[0], p, dt);
   EXPECT_NEAR(then.force, 0.4, 1e-9);
   EXPECT_EQ(then.draw, now.draw); // same step, same protrusion
   s.protrusions[0].record.id = 2;
-  EXPECT_NE(circumstances(s, s.protrusions[0], p).draw, now.draw);
+  EXPECT_NE(circumstances(s, s.protrusions[0], p, dt).draw, now.draw);
 }
 
-TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
+TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
   Parameters p = small_matrix();
   p.adhesion.r_off_min = 10.0; // disassembles at once when it contracts
   State s = cell_in_matrix(p);
@@ -152,10 +153,10 @@ TEST(Live, WritesDownTheWholeLifeOfAProtrusion) {
   add_protrusion(s, 100, Growing{direction});
   for (std::size_t i = 95; i <= 105; ++i) s.cortex.x[i] *= 1.2;
   const auto until = [&](double t) {
-    while (s.t < t - 0.5 * p.run.time_step) {
+    while (s.t < t - 0.5 * dt) {
       ++s.step;
-      s.t = static_cast<double>(s.step) * p.run.time_step;
-      live(s, p);
+      s.t = static_cast<double>(s.step) * dt;
+      update_protrusions(s, p, dt);
     }
   };
   const double stretched = (s.cortex.x[95] - s.cortex.x[94]).norm();

@@ -6,6 +6,12 @@
 
 using namespace matrigrate;
 
+namespace {
+
+constexpr double a_step = 0.4; // [s]
+
+} // namespace
+
 TEST(Maturation, ClimbsInTenStepsOfATenth) {
   EXPECT_DOUBLE_EQ(maturing_f_mat(0), 0.1);
   EXPECT_DOUBLE_EQ(maturing_f_mat(4), 0.5);
@@ -36,19 +42,19 @@ TEST(Handover, TheBundlePullsTipAndBaseTogetherWithoutAResultant) {
   for (std::size_t i = 45; i <= 55; ++i) s.cortex.x[i] *= 1.5;
   add_protrusion(s, 50, Contracting{2.0 * s.cortex.x[50], 0.5, 0.2});
   const Assembled a = assemble(s.ecm.size() + s.cortex.size(),
-                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, force, A); });
+                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, a_step, force, A); });
   EXPECT_LT(net_force(a.force).norm(), 1e-15);
   EXPECT_NEAR(a.force[s.node(30)].norm(), 0.1, 1e-12);
   EXPECT_NEAR(a.force[s.node(70)].norm(), 0.1, 1e-12);
   EXPECT_LT(a.force[s.node(50)].dot(outward(s, 50)), 0.0);
   ASSERT_EQ(a.A.directed.size(), 2U); // a side each, across it
-  EXPECT_NEAR(a.A.directed.c[0], p.run.time_step * 0.1 / (s.cortex.x[30] - s.cortex.x[50]).norm(), 1e-12);
+  EXPECT_NEAR(a.A.directed.c[0], a_step * 0.1 / (s.cortex.x[30] - s.cortex.x[50]).norm(), 1e-12);
 }
 
 TEST(Handover, TheBundleGivesWayByTheLoadBeyondNineTenthsOfThePull) {
-  Parameters p;
-  p.run.time_step = 40.0; // all of the excess
-  const auto left = [&](double F) { return handed_over(Contracting{Vec2::Zero(), 0.5, 0.2}, F, p).bundle; };
+  const Parameters p;
+  constexpr double dt = 40.0; // all of the excess
+  const auto left = [&](double F) { return handed_over(Contracting{Vec2::Zero(), 0.5, 0.2}, F, p, dt).bundle; };
   EXPECT_DOUBLE_EQ(left(0.26), 0.2); // 0.27 nN are allowed
   EXPECT_DOUBLE_EQ(left(0.32), 0.2 - 0.05);
   EXPECT_EQ(left(0.9), 0.0);
@@ -56,10 +62,9 @@ TEST(Handover, TheBundleGivesWayByTheLoadBeyondNineTenthsOfThePull) {
 
 TEST(Handover, TheBundleGivesWayAsFastWhateverTheStep) {
   const auto after = [](double dt) {
-    Parameters p;
-    p.run.time_step = dt;
+    const Parameters p;
     Contracting phase{Vec2::Zero(), 0.5, 10.0};
-    for (double t = 0.5 * dt; t < 1.2; t += dt) phase = handed_over(phase, 0.28, p);
+    for (double t = 0.5 * dt; t < 1.2; t += dt) phase = handed_over(phase, 0.28, p, dt);
     return phase.bundle;
   };
   // of an excess that stays the bundle loses a share 1 - exp(-dt/0.4 s) a step: a rate of 1/0.4 s for short steps
@@ -73,16 +78,16 @@ TEST(Handover, WhatMaturationLoadedFallsOffFirst) {
   const double whole = phase.bundle;
   EXPECT_DOUBLE_EQ(whole, 0.27);
   for (const double F : {0.32, 0.30, 0.28, 0.275}) {
-    phase = handed_over(phase, F, p);
+    phase = handed_over(phase, F, p, a_step);
     EXPECT_EQ(phase.bundle, whole) << F;
     EXPECT_EQ(phase.falling, F);
   }
-  phase = handed_over(phase, 0.26, p);
+  phase = handed_over(phase, 0.26, p, a_step);
   EXPECT_EQ(phase.falling, 0.0);
   EXPECT_EQ(phase.bundle, whole);
-  EXPECT_LT(handed_over(phase, 0.28, p).bundle, whole);    // now the cortex pulls
-  Contracting held = handover(Vec2::Zero(), 0.5, 0.33, p); // others pull: the load does not fall
-  held = handed_over(held, 0.34, p);
+  EXPECT_LT(handed_over(phase, 0.28, p, a_step).bundle, whole); // now the cortex pulls
+  Contracting held = handover(Vec2::Zero(), 0.5, 0.33, p);      // others pull: the load does not fall
+  held = handed_over(held, 0.34, p, a_step);
   EXPECT_LT(held.bundle, whole);
 }
 
@@ -93,7 +98,7 @@ TEST(Maturation, PullsTheCentreBackAndPinsTheBase) {
   add_protrusion(s, 50, Maturing{d, s.cortex.x[50] + 5.0 * d, 2});
   add_protrusion(s, 150, Growing{outward(s, 150)});
   const Assembled a = assemble(s.ecm.size() + s.cortex.size(),
-                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, force, A); });
+                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, a_step, force, A); });
   for (std::size_t i = 0; i < s.cortex.size(); ++i) {
     const Vec2 expected = i == 50 ? Vec2(-0.3 * 0.6 * d) : Vec2(0.0, 0.0);
     EXPECT_LT((a.force[s.node(i)] - expected).norm(), 1e-15);

@@ -8,25 +8,25 @@ using namespace matrigrate;
 
 namespace {
 
-/// A ring of nodes with unequal couplings; node 0 has a given velocity.
+/// A ring of nodes with unequal couplings; node 0 has a prescribed velocity.
 struct Ring {
   explicit Ring(std::size_t n) {
     pairs.first.push_back(0);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
       for (const std::size_t j : {std::min(before, after), std::max(before, after)}) {
-        const bool given = i == 0 || j == 0;
+        const bool prescribed = i == 0 || j == 0;
         const double G = 1.0 + static_cast<double>(std::min(i, j) % 5);
         pairs.index.push_back(static_cast<std::uint32_t>(j));
-        coupling.push_back(given ? 0.0 : G);
+        coupling.push_back(prescribed ? 0.0 : G);
         if (i > 0) diagonal_of(i) += G;
       }
       pairs.first.push_back(static_cast<std::uint32_t>(pairs.index.size()));
     }
     diagonal_of(0) = 1.0;
     A.pairs.assign(pairs, coupling);
-    A.given.assign(n, 0);
-    A.given[0] = 1;
+    A.prescribed.assign(n, 0);
+    A.prescribed[0] = 1;
     for (std::size_t i = 0; i < n; ++i)
       A.F.emplace_back(std::sin(1.0 + static_cast<double>(i)), std::cos(3.0 * static_cast<double>(i)));
   }

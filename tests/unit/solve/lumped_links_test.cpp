@@ -6,7 +6,7 @@ using namespace matrigrate;
 
 namespace {
 
-/// Three nodes of the matrix, linked to two nodes behind with own drag `own`.
+/// Three nodes of the matrix, linked to two nodes of the cell with own drag `own`.
 LumpedLinks three_nodes(double own) {
   LumpedLinks links;
   links.clear(std::vector<double>{own, own});

@@ -154,11 +154,11 @@ TEST(Multigrid, IsRightWithoutPositions) {
 TEST(Multigrid, KeepsGivenVelocities) {
   Body now = disc(40.0);
   for (std::size_t i = 0; i < now.x.size(); ++i)
-    if (now.given[i]) now.A.F[i] = Vec2(0.3, -0.2);
+    if (now.prescribed[i]) now.A.F[i] = Vec2(0.3, -0.2);
   Multigrid multigrid(now.A, 2.0, 1e-10, 200);
   const std::vector<Vec2> v = solution(now.A, multigrid);
   for (std::size_t i = 0; i < now.x.size(); ++i) {
-    if (now.given[i]) {
+    if (now.prescribed[i]) {
       EXPECT_LT((v[i] - Vec2(0.3, -0.2)).norm(), 1e-8);
     }
   }

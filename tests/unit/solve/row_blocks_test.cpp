@@ -40,9 +40,9 @@ TEST(RowBlocks, MultiplyAsTheSystemDoes) {
     for (std::size_t i = 0; i < n; ++i) v[i] = Vec2(x.x()[i], x.y()[i]);
     for (std::size_t i = 0; i < n; ++i) {
       expected[i] = body.A.diagonal[i] * v[i];
-      if (body.given[i]) continue;
+      if (body.prescribed[i]) continue;
       for (const std::uint32_t j : body.pairs.of(i))
-        if (!body.given[j])
+        if (!body.prescribed[j])
           expected[i] -= synthetic::drag((body.x[i] - body.x[j]).norm(), body.volume * body.volume) * v[j];
     }
     std::vector<Vec2> product(n);

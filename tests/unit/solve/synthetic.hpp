@@ -51,7 +51,7 @@ void for_close(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double wi
 /// The system and what it points to.
 struct Body {
   std::vector<Vec2> x; ///< of the matrix
-  std::vector<bool> given;
+  std::vector<bool> prescribed;
   double volume = 4.0; ///< of a particle per depth
   Adjacency pairs;
   DragSystem A;
@@ -68,20 +68,20 @@ struct Body {
     for (std::size_t i = 0; i < x.size(); ++i) pairs.first[i + 1] += pairs.first[i];
     A = {};
     A.position = x;
-    A.given.assign(given.begin(), given.end());
+    A.prescribed.assign(prescribed.begin(), prescribed.end());
     std::vector<double> coupling(pairs.pairs(), 0.0);
     A.diagonal.assign(x.size(), 1.0);
     A.F.assign(x.size(), Vec2::Zero());
     std::mt19937 random(7);
     std::uniform_real_distribution<double> force(-1.0, 1.0);
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (given[i]) continue;
+      if (prescribed[i]) continue;
       double sum = 0.0;
       for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
         const std::uint32_t j = pairs.index[k];
         const double G = static_cast<float>(drag((x[i] - x[j]).norm(), volume * volume));
         sum += G;
-        if (!given[j]) coupling[k] = G;
+        if (!prescribed[j]) coupling[k] = G;
       }
       A.diagonal[i] = sum > 0.0 ? sum : 1.0;
       A.F[i] = Vec2(force(random), force(random)) * 0.01;
@@ -90,7 +90,7 @@ struct Body {
   }
 };
 
-/// A lattice of spacing 2 um in a disc whose particles within the support of its rim are given.
+/// A lattice of spacing 2 um in a disc whose particles within the support of its rim are prescribed.
 inline Body disc(double radius, bool hexagonal = false) {
   Body body;
   const double row = hexagonal ? std::sqrt(3.0) : 2.0;
@@ -101,7 +101,7 @@ inline Body disc(double radius, bool hexagonal = false) {
       const Vec2 x(2.0 * a + (hexagonal && b % 2 != 0 ? 1.0 : 0.0), row * b);
       if (x.norm() <= radius) body.x.push_back(x);
     }
-  for (const Vec2& x : body.x) body.given.push_back(x.norm() > radius - reach);
+  for (const Vec2& x : body.x) body.prescribed.push_back(x.norm() > radius - reach);
   body.assemble();
   return body;
 }
@@ -112,7 +112,7 @@ inline void stir(Body& body, double inner, double angle, double scatter) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> shift(-1.0, 1.0);
   for (std::size_t i = 0; i < body.x.size(); ++i) {
-    if (body.given[i]) continue;
+    if (body.prescribed[i]) continue;
     Vec2& x = body.x[i];
     const double turn = angle * std::max(0.0, 1.0 - x.squaredNorm() / (inner * inner));
     if (turn > 0.0) x += scatter * Vec2(shift(random), shift(random));
@@ -168,7 +168,7 @@ inline void add_cell(Body& body, int protrusions) {
   std::vector<Vec2> solid;
   std::vector<std::uint32_t> solid_node;
   for (std::uint32_t k = 0; k < first; ++k) {
-    if (body.given[k] || body.x[k].norm() > 60.0 || !outside(body.x[k])) continue;
+    if (body.prescribed[k] || body.x[k].norm() > 60.0 || !outside(body.x[k])) continue;
     solid.push_back(body.x[k]);
     solid_node.push_back(k);
   }

@@ -25,6 +25,12 @@ TEST(Kernel, SlopeIsTheDerivativeOverTheDistance) {
     EXPECT_NEAR(kernel.W_slope(r), (kernel.W(r + d) - kernel.W(r - d)) / (2.0 * d) / r, 1e-9);
 }
 
+TEST(Kernel, SlopeShapeIsTheSlopeOverThatAtZero) {
+  const Kernel kernel(2.6);
+  for (double r = 0.0; r < 6.0; r += 0.1)
+    EXPECT_NEAR(slope_shape(r, 1.0 / kernel.support()), kernel.W_slope(r) / kernel.W_slope(0.0), 1e-15) << r;
+}
+
 TEST(Kernel, VanishesSmoothlyAtTheEdgeOfItsSupport) {
   const Kernel kernel(1.3);
   EXPECT_EQ(kernel.W(kernel.support()), 0.0);

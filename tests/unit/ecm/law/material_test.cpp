@@ -1,4 +1,4 @@
-#include "ecm/material.hpp"
+#include "ecm/law/material.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ecm/viscosity.hpp"
+#include "sph/neighbours.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace matrigrate {
+
+/// Tiles of the reference lattice, eight by eight particles, whose drag coefficients are refreshed together: refreshing
+/// particle by particle would touch nearly all coefficients in every step (MODEL.md, D30).
+/// Test: tests/unit/ecm/drag_cache_test.cpp
+class DragTiles {
+public:
+  /// @param X  reference positions [um]   @param spacing  of the lattice [um]
+  DragTiles(std::span<const Vec2> X, double spacing);
+
+  /// Sets x_drag, the positions at which the drag was last taken, to x for all particles of a tile in which one has
+  /// moved further than `lag` [um] since; everywhere if x_drag has another size than x.
+  void refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const;
+
+private:
+  std::vector<std::uint32_t>
+      m_first; // tile k has the particles m_particle[m_first[k]] .. m_particle[m_first[k + 1] - 1]
+  std::vector<std::uint32_t> m_particle;
+};
+
+/// All that is kept between steps for the drag of the matrix. It follows from the state alone: a new one makes the same
+/// bits. Test: tests/unit/ecm/drag_cache_test.cpp
+class DragCache {
+public:
+  DragCache(const EcmState& ecm, const EcmParameters& p) : m_tiles(ecm.X, p.particle_spacing) {}
+
+  /// Fills A as assemble_viscosity() does, with the drag at positions that are `lag` at most behind those of `ecm`.
+  /// @param neighbours  valid for `ecm`; the same object in each call
+  /// @param x_drag      positions at which the drag was taken in the last step; empty: none [um]
+  /// @param A           that of the call before, if there was one
+  void assemble(const EcmState& ecm, const EcmParameters& p, const VerletList& neighbours, std::span<const Vec2> x_drag,
+                double lag, double theta, DragSystem& A);
+
+  /// Positions at which assemble() took the drag [um].
+  const std::vector<Vec2>& x_drag() const { return m_x_drag; }
+
+private:
+  std::vector<std::uint8_t> refresh_pattern(const VerletList& neighbours, std::span<const std::uint8_t> clamped);
+
+  DragTiles m_tiles;
+  std::vector<Vec2> m_x_drag;
+  RowPattern m_pattern;           // of the neighbours
+  std::size_t m_updates_seen = 0; // of the neighbours
+  ViscosityRows m_rows;
+};
+
+} // namespace matrigrate

@@ -1,0 +1,51 @@
+#include "simulation/adaptive.hpp"
+
+#include "base/failure.hpp"
+#include "simulation/advance.hpp"
+#include "simulation/step_limits.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace matrigrate {
+
+namespace {
+
+/// Of a particle of matrix or cortex [um/s].
+double max_speed(const State& s) {
+  double squared = 0.0;
+  for (const Vec2& v : s.ecm.v) squared = std::max(squared, v.squaredNorm());
+  for (const Vec2& v : s.cortex.v) squared = std::max(squared, v.squaredNorm());
+  return std::sqrt(squared);
+}
+
+} // namespace
+
+double step_to_try(const State& s, const Parameters& p, const StepLimits& limits) {
+  const double shortest = shortest_step(p);
+  const auto at = static_cast<std::uint64_t>(std::llround(s.t / shortest)) % (1U << max_halvings);
+  double dt = at == 0 ? p.run.time_step : static_cast<double>(std::uint64_t{1} << std::countr_zero(at)) * shortest;
+  constexpr double much = 1.2;
+  const double max_move = much * usual_move * p.ecm.particle_spacing;
+  const double v = max_speed(s);
+  dt = std::min(dt, longest_step(p, limits));
+  while (v * dt > max_move && dt > 1.5 * shortest) dt *= 0.5;
+  return dt;
+}
+
+void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+  const double shortest = shortest_step(p);
+  double dt = step_to_try(s, p, w.limits);
+  for (bool tried_once = false;; tried_once = true, dt *= 0.5) {
+    const bool last = dt < 1.5 * shortest;
+    const auto refused = advance(
+        s, p, dt, w, loads,
+        {.max_move = (last ? 0.5 : usual_move) * p.ecm.particle_spacing, .may_cross = last, .tried_once = tried_once});
+    if (!refused) return;
+    if (last) throw NumericalFailure(refused->reason);
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,37 @@
+#include "simulation/motion.hpp"
+
+#include "base/parallel.hpp"
+#include "ecm/stress.hpp"
+#include "ecm/updated_lagrangian.hpp"
+#include "protrusion/adhesion.hpp"
+#include "protrusion/growth.hpp"
+
+namespace matrigrate {
+
+namespace {
+
+void advance_positions(State& s, const Parameters& p, double dt, const Workspace& w) {
+  parallel_for(s.ecm.size(), [&](std::size_t i) { s.ecm.x[i] += dt * s.ecm.v[i]; });
+  for (std::size_t i = 0; i < s.cortex.size(); ++i) s.cortex.x[i] += dt * s.cortex.v[i];
+  spread_evenly(s, p.protrusion, dt);
+  move_anchors(s, w.cell.anchor_weights, dt);
+}
+
+} // namespace
+
+void move(State& s, const Parameters& p, double dt, Workspace& w) {
+  DensityBounds bounds;
+  switch (p.ecm.formulation) {
+  case Formulation::total_lagrangian:
+    advance_positions(s, p, dt, w);
+    bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
+    break;
+  case Formulation::updated_lagrangian:
+    bounds = advance_current_stress(s.ecm, p.ecm, w.neighbours.pairs(), dt);
+    advance_positions(s, p, dt, w);
+    break;
+  }
+  w.health.density_bounds = bounds.below + bounds.above;
+}
+
+} // namespace matrigrate
