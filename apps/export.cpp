@@ -6,9 +6,9 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/field_file.hpp"
-#include "io/track_files.hpp"
-#include "io/vtk_files.hpp"
+#include "store/field_file.hpp"
+#include "store/track_files.hpp"
+#include "store/vtk_files.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,10 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/cell_picture.hpp"
-#include "io/film_json.hpp"
-#include "io/plot.hpp"
+#include "base/time_text.hpp"
+#include "draw/cell_picture.hpp"
+#include "draw/plot.hpp"
+#include "report/film_json.hpp"
 
 #include <fmt/format.h>
 
@@ -95,7 +96,7 @@ std::vector<Vec2> vectors(const io::Floats& x) {
 std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer, const io::Limits& limits) {
   io::Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += run.film.head.reference[i];
-  return io::to_svg({.title = io::time_text(frame.t),
+  return io::to_svg({.title = time_text(frame.t),
                      .value_label = std::string(row_of(layer).label),
                      .position = vectors(x),
                      .value = values_of(frame, layer),

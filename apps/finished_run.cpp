@@ -6,10 +6,10 @@
 #include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/cell_picture.hpp"
-#include "io/checkpoint.hpp"
-#include "io/run_page.hpp"
+#include "base/time_text.hpp"
 #include "parameters/read.hpp"
+#include "report/run_page.hpp"
+#include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
 
@@ -28,10 +28,10 @@ constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
 std::string status_of(const FinishedRun& run) {
   const std::string status = run.record.value("status", "unknown");
   const std::string reason = run.record.value("reason", "");
-  const std::string reached = fmt::format("{} of {}", io::time_text(run.t), io::time_text(run.p.run.duration));
+  const std::string reached = fmt::format("{} of {}", time_text(run.t), time_text(run.p.run.duration));
   const io::LostFrames lost = lost_frames(run);
   const std::string gone = lost.count == 0 ? "" : fmt::format(" {}.", io::to_text(lost));
-  if (status == "done") return fmt::format("Done: {}.{}", io::time_text(run.t), gone);
+  if (status == "done") return fmt::format("Done: {}.{}", time_text(run.t), gone);
   return fmt::format("Status: {}; {} in the last checkpoint{}{}.{}", status, reached, reason.empty() ? "" : ": ",
                      reason, gone);
 }

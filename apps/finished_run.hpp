@@ -1,10 +1,10 @@
 #pragma once
 
-#include "io/frame.hpp"
-#include "io/run_memory.hpp"
-#include "io/saved_frames.hpp"
+#include "observe/frame.hpp"
 #include "parameters/parameters.hpp"
 #include "state/protrusion.hpp"
+#include "store/run_memory.hpp"
+#include "store/saved_frames.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "apps/stopped_run.hpp"
 #include "apps/terminal.hpp"
 #include "base/failure.hpp"
-#include "io/cell_picture.hpp"
+#include "base/time_text.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
@@ -66,9 +66,8 @@ double number_of(const Json& record, const char* key) {
 
 /// What the run in the folder is, and in what it differs.
 std::string description(const fs::path& folder, const Json& record, const Parameters& p) {
-  std::string text =
-      fmt::format("{}: holds another run ({}, {} of {}):\n", folder.string(), text_of(record, "status"),
-                  io::time_text(number_of(record, "t_s")), io::time_text(number_of(record, "duration_s")));
+  std::string text = fmt::format("{}: holds another run ({}, {} of {}):\n", folder.string(), text_of(record, "status"),
+                                 time_text(number_of(record, "t_s")), time_text(number_of(record, "duration_s")));
   try {
     text += differences(folder, p);
   } catch (const InputOutputError& trouble) {

@@ -5,8 +5,8 @@
 #include "apps/study_claims.hpp"
 #include "apps/terminal.hpp"
 #include "base/file.hpp"
-#include "io/claims_page.hpp"
-#include "io/row_file.hpp"
+#include "report/claims_page.hpp"
+#include "store/row_file.hpp"
 #include "study/box_plot.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/plot.hpp"
+#include "draw/plot.hpp"
 #include "study/claims.hpp"
 
 #include <filesystem>

@@ -5,15 +5,15 @@
 #include "apps/shipped_pages.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/cell_picture.hpp"
-#include "io/checkpoint.hpp"
-#include "io/field_file.hpp"
-#include "io/film_json.hpp"
-#include "io/layer_picture.hpp"
-#include "io/run_files.hpp"
-#include "io/run_page.hpp"
-#include "io/trajectory_hash.hpp"
+#include "draw/cell_picture.hpp"
+#include "draw/layer_picture.hpp"
 #include "parameters/write.hpp"
+#include "report/film_json.hpp"
+#include "report/run_page.hpp"
+#include "store/checkpoint.hpp"
+#include "store/field_file.hpp"
+#include "store/run_files.hpp"
+#include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>
 

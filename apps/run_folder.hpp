@@ -3,14 +3,14 @@
 #include "apps/cadence.hpp"
 #include "apps/folder_lock.hpp"
 #include "apps/run_record.hpp"
-#include "io/frame_log.hpp"
-#include "io/row_file.hpp"
-#include "io/run_memory.hpp"
-#include "io/saved_frames.hpp"
 #include "observe/readouts.hpp"
 #include "parameters/parameters.hpp"
 #include "simulation/workspace.hpp"
 #include "state/state.hpp"
+#include "store/frame_log.hpp"
+#include "store/row_file.hpp"
+#include "store/run_memory.hpp"
+#include "store/saved_frames.hpp"
 
 #include <cstdint>
 #include <filesystem>

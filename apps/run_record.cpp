@@ -3,8 +3,9 @@
 #include "apps/progress.hpp"
 #include "apps/provenance.hpp"
 #include "apps/stopped_run.hpp"
-#include "io/trajectory_hash.hpp"
+#include "base/time_text.hpp"
 #include "parameters/write.hpp"
+#include "store/trajectory_hash.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

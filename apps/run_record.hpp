@@ -1,9 +1,9 @@
 #pragma once
 
-#include "io/field_file.hpp"
-#include "io/run_page.hpp"
-#include "io/saved_frames.hpp"
 #include "parameters/parameters.hpp"
+#include "report/run_page.hpp"
+#include "store/field_file.hpp"
+#include "store/saved_frames.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,11 +3,11 @@
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "io/checkpoint.hpp"
-#include "io/trajectory_hash.hpp"
 #include "parameters/write.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/start.hpp"
+#include "store/checkpoint.hpp"
+#include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

@@ -6,11 +6,11 @@
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "io/cell_picture.hpp"
-#include "io/checkpoint.hpp"
-#include "io/run_files.hpp"
+#include "base/time_text.hpp"
 #include "parameters/units.hpp"
 #include "simulation/advance.hpp"
+#include "store/checkpoint.hpp"
+#include "store/run_files.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -154,22 +154,22 @@ private:
     std::error_code error;
     if (!std::filesystem::exists(m_manner.folder / io::checkpoint_name, error)) return "the checkpoint is gone as well";
     return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
-                       io::time_text(*m_folder->safe_until()), io::checkpoint_name, m_manner.folder.string());
+                       time_text(*m_folder->safe_until()), io::checkpoint_name, m_manner.folder.string());
   }
 
   std::string last_good_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     return fmt::format("the last good checkpoint is {}, at {}", io::checkpoint_name,
-                       io::time_text(*m_folder->safe_until()));
+                       time_text(*m_folder->safe_until()));
   }
 
   /// How the run ended, in a sentence.
   std::string status_text() const {
-    const std::string reached = fmt::format("{} of {}", io::time_text(m_record.t), io::time_text(m_p.run.duration));
+    const std::string reached = fmt::format("{} of {}", time_text(m_record.t), time_text(m_p.run.duration));
     const std::string lost =
         m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", io::to_text(m_record.lost_frames));
     if (m_record.status == "done")
-      return fmt::format("Done: {}, {} steps.{}", io::time_text(m_record.t), m_record.steps, lost);
+      return fmt::format("Done: {}, {} steps.{}", time_text(m_record.t), m_record.steps, lost);
     return fmt::format("{} after {}: {}.{}", m_record.status == "failed" ? "Failed" : "Interrupted", reached,
                        m_record.reason, lost);
   }

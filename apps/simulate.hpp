@@ -1,9 +1,9 @@
 #pragma once
 
 #include "apps/run_record.hpp"
-#include "io/run_memory.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
+#include "store/run_memory.hpp"
 
 #include <filesystem>
 #include <limits>

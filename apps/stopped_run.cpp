@@ -4,7 +4,7 @@
 #include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/cell_picture.hpp"
+#include "base/time_text.hpp"
 #include "parameters/document.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
@@ -78,7 +78,7 @@ bool is_done(const fs::path& folder, const Json& record) {
     const double t = found.checkpoint.state.t;
     if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return true;
     warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}", (folder / "run.json").string(),
-                     io::time_text(t), io::time_text(found.p.run.duration)));
+                     time_text(t), time_text(found.p.run.duration)));
     return false;
   } catch (const InputOutputError&) { // then there is nothing to go on from
     return true;
@@ -135,7 +135,7 @@ FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
     try {
       const FoundCheckpoint found = read_checkpoint_of(folder, before);
       offer = fmt::format("the one before, at {}, is whole: go on from it with --previous",
-                          io::time_text(found.checkpoint.state.t));
+                          time_text(found.checkpoint.state.t));
     } catch (const InputOutputError&) { // neither is
     }
     throw InputOutputError(fmt::format("{}; {}", trouble.what(), offer));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/simulate.hpp"
-#include "io/checkpoint.hpp"
+#include "store/checkpoint.hpp"
 
 #include <nlohmann/json.hpp>
 

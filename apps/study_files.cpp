@@ -9,7 +9,7 @@
 #include "apps/study_players.hpp"
 #include "apps/text_table.hpp"
 #include "base/file.hpp"
-#include "io/run_page.hpp"
+#include "report/run_page.hpp"
 #include "study/box_plot.hpp"
 #include "study/run_curves.hpp"
 #include "study/study_data.hpp"

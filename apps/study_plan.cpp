@@ -4,6 +4,7 @@
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/time_text.hpp"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/time_text.hpp"
 #include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>

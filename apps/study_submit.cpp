@@ -6,7 +6,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/trajectory_hash.hpp"
+#include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>
 

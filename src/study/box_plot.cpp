@@ -1,8 +1,8 @@
 #include "study/box_plot.hpp"
 
-#include "io/axis.hpp"
-#include "io/colour.hpp"
-#include "io/svg.hpp"
+#include "draw/axis.hpp"
+#include "draw/colour.hpp"
+#include "draw/svg.hpp"
 #include "statistics/sample.hpp"
 
 #include <fmt/format.h>

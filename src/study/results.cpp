@@ -2,8 +2,8 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/row_file.hpp"
 #include "parameters/schema.hpp"
+#include "store/row_file.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>

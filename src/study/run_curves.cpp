@@ -1,10 +1,10 @@
 #include "study/run_curves.hpp"
 
 #include "base/file.hpp"
-#include "io/plot.hpp"
-#include "io/svg.hpp"
-#include "io/table.hpp"
+#include "draw/plot.hpp"
+#include "draw/svg.hpp"
 #include "statistics/sample.hpp"
+#include "store/table.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>

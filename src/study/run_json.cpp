@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/checkpoint.hpp"
+#include "store/checkpoint.hpp"
 #include "study/table_readouts.hpp"
 
 #include <algorithm>

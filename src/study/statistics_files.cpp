@@ -1,5 +1,5 @@
-#include "io/row_file.hpp"
 #include "statistics/correlation.hpp"
+#include "store/row_file.hpp"
 #include "study/comparison.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "study/study.hpp"
 
-#include "io/run_files.hpp"
+#include "store/run_files.hpp"
 #include "study/table_readouts.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "study/study_data.hpp"
 
 #include "base/file.hpp"
-#include "io/run_page.hpp"
 #include "parameters/schema.hpp"
+#include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
 #include "study/axes.hpp"
 #include "study/run_curves.hpp"
