@@ -1,8 +1,5 @@
 #include "apps/study_files.hpp"
 
-#include "apps/own_files.hpp"
-#include "apps/provenance.hpp"
-#include "apps/run_record.hpp"
 #include "apps/screening_text.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/study_claims.hpp"
@@ -10,6 +7,9 @@
 #include "apps/text_table.hpp"
 #include "base/file.hpp"
 #include "report/run_page.hpp"
+#include "run/own_files.hpp"
+#include "run/provenance.hpp"
+#include "run/run_record.hpp"
 #include "study/box_plot.hpp"
 #include "study/run_curves.hpp"
 #include "study/study_data.hpp"
@@ -77,7 +77,7 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
 std::string command_of(const StudyFolder& study) {
   const std::filesystem::path folder = std::filesystem::absolute(study.folder).lexically_normal();
   const std::filesystem::path name = (folder.has_filename() ? folder : folder.parent_path()).filename();
-  return command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
+  return run::command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
 }
 
 /// A table that only some studies have: one of an earlier form of the study would mislead.
@@ -85,7 +85,7 @@ void write_or_remove(const std::filesystem::path& file, bool wanted, const std::
   if (wanted)
     write_file(file, text);
   else
-    remove_file(file);
+    run::remove_file(file);
 }
 
 /// The tables of what the runs look like, and the figures drawn from them.
@@ -134,7 +134,7 @@ void write_study_report(const StudyFolder& study, const Collected& collected, co
                                                                 .results = collected.results,
                                                                 .comparisons = collected.comparisons,
                                                                 .folder = study.folder,
-                                                                .provenance = provenance_text(),
+                                                                .provenance = run::provenance_text(),
                                                                 .claims = claims_about(study, collected.results),
                                                                 .claims_note = claims_note(study.study),
                                                                 .claims_caveat = claims_caveat(study.study),

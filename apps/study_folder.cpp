@@ -1,10 +1,10 @@
 #include "apps/study_folder.hpp"
 
 #include "apps/child.hpp"
-#include "apps/run_record.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/write.hpp"
+#include "run/run_record.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ void write_if_new(const std::filesystem::path& file, const std::string& text) {
 
 StudyFolder planned(study::Study study, std::filesystem::path folder) {
   StudyFolder made{std::move(folder), std::move(study), {}};
-  made.runs = study::planned_runs(made.study, configuration_hash);
+  made.runs = study::planned_runs(made.study, run::configuration_hash);
   return made;
 }
 

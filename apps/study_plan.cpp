@@ -1,10 +1,10 @@
 #include "apps/study_plan.hpp"
 
-#include "apps/derived.hpp"
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/time_text.hpp"
+#include "run/estimate.hpp"
 
 #include <fmt/format.h>
 

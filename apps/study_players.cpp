@@ -1,8 +1,8 @@
 #include "apps/study_players.hpp"
 
-#include "apps/finished_run.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "run/finished_run.hpp"
 
 #include <fmt/format.h>
 

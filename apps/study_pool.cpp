@@ -3,11 +3,11 @@
 #include "apps/child.hpp"
 #include "apps/progress.hpp"
 #include "apps/stop_signal.hpp"
-#include "apps/stopped_run.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "run/stopped_run.hpp"
 
 #include <fmt/format.h>
 
@@ -121,15 +121,15 @@ public:
       progress.show(m_outcome.done_now + m_failed_now, m_failed_now);
       std::this_thread::sleep_for(5ms);
     }
-    for (; next < open.size(); ++next) note(open[next], "missing", "not started");
+    for (; next < open.size(); ++next) note(open[next], study::RunState::missing, "not started");
     return std::move(m_outcome);
   }
 
 private:
   bool stopping() const { return m_outcome.signal != 0 || m_outcome.cannot_write; }
 
-  void note(std::size_t run, std::string status, std::string reason) {
-    m_outcome.troubles.push_back({run, std::move(status), std::move(reason)});
+  void note(std::size_t run, study::RunState status, std::string reason) {
+    m_outcome.troubles.push_back({run, status, std::move(reason)});
   }
 
   /// Those that are to be computed.
@@ -150,7 +150,7 @@ private:
   void start(std::size_t i) {
     const study::Run& run = m_study.runs[i];
     const Log log(study::run_log(m_study.folder, run));
-    if (!log.mine()) return note(i, "running", "is being computed by another process");
+    if (!log.mine()) return note(i, study::RunState::running, "is being computed by another process");
     m_running.push_back({i, Child(run_command(m_study, run, m_options.threads), log.descriptor())});
   }
 
@@ -176,7 +176,7 @@ private:
                  : s.reason;
     if (reason.empty())
       reason = said.empty() ? fmt::format("ended with exit code {}", code) : said.substr(0, said.find('\n'));
-    note(running.run, by_signal ? "interrupted" : "failed", std::move(reason));
+    note(running.run, by_signal ? study::RunState::interrupted : study::RunState::failed, std::move(reason));
   }
 
   void pass_on() {
@@ -196,7 +196,8 @@ int PoolOutcome::exit_code() const {
   if (signal != 0) return signal == SIGINT ? interrupted : requeue;
   if (cannot_write) return input_output;
   if (ended_by_signal) return requeue;
-  const bool failed = std::ranges::any_of(troubles, [](const Trouble& t) { return t.status != "running"; });
+  const bool failed =
+      std::ranges::any_of(troubles, [](const Trouble& t) { return t.status != study::RunState::running; });
   return failed ? numerical : done;
 }
 

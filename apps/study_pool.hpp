@@ -19,7 +19,7 @@ struct PoolOptions {
 /// A run that is not done, and why.
 struct Trouble {
   std::size_t run; ///< index into StudyFolder::runs
-  std::string status;
+  study::RunState status;
   std::string reason;
 };
 

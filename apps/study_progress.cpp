@@ -1,8 +1,8 @@
 #include "apps/study_progress.hpp"
 
-#include "apps/stopped_run.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "run/run_record.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fcntl.h>
@@ -38,7 +38,7 @@ double time_reached(const fs::path& folder) {
 
 /// Wall time that went into a run so far: what run.json says, and the time since that was written [s].
 double time_spent(const fs::path& folder) {
-  const nlohmann::ordered_json record = record_of(folder);
+  const nlohmann::ordered_json record = run::record_of(folder);
   const auto found = record.find("wall_time_s");
   const double before = found != record.end() && found->is_number() ? found->get<double>() : 0.0;
   const auto since = fs::file_time_type::clock::now() - fs::last_write_time(folder / "run.json");
@@ -91,7 +91,7 @@ std::optional<double> time_left(const StudyProgress& progress, const std::vector
 StudyProgress progress_of(const StudyFolder& study, const std::vector<study::Standing>& standings) {
   StudyProgress progress;
   for (std::size_t i = 0; i < study.runs.size(); ++i)
-    if (standings[i].status == "unfinished")
+    if (standings[i].status == study::RunState::unfinished)
       if (auto run = running_run(study, i)) progress.running.push_back(*run);
   progress.left = time_left(progress, standings);
   return progress;

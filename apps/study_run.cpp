@@ -1,4 +1,3 @@
-#include "apps/folder_lock.hpp"
 #include "apps/progress.hpp"
 #include "apps/study_files.hpp"
 #include "apps/study_progress.hpp"
@@ -6,6 +5,7 @@
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/time_text.hpp"
+#include "run/folder_lock.hpp"
 #include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ Json to_json(const StudyFolder& study, const std::vector<Trouble>& troubles) {
     list.push_back({{"run", run.hash},
                     {"label", study.study.points[run.point].label},
                     {"replicate", run.replicate},
-                    {"status", t.status},
+                    {"status", to_string(t.status)},
                     {"reason", t.reason}});
   }
   return list;
@@ -103,8 +103,8 @@ std::string troubles_text(const StudyFolder& study, const std::vector<Trouble>& 
   std::string text;
   for (std::size_t i = 0; i < std::min(most, troubles.size()); ++i) {
     const Trouble& t = troubles[i];
-    text += fmt::format("{:<12}{} ({}): {}\n", t.status, title_of(study, study.runs[t.run]), study.runs[t.run].hash,
-                        t.reason);
+    text += fmt::format("{:<12}{} ({}): {}\n", to_string(t.status), title_of(study, study.runs[t.run]),
+                        study.runs[t.run].hash, t.reason);
   }
   if (troubles.size() > most) text += fmt::format("... and {} more\n", troubles.size() - most);
   return text;
@@ -129,12 +129,13 @@ int show_status(const StudyOptions& options) {
   std::vector<Trouble> troubles;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const study::Standing& s = standings.emplace_back(study::standing(study.folder, study.runs[i]));
-    if (s.status == "failed" || s.status == "interrupted") troubles.push_back({i, s.status, s.reason});
+    if (s.status == study::RunState::failed || s.status == study::RunState::interrupted)
+      troubles.push_back({i, s.status, s.reason});
   }
   const StudyProgress progress = progress_of(study, standings);
-  for (const RunningRun& run : progress.running) standings[run.run].status = "running";
+  for (const RunningRun& run : progress.running) standings[run.run].status = study::RunState::running;
   std::map<std::string, std::size_t> count;
-  for (const study::Standing& s : standings) ++count[s.status];
+  for (const study::Standing& s : standings) ++count[std::string(to_string(s.status))];
   if (options.json) {
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},

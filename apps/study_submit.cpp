@@ -1,11 +1,11 @@
 #include "apps/child.hpp"
-#include "apps/folder_lock.hpp"
 #include "apps/slurm_job.hpp"
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "run/folder_lock.hpp"
 #include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>

@@ -37,9 +37,9 @@ Json path_json(const std::filesystem::path& tracks) {
   return path;
 }
 
-std::string status_of(const Standing& standing) {
-  if (standing.status == "done" || standing.status == "failed") return standing.status;
-  return standing.status == "unfinished" ? "running" : "pending";
+std::string_view status_of(const Standing& standing) {
+  if (standing.status == RunState::done || standing.status == RunState::failed) return to_string(standing.status);
+  return standing.status == RunState::unfinished ? "running" : "pending";
 }
 
 /// The cell where the run ended; nothing if its checkpoint was deleted or is damaged.

@@ -33,7 +33,7 @@ protected:
 
   static std::vector<Result> made() {
     std::vector<Result> all = results_of("f_mat", {{0.1, 0.2}, {0.3, 0.4}});
-    all.back().standing.status = "failed";
+    all.back().standing.status = RunState::failed;
     return all;
   }
   std::filesystem::path folder = std::filesystem::temp_directory_path() / fmt::format("run-curves-{}", ::getpid());

@@ -79,7 +79,7 @@ TEST(StudyData, HoldsRunsThatAreNotThereYet) {
 TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
   const Study study = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
   std::vector<Result> results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5}});
-  for (Result& r : results) r.standing.status = "running"; // there are no tables of runs to read
+  for (Result& r : results) r.standing.status = RunState::running; // there are no tables of runs to read
   const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
   ASSERT_EQ(data.at("groups").size(), 2U);
   const std::string csv = groups_csv(study, results);

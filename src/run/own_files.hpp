@@ -8,7 +8,7 @@
 
 /// The names of all files that the program writes into the folder of a run or of an export, so that it replaces and
 /// removes its own files and no others. Test: tests/apps/run_test.cpp, tests/apps/fields_test.cpp
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// A kind of export and the names of its files, as a regular expression (ECMAScript).
 struct ExportKind {
@@ -40,4 +40,4 @@ void remove_temporaries(const std::filesystem::path& folder);
 /// @throws InputOutputError naming the path and the reason
 void remove_file(const std::filesystem::path& file);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

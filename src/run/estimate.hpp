@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// Estimates for a run.
 struct RunCost {
@@ -64,4 +64,4 @@ std::string wall_time_basis();
 /// What will go wrong or mislead, a sentence or two each.
 std::vector<std::string> warnings(const Parameters& p, const Derived& d);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

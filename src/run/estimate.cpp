@@ -1,4 +1,4 @@
-#include "apps/derived.hpp"
+#include "run/estimate.hpp"
 
 #include "ecm/material.hpp"
 #include "state/cortex.hpp"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
@@ -154,4 +154,4 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
   return found;
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -1,7 +1,5 @@
-#include "apps/stopped_run.hpp"
+#include "run/stopped_run.hpp"
 
-#include "apps/provenance.hpp"
-#include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
@@ -9,6 +7,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
+#include "run/provenance.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -18,14 +17,14 @@
 #include <optional>
 #include <utility>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
+constexpr std::size_t max_text = std::size_t{64} << 20U; // of a scenario
 constexpr const char* scenario_file = "scenario.resolved.toml";
 
 /// Whether a text gives every parameter: a part of a resolved scenario is valid TOML too, with defaults for the rest.
@@ -39,7 +38,7 @@ bool is_complete(const std::string& text) {
 /// The scenario that a folder's file holds; none if it is missing, incomplete or not valid.
 std::optional<Parameters> written_scenario(const fs::path& folder) {
   try {
-    const std::string text = read_file(folder / scenario_file, most_text);
+    const std::string text = read_file(folder / scenario_file, max_text);
     if (is_complete(text)) return parse_parameters(text, scenario_file);
   } catch (const InputOutputError&) {   // is not there
   } catch (const ConfigurationError&) { // was damaged
@@ -55,56 +54,35 @@ std::string expected_configuration(const fs::path& folder) {
 
 } // namespace
 
-void warn(std::string_view text) {
-  print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
-}
-
-Json record_of(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_regular_file(folder / "run.json", error)) return {};
-  const Json json = Json::parse(read_file(folder / "run.json", most_text), nullptr, false);
-  return json.is_object() ? json : Json();
-}
-
-std::string text_of(const Json& record, const char* key) {
-  const bool there = record.is_object() && record.contains(key) && record.at(key).is_string();
-  return there ? record.at(key).get<std::string>() : std::string();
-}
-
-bool is_done(const fs::path& folder, const Json& record) {
-  if (text_of(record, "status") != "done") return false;
+bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) {
+  if (status_of(record) != RunStatus::done) return false;
   try {
     const FoundCheckpoint found = read_checkpoint_of(folder, folder / io::checkpoint_name);
     const double t = found.checkpoint.state.t;
     if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return true;
-    warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}", (folder / "run.json").string(),
-                     time_text(t), time_text(found.p.run.duration)));
+    observer.warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}",
+                              (folder / "run.json").string(), time_text(t), time_text(found.p.run.duration)));
     return false;
   } catch (const InputOutputError&) { // then there is nothing to go on from
     return true;
   }
 }
 
-Parameters scenario_of(const fs::path& folder) {
+Parameters scenario_of(const fs::path& folder, RunObserver& observer) {
   if (const std::optional<Parameters> p = written_scenario(folder)) return *p;
-  Parameters p = whole_checkpoint(folder).p;
-  warn(fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
-                   (folder / scenario_file).string()));
+  Parameters p = whole_checkpoint(folder, observer).p;
+  observer.warn(fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
+                            (folder / scenario_file).string()));
   return p;
 }
 
-void restore_scenario(const fs::path& folder) {
+void restore_scenario(const fs::path& folder, RunObserver& observer) {
   if (written_scenario(folder) || !has_checkpoint(folder)) return;
   try {
-    write_file(folder / scenario_file, to_toml(scenario_of(folder)));
+    write_file(folder / scenario_file, to_toml(scenario_of(folder, observer)));
   } catch (const InputOutputError& trouble) { // the results of the run are whole all the same
-    warn(trouble.what());
+    observer.warn(trouble.what());
   }
-}
-
-std::vector<Json> lineage_of(const Json& record) {
-  if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
-  return record.at("lineage").get<std::vector<Json>>();
 }
 
 std::string time_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
@@ -142,7 +120,7 @@ FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
   }
 }
 
-FoundCheckpoint whole_checkpoint(const fs::path& folder) {
+FoundCheckpoint whole_checkpoint(const fs::path& folder, RunObserver& observer) {
   try {
     return last_checkpoint(folder, false);
   } catch (const InputOutputError& trouble) {
@@ -152,7 +130,7 @@ FoundCheckpoint whole_checkpoint(const fs::path& folder) {
     } catch (const InputOutputError&) { // then the trouble with the last one is the one to tell
     }
     if (!before) throw;
-    warn(trouble.what());
+    observer.warn(trouble.what());
     return *std::move(before);
   }
 }
@@ -174,19 +152,19 @@ bool has_only_broken_checkpoints(const fs::path& folder) {
   return has_checkpoint(folder) && !whole(io::checkpoint_name) && !whole(io::previous_checkpoint_name);
 }
 
-Beginning beginning_of(const FoundCheckpoint& found, const Json& record) {
-  Beginning beginning{.s = found.checkpoint.state,
-                      .p = found.p,
-                      .memory = io::parse_memory(found.checkpoint.memory),
-                      .before = {},
-                      .lineage = lineage_of(record)};
+RunStart start_from(const FoundCheckpoint& found, const Json& record) {
+  RunStart start{.s = found.checkpoint.state,
+                 .p = found.p,
+                 .memory = io::parse_memory(found.checkpoint.memory),
+                 .before = {},
+                 .lineage = lineage_of(record)};
   if (record.is_object()) {
-    beginning.scenario = scenario_name(record, found.file.parent_path());
-    beginning.commands = commands_of(record);
+    start.scenario = scenario_name(record, found.file.parent_path());
+    start.commands = commands_of(record);
   }
   if (record.is_object() && record.contains("wall_time_s") && record.at("wall_time_s").is_number())
-    beginning.earlier_wall_time = record.at("wall_time_s");
-  return beginning;
+    start.earlier_wall_time = record.at("wall_time_s");
+  return start;
 }
 
 Json event(std::string_view kind, const FoundCheckpoint& found) {
@@ -199,10 +177,10 @@ Json event(std::string_view kind, const FoundCheckpoint& found) {
           {"when", time_now()}};
 }
 
-void tell_other_program(const FoundCheckpoint& found) {
+void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer) {
   if (found.checkpoint.program == version_line()) return;
-  warn(fmt::format("{} was written by {}, this is {}: the bits may differ from here on", found.file.string(),
-                   found.checkpoint.program, version_line()));
+  observer.warn(fmt::format("{} was written by {}, this is {}: the bits may differ from here on", found.file.string(),
+                            found.checkpoint.program, version_line()));
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

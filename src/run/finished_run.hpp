@@ -10,9 +10,10 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// What the files of a run hold, up to its last checkpoint; frames up to the last one.
 struct FinishedRun {
@@ -33,13 +34,11 @@ FinishedRun read_run(const std::filesystem::path& folder);
 /// Frames that the run has written up to its last checkpoint, and that are not in its film.
 io::LostFrames lost_frames(const FinishedRun& run);
 
-/// Says so on the terminal if there are any.
-void tell_lost_frames(const FinishedRun& run);
-
 /// What the page of the run shows (viewer/README.md).
 nlohmann::ordered_json page_data(const FinishedRun& run);
 
 /// The page of report.html.
-std::string report_of(const FinishedRun& run);
+/// @param page_template  of report/run_page.hpp
+std::string report_of(const FinishedRun& run, std::string_view page_template);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -1,8 +1,5 @@
-#include "apps/run_folder.hpp"
+#include "run/run_folder.hpp"
 
-#include "apps/own_files.hpp"
-#include "apps/provenance.hpp"
-#include "apps/shipped_pages.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "draw/cell_picture.hpp"
@@ -10,6 +7,8 @@
 #include "parameters/write.hpp"
 #include "report/film_json.hpp"
 #include "report/run_page.hpp"
+#include "run/own_files.hpp"
+#include "run/provenance.hpp"
 #include "store/checkpoint.hpp"
 #include "store/field_file.hpp"
 #include "store/run_files.hpp"
@@ -24,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
@@ -146,7 +145,8 @@ void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
   if (m_frames && (m_frame_times.empty() || m_frame_times.back() != s.t)) add_frame(s, w);
 }
 
-void RunFolder::finish(const State& s, const std::string& status, bool failed, const RunRecord& record) {
+void RunFolder::finish(const State& s, const std::string& status, bool failed, const RunRecord& record,
+                       std::string_view page_template) {
   if (m_frames) io::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
   write_pictures(s, failed);
   const std::vector<ProtrusionRecord> records = protrusion_records(s);
@@ -155,23 +155,23 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed, c
   write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
   write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
   write_file(m_folder / "summary.json", io::summary_json(m_readouts));
-  if (!m_p.output.report) return;
+  if (!m_p.output.report || page_template.empty()) return;
   ::malloc_trim(0); // before all frames that are played are in memory
   const nlohmann::ordered_json record_json = to_json(record, m_p);
   const std::string scenario = scenario_name(record_json, m_folder);
   const io::Film film = m_frames ? io::read_film(m_folder, io::keep_what_is_played) : io::Film{};
   write_file(m_folder / "report.html",
-             io::filled_page(run_page_template(), io::run_data({.title = run_title(m_p, scenario),
-                                                                .status = status,
-                                                                .facts = run_facts(m_p, record_json, scenario),
-                                                                .t_end = s.t,
-                                                                .p = m_p,
-                                                                .readouts = m_readouts,
-                                                                .rows = m_memory.rows,
-                                                                .health = m_memory.health,
-                                                                .records = records,
-                                                                .film = m_frames ? &film : nullptr,
-                                                                .provenance = provenance_text()})));
+             io::filled_page(page_template, io::run_data({.title = run_title(m_p, scenario),
+                                                          .status = status,
+                                                          .facts = run_facts(m_p, record_json, scenario),
+                                                          .t_end = s.t,
+                                                          .p = m_p,
+                                                          .readouts = m_readouts,
+                                                          .rows = m_memory.rows,
+                                                          .health = m_memory.health,
+                                                          .records = records,
+                                                          .film = m_frames ? &film : nullptr,
+                                                          .provenance = provenance_text()})));
 }
 
 void RunFolder::write_pictures(const State& s, bool failed) const {
@@ -249,4 +249,4 @@ io::LostFrames RunFolder::lost_frames() const {
   return io::lost_frames(m_memory.frames, m_frame_times);
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

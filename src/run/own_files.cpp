@@ -1,4 +1,4 @@
-#include "apps/own_files.hpp"
+#include "run/own_files.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -10,7 +10,7 @@
 #include <regex>
 #include <system_error>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
@@ -140,4 +140,4 @@ void remove_temporaries(const fs::path& folder) {
   }
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

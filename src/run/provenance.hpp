@@ -5,7 +5,7 @@
 #include <string>
 
 /// What this program is made of and what it runs on.
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// "0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
 std::string version_text();
@@ -20,4 +20,4 @@ nlohmann::ordered_json provenance();
 /// The same for people.
 std::string provenance_text();
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -1,12 +1,12 @@
-#include "apps/branch.hpp"
+#include "run/branch.hpp"
 
-#include "apps/occupied_folder.hpp"
-#include "apps/provenance.hpp"
-#include "apps/stopped_run.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "run/occupied_folder.hpp"
+#include "run/provenance.hpp"
+#include "run/stopped_run.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 
@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
@@ -45,7 +45,7 @@ void require_same_start(const Parameters& before, const Parameters& after) {
 }
 
 /// The checkpoint that lies closest before t; none: the start. Warns of those that cannot be read.
-std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t) {
+std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t, RunObserver& observer) {
   std::vector<fs::path> files{folder / io::checkpoint_name, folder / io::previous_checkpoint_name};
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
@@ -58,7 +58,7 @@ std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double 
       const double at = found.checkpoint.state.t;
       if (at <= t * (1.0 + 1e-12) && (!best || at > best->checkpoint.state.t)) best = std::move(found);
     } catch (const InputOutputError& trouble) { // an earlier one will do
-      warn(fmt::format("{}; it is not used", trouble.what()));
+      observer.warn(fmt::format("{}; it is not used", trouble.what()));
     }
   }
   return best;
@@ -73,25 +73,15 @@ void require_multiple(double t, const Parameters& p) {
           .message = fmt::format("{:.6g} s is no multiple of run.time_step, {:.6g} s", t, p.run.time_step)}});
 }
 
-Parameters changed(const Parameters& before, const BranchOptions& options) {
-  try {
-    return apply_overrides(before, all_overrides(options), start_rules());
-  } catch (const ConfigurationError& error) {
-    throw naming_options(error, options);
-  }
-}
-
 } // namespace
 
-int branch(const fs::path& from, const BranchOptions& options, const Manner& manner) {
-  const Parameters before = scenario_of(from);
-  const std::vector<std::string> overrides = all_overrides(options);
-  const Parameters after = changed(before, options);
+RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptions& options, RunObserver& observer) {
+  const Parameters before = scenario_of(from, observer);
+  const Parameters after = apply_overrides(before, how.overrides, start_rules());
   require_same_start(before, after);
-  const double at = options.at.empty() ? 0.0 : wall_time_of(options.at);
   std::optional<FoundCheckpoint> found =
-      options.at.empty() ? last_checkpoint(from, options.previous) : checkpoint_before(from, at);
-  const double until = options.at.empty() ? found->checkpoint.state.t : at;
+      how.at ? checkpoint_before(from, *how.at, observer) : last_checkpoint(from, how.previous);
+  const double until = how.at ? *how.at : found->checkpoint.state.t;
   require_multiple(until, before);
   require_multiple(until, after);
   if (until >= after.run.duration)
@@ -101,32 +91,32 @@ int branch(const fs::path& from, const BranchOptions& options, const Manner& man
                                                       until, after.run.duration)}});
 
   const Json record = record_of(from);
-  Beginning beginning;
+  RunStart start;
   if (found) {
-    tell_other_program(*found);
-    beginning = beginning_of(*found, record);
-    beginning.lineage.push_back(event("branched", *found));
+    warn_of_other_program(*found, observer);
+    start = start_from(*found, record);
+    start.lineage.push_back(event("branched", *found));
   } else {
-    beginning = {.s = initial_state(before), .p = before};
-    beginning.lineage = lineage_of(record);
-    beginning.lineage.push_back(
+    start = {.s = initial_state(before), .p = before};
+    start.lineage = lineage_of(record);
+    start.lineage.push_back(
         {{"event", "branched"}, {"checkpoint", nullptr}, {"by", version_line()}, {"when", time_now()}});
   }
-  beginning.scenario = scenario_name(record, from);
-  beginning.commands = commands_of(record);
-  beginning.commands.push_back(manner.command_line);
-  beginning.earlier_wall_time = 0.0;
-  beginning.frames_from = from;
-  beginning.lineage.back()["at_s"] = until;
-  beginning.lineage.back()["from"] = from.string();
-  beginning.lineage.back()["configuration_hash"] = configuration_hash(before);
-  beginning.lineage.back()["set"] = overrides;
-  beginning.p = after;
-  beginning.before = Before{.p = before, .until = until};
-  if (!is_free(manner.folder))
-    throw InputOutputError(manner.folder.string() + ": exists and is not empty; choose another folder with -o");
-  make_output_folder(manner.folder, false);
-  return simulate(std::move(beginning), manner);
+  start.scenario = scenario_name(record, from);
+  start.commands = commands_of(record);
+  start.commands.push_back(options.command_line);
+  start.earlier_wall_time = 0.0;
+  start.frames_from = from;
+  start.lineage.back()["at_s"] = until;
+  start.lineage.back()["from"] = from.string();
+  start.lineage.back()["configuration_hash"] = configuration_hash(before);
+  start.lineage.back()["set"] = how.overrides;
+  start.p = after;
+  start.before = BranchPoint{.p = before, .until = until};
+  if (!is_free(options.folder))
+    throw InputOutputError(options.folder.string() + ": exists and is not empty; choose another folder with -o");
+  make_output_folder(options.folder, false);
+  return run(std::move(start), options, observer);
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -1,37 +1,35 @@
-#include "apps/finished_run.hpp"
+#include "run/finished_run.hpp"
 
-#include "apps/run_record.hpp"
-#include "apps/shipped_pages.hpp"
-#include "apps/stopped_run.hpp"
-#include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"
+#include "run/run_record.hpp"
 #include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_text = std::size_t{64} << 20U; // of run.json
+constexpr std::size_t max_text = std::size_t{64} << 20U; // of run.json
 
 /// How the run stands, in a sentence.
-std::string status_of(const FinishedRun& run) {
+std::string status_text(const FinishedRun& run) {
   const std::string status = run.record.value("status", "unknown");
   const std::string reason = run.record.value("reason", "");
   const std::string reached = fmt::format("{} of {}", time_text(run.t), time_text(run.p.run.duration));
   const io::LostFrames lost = lost_frames(run);
   const std::string gone = lost.count == 0 ? "" : fmt::format(" {}.", io::to_text(lost));
-  if (status == "done") return fmt::format("Done: {}.{}", time_text(run.t), gone);
+  if (status_of(run.record) == RunStatus::done) return fmt::format("Done: {}.{}", time_text(run.t), gone);
   return fmt::format("Status: {}; {} in the last checkpoint{}{}.{}", status, reached, reason.empty() ? "" : ": ",
                      reason, gone);
 }
@@ -47,9 +45,9 @@ std::string provenance_of(const Json& record) {
 
 /// Whether a run came to its end, or was stopped, at t: then it has written a frame there, due or not.
 bool ended_at(const Json& record, double t) {
-  const std::string status = text_of(record, "status");
+  const std::optional<RunStatus> status = status_of(record);
   const auto reached = record.find("t_s");
-  return (status == "done" || status == "interrupted") && reached != record.end() && *reached == t;
+  return (status == RunStatus::done || status == RunStatus::interrupted) && reached != record.end() && *reached == t;
 }
 
 } // namespace
@@ -63,7 +61,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
     throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
   FinishedRun run;
   run.folder = folder;
-  run.record = Json::parse(read_file(folder / "run.json", most_text), nullptr, false);
+  run.record = Json::parse(read_file(folder / "run.json", max_text), nullptr, false);
   if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
   const bool last = std::filesystem::exists(folder / io::checkpoint_name, error);
   const std::filesystem::path file = folder / (last ? io::checkpoint_name : io::previous_checkpoint_name);
@@ -92,15 +90,10 @@ io::LostFrames lost_frames(const FinishedRun& run) {
   return io::lost_frames(written, there);
 }
 
-void tell_lost_frames(const FinishedRun& run) {
-  if (const std::string text = io::to_text(lost_frames(run)); !text.empty())
-    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
-}
-
 nlohmann::ordered_json page_data(const FinishedRun& run) {
   const std::string scenario = scenario_name(run.record, run.folder);
   return io::run_data({.title = run_title(run.p, scenario),
-                       .status = status_of(run),
+                       .status = status_text(run),
                        .facts = run_facts(run.p, run.record, scenario),
                        .t_end = run.t,
                        .p = run.p,
@@ -112,6 +105,8 @@ nlohmann::ordered_json page_data(const FinishedRun& run) {
                        .provenance = provenance_of(run.record)});
 }
 
-std::string report_of(const FinishedRun& run) { return io::filled_page(run_page_template(), page_data(run)); }
+std::string report_of(const FinishedRun& run, std::string_view page_template) {
+  return io::filled_page(page_template, page_data(run));
+}
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -1,4 +1,4 @@
-#include "apps/provenance.hpp"
+#include "run/provenance.hpp"
 
 #include <build_info.hpp>
 
@@ -10,11 +10,17 @@
 #include <toml++/toml.h>
 #include <xxhash.h>
 
+#include <array>
 #include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
@@ -36,29 +42,33 @@ Json libraries() {
               static_cast<int>(XXH_versionNumber() % 100))}};
 }
 
-std::string cpu_model() {
+/// What /proc/cpuinfo says after a word at the start of a line; empty where it has no such line.
+std::string cpu_info(std::string_view word) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
-  return "unknown";
+    if (line.starts_with(word)) return line.substr(std::min(line.size(), line.find(':') + 2));
+  return {};
 }
 
+std::string cpu_model() {
+  const std::string model = cpu_info("model name");
+  return model.empty() ? "unknown" : model;
+}
+
+/// Instruction sets that hot loops may use, by their names in /proc/cpuinfo.
 std::vector<std::string> simd_features() {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> known{{{"sse2", "sse2"},
+                                                                                {"sse4_2", "sse4.2"},
+                                                                                {"avx", "avx"},
+                                                                                {"fma", "fma"},
+                                                                                {"avx2", "avx2"},
+                                                                                {"avx512f", "avx512f"},
+                                                                                {"asimd", "neon"}}};
+  std::istringstream words(cpu_info("flags") + ' ' + cpu_info("Features")); // of x86 and of Arm
+  const std::set<std::string> has{std::istream_iterator<std::string>(words), {}};
   std::vector<std::string> found;
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const auto add = [&](const char* name, bool supported) {
-    if (supported) found.emplace_back(name);
-  };
-  add("sse2", __builtin_cpu_supports("sse2") != 0);
-  add("sse4.2", __builtin_cpu_supports("sse4.2") != 0);
-  add("avx", __builtin_cpu_supports("avx") != 0);
-  add("fma", __builtin_cpu_supports("fma") != 0);
-  add("avx2", __builtin_cpu_supports("avx2") != 0);
-  add("avx512f", __builtin_cpu_supports("avx512f") != 0);
-#elif defined(__aarch64__)
-  found.emplace_back("neon"); // part of the architecture
-#endif
+  for (const auto& [word, name] : known)
+    if (has.contains(std::string(word))) found.emplace_back(name);
   return found;
 }
 
@@ -101,4 +111,4 @@ std::string provenance_text() {
   return text;
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

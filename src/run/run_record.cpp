@@ -1,16 +1,15 @@
-#include "apps/run_record.hpp"
+#include "run/run_record.hpp"
 
-#include "apps/progress.hpp"
-#include "apps/provenance.hpp"
-#include "apps/stopped_run.hpp"
+#include "base/file.hpp"
 #include "base/time_text.hpp"
 #include "parameters/write.hpp"
+#include "run/provenance.hpp"
 #include "store/trajectory_hash.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
@@ -23,7 +22,8 @@ std::string utc(Clock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(Clock::to_time_t(time)));
 }
 
-constexpr double Pa = 1e3; // in a kPa
+constexpr double Pa = 1e3;                                 // in a kPa
+constexpr std::size_t max_record = std::size_t{64} << 20U; // bytes of run.json
 
 /// The last part of a path that is no dot; the current folder's own name for "".
 std::string name_of(const fs::path& folder) {
@@ -52,6 +52,25 @@ Json value_of(const Json& record, const char* key) {
 }
 
 } // namespace
+
+Json record_of(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "run.json", error)) return {};
+  const Json json = Json::parse(read_file(folder / "run.json", max_record), nullptr, false);
+  return json.is_object() ? json : Json();
+}
+
+std::string text_of(const Json& record, const char* key) {
+  const bool there = record.is_object() && record.contains(key) && record.at(key).is_string();
+  return there ? record.at(key).get<std::string>() : std::string();
+}
+
+std::optional<RunStatus> status_of(const Json& record) { return parse_run_status(text_of(record, "status")); }
+
+std::vector<Json> lineage_of(const Json& record) {
+  if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
+  return record.at("lineage").get<std::vector<Json>>();
+}
 
 std::string command_text(const std::vector<std::string>& words) {
   std::string text;
@@ -127,8 +146,8 @@ std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const s
 Json to_json(const RunRecord& record, const Parameters& p) {
   const Clock::time_point now = record.end.value_or(Clock::now());
   const io::LostFrames& lost = record.lost_frames;
-  Json json{{"status", record.status},
-            {"exit_code", record.exit_code ? Json(*record.exit_code) : Json()},
+  Json json{{"status", to_string(record.status())},
+            {"exit_code", record.ended ? Json(exit_code(*record.ended)) : Json()},
             {"reason", record.reason},
             {"seed", p.run.seed},
             {"steps", record.steps},
@@ -151,4 +170,4 @@ Json to_json(const RunRecord& record, const Parameters& p) {
   return json;
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

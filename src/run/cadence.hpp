@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// Tells when the next of a regular event is due; the first one at 0.
 class Cadence {
@@ -24,4 +24,4 @@ private:
   double m_next = 0.0;
 };
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// A lock on a file, which is made if need be: held until the end of this object and of all commands started while it
 /// lives. Works between the nodes of a cluster where their file system has flock.
@@ -23,4 +23,4 @@ private:
   int m_descriptor;
 };
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

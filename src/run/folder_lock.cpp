@@ -1,4 +1,4 @@
-#include "apps/folder_lock.hpp"
+#include "run/folder_lock.hpp"
 
 #include "base/failure.hpp"
 
@@ -13,7 +13,7 @@
 #include <system_error>
 #include <thread>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 using namespace std::chrono_literals;
 
@@ -43,4 +43,4 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind, std::chro
 
 FolderLock::~FolderLock() { ::close(m_descriptor); }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -2,6 +2,7 @@
 
 #include "parameters/parameters.hpp"
 #include "report/run_page.hpp"
+#include "run/status.hpp"
 #include "store/field_file.hpp"
 #include "store/saved_frames.hpp"
 
@@ -14,13 +15,13 @@
 #include <string>
 #include <vector>
 
-namespace matrigrate::apps {
+/// The record of a run, run.json. Test: tests/unit/run/run_record_test.cpp, tests/apps/run_test.cpp
+namespace matrigrate::run {
 
 /// How a run stands or ended: what run.json holds.
 struct RunRecord {
-  std::string status = "running"; ///< running, done, interrupted, failed
-  std::optional<int> exit_code;   ///< none while it runs
-  std::string reason;             ///< why it ended early; empty if it did not
+  std::optional<RunEnd> ended; ///< none while it runs
+  std::string reason;          ///< why it ended early; empty if it did not
   std::uint64_t steps = 0;
   double t = 0.0;                 ///< simulated time reached [s]
   double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
@@ -34,7 +35,21 @@ struct RunRecord {
   std::vector<nlohmann::ordered_json> lineage;    ///< restarts and branches, oldest first
   std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
   std::optional<std::chrono::system_clock::time_point> end;
+
+  RunStatus status() const { return ended ? status_of(*ended) : RunStatus::running; }
 };
+
+/// run.json of a folder; null where there is none, or it cannot be read.
+nlohmann::ordered_json record_of(const std::filesystem::path& folder);
+
+/// A text of a record; empty where there is none.
+std::string text_of(const nlohmann::ordered_json& record, const char* key);
+
+/// How the run of a record stands; nothing if the record does not tell.
+std::optional<RunStatus> status_of(const nlohmann::ordered_json& record);
+
+/// The restarts and branches that a record tells of, oldest first.
+std::vector<nlohmann::ordered_json> lineage_of(const nlohmann::ordered_json& record);
 
 /// Words as one would type them in a shell, the program by its name alone.
 std::string command_text(const std::vector<std::string>& words);
@@ -72,4 +87,4 @@ std::vector<io::Fact> run_facts(const Parameters& p, const nlohmann::ordered_jso
 ///  end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

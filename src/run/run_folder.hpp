@@ -1,10 +1,10 @@
 #pragma once
 
-#include "apps/cadence.hpp"
-#include "apps/folder_lock.hpp"
-#include "apps/run_record.hpp"
 #include "observe/readouts.hpp"
 #include "parameters/parameters.hpp"
+#include "run/cadence.hpp"
+#include "run/folder_lock.hpp"
+#include "run/run_record.hpp"
 #include "simulation/workspace.hpp"
 #include "state/state.hpp"
 #include "store/frame_log.hpp"
@@ -16,12 +16,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 /// The files of a run. Rows reach the disk as they come, and checkpoints at intervals, so that a run that is ended at
-/// any moment goes on with what it has computed.
+/// any moment can be resumed with what it has computed. Test: tests/unit/run/simulate_test.cpp, tests/apps/run_test.cpp
 class RunFolder {
 public:
   /// Writes scenario.resolved.toml, run.json and the tables with the rows that there are already. Removes temporary
@@ -57,7 +58,9 @@ public:
   /// @param status  a sentence on how the run ended, for the report
   /// @param failed  whether a picture of the moment is wanted
   /// @param record  for the report
-  void finish(const State& s, const std::string& status, bool failed, const RunRecord& record);
+  /// @param page_template  of the report; empty: none is written
+  void finish(const State& s, const std::string& status, bool failed, const RunRecord& record,
+              std::string_view page_template);
 
   /// Writes run.json.
   void write_record(const RunRecord& record) const;
@@ -101,4 +104,4 @@ private:
   ReadOuts m_readouts;
 };
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run

@@ -1,11 +1,10 @@
-#include "apps/occupied_folder.hpp"
+#include "run/occupied_folder.hpp"
 
-#include "apps/own_files.hpp"
-#include "apps/stopped_run.hpp"
-#include "apps/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/time_text.hpp"
 #include "parameters/schema.hpp"
+#include "run/own_files.hpp"
+#include "run/stopped_run.hpp"
 
 #include <fmt/format.h>
 
@@ -13,19 +12,19 @@
 #include <string>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::run {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_listed = 20;
+constexpr std::size_t max_listed = 20;
 
 std::string listed(std::vector<std::string> items, std::string_view separator) {
-  if (items.size() > most_listed) {
-    const std::size_t more = items.size() - most_listed;
-    items.resize(most_listed);
+  if (items.size() > max_listed) {
+    const std::size_t more = items.size() - max_listed;
+    items.resize(max_listed);
     items.push_back(fmt::format("and {} more", more));
   }
   return fmt::format("{}", fmt::join(items, separator));
@@ -47,9 +46,9 @@ std::string bare(std::string text) {
 }
 
 /// "  run.duration: 1 h there, 6 min here", a line for each parameter that differs.
-std::string differences(const fs::path& folder, const Parameters& p) {
+std::string differences(const fs::path& folder, const Parameters& p, RunObserver& observer) {
   std::vector<std::string> lines;
-  const Parameters there = scenario_of(folder);
+  const Parameters there = scenario_of(folder, observer);
   for (const Row& row : schema()) {
     const std::string before = bare(value_text(row, there));
     const std::string now = bare(value_text(row, p));
@@ -65,11 +64,11 @@ double number_of(const Json& record, const char* key) {
 }
 
 /// What the run in the folder is, and in what it differs.
-std::string description(const fs::path& folder, const Json& record, const Parameters& p) {
+std::string description(const fs::path& folder, const Json& record, const Parameters& p, RunObserver& observer) {
   std::string text = fmt::format("{}: holds another run ({}, {} of {}):\n", folder.string(), text_of(record, "status"),
                                  time_text(number_of(record, "t_s")), time_text(number_of(record, "duration_s")));
   try {
-    text += differences(folder, p);
+    text += differences(folder, p, observer);
   } catch (const InputOutputError& trouble) {
     text += fmt::format("  its parameters cannot be compared: {}\n", trouble.what());
   }
@@ -87,16 +86,16 @@ void require_no_study(const fs::path& folder) {
         fmt::format("{}: is the folder of a study; choose another folder for the run with -o", folder.string()));
 }
 
-void require_free(const fs::path& folder, const Parameters& p) {
+void require_free(const fs::path& folder, const Parameters& p, RunObserver& observer) {
   if (is_free(folder)) return;
   const Json record = record_of(folder);
   const std::string resume = fmt::format("matrigrate resume {}", folder.string());
   if (record.is_object()) {
-    const bool done = text_of(record, "status") == "done";
+    const bool done = status_of(record) == RunStatus::done;
     throw InputOutputError(
         fmt::format("{}-o FOLDER writes the new run somewhere else; {}{} that run; --force removes it "
                     "and starts the new one",
-                    description(folder, record, p), resume, done ? " --hours H extends" : " continues"));
+                    description(folder, record, p, observer), resume, done ? " --hours H extends" : " continues"));
   }
   if (has_checkpoint(folder))
     throw InputOutputError(fmt::format("{}: holds a run whose run.json is missing or damaged; it can be resumed: {}\n"
@@ -107,12 +106,10 @@ void require_free(const fs::path& folder, const Parameters& p) {
                                      folder.string(), listed(visible_entries(folder), ", ")));
 }
 
-void tell_what_stays(const fs::path& folder) {
+void warn_of_other_files(const fs::path& folder, RunObserver& observer) {
   const std::vector<std::string> foreign = foreign_entries(folder);
   if (foreign.empty()) return;
-  print_error(fmt::format("{} {}: these are not files of a run, and stay: {}\n",
-                          coloured("matrigrate:", Colour::warning, Stream::err), folder.string(),
-                          listed(foreign, ", ")));
+  observer.warn(fmt::format("{}: these are not files of a run, and stay: {}", folder.string(), listed(foreign, ", ")));
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::run
