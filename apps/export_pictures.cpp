@@ -1,6 +1,5 @@
 #include "apps/export_pictures.hpp"
 
-#include "apps/child.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -8,6 +7,7 @@
 #include "draw/cell_picture.hpp"
 #include "draw/plot.hpp"
 #include "report/film_json.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ bool is_installed(const std::string& program) {
 }
 
 void call(const std::vector<std::string>& command) {
-  Child child(command, STDERR_FILENO);
+  study::Child child(command, STDERR_FILENO);
   std::optional<int> code;
   while (!(code = child.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (*code != 0) throw InputOutputError(fmt::format("{} ended with exit code {}", command.front(), *code));

@@ -23,7 +23,7 @@ int report(const Options& options) {
   const std::filesystem::path folder = options.folder;
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
-    const StudyFolder study = open_study(folder);
+    const StudyFolder study = study::open_study(folder);
     write_study_report(study, gathered(study), options.play);
   } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");

@@ -1,4 +1,3 @@
-#include "apps/child.hpp"
 #include "apps/export_pictures.hpp"
 #include "apps/reproduce_output.hpp"
 #include "apps/shipped_studies.hpp"
@@ -15,6 +14,7 @@
 #include "run/run_record.hpp"
 #include "simulation/start_rules.hpp"
 #include "simulation/step_limits.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

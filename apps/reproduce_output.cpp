@@ -8,7 +8,7 @@
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/row_file.hpp"
-#include "study/box_plot.hpp"
+#include "study_report/box_plot.hpp"
 
 #include <fmt/format.h>
 

@@ -35,7 +35,7 @@ std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::
   const std::filesystem::path parent = place.has_filename() ? place.parent_path() : place.parent_path().parent_path();
   for (const std::string& sibling : {std::string(name), fmt::format("{}-study", name)}) {
     try {
-      const StudyFolder other = open_study(parent / sibling);
+      const StudyFolder other = study::open_study(parent / sibling);
       if (shipped_name(other.study) == name)
         return study::Ensemble{other.study, study::results(other.study, other.runs, other.folder)};
     } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/study_folder.hpp"
 #include "study/claims.hpp"
+#include "study_runs/study_folder.hpp"
 
 #include <optional>
 #include <string>
@@ -10,6 +10,8 @@
 
 /// Which of the paper's claims a study speaks of. Test: tests/apps/study_test.cpp
 namespace matrigrate::apps {
+
+using study::StudyFolder;
 
 /// The name of the shipped study of this title and with these points: "stiffness".
 std::optional<std::string_view> shipped_name(const study::Study& study);

@@ -26,9 +26,10 @@ enum ExitCode : int {
   requeue = 75,     ///< stopped by a signal to terminate
   interrupted = 130 ///< stopped by Ctrl-C
 };
-static_assert(exit_code(RunEnd::completed) == done && exit_code(RunEnd::numerical_failure) == numerical
-              && exit_code(RunEnd::no_memory) == numerical && exit_code(RunEnd::cannot_write) == input_output
-              && exit_code(RunEnd::told_to_terminate) == requeue && exit_code(RunEnd::stopped_by_user) == interrupted);
+static_assert(run::exit_code(RunEnd::completed) == done && run::exit_code(RunEnd::numerical_failure) == numerical
+              && run::exit_code(RunEnd::no_memory) == numerical && run::exit_code(RunEnd::cannot_write) == input_output
+              && run::exit_code(RunEnd::told_to_terminate) == requeue
+              && run::exit_code(RunEnd::stopped_by_user) == interrupted);
 
 /// The command line asks for something that there is not. Exit code 2.
 class UsageError : public std::runtime_error {

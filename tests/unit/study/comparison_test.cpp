@@ -1,6 +1,5 @@
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
-#include "study/box_plot.hpp"
 #include "study/comparison.hpp"
 #include "study/table_readouts.hpp"
 
@@ -93,15 +92,6 @@ TEST(Results, NumbersOfAColumn) {
   EXPECT_EQ(b[2], -1e-3);
   EXPECT_TRUE(csv_column(csv, "d").empty());
   EXPECT_TRUE(csv_column("", "a").empty());
-}
-
-TEST(BoxPlot, DrawsEachSample) {
-  const std::string svg = to_svg({{"f_mat", {"one", "none"}, {{1.0, 2.0, 3.0, 4.0}, {}}}}, "A <title>");
-  EXPECT_NE(svg.find("one (n = 4)"), std::string::npos);
-  EXPECT_NE(svg.find("none (n = 0)"), std::string::npos);
-  EXPECT_NE(svg.find("A &lt;title&gt;"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_THROW(to_svg({{"f_mat", {"one"}, {}}}, ""), std::invalid_argument);
 }
 
 } // namespace

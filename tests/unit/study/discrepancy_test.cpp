@@ -1,8 +1,8 @@
 #include "study/discrepancy.hpp"
 
-#include "studies.hpp"
 #include "study/effects.hpp"
 #include "study/table_readouts.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 

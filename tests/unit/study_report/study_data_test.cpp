@@ -1,9 +1,9 @@
-#include "study/study_data.hpp"
+#include "study_report/study_data.hpp"
 
-#include "studies.hpp"
 #include "study/axes.hpp"
-#include "study/screening_data.hpp"
 #include "study/table_readouts.hpp"
+#include "study_report/screening_data.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/study_folder.hpp"
+#include "study_runs/study_folder.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -8,7 +8,7 @@
 
 /// How far the runs of a study are that are being computed, from their files; nothing is written.
 /// Test: tests/apps/study_test.cpp
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 /// A run that a process is computing.
 struct RunningRun {
@@ -24,6 +24,6 @@ struct StudyProgress {
 };
 
 /// @param standings  of all runs, in their order
-StudyProgress progress_of(const StudyFolder& study, const std::vector<study::Standing>& standings);
+StudyProgress progress_of(const StudyFolder& study, const std::vector<Standing>& standings);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

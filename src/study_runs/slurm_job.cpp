@@ -1,4 +1,4 @@
-#include "apps/slurm_job.hpp"
+#include "study_runs/slurm_job.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <regex>
 #include <string_view>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 namespace {
 
@@ -192,4 +192,4 @@ std::string job_script(const SlurmOptions& options, const std::filesystem::path&
   return text + std::string(script_body);
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The job array that `matrigrate study submit` hands to Slurm. Test: tests/apps/submit_test.cpp
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 /// What a user asks of Slurm; what is empty is left to the cluster.
 struct SlurmOptions {
@@ -40,4 +40,4 @@ std::string shell_text(const std::vector<std::string>& command);
 std::string job_script(const SlurmOptions& options, const std::filesystem::path& folder, std::size_t tasks,
                        const std::string& list);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

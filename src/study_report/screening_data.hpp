@@ -7,7 +7,7 @@
 #include <string>
 
 /// The part of a study's page on factors and targets, as viewer/README.md describes it.
-/// Test: tests/unit/study/study_data_test.cpp
+/// Test: tests/unit/study_report/study_data_test.cpp
 namespace matrigrate::study {
 
 /// Null for a study without targets and without a design that gives effects.

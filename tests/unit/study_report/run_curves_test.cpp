@@ -1,7 +1,7 @@
-#include "study/run_curves.hpp"
+#include "study_report/run_curves.hpp"
 
 #include "base/file.hpp"
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
-#include "study/study_data.hpp"
+#include "study_report/study_data.hpp"
 
 #include "base/file.hpp"
 #include "parameters/schema.hpp"
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
 #include "study/axes.hpp"
-#include "study/run_curves.hpp"
-#include "study/run_json.hpp"
-#include "study/screening_data.hpp"
 #include "study/table_readouts.hpp"
+#include "study_report/run_curves.hpp"
+#include "study_report/run_json.hpp"
+#include "study_report/screening_data.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

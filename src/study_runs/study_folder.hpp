@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 /// A study and the folder of its runs: study.resolved.toml, scenario.resolved.toml (the base) and runs/<hash>/.
 struct StudyFolder {
   std::filesystem::path folder;
-  study::Study study;
-  std::vector<study::Run> runs;
+  Study study;
+  std::vector<Run> runs;
 };
 
 /// The study with its runs named, without a folder on disk.
-StudyFolder planned(study::Study study, std::filesystem::path folder);
+StudyFolder planned(Study study, std::filesystem::path folder);
 
 /// "stiffness.toml" -> "stiffness-study"; the folder itself for its own study.resolved.toml.
 std::filesystem::path default_study_folder(const std::filesystem::path& file);
@@ -37,9 +37,9 @@ StudyFolder open_study(const std::filesystem::path& folder);
 
 /// The command that computes a run.
 /// @param threads  of its process
-std::vector<std::string> run_command(const StudyFolder& study, const study::Run& run, int threads);
+std::vector<std::string> run_command(const StudyFolder& study, const Run& run, int threads);
 
 /// "youngs_modulus 50 Pa, replicate 3"
-std::string title_of(const StudyFolder& study, const study::Run& run);
+std::string title_of(const StudyFolder& study, const Run& run);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

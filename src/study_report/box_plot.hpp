@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Box plots as SVG. Test: tests/unit/study/comparison_test.cpp
+/// Box plots as SVG. Test: tests/unit/study_report/box_plot_test.cpp
 namespace matrigrate::study {
 
 /// Samples side by side: box from quartile to quartile with the median, whiskers after Tukey, each value as a dot, the

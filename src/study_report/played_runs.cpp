@@ -1,6 +1,5 @@
-#include "apps/study_players.hpp"
+#include "study_report/played_runs.hpp"
 
-#include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "run/finished_run.hpp"
 
@@ -9,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 namespace {
 
@@ -18,26 +18,26 @@ constexpr std::size_t most_runs = 5;           ///< that are chosen unasked
 constexpr std::size_t most_bytes = 12'000'000; ///< of all of them
 
 struct Choice {
-  const study::Result* result;
+  const Result* result;
   std::string why;
 };
 
 /// Of the runs of a point that are done, the one in the middle by the first read-out.
-std::optional<Choice> typical(const StudyFolder& study, const std::vector<study::Result>& results, std::size_t point) {
-  const std::vector<std::string> names = study::all_readouts();
+std::optional<Choice> typical(const StudyFolder& study, const std::vector<Result>& results, std::size_t point) {
+  const std::vector<std::string> names = all_readouts();
   const std::string& readout = study.study.readouts.front();
   const auto column = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
-  std::vector<const study::Result*> runs;
-  for (const study::Result& r : results)
+  std::vector<const Result*> runs;
+  for (const Result& r : results)
     if (r.run.point == point && r.standing.done() && std::isfinite(r.readouts[column])) runs.push_back(&r);
   if (runs.empty()) return {};
-  const auto by_value = [&](const study::Result* r) { return r->readouts[column]; };
+  const auto by_value = [&](const Result* r) { return r->readouts[column]; };
   std::ranges::sort(runs, {}, by_value);
   return Choice{runs[(runs.size() - 1) / 2], fmt::format("the middle one by {}", readout)};
 }
 
 /// Up to most_runs points, spread over all of them.
-std::vector<Choice> typical_ones(const StudyFolder& study, const std::vector<study::Result>& results) {
+std::vector<Choice> typical_ones(const StudyFolder& study, const std::vector<Result>& results) {
   std::vector<Choice> chosen;
   const std::size_t points = study.study.points.size();
   const std::size_t n = std::min(points, most_runs);
@@ -46,14 +46,15 @@ std::vector<Choice> typical_ones(const StudyFolder& study, const std::vector<stu
   return chosen;
 }
 
-std::vector<Choice> asked_for(const std::vector<study::Result>& results, const std::vector<std::string>& wanted) {
+const Result* find(const std::vector<Result>& results, const std::string& id) {
+  const auto found = std::ranges::find_if(results, [&](const Result& r) { return r.run.hash == id; });
+  return found == results.end() ? nullptr : &*found;
+}
+
+std::vector<Choice> asked_for(const std::vector<Result>& results, const std::vector<std::string>& wanted) {
+  if (const std::string fault = fault_of_wanted(results, wanted); !fault.empty()) throw std::invalid_argument(fault);
   std::vector<Choice> chosen;
-  for (const std::string& id : wanted) {
-    const auto found = std::ranges::find_if(results, [&](const study::Result& r) { return r.run.hash == id; });
-    if (found == results.end()) throw UsageError(fmt::format("there is no run \"{}\" in this study", id));
-    if (!found->standing.done()) throw UsageError(fmt::format("run {} is not done", id));
-    chosen.push_back({&*found, "chosen"});
-  }
+  for (const std::string& id : wanted) chosen.push_back({find(results, id), "chosen"});
   return chosen;
 }
 
@@ -66,21 +67,30 @@ void thin(io::Film& film, std::size_t stride) {
 }
 
 nlohmann::ordered_json page_of(const std::filesystem::path& folder, std::size_t stride) {
-  FinishedRun run = read_run(folder);
+  run::FinishedRun run = run::read_run(folder);
   if (stride > 1) thin(run.film, stride);
   return page_data(run);
 }
 
 } // namespace
 
-std::vector<study::PlayedRun> played_runs(const StudyFolder& study, const std::vector<study::Result>& results,
-                                          const std::vector<std::string>& wanted) {
+std::string fault_of_wanted(const std::vector<Result>& results, const std::vector<std::string>& wanted) {
+  for (const std::string& id : wanted) {
+    const Result* result = find(results, id);
+    if (result == nullptr) return fmt::format("there is no run \"{}\" in this study", id);
+    if (!result->standing.done()) return fmt::format("run {} is not done", id);
+  }
+  return {};
+}
+
+std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
+                                   const std::vector<std::string>& wanted) {
   const std::vector<Choice> chosen = wanted.empty() ? typical_ones(study, results) : asked_for(results, wanted);
-  std::vector<study::PlayedRun> played;
+  std::vector<PlayedRun> played;
   std::size_t stride = 1;
   for (const auto& [result, why] : chosen) {
     try {
-      const std::filesystem::path folder = study::run_folder(study.folder, result->run);
+      const std::filesystem::path folder = run_folder(study.folder, result->run);
       nlohmann::ordered_json page = page_of(folder, stride);
       if (played.empty()) {
         stride = page.dump().size() * chosen.size() / most_bytes + 1;
@@ -94,4 +104,4 @@ std::vector<study::PlayedRun> played_runs(const StudyFolder& study, const std::v
   return played;
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

@@ -10,7 +10,7 @@
 
 /// What the runs of a study look like: paths, mean square displacements and adhesions, as tables that are small enough
 /// to be kept, and as figures that are drawn from these tables alone. Runs that are not done are left out. The last
-/// column of each table is the label of the point. Test: tests/unit/study/run_curves_test.cpp
+/// column of each table is the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
 namespace matrigrate::study {
 
 /// Mean square displacement over the runs of a point at a lag that all of them have.

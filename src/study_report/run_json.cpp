@@ -1,4 +1,4 @@
-#include "study/run_json.hpp"
+#include "study_report/run_json.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"

@@ -1,14 +1,14 @@
-#include "apps/study_folder.hpp"
+#include "study_runs/study_folder.hpp"
 
-#include "apps/child.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/write.hpp"
 #include "run/run_record.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 namespace {
 
@@ -30,9 +30,9 @@ void write_if_new(const std::filesystem::path& file, const std::string& text) {
 
 } // namespace
 
-StudyFolder planned(study::Study study, std::filesystem::path folder) {
+StudyFolder planned(Study study, std::filesystem::path folder) {
   StudyFolder made{std::move(folder), std::move(study), {}};
-  made.runs = study::planned_runs(made.study, run::configuration_hash);
+  made.runs = planned_runs(made.study, run::configuration_hash);
   return made;
 }
 
@@ -56,31 +56,31 @@ void make_study_folder(const std::filesystem::path& folder) {
 
 void write_study(const StudyFolder& study) {
   write_if_new(study.folder / scenario_file, to_toml(neutral(study.study.base)));
-  write_if_new(study.folder / study_file, study::to_toml(study.study, scenario_file));
+  write_if_new(study.folder / study_file, to_toml(study.study, scenario_file));
 }
 
 StudyFolder open_study(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / study_file;
   if (!std::filesystem::exists(file))
     throw InputOutputError(fmt::format("{}: is no folder of a study: it has no {}", folder.string(), study_file));
-  return planned(study::read_study(file), folder);
+  return planned(read_study(file), folder);
 }
 
-std::vector<std::string> run_command(const StudyFolder& study, const study::Run& run, int threads) {
+std::vector<std::string> run_command(const StudyFolder& study, const Run& run, int threads) {
   std::vector<std::string> command{this_program(), "run", (study.folder / scenario_file).string()};
-  for (const study::Setting& s : study.study.points[run.point].settings) {
+  for (const Setting& s : study.study.points[run.point].settings) {
     command.emplace_back("--set");
     command.push_back(s.key + "=" + s.value);
   }
   for (const std::string& word :
        {std::string("--seed"), fmt::format("{}", run.seed), std::string("--threads"), fmt::format("{}", threads),
-        std::string("-o"), study::run_folder(study.folder, run).string(), std::string("--quiet")})
+        std::string("-o"), run_folder(study.folder, run).string(), std::string("--quiet")})
     command.push_back(word);
   return command;
 }
 
-std::string title_of(const StudyFolder& study, const study::Run& run) {
+std::string title_of(const StudyFolder& study, const Run& run) {
   return fmt::format("{}, replicate {}", study.study.points[run.point].label, run.replicate);
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

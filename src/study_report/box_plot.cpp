@@ -1,4 +1,4 @@
-#include "study/box_plot.hpp"
+#include "study_report/box_plot.hpp"
 
 #include "draw/axis.hpp"
 #include "draw/colour.hpp"

@@ -1,4 +1,4 @@
-#include "apps/study_progress.hpp"
+#include "study_runs/study_progress.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -13,7 +13,7 @@
 #include <cerrno>
 #include <chrono>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 namespace {
 
@@ -32,7 +32,7 @@ bool is_worked_on(const fs::path& folder) {
 
 /// Simulated time of the last row of tracks.csv [s].
 double time_reached(const fs::path& folder) {
-  const std::vector<double> t = study::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
+  const std::vector<double> t = csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
   return t.empty() ? 0.0 : t.back();
 }
 
@@ -46,7 +46,7 @@ double time_spent(const fs::path& folder) {
 }
 
 std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
-  const fs::path folder = study::run_folder(study.folder, study.runs[i]);
+  const fs::path folder = run_folder(study.folder, study.runs[i]);
   if (!is_worked_on(folder)) return {};
   try {
     const double whole = study.study.points[study.runs[i].point].parameters.run.duration;
@@ -61,7 +61,7 @@ std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
 }
 
 /// Of all runs together, from those that are done and those that are running.
-std::optional<double> time_left(const StudyProgress& progress, const std::vector<study::Standing>& standings) {
+std::optional<double> time_left(const StudyProgress& progress, const std::vector<Standing>& standings) {
   double left = 0.0;
   double whole = 0.0;
   std::size_t known = 0;
@@ -71,7 +71,7 @@ std::optional<double> time_left(const StudyProgress& progress, const std::vector
     whole += *run.left / (1.0 - run.share);
     ++known;
   }
-  for (const study::Standing& s : standings) {
+  for (const Standing& s : standings) {
     if (!s.done()) continue;
     whole += s.wall_time;
     ++known;
@@ -79,7 +79,7 @@ std::optional<double> time_left(const StudyProgress& progress, const std::vector
   if (progress.running.empty() || known == 0) return {};
   const double mean = whole / static_cast<double>(known);
   const auto closed =
-      std::ranges::count_if(standings, [](const study::Standing& s) { return s.done() || s.failed_for_good(); });
+      std::ranges::count_if(standings, [](const Standing& s) { return s.done() || s.failed_for_good(); });
   const double waiting = static_cast<double>(standings.size() - progress.running.size()) - static_cast<double>(closed);
   for (const RunningRun& run : progress.running)
     if (!run.left) left += mean;
@@ -88,13 +88,13 @@ std::optional<double> time_left(const StudyProgress& progress, const std::vector
 
 } // namespace
 
-StudyProgress progress_of(const StudyFolder& study, const std::vector<study::Standing>& standings) {
+StudyProgress progress_of(const StudyFolder& study, const std::vector<Standing>& standings) {
   StudyProgress progress;
   for (std::size_t i = 0; i < study.runs.size(); ++i)
-    if (standings[i].status == study::RunState::unfinished)
+    if (standings[i].status == RunState::unfinished)
       if (auto run = running_run(study, i)) progress.running.push_back(*run);
   progress.left = time_left(progress, standings);
   return progress;
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

@@ -1,4 +1,4 @@
-#include "study/screening_data.hpp"
+#include "study_report/screening_data.hpp"
 
 #include "study/designs.hpp"
 

@@ -1,4 +1,4 @@
-#include "study/run_curves.hpp"
+#include "study_report/run_curves.hpp"
 
 #include "base/file.hpp"
 #include "draw/plot.hpp"
