@@ -1,10 +1,10 @@
 #include "store/run_files.hpp"
 
+#include "observe/readout_table.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -103,37 +103,17 @@ std::string msd_csv(std::span<const MsdPoint> points) {
 }
 
 std::vector<NamedValue> named_values(const ReadOuts& r) {
-  return {{"duration_s", "duration [s]", r.duration},
-          {"v_migr_abs_um_per_h", "speed, start to end [um/h]", r.v_migr_abs},
-          {"v_migr_path_60s_um_per_h", "speed along the path, sampled every 60 s [um/h]", r.v_migr_path_60s},
-          {"v_migr_path_600s_um_per_h", "speed along the path, sampled every 600 s [um/h]", r.v_migr_path_600s},
-          {"n_protrusions", "protrusions initiated", count(r.n_protrusions)},
-          {"n_unadhered", "of them, never adhered", count(r.n_unadhered)},
-          {"tau_prot_min", "life of a mature adhesion, mean [min]", r.tau_prot.value},
-          {"n_tau_prot", "adhesions in this mean", count(r.tau_prot.n)},
-          {"n_censored", "mature adhesions still alive, not in this mean", count(r.n_censored)},
-          {"l_prot_um", "length at the end of growth, mean [um]", r.l_prot.value},
-          {"f_mat", "maturation, mean [-]", r.f_mat.value},
-          {"force_nN", "force at disassembly, mean [nN]", r.force.value},
-          {"f_adh_rel", "force at disassembly over f_mat F_am, mean [-]", r.f_adh_rel.value},
-          {"n_simultaneous_mean", "protrusions at a time, mean", r.mean_simultaneous},
-          {"n_simultaneous_max", "protrusions at a time, most", count(r.most_simultaneous)},
-          {"msd_slope", "log-log slope of the mean square displacement, lags of 10 min to half the run", r.msd_slope},
-          {"path_angle_deg", "mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]", r.path_angle},
-          {"f_mat_along", "maturation of protrusions along uniaxial fibres, mean [-]", r.along.f_mat.value},
-          {"f_mat_across", "maturation of protrusions across uniaxial fibres, mean [-]", r.across.f_mat.value},
-          {"share_ruptured_along", "share of adhesions along uniaxial fibres that ended by rupture",
-           r.along.ruptured.value},
-          {"share_ruptured_across", "share of adhesions across uniaxial fibres that ended by rupture",
-           r.across.ruptured.value}};
+  std::vector<NamedValue> values;
+  for (const ReadOutSpec& spec : readout_table())
+    values.push_back({spec.name, spec.meaning_with_unit(),
+                      std::visit([](const auto value) { return Field(value); }, spec.value(r))});
+  return values;
 }
 
 std::vector<NamedValue> shown_values(const ReadOuts& r, const Parameters& p) {
   std::vector<NamedValue> values = named_values(r);
   if (p.fibres.arrangement == FibreArrangement::uniaxial) return values;
-  constexpr std::array<std::string_view, 5> of_fibres{"path_angle_deg", "f_mat_along", "f_mat_across",
-                                                      "share_ruptured_along", "share_ruptured_across"};
-  std::erase_if(values, [&](const NamedValue& v) { return std::ranges::find(of_fibres, v.name) != of_fibres.end(); });
+  std::erase_if(values, [](const NamedValue& v) { return find_readout(v.name)->of_fibres; });
   return values;
 }
 

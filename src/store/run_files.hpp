@@ -36,8 +36,8 @@ std::string msd_csv(std::span<const MsdPoint> points);
 
 /// A read-out in words and in figures.
 struct NamedValue {
-  std::string_view name;    ///< as in the files, with its unit
-  std::string_view meaning; ///< for people
+  std::string_view name; ///< as in the files, with its unit
+  std::string meaning;   ///< for people, with its unit
   Field value;
 };
 std::vector<NamedValue> named_values(const ReadOuts& r);

@@ -144,9 +144,7 @@ std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
 }
 
 std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {
-  const std::vector<std::string> names = all_readouts();
-  const auto column = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
-  if (column == names.size()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
+  const std::size_t column = readout_column(readout);
   std::vector<double> values;
   for (const Result& r : results)
     if (r.run.point == point && std::isfinite(r.readouts[column])) values.push_back(r.readouts[column]);

@@ -24,9 +24,8 @@ struct Choice {
 
 /// Of the runs of a point that are done, the one in the middle by the first read-out.
 std::optional<Choice> typical(const StudyFolder& study, const std::vector<Result>& results, std::size_t point) {
-  const std::vector<std::string> names = all_readouts();
   const std::string& readout = study.study.readouts.front();
-  const auto column = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
+  const std::size_t column = readout_column(readout);
   std::vector<const Result*> runs;
   for (const Result& r : results)
     if (r.run.point == point && r.standing.done() && std::isfinite(r.readouts[column])) runs.push_back(&r);

@@ -61,7 +61,6 @@ Json outline_json(const std::filesystem::path& checkpoint) {
 
 Json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result, const Json& place) {
   const std::filesystem::path folder = run_folder(study_folder, result.run);
-  const std::vector<std::string> names = all_readouts();
   Json json{{"id", result.run.hash},
             {"point", place},
             {"seed", result.run.seed},
@@ -76,8 +75,7 @@ Json run_json(const Study& study, const std::filesystem::path& study_folder, con
   if (std::filesystem::exists(folder / "report.html", error))
     json["report"] = (folder.lexically_relative(study_folder) / "report.html").generic_string();
   if (!result.standing.done()) return json;
-  for (const std::string& name : study.readouts)
-    json["readouts"][name] = result.readouts[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
+  for (const std::string& name : study.readouts) json["readouts"][name] = result.readouts[readout_column(name)];
   json["path"] = path_json(folder / "tracks.csv");
   json["outline"] = outline_json(folder / io::checkpoint_name);
   for (const double force : column(folder / "protrusions.csv", "f_adh_rel"))

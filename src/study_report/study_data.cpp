@@ -1,6 +1,7 @@
 #include "study_report/study_data.hpp"
 
 #include "base/file.hpp"
+#include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
@@ -26,27 +27,15 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-/// "v_migr_abs_um_per_h" -> "v_migr_abs": the unit stands apart.
-std::string label_of(const std::string& name) {
-  for (const std::string_view suffix : {"_um_per_h", "_min", "_um", "_nN", "_deg", "_s"})
-    if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
-  return name;
-}
-
 Json readouts_json(const Study& study) {
-  std::map<std::string, std::string, std::less<>> meanings;
-  for (const io::NamedValue& v : io::named_values({})) meanings.emplace(v.name, v.meaning);
   Json list = Json::array();
   for (const std::string& name : study.readouts) {
-    const auto known = meanings.find(name);
-    std::string meaning = known == meanings.end() ? name : known->second;
-    std::string unit;
-    if (const std::size_t at = meaning.rfind(" ["); at != std::string::npos && meaning.back() == ']') {
-      unit = meaning.substr(at + 2, meaning.size() - at - 3);
-      meaning.resize(at);
-    }
-    list.push_back(
-        {{"name", name}, {"label", label_of(name)}, {"meaning", meaning}, {"unit", unit == "-" ? "" : unit}});
+    const ReadOutSpec* spec = find_readout(name); // none of those that tables of runs give
+    const std::string_view unit = spec == nullptr || spec->unit == "-" ? "" : spec->unit;
+    list.push_back({{"name", name},
+                    {"label", spec == nullptr ? name : std::string(spec->label)},
+                    {"meaning", spec == nullptr ? name : std::string(spec->meaning)},
+                    {"unit", unit}});
   }
   return list;
 }
@@ -96,10 +85,9 @@ Json msd_json(const StudyReport& report, std::size_t point, const Json& place) {
 }
 
 Json correlation_json(const StudyReport& report) {
-  const std::vector<std::string> names = all_readouts();
   std::vector<std::vector<double>> columns;
   for (const std::string& readout : report.study.readouts) {
-    const auto index = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
+    const std::size_t index = readout_column(readout);
     std::vector<double>& values = columns.emplace_back();
     for (const Result& r : report.results) values.push_back(r.readouts[index]);
   }

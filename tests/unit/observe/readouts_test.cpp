@@ -1,9 +1,13 @@
 #include "observe/readouts.hpp"
 
+#include "observe/readout_table.hpp"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 using namespace matrigrate;
@@ -39,6 +43,27 @@ ProtrusionRecord ended(ProtrusionRecord r, EndCause cause, double t, double forc
   r.t_disassembly = t;
   r.force = force;
   return r;
+}
+
+TEST(ReadOutTable, NamesEachReadOutOnce) {
+  std::set<std::string_view> names;
+  for (const ReadOutSpec& spec : readout_table()) {
+    EXPECT_TRUE(names.insert(spec.name).second) << spec.name;
+    EXPECT_TRUE(spec.name.starts_with(spec.label)) << spec.name;
+    EXPECT_EQ(find_readout(spec.name), &spec);
+  }
+  EXPECT_EQ(find_readout("v_migr"), nullptr);
+  EXPECT_EQ(std::ranges::count_if(readout_table(), &ReadOutSpec::usual), 8);
+}
+
+TEST(ReadOutTable, ReadsItsMember) {
+  ReadOuts r;
+  r.v_migr_abs = 12.5;
+  r.n_protrusions = 7;
+  EXPECT_EQ(std::get<double>(find_readout("v_migr_abs_um_per_h")->value(r)), 12.5);
+  EXPECT_EQ(std::get<std::uint64_t>(find_readout("n_protrusions")->value(r)), 7U);
+  EXPECT_EQ(find_readout("v_migr_abs_um_per_h")->meaning_with_unit(), "speed, start to end [um/h]");
+  EXPECT_EQ(find_readout("n_protrusions")->meaning_with_unit(), "protrusions initiated");
 }
 
 } // namespace

@@ -35,14 +35,14 @@ Parameters small() {
 /// Notes what it is told, and asks for a stop after some steps.
 class Notes : public RunObserver {
 public:
-  explicit Notes(int steps = 1000) : m_steps(steps) {}
+  explicit Notes(int stop_after = 1000) : m_stop_after(stop_after) {}
   void warn(std::string_view text) override { warnings.emplace_back(text); }
   void begin() override { told += "b"; }
   void begin_steps(double /*t*/, double /*t_end*/) override { told += "<"; }
   void end_steps() override { told += ">"; }
   void step(const State& /*s*/) override { ++steps; }
   std::optional<StopRequest> stop_request() override {
-    return steps < m_steps ? std::nullopt : std::optional(StopRequest::user);
+    return steps < m_stop_after ? std::nullopt : std::optional(StopRequest::user);
   }
 
   std::vector<std::string> warnings;
@@ -50,7 +50,7 @@ public:
   int steps = 0;
 
 private:
-  int m_steps;
+  int m_stop_after;
 };
 
 class Run : public testing::Test {
