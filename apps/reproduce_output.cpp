@@ -1,9 +1,9 @@
 #include "apps/reproduce_output.hpp"
 
-#include "apps/study_claims.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
+#include "claims/study_claims.hpp"
 #include "report/claims_page.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"

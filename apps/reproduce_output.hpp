@@ -1,7 +1,7 @@
 #pragma once
 
+#include "claims/claims.hpp"
 #include "draw/plot.hpp"
-#include "study/claims.hpp"
 
 #include <filesystem>
 #include <map>

@@ -2,9 +2,9 @@
 
 #include "apps/screening_text.hpp"
 #include "apps/shipped_pages.hpp"
-#include "apps/study_claims.hpp"
 #include "apps/text_table.hpp"
 #include "apps/verbs.hpp"
+#include "claims/study_claims.hpp"
 #include "study_report/played_runs.hpp"
 
 #include <fmt/format.h>

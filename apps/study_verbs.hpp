@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/pool_output.hpp"
+#include "claims/shipped_studies.hpp"
 #include "study_runs/child.hpp"
 #include "study_runs/slurm_job.hpp"
 #include "study_runs/study_folder.hpp"
@@ -16,6 +17,8 @@ using study::Child;
 using study::make_study_folder;
 using study::planned;
 using study::PoolOutcome;
+using study::shipped_studies;
+using study::ShippedStudy;
 using study::StudyFolder;
 using study::this_program;
 

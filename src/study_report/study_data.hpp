@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/claims.hpp"
+#include "claims/claims.hpp"
 #include "study/comparison.hpp"
 #include "study/effects.hpp"
 

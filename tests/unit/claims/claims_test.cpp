@@ -1,6 +1,6 @@
 #include "unit/study/studies.hpp"
 
-#include "study/claims.hpp"
+#include "claims/claims.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "apps/study_claims.hpp"
+#include "claims/study_claims.hpp"
 
-#include "apps/shipped_studies.hpp"
 #include "base/failure.hpp"
+#include "claims/shipped_studies.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string claims_caveat(const std::string& id, const study::Evidence& evidence
   return {};
 }
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

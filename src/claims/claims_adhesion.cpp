@@ -1,4 +1,4 @@
-#include "study/claims.hpp"
+#include "claims/claims.hpp"
 
 namespace matrigrate::study {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace matrigrate::apps {
+namespace matrigrate::study {
 
 /// A study of the folder studies/, which the program carries with it (cmake/studies.cmake).
 struct ShippedStudy {
@@ -14,4 +14,4 @@ struct ShippedStudy {
 
 std::span<const ShippedStudy> shipped_studies();
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/judge.hpp"
+#include "claims/judge.hpp"
 
 #include <span>
 #include <string_view>
@@ -14,7 +14,7 @@
 /// the sign only; a published mean agrees if it could be the mean of as many more runs of ours (published_mean_test);
 /// "a low f_adh_rel" is one below table_readouts.hpp's low_relative_force; "near 1" is within 0.25. Speeds along the
 /// path are sampled every 60 s, since the paper names no interval.
-/// Test: tests/unit/study/claims_test.cpp
+/// Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
 struct Claim {

@@ -1,4 +1,4 @@
-#include "study/judge.hpp"
+#include "claims/judge.hpp"
 
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"

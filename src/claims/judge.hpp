@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Whether what a paper says comes out of studies: conditions on groups of runs, each with its statistic. The test is
-/// the paper's, an unpaired two-sample t-test at 0.05; no correction, as there. Test: tests/unit/study/claims_test.cpp
+/// the paper's, an unpaired two-sample t-test at 0.05; no correction, as there. Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
 /// A study with what its runs have come to.

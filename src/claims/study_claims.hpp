@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/claims.hpp"
+#include "claims/claims.hpp"
 #include "study_runs/study_folder.hpp"
 
 #include <optional>
@@ -9,9 +9,7 @@
 #include <vector>
 
 /// Which of the paper's claims a study speaks of. Test: tests/apps/study_test.cpp
-namespace matrigrate::apps {
-
-using study::StudyFolder;
+namespace matrigrate::study {
 
 /// The name of the shipped study of this title and with these points: "stiffness".
 std::optional<std::string_view> shipped_name(const study::Study& study);
@@ -29,4 +27,4 @@ std::string claims_caveat(const study::Study& study);
 /// The same of the studies that a claim needs, as far as they are among the evidence; "" for an id that is no claim's.
 std::string claims_caveat(const std::string& id, const study::Evidence& evidence);
 
-} // namespace matrigrate::apps
+} // namespace matrigrate::study
