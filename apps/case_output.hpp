@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/page.hpp"
+#include "report/page.hpp"
 #include "validation/case.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
-#include "apps/derived.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "parameters/read.hpp"
+#include "run/estimate.hpp"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,15 @@
 #include "apps/export_pictures.hpp"
-#include "apps/finished_run.hpp"
-#include "apps/own_files.hpp"
-#include "apps/run_record.hpp"
+#include "apps/run_output.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/field_file.hpp"
-#include "io/track_files.hpp"
-#include "io/vtk_files.hpp"
+#include "run/finished_run.hpp"
+#include "run/own_files.hpp"
+#include "run/run_record.hpp"
+#include "store/field_file.hpp"
+#include "store/track_files.hpp"
+#include "store/vtk_files.hpp"
 
 #include <fmt/format.h>
 

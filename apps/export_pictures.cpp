@@ -1,12 +1,13 @@
 #include "apps/export_pictures.hpp"
 
-#include "apps/child.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/cell_picture.hpp"
-#include "io/film_json.hpp"
-#include "io/plot.hpp"
+#include "base/time_text.hpp"
+#include "draw/cell_picture.hpp"
+#include "draw/plot.hpp"
+#include "report/film_json.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ bool is_installed(const std::string& program) {
 }
 
 void call(const std::vector<std::string>& command) {
-  Child child(command, STDERR_FILENO);
+  study::Child child(command, STDERR_FILENO);
   std::optional<int> code;
   while (!(code = child.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (*code != 0) throw InputOutputError(fmt::format("{} ended with exit code {}", command.front(), *code));
@@ -95,7 +96,7 @@ std::vector<Vec2> vectors(const io::Floats& x) {
 std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer, const io::Limits& limits) {
   io::Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += run.film.head.reference[i];
-  return io::to_svg({.title = io::time_text(frame.t),
+  return io::to_svg({.title = time_text(frame.t),
                      .value_label = std::string(row_of(layer).label),
                      .position = vectors(x),
                      .value = values_of(frame, layer),

@@ -1,6 +1,6 @@
-#include "apps/provenance.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "run/provenance.hpp"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
-#include "apps/shipped_studies.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "claims/shipped_studies.hpp"
 #include "parameters/write.hpp"
 #include "study/read_study.hpp"
 #include "validation/case.hpp"
@@ -31,7 +31,9 @@ void print_entries(std::string_view title, std::string_view use, const Entries& 
   for (const auto& [name, description] : entries) print(fmt::format("  {:<{}}  {}\n", name, width, description));
 }
 
-std::string title_of(const ShippedStudy& s) { return study::parse_study(s.text, std::string(s.name), ".").title; }
+std::string title_of(const study::ShippedStudy& s) {
+  return study::parse_study(s.text, std::string(s.name), ".").title;
+}
 
 int print_list(const Options& options) {
   if (options.parameters) print(parameters_markdown());
@@ -44,7 +46,7 @@ int print_list(const Options& options) {
   for (const validation::Case& c : validation::cases()) entries.emplace_back(c.name, c.summary);
   print_entries("\nCases", "matrigrate validate NAME", entries);
   entries.clear();
-  for (const ShippedStudy& s : shipped_studies()) entries.emplace_back(s.name, title_of(s));
+  for (const study::ShippedStudy& s : study::shipped_studies()) entries.emplace_back(s.name, title_of(s));
   print_entries("\nStudies", "matrigrate reproduce and in studies/", entries);
   return done;
 }

@@ -1,8 +1,8 @@
-#include "apps/provenance.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "run/provenance.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ void secure_descriptors() {
   }
 }
 
-int run(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App app("A single cell migrating through a degradable viscoelastic matrix.\n"
                "Model: Heck et al. 2020, PLoS Comput Biol 16(1): e1007250.");
   app.name("matrigrate");
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   ::mallopt(M_TRIM_THRESHOLD, 8 << 20); // what each step takes and gives back stays
   std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end
   try {
-    return run(argc, argv);
+    return run_program(argc, argv);
   } catch (const UsageError& error) {
     return complain(error.what(), usage);
   } catch (const ConfigurationError& error) {

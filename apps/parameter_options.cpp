@@ -1,8 +1,12 @@
 #include "apps/parameter_options.hpp"
 
+#include "apps/verbs.hpp"
+#include "parameters/units.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace matrigrate::apps {
@@ -35,6 +39,17 @@ ConfigurationError naming_options(const ConfigurationError& error, const Paramet
   name(seed, options.seed.has_value(), "--seed");
   name(threads, options.threads.has_value(), "--threads");
   return ConfigurationError(std::move(faults));
+}
+
+double seconds_of(const std::string& text) {
+  try {
+    const units::Quantity quantity = units::parse_quantity(text);
+    const units::Unit unit = units::parse_unit(quantity.unit.empty() ? "s" : quantity.unit);
+    const double seconds = units::to_internal(quantity.number, unit);
+    if (unit.dimension == units::Dimension{.time = 1000} && seconds > 0.0) return seconds;
+  } catch (const std::invalid_argument&) { // said below
+  }
+  throw UsageError(fmt::format("\"{}\" is no time: something like \"90 s\" or \"2 h\" is wanted", text));
 }
 
 } // namespace matrigrate::apps

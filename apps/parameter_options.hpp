@@ -23,4 +23,7 @@ std::vector<std::string> all_overrides(const ParameterOptions& options);
 /// The same faults, naming the option that was given: "--hours" where run.duration was not given by --set.
 ConfigurationError naming_options(const ConfigurationError& error, const ParameterOptions& options);
 
+/// Parses "90 s", "2 h", ... @return seconds, above 0 @throws UsageError
+double seconds_of(const std::string& text);
+
 } // namespace matrigrate::apps

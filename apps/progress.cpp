@@ -1,7 +1,7 @@
 #include "apps/progress.hpp"
 
 #include "apps/terminal.hpp"
-#include "io/cell_picture.hpp"
+#include "base/time_text.hpp"
 
 #include <fmt/format.h>
 
@@ -30,12 +30,6 @@ bool draws_on_terminal() {
 std::string bar(double share, int width) {
   const int done = std::clamp(static_cast<int>(std::lround(share * width)), 0, width);
   return std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '-');
-}
-
-std::string wall_time_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
 std::string time_left(double elapsed, double done, double rest) {
@@ -81,7 +75,7 @@ void Progress::show(double t, const std::string& remark) {
   m_last = now;
   const double elapsed = std::chrono::duration<double>(now - m_start).count();
   const ProgressText text{.share = t / m_total,
-                          .where = fmt::format("{} of {}", io::time_text(t), io::time_text(m_total)),
+                          .where = fmt::format("{} of {}", time_text(t), time_text(m_total)),
                           .left = time_left(elapsed, t - m_begin, m_total - t),
                           .remark = remark};
   if (m_terminal) {

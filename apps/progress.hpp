@@ -51,9 +51,6 @@ std::size_t terminal_width();
 /// A bar of `width` characters: "####----".
 std::string bar(double share, int width);
 
-/// A duration on the clock: "45 s", "12 min", "3.2 h".
-std::string wall_time_text(double seconds);
-
 /// The time left for the rest of something, judged by the part done so far: "12 min left"; empty if nothing was done.
 /// @param elapsed  on the clock [s]   @param done  in that time   @param rest  still to be done, in the same unit
 std::string time_left(double elapsed, double done, double rest);

@@ -1,4 +1,5 @@
-#include "apps/finished_run.hpp"
+#include "apps/run_output.hpp"
+#include "apps/shipped_pages.hpp"
 #include "apps/study_files.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
@@ -22,13 +23,13 @@ int report(const Options& options) {
   const std::filesystem::path folder = options.folder;
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
-    const StudyFolder study = open_study(folder);
+    const StudyFolder study = study::open_study(folder);
     write_study_report(study, gathered(study), options.play);
   } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
     const FinishedRun run = read_run(folder);
     tell_lost_frames(run);
-    write_file(folder / "report.html", report_of(run));
+    write_file(folder / "report.html", report_of(run, run_page_template()));
   } else {
     throw InputOutputError(fmt::format(
         "{}: is the folder of neither a run (no run.json) nor a study (no study.resolved.toml)", folder.string()));

@@ -2,12 +2,13 @@
 #include "apps/reproduce_figures.hpp"
 #include "apps/reproduce_output.hpp"
 #include "apps/reproduce_parts.hpp"
-#include "apps/run_record.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "parameters/nearest.hpp"
+#include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,15 @@
 #include "apps/reproduce_evidence.hpp"
 
-#include "apps/folder_lock.hpp"
-#include "apps/shipped_studies.hpp"
+#include "apps/pool_output.hpp"
 #include "apps/study_files.hpp"
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "claims/shipped_studies.hpp"
 #include "parameters/write.hpp"
+#include "run/folder_lock.hpp"
 #include "simulation/start_rules.hpp"
 #include "study/read_results.hpp"
 

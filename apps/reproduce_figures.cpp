@@ -1,10 +1,12 @@
 #include "apps/reproduce_figures.hpp"
 
-#include "apps/finished_run.hpp"
+#include "apps/study_verbs.hpp"
+#include "apps/verbs.hpp"
 #include "base/file.hpp"
-#include "study/box_plot.hpp"
-#include "study/run_curves.hpp"
-#include "study/run_shapes.hpp"
+#include "run/finished_run.hpp"
+#include "study_report/box_plot.hpp"
+#include "study_report/run_curves.hpp"
+#include "study_report/run_shapes.hpp"
 
 #include <fmt/format.h>
 

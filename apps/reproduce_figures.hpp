@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/reproduce_options.hpp"
-#include "io/plot.hpp"
-#include "study/judge.hpp"
+#include "claims/judge.hpp"
+#include "draw/plot.hpp"
 
 #include <map>
 #include <string>

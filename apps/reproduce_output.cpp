@@ -1,14 +1,15 @@
 #include "apps/reproduce_output.hpp"
 
-#include "apps/provenance.hpp"
-#include "apps/run_record.hpp"
-#include "apps/study_claims.hpp"
 #include "apps/terminal.hpp"
 #include "apps/text_table.hpp"
+#include "apps/verbs.hpp"
 #include "base/file.hpp"
-#include "io/claims_page.hpp"
-#include "io/row_file.hpp"
-#include "study/box_plot.hpp"
+#include "claims/study_claims.hpp"
+#include "report/claims_page.hpp"
+#include "run/provenance.hpp"
+#include "run/run_record.hpp"
+#include "store/row_file.hpp"
+#include "study_report/box_plot.hpp"
 
 #include <fmt/format.h>
 

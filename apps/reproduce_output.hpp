@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/plot.hpp"
-#include "study/claims.hpp"
+#include "claims/claims.hpp"
+#include "draw/plot.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,12 +1,13 @@
 #include "apps/reproduce_parts.hpp"
 
-#include "apps/child.hpp"
-#include "apps/finished_run.hpp"
 #include "apps/stop_signal.hpp"
+#include "apps/study_verbs.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "study/fields_shown.hpp"
+#include "claims/fields_shown.hpp"
+#include "run/finished_run.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/reproduce_options.hpp"
-#include "study/claims.hpp"
+#include "claims/claims.hpp"
 
 #include <span>
 #include <string_view>

@@ -1,18 +1,19 @@
-#include "apps/occupied_folder.hpp"
 #include "apps/parameter_options.hpp"
-#include "apps/resume.hpp"
-#include "apps/simulate.hpp"
-#include "apps/terminal.hpp"
+#include "apps/run_output.hpp"
+#include "apps/shipped_pages.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/read.hpp"
+#include "run/occupied_folder.hpp"
+#include "run/resume.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 namespace matrigrate::apps {
 
@@ -41,20 +42,23 @@ Parameters parameters_of(const Options& options) {
   }
 }
 
-int run(Options options) {
+RunOutcome outcome_of(const Options& options, const Parameters& p, const RunOptions& how, RunDisplay& display) {
+  require_no_study(how.folder);
+  if (!options.force && holds_run(how.folder, p)) return resume(how, p, display);
+  options.force ? warn_of_other_files(how.folder, display) : require_free(how.folder, p, display);
+  RunStart start{.s = initial_state(p), .p = p};
+  make_output_folder(how.folder, options.force);
+  return run::run(std::move(start), how, display);
+}
+
+int run_scenario(const Options& options) {
   const Parameters p = parameters_of(options);
-  if (options.folder.empty()) options.folder = default_folder(options.file, p);
-  Manner manner{.folder = options.folder,
-                .json = options.json,
-                .quiet = options.quiet,
-                .command_line = std::move(options.command_line)};
-  if (!options.wall_time.empty()) manner.wall_time_limit = wall_time_of(options.wall_time);
-  require_no_study(manner.folder);
-  if (!options.force && holds_run(manner.folder, p)) return go_on(manner, p);
-  options.force ? tell_what_stays(manner.folder) : require_free(manner.folder, p);
-  Beginning beginning{.s = initial_state(p), .p = p};
-  make_output_folder(manner.folder, options.force);
-  return simulate(std::move(beginning), manner);
+  RunOptions how{.folder = options.folder.empty() ? default_folder(options.file, p) : options.folder,
+                 .command_line = options.command_line,
+                 .page_template = run_page_template()};
+  if (!options.wall_time.empty()) how.wall_time_limit = seconds_of(options.wall_time);
+  RunDisplay display(options.quiet || options.json);
+  return print_outcome(outcome_of(options, p, how, display), {.json = options.json, .quiet = options.quiet});
 }
 
 } // namespace
@@ -88,7 +92,7 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
                  "Start again in a folder that is not empty: files of an older run are removed, others stay");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");
   verb->add_flag("--quiet", options->quiet, "Show no progress; print only where the report is");
-  verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  verb->callback([options, &chosen] { chosen = [options] { return run_scenario(*options); }; });
 }
 
 } // namespace matrigrate::apps

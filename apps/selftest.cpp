@@ -1,13 +1,13 @@
-#include "apps/child.hpp"
-#include "apps/provenance.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "io/checkpoint.hpp"
-#include "io/trajectory_hash.hpp"
 #include "parameters/write.hpp"
+#include "run/provenance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
+#include "store/checkpoint.hpp"
+#include "store/trajectory_hash.hpp"
+#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -78,9 +78,9 @@ std::string hash_with_break(const Parameters& p) {
 Json found_by(const std::string& program) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(std::tmpfile(), &std::fclose);
   if (!output) throw InputOutputError("no temporary file can be made");
-  Child child({program, "selftest", "--json"}, ::fileno(output.get()));
+  study::Child child({program, "selftest", "--json"}, ::fileno(output.get()));
   while (!child.ended()) std::this_thread::sleep_for(20ms);
-  if (child.ended() == no_such_program) throw InputOutputError(program + ": there is no such program");
+  if (child.ended() == study::no_such_program) throw InputOutputError(program + ": there is no such program");
   std::string text(largest_answer, '\0');
   std::rewind(output.get());
   text.resize(std::fread(text.data(), 1, text.size(), output.get()));

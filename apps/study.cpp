@@ -69,7 +69,7 @@ void add_reading(CLI::App& group, Action& chosen) {
 }
 
 void add_slurm_options(CLI::App& verb, SubmitOptions& options) {
-  SlurmOptions& slurm = options.slurm;
+  study::SlurmOptions& slurm = options.slurm;
   verb.add_option("--account", slurm.account, "Slurm's account that the time is charged to");
   verb.add_option("--partition", slurm.partition, "Slurm's partition, or several with commas between");
   verb.add_option("--qos", slurm.qos, "Slurm's quality of service");

@@ -1,18 +1,11 @@
 #include "apps/study_files.hpp"
 
-#include "apps/own_files.hpp"
-#include "apps/provenance.hpp"
-#include "apps/run_record.hpp"
 #include "apps/screening_text.hpp"
 #include "apps/shipped_pages.hpp"
-#include "apps/study_claims.hpp"
-#include "apps/study_players.hpp"
 #include "apps/text_table.hpp"
-#include "base/file.hpp"
-#include "io/run_page.hpp"
-#include "study/box_plot.hpp"
-#include "study/run_curves.hpp"
-#include "study/study_data.hpp"
+#include "apps/verbs.hpp"
+#include "claims/study_claims.hpp"
+#include "study_report/played_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -73,74 +66,17 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
                          : "");
 }
 
-/// What computes the study again, from the file that its folder holds.
-std::string command_of(const StudyFolder& study) {
-  const std::filesystem::path folder = std::filesystem::absolute(study.folder).lexically_normal();
-  const std::filesystem::path name = (folder.has_filename() ? folder : folder.parent_path()).filename();
-  return command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
-}
-
-/// A table that only some studies have: one of an earlier form of the study would mislead.
-void write_or_remove(const std::filesystem::path& file, bool wanted, const std::string& text) {
-  if (wanted)
-    write_file(file, text);
-  else
-    remove_file(file);
-}
-
-/// The tables of what the runs look like, and the figures drawn from them.
-void write_curves(const StudyFolder& study, const std::vector<study::Result>& results) {
-  constexpr std::size_t most_points = 60;
-  const bool wanted = study.study.points.size() <= most_points;
-  const auto write = [&](const std::string& name, const auto& table, std::string (*figure)(std::string_view)) {
-    const std::string csv = wanted ? table(study.study, results, study.folder) : std::string();
-    write_or_remove(study.folder / (name + ".csv"), wanted, csv);
-    write_or_remove(study.folder / (name + ".svg"), wanted, wanted ? figure(csv) : std::string());
-  };
-  write("paths", study::paths_csv, study::paths_svg);
-  write("msd", study::msd_csv, study::msd_svg);
-  write("adhesions", study::adhesions_csv, study::adhesions_svg);
-}
-
 } // namespace
 
-Collected gathered(const StudyFolder& study) {
-  Collected c;
-  c.results = study::results(study.study, study.runs, study.folder);
-  c.comparisons = study::comparisons(study.study, c.results);
-  c.screening = study::screening(study.study, c.results);
-  return c;
-}
-
-Collected collect_tables(const StudyFolder& study) {
-  Collected c = gathered(study);
-  write_file(study.folder / "results.csv", study::results_csv(study.study, c.results));
-  write_file(study.folder / "groups.csv", study::groups_csv(study.study, c.results));
-  write_file(study.folder / "statistics.csv", study::statistics_csv(study.study, c.comparisons));
-  write_file(study.folder / "correlations.csv", study::correlations_csv(study.study, c.results));
-  write_or_remove(study.folder / "discrepancy.csv", !study.study.targets.empty(),
-                  study::discrepancy_csv(study.study, c.screening.discrepancies));
-  write_or_remove(study.folder / "effects.csv", !study.study.steps.empty(),
-                  study::effects_csv(study.study, c.screening.effects));
-  write_file(study.folder / "boxes.svg", study::boxes_svg(study.study, c.results));
-  write_curves(study, c.results);
-  return c;
-}
-
 void write_study_report(const StudyFolder& study, const Collected& collected, const std::vector<std::string>& played) {
-  write_file(
-      study.folder / "report.html",
-      io::filled_page(study_page_template(), study::study_data({.study = study.study,
-                                                                .results = collected.results,
-                                                                .comparisons = collected.comparisons,
-                                                                .folder = study.folder,
-                                                                .provenance = provenance_text(),
-                                                                .claims = claims_about(study, collected.results),
-                                                                .claims_note = claims_note(study.study),
-                                                                .claims_caveat = claims_caveat(study.study),
-                                                                .played = played_runs(study, collected.results, played),
-                                                                .command = command_of(study),
-                                                                .screening = collected.screening})));
+  if (const std::string fault = study::fault_of_wanted(collected.results, played); !fault.empty())
+    throw UsageError(fault);
+  study::write_study_report(study, collected,
+                            {.page_template = study_page_template(),
+                             .claims = claims_about(study, collected.results),
+                             .claims_note = claims_note(study.study),
+                             .claims_caveat = claims_caveat(study.study),
+                             .played = played});
 }
 
 Collected collect(const StudyFolder& study) {

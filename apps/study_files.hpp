@@ -1,35 +1,25 @@
 #pragma once
 
-#include "apps/study_folder.hpp"
-#include "study/comparison.hpp"
-#include "study/effects.hpp"
+#include "study_report/study_files.hpp"
 
 #include <string>
 #include <vector>
 
+/// What a study has come to, for its page and for people. Test: tests/apps/study_test.cpp
 namespace matrigrate::apps {
 
-/// What a study has come to so far.
-struct Collected {
-  std::vector<study::Result> results;
-  std::vector<study::Comparison> comparisons;
-  study::Screening screening;
-};
+using study::collect_tables;
+using study::Collected;
+using study::gathered;
+using study::StudyFolder;
 
-/// Reads the results of all runs, and compares the points.
-Collected gathered(const StudyFolder& study);
-
-/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv, boxes.svg, and
-/// paths, msd and adhesions as .csv and .svg, of at most 60 points; with targets discrepancy.csv, and of designs that
-/// screen factors effects.csv.
-Collected collect_tables(const StudyFolder& study);
-
-/// Writes report.html.
+/// Writes report.html, with the paper's claims about the study.
 /// @param played  names of the runs it is to play; none: typical ones
+/// @throws UsageError if one of them is none of the study, or is not done
 void write_study_report(const StudyFolder& study, const Collected& collected,
                         const std::vector<std::string>& played = {});
 
-/// All of these files.
+/// All of its files.
 Collected collect(const StudyFolder& study);
 
 /// Means of all points and what differs, for people.

@@ -1,17 +1,16 @@
 #include "apps/study_plan.hpp"
 
-#include "apps/derived.hpp"
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/time_text.hpp"
+#include "study_runs/study_cost.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 namespace matrigrate::apps {
 
@@ -19,11 +18,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_points = 60;     ///< that are listed for people
-constexpr std::size_t most_warnings = 5;    ///< that are printed
-constexpr std::size_t most_looked_at = 200; ///< points, for warnings
+constexpr std::size_t most_points = 60;  ///< that are listed for people
+constexpr std::size_t most_warnings = 5; ///< that are printed
 
-Json to_json(const StudyFolder& study, const StudyCost& c, int jobs) {
+Json to_json(const study::StudyFolder& study, const study::StudyCost& c, int jobs) {
   Json points = Json::array();
   for (std::size_t i = 0; i < study.study.points.size(); ++i) {
     Json settings = Json::object();
@@ -47,38 +45,10 @@ Json to_json(const StudyFolder& study, const StudyCost& c, int jobs) {
           {"runs", runs}};
 }
 
-/// Takes milliseconds per point, so of many points it looks at some, spread evenly over the list.
-void add_warnings(const std::vector<study::Point>& points, StudyCost& c) {
-  c.looked_at = std::min(points.size(), most_looked_at);
-  for (std::size_t k = 0; k < c.looked_at; ++k) {
-    const study::Point& point = points[k * points.size() / c.looked_at];
-    for (const std::string& warning : warnings(point.parameters, derived(point.parameters)))
-      c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
-  }
-}
-
 } // namespace
 
-StudyCost cost(const StudyFolder& study) {
-  StudyCost c;
-  const auto replicates = static_cast<double>(study.study.replicates);
-  std::map<std::tuple<double, double, Lattice>, std::size_t> counted; // particles of each matrix
-  for (const study::Point& point : study.study.points) {
-    const EcmParameters& ecm = point.parameters.ecm;
-    const auto [matrix, is_new] = counted.try_emplace({ecm.radius, ecm.particle_spacing, ecm.lattice}, 0);
-    if (is_new) matrix->second = particle_count(point.parameters);
-    const RunCost run = run_cost(point.parameters, matrix->second);
-    c.run_times.push_back(run.wall_time);
-    c.wall_time += replicates * run.wall_time;
-    c.memory_bytes = std::max(c.memory_bytes, run.memory_bytes);
-    c.disk_bytes += replicates * run.disk_bytes;
-  }
-  add_warnings(study.study.points, c);
-  return c;
-}
-
-int print_plan(const StudyFolder& study, int jobs, bool json) {
-  const StudyCost c = cost(study);
+int print_plan(const study::StudyFolder& study, int jobs, bool json) {
+  const study::StudyCost c = study::cost(study);
   if (json) {
     print(to_json(study, c, jobs).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     return done;

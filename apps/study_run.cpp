@@ -1,11 +1,13 @@
-#include "apps/folder_lock.hpp"
+#include "apps/pool_output.hpp"
 #include "apps/progress.hpp"
 #include "apps/study_files.hpp"
-#include "apps/study_progress.hpp"
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/time_text.hpp"
+#include "run/folder_lock.hpp"
 #include "simulation/start_rules.hpp"
+#include "study_runs/study_progress.hpp"
 
 #include <fmt/format.h>
 
@@ -25,22 +27,22 @@ using Json = nlohmann::ordered_json;
 
 void print_json(const Json& json) { print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
 
-Json to_json(const StudyFolder& study, const std::vector<Trouble>& troubles) {
+Json to_json(const StudyFolder& study, const std::vector<study::Trouble>& troubles) {
   Json list = Json::array();
-  for (const Trouble& t : troubles) {
+  for (const study::Trouble& t : troubles) {
     const study::Run& run = study.runs[t.run];
     list.push_back({{"run", run.hash},
                     {"label", study.study.points[run.point].label},
                     {"replicate", run.replicate},
-                    {"status", t.status},
+                    {"status", to_string(t.status)},
                     {"reason", t.reason}});
   }
   return list;
 }
 
-Json to_json(const StudyFolder& study, const std::vector<RunningRun>& running) {
+Json to_json(const StudyFolder& study, const std::vector<study::RunningRun>& running) {
   Json list = Json::array();
-  for (const RunningRun& r : running) {
+  for (const study::RunningRun& r : running) {
     const study::Run& run = study.runs[r.run];
     list.push_back({{"run", run.hash},
                     {"label", study.study.points[run.point].label},
@@ -55,9 +57,9 @@ std::string left_text(const std::optional<double>& left) {
   return left ? fmt::format("about {} left", wall_time_text(*left)) : "time left not known yet";
 }
 
-std::string running_text(const StudyFolder& study, const StudyProgress& progress) {
+std::string running_text(const StudyFolder& study, const study::StudyProgress& progress) {
   std::string text;
-  for (const RunningRun& r : progress.running)
+  for (const study::RunningRun& r : progress.running)
     text += fmt::format("{:<12}{} ({}): {:.0f} %, {}\n", "running", title_of(study, study.runs[r.run]),
                         study.runs[r.run].hash, 100.0 * r.share, left_text(r.left));
   if (!progress.running.empty())
@@ -77,7 +79,7 @@ void print_outcome(const StudyOptions& options, const StudyFolder& study, const 
                        {"runs", study.runs.size()},
                        {"done", outcome.done_before + outcome.done_now},
                        {"done_now", outcome.done_now},
-                       {"exit_code", outcome.exit_code()},
+                       {"exit_code", exit_code(outcome)},
                        {"not_done", to_json(study, outcome.troubles)}});
   const std::string list = troubles_text(study, outcome.troubles);
   if (!list.empty()) options.quiet ? print_error(list) : print(list);
@@ -93,20 +95,8 @@ int job_count(int wanted) {
 
 StudyFolder read_study_file(const StudyOptions& options) {
   study::Study study = study::read_study(options.file, {.overrides = {}, .replicates = {}, .more = start_rules()});
-  return planned(std::move(study),
-                 options.folder.empty() ? default_study_folder(options.file) : std::filesystem::path(options.folder));
-}
-
-std::string troubles_text(const StudyFolder& study, const std::vector<Trouble>& troubles) {
-  constexpr std::size_t most = 100;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, troubles.size()); ++i) {
-    const Trouble& t = troubles[i];
-    text += fmt::format("{:<12}{} ({}): {}\n", t.status, title_of(study, study.runs[t.run]), study.runs[t.run].hash,
-                        t.reason);
-  }
-  if (troubles.size() > most) text += fmt::format("... and {} more\n", troubles.size() - most);
-  return text;
+  return planned(std::move(study), options.folder.empty() ? study::default_study_folder(options.file)
+                                                          : std::filesystem::path(options.folder));
 }
 
 int run_study(const StudyOptions& options) {
@@ -119,21 +109,22 @@ int run_study(const StudyOptions& options) {
       {.jobs = job_count(options.jobs), .retry_failed = options.retry_failed, .quiet = options.quiet || options.json});
   if (!outcome.cannot_write) collect(study);
   print_outcome(options, study, outcome);
-  return outcome.exit_code();
+  return exit_code(outcome);
 }
 
 int show_status(const StudyOptions& options) {
-  const StudyFolder study = open_study(options.folder);
+  const StudyFolder study = study::open_study(options.folder);
   std::vector<study::Standing> standings;
-  std::vector<Trouble> troubles;
+  std::vector<study::Trouble> troubles;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const study::Standing& s = standings.emplace_back(study::standing(study.folder, study.runs[i]));
-    if (s.status == "failed" || s.status == "interrupted") troubles.push_back({i, s.status, s.reason});
+    if (s.status == study::RunState::failed || s.status == study::RunState::interrupted)
+      troubles.push_back({i, s.status, s.reason});
   }
-  const StudyProgress progress = progress_of(study, standings);
-  for (const RunningRun& run : progress.running) standings[run.run].status = "running";
+  const study::StudyProgress progress = progress_of(study, standings);
+  for (const study::RunningRun& run : progress.running) standings[run.run].status = study::RunState::running;
   std::map<std::string, std::size_t> count;
-  for (const study::Standing& s : standings) ++count[s.status];
+  for (const study::Standing& s : standings) ++count[std::string(to_string(s.status))];
   if (options.json) {
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},
@@ -150,7 +141,7 @@ int show_status(const StudyOptions& options) {
 }
 
 int collect_study(const StudyOptions& options) {
-  const StudyFolder study = open_study(options.folder);
+  const StudyFolder study = study::open_study(options.folder);
   const Collected collected = collect(study);
   const auto finished = std::ranges::count_if(collected.results, [](const auto& r) { return r.standing.done(); });
   if (options.json) {

@@ -1,12 +1,12 @@
-#include "apps/child.hpp"
-#include "apps/folder_lock.hpp"
-#include "apps/slurm_job.hpp"
 #include "apps/study_verbs.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/trajectory_hash.hpp"
+#include "run/folder_lock.hpp"
+#include "store/trajectory_hash.hpp"
+#include "study_runs/child.hpp"
+#include "study_runs/slurm_job.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +48,7 @@ std::vector<std::size_t> open_runs(const StudyFolder& study, bool retry_failed) 
 
 /// Hands the script to Slurm. @return what sbatch --parsable prints: the number of the job
 /// @throws InputOutputError if there is no sbatch, or it refuses
-std::string submitted(const SlurmOptions& options, const std::filesystem::path& script,
+std::string submitted(const study::SlurmOptions& options, const std::filesystem::path& script,
                       const std::filesystem::path& log) {
   const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (output < 0) throw InputOutputError(fmt::format("{}: cannot be written", log.string()));
@@ -59,11 +59,11 @@ std::string submitted(const SlurmOptions& options, const std::filesystem::path& 
   while (!(code = sbatch.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::string said = read_file(log, largest_list);
   while (!said.empty() && said.back() == '\n') said.pop_back();
-  if (*code == no_such_program)
+  if (*code == study::no_such_program)
     throw InputOutputError(fmt::format("sbatch was not found, so this machine does not belong to a Slurm cluster; the "
                                        "job script is {}. On a machine with Slurm, submit it by `{}`. To compute the "
                                        "study on this machine: `matrigrate study run`",
-                                       script.string(), shell_text(command)));
+                                       script.string(), study::shell_text(command)));
   if (*code != 0)
     throw InputOutputError(fmt::format("sbatch refused the job: {}; the job script is {}", said, script.string()));
   return said;
@@ -116,7 +116,7 @@ int submit_study(const SubmitOptions& options) {
 
 int compute_task(const TaskOptions& options) {
   const FolderLock lock(options.folder, FolderLock::Kind::shared);
-  const StudyFolder study = open_study(options.folder);
+  const StudyFolder study = study::open_study(options.folder);
   std::map<std::string, std::size_t> by_hash;
   for (std::size_t i = 0; i < study.runs.size(); ++i) by_hash.emplace(study.runs[i].hash, i);
   std::vector<std::size_t> mine;
@@ -130,7 +130,7 @@ int compute_task(const TaskOptions& options) {
   print(troubles_text(study, outcome.troubles));
   print(
       fmt::format("task {}: {} of {} runs done\n", options.index, outcome.done_before + outcome.done_now, mine.size()));
-  return outcome.exit_code();
+  return exit_code(outcome);
 }
 
 } // namespace matrigrate::apps

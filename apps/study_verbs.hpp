@@ -1,8 +1,10 @@
 #pragma once
 
-#include "apps/slurm_job.hpp"
-#include "apps/study_folder.hpp"
-#include "apps/study_pool.hpp"
+#include "apps/pool_output.hpp"
+#include "claims/shipped_studies.hpp"
+#include "study_runs/child.hpp"
+#include "study_runs/slurm_job.hpp"
+#include "study_runs/study_folder.hpp"
 
 #include <optional>
 #include <string>
@@ -10,6 +12,15 @@
 
 /// The verbs of `matrigrate study`, and what `matrigrate reproduce` shares with them.
 namespace matrigrate::apps {
+
+using study::Child;
+using study::make_study_folder;
+using study::planned;
+using study::PoolOutcome;
+using study::shipped_studies;
+using study::ShippedStudy;
+using study::StudyFolder;
+using study::this_program;
 
 struct StudyOptions {
   std::string file;   ///< of the study
@@ -32,7 +43,7 @@ int collect_study(const StudyOptions& options);
 
 struct SubmitOptions {
   StudyOptions study;
-  SlurmOptions slurm;
+  study::SlurmOptions slurm;
   std::size_t chunk = 0; ///< runs per task; 0: as few as fit into 1000 tasks
 };
 /// Writes the job script and hands it to sbatch.
@@ -46,8 +57,5 @@ struct TaskOptions {
   std::string list; ///< file in the folder: a line "task hash" for each run
 };
 int compute_task(const TaskOptions& options);
-
-/// Every run that is not done, with its reason: "failed  50 Pa, replicate 3 (0123...): reason".
-std::string troubles_text(const StudyFolder& study, const std::vector<Trouble>& troubles);
 
 } // namespace matrigrate::apps

@@ -57,6 +57,10 @@ void print_error(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+void print_warning(std::string_view text) {
+  print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
+}
+
 void print_faults(const std::vector<Fault>& faults) {
   for (const Fault& fault : faults) print_error(to_string(fault) + "\n");
 }

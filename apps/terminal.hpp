@@ -20,6 +20,7 @@ void print(std::string_view text);
 void flush();
 
 void print_error(std::string_view text);
+void print_warning(std::string_view text); ///< a line, after the program's name
 void print_faults(const std::vector<Fault>& faults);
 
 } // namespace matrigrate::apps

@@ -1,5 +1,4 @@
 #include "apps/case_output.hpp"
-#include "apps/provenance.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
@@ -7,6 +6,7 @@
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
 #include "parameters/write.hpp"
+#include "run/provenance.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

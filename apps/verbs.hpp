@@ -1,5 +1,7 @@
 #pragma once
 
+#include "run/status.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <functional>
@@ -11,6 +13,9 @@
 /// to be done. Exit codes and exceptions are brought together in main.cpp and nowhere else.
 namespace matrigrate::apps {
 
+using namespace run;
+
+/// Those of a run are in run.json too (run/status.hpp).
 enum ExitCode : int {
   done = 0,
   internal = 1,
@@ -21,6 +26,10 @@ enum ExitCode : int {
   requeue = 75,     ///< stopped by a signal to terminate
   interrupted = 130 ///< stopped by Ctrl-C
 };
+static_assert(run::exit_code(RunEnd::completed) == done && run::exit_code(RunEnd::numerical_failure) == numerical
+              && run::exit_code(RunEnd::no_memory) == numerical && run::exit_code(RunEnd::cannot_write) == input_output
+              && run::exit_code(RunEnd::told_to_terminate) == requeue
+              && run::exit_code(RunEnd::stopped_by_user) == interrupted);
 
 /// The command line asks for something that there is not. Exit code 2.
 class UsageError : public std::runtime_error {

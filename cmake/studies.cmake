@@ -13,12 +13,12 @@ file(
   CONFIGURE
   OUTPUT ${MATRIGRATE_SHIPPED_STUDIES}
   CONTENT
-    "#include \"apps/shipped_studies.hpp\"\n
-namespace matrigrate::apps {\n
+    "#include \"claims/shipped_studies.hpp\"\n
+namespace matrigrate::study {\n
 std::span<const ShippedStudy> shipped_studies() {
   static const std::vector<ShippedStudy> all{
 @entries@  };
   return all;
 }\n
-} // namespace matrigrate::apps\n"
+} // namespace matrigrate::study\n"
   @ONLY)

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-/// Along what the page of a study draws its points. Test: tests/unit/study/study_data_test.cpp
+/// Along what the page of a study draws its points. Test: tests/unit/study_report/study_data_test.cpp
 namespace matrigrate::study {
 
 /// The parameters that differ between points, with their values in the order to draw: numbers in the unit of the

@@ -45,13 +45,6 @@ double distance(const Target& target, statistics::Values sample) {
   return m.n < 2 ? undefined : distance(target, m.mean, m.sd / std::sqrt(static_cast<double>(m.n)));
 }
 
-std::size_t readout_column(const std::string& readout) {
-  const std::vector<std::string> names = all_readouts();
-  const auto found = std::ranges::find(names, readout);
-  if (found == names.end()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
-  return static_cast<std::size_t>(found - names.begin());
-}
-
 TargetJudge::TargetJudge(const Study& study, const std::vector<Result>& results)
     : m_study(study), m_terms(terms(study)) {
   for (const Term& term : m_terms) m_columns.push_back(readout_column(study.targets[term.target].readout));

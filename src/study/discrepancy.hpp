@@ -78,10 +78,6 @@ private:
   std::vector<std::vector<const Result*>> m_results; ///< by point and replicate, null where there is none
 };
 
-/// Column of a read-out in all_readouts().
-/// @throws std::invalid_argument if there is no such read-out
-std::size_t readout_column(const std::string& readout);
-
 /// Indices of discrepancies from the best on: by the number of judged terms, then by value.
 std::vector<std::size_t> ranking(const std::vector<Discrepancy>& all);
 

@@ -1,6 +1,6 @@
 #include "base/random.hpp"
-#include "io/trajectory_hash.hpp"
 #include "parameters/assign.hpp"
+#include "store/trajectory_hash.hpp"
 #include "study/range.hpp"
 #include "study/sweep.hpp"
 

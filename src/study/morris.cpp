@@ -1,6 +1,6 @@
 #include "base/random.hpp"
-#include "io/trajectory_hash.hpp"
 #include "parameters/node.hpp"
+#include "store/trajectory_hash.hpp"
 #include "study/designs.hpp"
 #include "study/range.hpp"
 

@@ -1,6 +1,6 @@
 #include "study/plan.hpp"
 
-#include "io/trajectory_hash.hpp"
+#include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "study/read_results.hpp"
 
 #include "base/failure.hpp"
-#include "io/csv.hpp"
+#include "store/csv.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +17,13 @@ std::uint64_t whole_number(const std::string& field) {
   std::uint64_t value = 0;
   std::from_chars(field.data(), field.data() + field.size(), value);
   return value;
+}
+
+RunState state_of(const std::string& word) {
+  for (const RunState state : {RunState::missing, RunState::unfinished, RunState::running, RunState::done,
+                               RunState::failed, RunState::interrupted})
+    if (word == to_string(state)) return state;
+  throw InputOutputError(fmt::format("\"{}\" is no status of a run", word));
 }
 
 std::vector<Result> results_of(const Study& study, const io::CsvTable& table) {
@@ -42,7 +49,7 @@ std::vector<Result> results_of(const Study& study, const io::CsvTable& table) {
              .replicate = whole_number(row[replicate]),
              .seed = whole_number(row[seed]),
              .hash = row[run]};
-    r.standing.status = row[status];
+    r.standing.status = state_of(row[status]);
     r.standing.reason = row[reason];
     r.standing.trajectory_hash = row[hash];
     for (const std::string& name : names) {

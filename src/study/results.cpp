@@ -2,8 +2,8 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "io/row_file.hpp"
 #include "parameters/schema.hpp"
+#include "store/row_file.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
@@ -41,12 +41,19 @@ std::string last_line(std::string text) {
   return start == std::string::npos ? text : text.substr(start + 1);
 }
 
+/// The state that run.json tells of.
+RunState state_of(const std::optional<run::RunStatus>& status) {
+  if (status == run::RunStatus::done) return RunState::done;
+  if (status == run::RunStatus::failed) return RunState::failed;
+  return status == run::RunStatus::interrupted ? RunState::interrupted : RunState::unfinished;
+}
+
 Standing from_log(const std::filesystem::path& log) {
   Standing s;
   if (!std::filesystem::exists(log)) return s;
-  s.status = "failed";
+  s.status = RunState::failed;
   s.reason = last_line(read_file(log, largest_json));
-  if (s.reason.empty()) s.status = "unfinished";
+  if (s.reason.empty()) s.status = RunState::unfinished;
   return s;
 }
 
@@ -74,6 +81,23 @@ std::vector<double> readouts_of(const std::filesystem::path& folder) {
 
 } // namespace
 
+std::string_view to_string(RunState state) {
+  switch (state) {
+  case RunState::missing:
+    return "missing";
+  case RunState::unfinished:
+    return "unfinished";
+  case RunState::running:
+    return "running";
+  case RunState::done:
+    return "done";
+  case RunState::failed:
+    return "failed";
+  default:
+    return "interrupted";
+  }
+}
+
 std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run) {
   return study_folder / "runs" / run.hash;
 }
@@ -88,12 +112,11 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   const json record = json::parse(read_file(file, largest_json), nullptr, false);
   Standing s;
   if (record.is_discarded() || !record.is_object()) {
-    s.status = "unfinished";
+    s.status = RunState::unfinished;
     s.reason = "run.json is no JSON";
     return s;
   }
-  s.status = value_or(record, "status", std::string("unfinished"));
-  if (s.status == "running") s.status = "unfinished";
+  s.status = state_of(run::parse_run_status(value_or(record, "status", std::string())));
   if (const int code = value_or(record, "exit_code", -1); code >= 0) s.exit_code = code;
   s.reason = value_or(record, "reason", std::string());
   s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
@@ -121,9 +144,7 @@ std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
 }
 
 std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {
-  const std::vector<std::string> names = all_readouts();
-  const auto column = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
-  if (column == names.size()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
+  const std::size_t column = readout_column(readout);
   std::vector<double> values;
   for (const Result& r : results)
     if (r.run.point == point && std::isfinite(r.readouts[column])) values.push_back(r.readouts[column]);
@@ -169,7 +190,7 @@ std::string results_csv(const Study& study, const std::vector<Result>& results) 
     const std::vector<std::string> swept = swept_values(study, point);
     std::vector<io::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
     for (const std::string& value : swept) row.emplace_back(std::string_view(value));
-    row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, std::string_view(r.standing.status),
+    row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, to_string(r.standing.status),
                            std::string_view(r.standing.reason), std::string_view(r.standing.trajectory_hash)});
     row.insert(row.end(), r.readouts.begin(), r.readouts.end());
     text += io::csv_line(row);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "run/status.hpp"
 #include "study/plan.hpp"
 #include "study/study.hpp"
 
@@ -17,9 +18,15 @@ namespace matrigrate::study {
 std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run);
 std::filesystem::path run_log(const std::filesystem::path& study_folder, const Run& run);
 
+/// How far a run of a study is: unfinished if it has begun and has not ended, running if a process is computing it.
+enum class RunState { missing, unfinished, running, done, failed, interrupted };
+
+/// "missing", "unfinished", ...
+std::string_view to_string(RunState state);
+
 /// How a run stands.
 struct Standing {
-  std::string status = "missing"; ///< missing, unfinished, done, failed, interrupted
+  RunState status = RunState::missing; ///< running is for those who know of processes
   std::optional<int> exit_code;
   std::string reason; ///< why it is not done
   std::string trajectory_hash;
@@ -28,9 +35,11 @@ struct Standing {
   double wall_time = 0.0; ///< [s]
   double steps_done = 0.0;
 
-  bool done() const { return status == "done"; }
+  bool done() const { return status == RunState::done; }
   /// It would fail again: a numerical failure is the same on every machine.
-  bool failed_for_good() const { return status == "failed" && exit_code == 4; }
+  bool failed_for_good() const {
+    return status == RunState::failed && exit_code == run::exit_code(run::RunEnd::numerical_failure);
+  }
 };
 
 Standing standing(const std::filesystem::path& study_folder, const Run& run);

@@ -1,4 +1,4 @@
-#include "io/row_file.hpp"
+#include "store/row_file.hpp"
 #include "study/designs.hpp"
 #include "study/effects.hpp"
 

@@ -1,5 +1,5 @@
-#include "io/row_file.hpp"
 #include "statistics/correlation.hpp"
+#include "store/row_file.hpp"
 #include "study/comparison.hpp"
 
 #include <algorithm>
@@ -15,8 +15,7 @@ using View = std::string_view;
 
 /// A read-out of all runs, in their order; NaN where it is not defined.
 std::vector<double> column(const std::vector<Result>& results, const std::string& readout) {
-  const std::vector<std::string> names = all_readouts();
-  const auto index = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
+  const std::size_t index = readout_column(readout);
   std::vector<double> values;
   values.reserve(results.size());
   for (const Result& r : results) values.push_back(r.readouts[index]);

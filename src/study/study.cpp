@@ -1,25 +1,37 @@
 #include "study/study.hpp"
 
-#include "io/run_files.hpp"
+#include "observe/readout_table.hpp"
 #include "study/table_readouts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace matrigrate::study {
 
 const std::vector<std::string>& default_readouts() {
-  static const std::vector<std::string> names{"v_migr_abs_um_per_h", "v_migr_path_60s_um_per_h",
-                                              "n_protrusions",       "tau_prot_min",
-                                              "l_prot_um",           "f_mat",
-                                              "f_adh_rel",           "msd_slope"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> usual;
+    for (const ReadOutSpec& spec : readout_table())
+      if (spec.usual) usual.emplace_back(spec.name);
+    return usual;
+  }();
   return names;
 }
 
 std::vector<std::string> all_readouts() {
   std::vector<std::string> names;
-  for (const io::NamedValue& v : io::named_values(ReadOuts{})) names.emplace_back(v.name);
+  for (const ReadOutSpec& spec : readout_table()) names.emplace_back(spec.name);
   for (const std::string_view name : table_readout_names()) names.emplace_back(name);
   return names;
+}
+
+std::size_t readout_column(std::string_view readout) {
+  const std::vector<std::string> names = all_readouts();
+  const auto found = std::ranges::find(names, readout);
+  if (found == names.end()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::vector<std::string> swept_keys(const Study& study) {

@@ -103,6 +103,10 @@ const std::vector<std::string>& default_readouts();
 /// Every read-out that a run has: those of summary.json and those of table_readouts.hpp.
 std::vector<std::string> all_readouts();
 
+/// Column of a read-out in all_readouts().
+/// @throws std::invalid_argument if there is no such read-out
+std::size_t readout_column(std::string_view readout);
+
 /// The parameters that differ between points, each once, in the order in which they are first named.
 std::vector<std::string> swept_keys(const Study& study);
 

@@ -1,7 +1,7 @@
 #include "study/table_readouts.hpp"
 
 #include "base/file.hpp"
-#include "io/csv.hpp"
+#include "store/csv.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/plot.hpp"
-#include "io/table.hpp"
+#include "draw/plot.hpp"
 #include "parameters/parameters.hpp"
+#include "store/table.hpp"
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
 #include "target.hpp"
 
 #include "base/failure.hpp"
-#include "io/checkpoint.hpp"
-#include "io/run_memory.hpp"
+#include "store/checkpoint.hpp"
+#include "store/run_memory.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/checkpoint.hpp"
+#include "store/checkpoint.hpp"
 
 namespace matrigrate {
 

@@ -1,9 +1,13 @@
 #include "observe/readouts.hpp"
 
+#include "observe/readout_table.hpp"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 using namespace matrigrate;
@@ -145,4 +149,25 @@ TEST(ReadOuts, AreUndefinedWithoutProtrusionsOrRows) {
   for (const double value : {r.duration, r.v_migr_abs, r.v_migr_path_60s, r.tau_prot.value, r.l_prot.value,
                              r.f_mat.value, r.force.value, r.f_adh_rel.value, r.mean_simultaneous})
     EXPECT_TRUE(std::isnan(value));
+}
+
+TEST(ReadOutTable, NamesEachReadOutOnce) {
+  std::set<std::string_view> names;
+  for (const ReadOutSpec& spec : readout_table()) {
+    EXPECT_TRUE(names.insert(spec.name).second) << spec.name;
+    EXPECT_TRUE(spec.name.starts_with(spec.label)) << spec.name;
+    EXPECT_EQ(find_readout(spec.name), &spec);
+  }
+  EXPECT_EQ(find_readout("v_migr"), nullptr);
+  EXPECT_EQ(std::ranges::count_if(readout_table(), &ReadOutSpec::usual), 8);
+}
+
+TEST(ReadOutTable, ReadsItsMember) {
+  ReadOuts r;
+  r.v_migr_abs = 12.5;
+  r.n_protrusions = 7;
+  EXPECT_EQ(std::get<double>(find_readout("v_migr_abs_um_per_h")->value(r)), 12.5);
+  EXPECT_EQ(std::get<std::uint64_t>(find_readout("n_protrusions")->value(r)), 7U);
+  EXPECT_EQ(find_readout("v_migr_abs_um_per_h")->meaning_with_unit(), "speed, start to end [um/h]");
+  EXPECT_EQ(find_readout("n_protrusions")->meaning_with_unit(), "protrusions initiated");
 }

@@ -1,9 +1,9 @@
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
-#include "io/csv.hpp"
-#include "study/box_plot.hpp"
+#include "store/csv.hpp"
 #include "study/comparison.hpp"
 #include "study/table_readouts.hpp"
+#include "study_report/box_plot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -94,15 +94,6 @@ TEST(Results, NumbersOfAColumn) {
   EXPECT_EQ(b[2], -1e-3);
   EXPECT_TRUE(io::csv_column(csv, "d").empty());
   EXPECT_TRUE(io::csv_column("", "a").empty());
-}
-
-TEST(BoxPlot, DrawsEachSample) {
-  const std::string svg = to_svg({{"f_mat", {"one", "none"}, {{1.0, 2.0, 3.0, 4.0}, {}}}}, "A <title>");
-  EXPECT_NE(svg.find("one (n = 4)"), std::string::npos);
-  EXPECT_NE(svg.find("none (n = 0)"), std::string::npos);
-  EXPECT_NE(svg.find("A &lt;title&gt;"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_THROW(to_svg({{"f_mat", {"one"}, {}}}, ""), std::invalid_argument);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "study/designs.hpp"
 
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
 #include "parameters/schema.hpp"
 

@@ -1,8 +1,8 @@
 #include "study/discrepancy.hpp"
 
-#include "studies.hpp"
 #include "study/effects.hpp"
 #include "study/table_readouts.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(Discrepancy, WhatIsNotDefinedIsLeftOutAndCounted) {
   EXPECT_EQ(one.judged, 0U) << "one run is too few";
   EXPECT_TRUE(std::isnan(one.value.value));
   EXPECT_TRUE(std::isnan(one.value.low));
-  results[2].standing.status = "failed";
+  results[2].standing.status = RunState::failed;
   const Discrepancy failed = TargetJudge(s, results).discrepancy(0);
   EXPECT_EQ(failed.judged, 0U) << "what is not done has no value";
   EXPECT_EQ(failed.terms[0].undefined, 1U) << "and is not counted as undefined";

@@ -1,7 +1,7 @@
 #include "study/effects.hpp"
 
-#include "studies.hpp"
 #include "study/designs.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "study/read_results.hpp"
 
 #include "base/failure.hpp"
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::vector<Result> made(const Study& study) {
   std::vector<Result> all = results_of("f_mat", {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}});
   all[1].run.seed = 9007199254740991; // the largest there is
   all[1].standing.trajectory_hash = "0123456789abcdef";
-  all.back().standing.status = "failed";
+  all.back().standing.status = RunState::failed;
   all.back().standing.reason = "the cell has reached the clamped rim, at (1, 2) um";
   all.back().readouts.assign(all.back().readouts.size(), NAN);
   EXPECT_EQ(all.size(), study.runs());

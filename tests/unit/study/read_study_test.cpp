@@ -1,4 +1,4 @@
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
 #include "parameters/schema.hpp"
 

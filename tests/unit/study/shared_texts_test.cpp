@@ -1,6 +1,6 @@
 #include "base/file.hpp"
-#include "io/colour.hpp"
-#include "io/run_page.hpp"
+#include "draw/colour.hpp"
+#include "report/run_page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -44,7 +44,7 @@ inline std::vector<Result> results_of(std::string_view readout, const std::vecto
     for (std::size_t k = 0; k < samples[i].size(); ++k) {
       Result r{{i, k + 1, 0, fmt::format("{}-{}", i, k)}, {}, std::vector<double>(names.size())};
       std::ranges::fill(r.readouts, std::numeric_limits<double>::quiet_NaN());
-      r.standing.status = "done";
+      r.standing.status = RunState::done;
       r.readouts[column] = samples[i][k];
       all.push_back(std::move(r));
     }

@@ -1,6 +1,6 @@
 #include "study/conditions.hpp"
 
-#include "studies.hpp"
+#include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 

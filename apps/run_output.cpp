@@ -1,0 +1,74 @@
+#include "apps/run_output.hpp"
+
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/file.hpp"
+#include "store/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t max_summary = std::size_t{1} << 20U; // bytes of summary.json
+
+Json summary_of(const run::RunOutcome& outcome) {
+  const std::string text =
+      outcome.computed ? io::summary_json(outcome.readouts) : read_file(outcome.folder / "summary.json", max_summary);
+  return Json::parse(text, nullptr, false);
+}
+
+void print_json(const run::RunOutcome& outcome, const std::string& report) {
+  Json all{{"folder", outcome.folder.string()}, {"report", report}};
+  all["summary"] = summary_of(outcome);
+  all.update(outcome.record);
+  print(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void print_text(const run::RunOutcome& outcome) {
+  if (!outcome.computed)
+    return print(fmt::format("{} is done already; nothing was computed.\n", outcome.folder.string()));
+  print(outcome.sentence + "\n\n");
+  for (const io::NamedValue& v : io::shown_values(outcome.readouts, outcome.p))
+    print(fmt::format("  {:<50}{:>10}\n", v.meaning, io::readable(v.value)));
+  print("\n");
+}
+
+} // namespace
+
+void RunDisplay::warn(std::string_view text) { print_warning(text); }
+
+void RunDisplay::step(const State& s) {
+  m_progress->show(s.t, fmt::format("{} protrusion{} now, {} so far", s.protrusions.size(),
+                                    s.protrusions.size() == 1 ? "" : "s", s.initiated));
+}
+
+std::optional<run::StopRequest> RunDisplay::stop_request() {
+  const int signal = StopSignal::received();
+  if (signal == 0) return std::nullopt;
+  return signal == SIGINT ? run::StopRequest::user : run::StopRequest::terminate;
+}
+
+int print_outcome(const run::RunOutcome& outcome, const OutcomeStyle& style) {
+  const std::string report = (outcome.folder / "report.html").string();
+  if (style.json) {
+    print_json(outcome, report);
+    return run::exit_code(outcome.end);
+  }
+  if (!style.quiet) print_text(outcome);
+  if (style.quiet && outcome.end != run::RunEnd::completed)
+    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
+  print(fmt::format("open {}\n", report));
+  return run::exit_code(outcome.end);
+}
+
+void tell_lost_frames(const run::FinishedRun& run) {
+  if (const std::string text = io::to_text(run::lost_frames(run)); !text.empty()) print_warning(text);
+}
+
+} // namespace matrigrate::apps

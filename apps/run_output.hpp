@@ -1,0 +1,44 @@
+#pragma once
+
+#include "apps/progress.hpp"
+#include "apps/stop_signal.hpp"
+#include "run/finished_run.hpp"
+#include "run/simulate.hpp"
+
+#include <optional>
+
+/// A run on the terminal. Test: tests/apps/run_test.cpp, tests/apps/progress_test.cpp
+namespace matrigrate::apps {
+
+/// Shows progress and warnings on the standard error; signals to this program stop the run.
+class RunDisplay : public run::RunObserver {
+public:
+  /// @param quiet  show no progress
+  explicit RunDisplay(bool quiet) : m_quiet(quiet) {}
+
+  void warn(std::string_view text) override;
+  void begin() override { m_signal.emplace(); }
+  void begin_steps(double t, double t_end) override { m_progress.emplace(t, t_end, m_quiet); }
+  void end_steps() override { m_progress.reset(); }
+  void step(const State& s) override;
+  std::optional<run::StopRequest> stop_request() override;
+
+private:
+  bool m_quiet;
+  std::optional<StopSignal> m_signal; ///< before there is a folder, and until the outcome is printed
+  std::optional<Progress> m_progress;
+};
+
+/// What a run prints at its end.
+struct OutcomeStyle {
+  bool json = false;
+  bool quiet = false;
+};
+
+/// How a run ended, its read-outs and where the report is. @return the exit code
+int print_outcome(const run::RunOutcome& outcome, const OutcomeStyle& style);
+
+/// Warns of frames of a run that are lost, if there are any.
+void tell_lost_frames(const run::FinishedRun& run);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,45 @@
+#include "claims/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace matrigrate::study {
+
+RowKind row_kind(std::string_view id) {
+  if (id.starts_with('V') || id.starts_with('F')) return RowKind::verification;
+  return id.starts_with('D') || (id.starts_with('A') && id != "A8") ? RowKind::calibration : RowKind::predicted;
+}
+
+std::string to_string(RowKind kind) {
+  return kind == RowKind::calibration ? "calibration" : kind == RowKind::predicted ? "predicted" : "verification";
+}
+
+std::string why_not(const Finding& finding) { return fmt::format("{}", fmt::join(finding.unmet, "; ")); }
+
+std::string bottom_line(const std::vector<JudgedClaim>& claims) {
+  const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
+  const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
+  std::vector<std::string> parts;
+  for (const RowKind kind : {RowKind::calibration, RowKind::predicted, RowKind::verification}) {
+    const auto of_kind = [&](const JudgedClaim& c) { return row_kind(c.id) == kind; };
+    if (const auto all = count(of_kind); all > 0)
+      parts.push_back(fmt::format("{} of {} {}", count([&](const JudgedClaim& c) { return of_kind(c) && holds(c); }),
+                                  all, to_string(kind)));
+  }
+  const auto undecided = count([](const JudgedClaim& c) { return c.finding.verdict == Verdict::undecided; });
+  return fmt::format("{} of {} hold{}{}", count(holds), claims.size(),
+                     parts.size() > 1 ? fmt::format(": {}", fmt::join(parts, ", ")) : "",
+                     undecided > 0 ? fmt::format("; {} undecided", undecided) : "");
+}
+
+std::string markdown_table(const std::vector<JudgedClaim>& claims) {
+  std::string text = "| row | kind | claim | published | ours: mean [95 % interval] | verdict | why not |\n"
+                     "|---|---|---|---|---|---|---|\n";
+  for (const JudgedClaim& c : claims)
+    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} |\n", c.id, to_string(row_kind(c.id)), c.sentence,
+                        c.published, c.finding.brief, to_string(c.finding.verdict), why_not(c.finding));
+  return text;
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,170 @@
+#include "draw/cell_drawing.hpp"
+
+#include "draw/svg.hpp"
+#include "draw/ticks.hpp"
+#include "state/protrusion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace matrigrate::io {
+
+namespace {
+
+// Lightness tells the classes apart without colour: the matrix gets lighter as it is degraded, the cell is darker than
+// both, its front lighter than its rear.
+constexpr std::array<std::string_view, matrix_classes> matrix_colours{"#cbb994", "#d9ccb0", "#e4dbc8", "#eee8dc",
+                                                                      "#f8f6f1"};
+constexpr std::string_view rear_colour = "#0072b2";
+constexpr std::string_view front_colour = "#45c4b8";
+constexpr std::string_view path_colour = "#1f2328";
+
+constexpr std::size_t phases = std::variant_size_v<Phase>;
+constexpr std::array<std::string_view, phases> phase_colours{"#f0a500", "#d55e00", "#8b1a6b", "#6e7781"};
+constexpr std::array<std::string_view, phases> phase_names{"growing", "maturing", "contracting", "finishing"};
+constexpr std::array<std::string_view, phases> phase_dashes{"", "", "", " stroke-dasharray=\"4 3\""};
+
+/// Path data of a curve through points, or of a polygon.
+std::string curve(const std::vector<Vec2>& points, const Panel& panel, bool closed) {
+  std::string data;
+  for (const Vec2& x : points) {
+    const Vec2 a = panel.at(x);
+    data += (data.empty() ? 'M' : 'L') + svg::point(a.x(), a.y());
+  }
+  return closed && !data.empty() ? data + 'Z' : data;
+}
+
+bool seen(const Vec2& a, const Panel& panel, double margin) {
+  return a.x() > panel.left - margin && a.x() < panel.left + panel.side + margin && a.y() > panel.top - margin
+         && a.y() < panel.top + panel.side + margin;
+}
+
+std::string disc(const CellScene& scene, const Panel& panel) {
+  const Vec2 centre = panel.at(Vec2::Zero());
+  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>\n", svg::coordinate(centre.x()),
+                     svg::coordinate(centre.y()), svg::coordinate(panel.scale() * (scene.radius + 0.5 * scene.spacing)),
+                     matrix_colours.front());
+}
+
+/// Particles as squares: short lines as wide as they are long. Degraded ones overlap a little and read as one area;
+/// intact ones leave gaps, in which the deformation of the lattice shows.
+std::string matrix(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
+  std::string out = intact == IntactMatrix::area ? disc(scene, panel) : std::string();
+  for (std::size_t c = 0; c < matrix_classes; ++c) {
+    if (c == 0 && intact == IntactMatrix::area) continue;
+    const double size = (c == 0 ? 0.82 : 1.08) * scene.spacing * panel.scale();
+    const std::string stroke = fmt::format("h{:.2f}", size);
+    std::string data;
+    for (const Vec2& x : scene.matrix[c]) {
+      const Vec2 a = panel.at(x);
+      if (x.allFinite() && seen(a, panel, size)) data += 'M' + svg::point(a.x() - 0.5 * size, a.y()) + stroke;
+    }
+    if (data.empty()) continue;
+    out += fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", matrix_colours[c],
+                       size, data);
+  }
+  return out;
+}
+
+std::string area(const std::vector<Vec2>& polygon, const Panel& panel, std::string_view colour) {
+  return fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", colour, curve(polygon, panel, true));
+}
+
+/// A line with a light edge, so that it is seen on any ground.
+std::string edged(const std::string& data, std::string_view colour, double width, std::string_view dashes) {
+  return fmt::format("<path fill=\"none\" stroke=\"#ffffff\" stroke-width=\"{}\" stroke-linejoin=\"round\" d=\"{}\"/>\n"
+                     "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{} d=\"{}\"/>\n",
+                     width + 1.6, data, colour, width, dashes, data);
+}
+
+std::string adhesion(const Vec2& tip, const Vec2& anchor, std::string_view colour) {
+  return edged('M' + svg::point(tip.x(), tip.y()) + 'L' + svg::point(anchor.x(), anchor.y()), colour, 1.4, "")
+         + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"3.6\" fill=\"{}\" stroke=\"#ffffff\"/>\n",
+                       svg::coordinate(anchor.x()), svg::coordinate(anchor.y()), colour);
+}
+
+std::string protrusion(const DrawnProtrusion& drawn, const Panel& panel) {
+  const std::string_view colour = phase_colours[drawn.phase];
+  std::string out = edged(curve(drawn.contour, panel, false), colour, 2.8, phase_dashes[drawn.phase]);
+  if (drawn.anchor) out += adhesion(panel.at(drawn.tip), panel.at(*drawn.anchor), colour);
+  return out;
+}
+
+std::string path(const CellScene& scene, const Panel& panel) {
+  if (scene.path.empty()) return {};
+  const Vec2 start = panel.at(scene.path.front());
+  return edged(curve(scene.path, panel, false), path_colour, 1.6, "")
+         + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"3.2\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.6\"/>\n",
+                       svg::coordinate(start.x()), svg::coordinate(start.y()), path_colour);
+}
+
+/// The drawn sign and the words of an entry of the legend.
+struct Entry {
+  std::string sign; ///< 30 x 14 pixels around (15, 0)
+  std::string words;
+};
+
+std::vector<Entry> legend_entries() {
+  std::vector<Entry> entries;
+  std::string shades;
+  for (std::size_t c = 0; c < matrix_classes; ++c)
+    shades += svg::rectangle(6.0 * static_cast<double>(c), -7.0, 6.2, 14.0, matrix_colours[c]);
+  entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
+  entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, front_colour), "front"});
+  entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, rear_colour), "rear"});
+  for (std::size_t k = 0; k < phases; ++k)
+    entries.push_back({edged("M1 0h28", phase_colours[k], 4.0, phase_dashes[k]), std::string(phase_names[k])});
+  entries.push_back({adhesion({3.0, 0.0}, {25.0, 0.0}, phase_colours[2]), "adhesion"});
+  entries.push_back({edged("M4 0h25", path_colour, 1.6, "")
+                         + fmt::format("<circle cx=\"4\" cy=\"0\" r=\"3.2\" fill=\"#ffffff\" stroke=\"{}\" "
+                                       "stroke-width=\"1.6\"/>\n",
+                                       path_colour),
+                     "path of the centre"});
+  return entries;
+}
+
+} // namespace
+
+std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
+  // A nested svg element cuts off what lies outside, without an id.
+  std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
+                                svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
+  out += matrix(scene, panel, intact);
+  if (!scene.cell.empty()) out += area(scene.cell, panel, rear_colour) + area(scene.front, panel, front_colour);
+  for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
+  return out + path(scene, panel) + "</svg>\n";
+}
+
+std::string scale_bar(double x, double y, double most, const Panel& panel) {
+  const double longest = most / panel.scale();
+  double length = round_step(0.4 * longest); // at most 2.5 times what is asked for
+  if (length > longest) length = 0.4 * longest;
+  return svg::rectangle(x, y, length * panel.scale(), 5.0, svg::dark)
+         + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
+}
+
+CellLegend cell_legend(double width) {
+  constexpr double sign_width = 30.0;
+  constexpr double gap = 7.0;
+  constexpr double entry_gap = 20.0;
+  constexpr double row = 1.55 * svg::tick_size;
+  CellLegend legend;
+  double x = 0.0;
+  double y = 0.0;
+  for (const Entry& entry : legend_entries()) {
+    const double entry_width = sign_width + gap + svg::text_width(entry.words, svg::tick_size);
+    if (x > 0.0 && x + entry_width > width) {
+      x = 0.0;
+      y += row;
+    }
+    legend.svg += fmt::format("<g transform=\"translate({})\">{}</g>\n", svg::point(x, y + 0.5 * row), entry.sign)
+                  + svg::text(x + sign_width + gap, y + 0.5 * row + 0.35 * svg::tick_size, entry.words, {});
+    x += entry_width + entry_gap;
+  }
+  legend.height = y + row;
+  return legend;
+}
+
+} // namespace matrigrate::io

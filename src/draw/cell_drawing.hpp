@@ -1,0 +1,41 @@
+#pragma once
+
+#include "observe/cell_scene.hpp"
+
+#include <string>
+
+/// The pieces of which pictures of the cell are made. Test: tests/unit/draw/cell_picture_test.cpp
+namespace matrigrate::io {
+
+/// Whether intact particles of the matrix are drawn one by one, or as one area, which takes far fewer bytes.
+enum class IntactMatrix { particles, area };
+
+/// Where a scene is drawn.
+struct Panel {
+  Box box;           ///< what is seen of the plane; a square [um]
+  double left = 0.0; ///< [pixel]
+  double top = 0.0;  ///< [pixel]
+  double side = 0.0; ///< [pixel]
+
+  double scale() const { return side / box.size().x(); } ///< [pixel/um]
+  Vec2 at(const Vec2& x) const {
+    return {left + scale() * (x.x() - box.low.x()), top + scale() * (box.high.y() - x.y())};
+  }
+};
+
+/// Matrix, cell, protrusions, adhesions and path, cut off at the panel's frame.
+std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact);
+
+/// A bar of a round length and its length in um.
+/// @param x, y  upper left corner [pixel]
+/// @param most  largest length of the bar [pixel]
+std::string scale_bar(double x, double y, double most, const Panel& panel);
+
+/// What the colours mean.
+struct CellLegend {
+  std::string svg;     ///< with its upper left corner at (0, 0)
+  double height = 0.0; ///< [pixel]
+};
+CellLegend cell_legend(double width);
+
+} // namespace matrigrate::io

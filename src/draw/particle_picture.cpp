@@ -1,0 +1,218 @@
+#include "draw/axis.hpp"
+#include "draw/colour.hpp"
+#include "draw/plot.hpp"
+#include "draw/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace matrigrate::io {
+
+namespace {
+
+constexpr int levels = 33;          ///< steps of the colour map; odd, so that a diverging one has a neutral step
+constexpr double margin = 12.0;     ///< free on all sides of the drawing [pixel]
+constexpr double bar_gap = 20.0;    ///< between the particles and the colour bar [pixel]
+constexpr double bar_width = 18.0;  ///< of the colour bar [pixel]
+constexpr double scale_room = 40.0; ///< below the particles, for the scale bar [pixel]
+constexpr std::string_view missing = "#b8b8b8";
+
+bool finite(const Vec2& a) { return std::isfinite(a.x()) && std::isfinite(a.y()); }
+
+void check(const ParticlePicture& p, int width) {
+  const std::size_t n = p.position.size();
+  if (p.value.size() != n || (!p.arrow.empty() && p.arrow.size() != n))
+    throw std::invalid_argument(
+        fmt::format("a picture has {} particles, {} values and {} arrows", n, p.value.size(), p.arrow.size()));
+  if (!(p.particle_size > 0.0) || !std::isfinite(p.particle_size))
+    throw std::invalid_argument(fmt::format("particles of a picture have the size {} um", p.particle_size));
+  if ((p.value_min != 0.0 || p.value_max != 0.0) && !(p.value_min < p.value_max))
+    throw std::invalid_argument(fmt::format("a colour bar from {} to {} is empty", p.value_min, p.value_max));
+  if (width < 240) throw std::invalid_argument(fmt::format("a picture {} pixels wide is too small", width));
+}
+
+/// Box around all particles and arrows [um].
+struct Extent {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+
+  void include(const Vec2& a) {
+    if (!finite(a)) return;
+    low = low.cwiseMin(a);
+    high = high.cwiseMax(a);
+  }
+};
+
+Extent extent(const ParticlePicture& p) {
+  const Vec2 half = Vec2::Constant(0.5 * p.particle_size);
+  Extent e;
+  for (std::size_t i = 0; i < p.position.size(); ++i) {
+    e.include(p.position[i] - half);
+    e.include(p.position[i] + half);
+    if (!p.arrow.empty()) e.include(p.position[i] + p.arrow_scale * p.arrow[i]);
+  }
+  if (!(e.low.x() < e.high.x())) e = {Vec2(-half), half};
+  return e;
+}
+
+/// The colour bar's axis, from bottom to top.
+Axis value_axis(const ParticlePicture& p) {
+  Axis axis;
+  if (p.value_min != 0.0 || p.value_max != 0.0) {
+    axis.low = p.value_min;
+    axis.high = p.value_max;
+  } else {
+    std::vector<double> values;
+    for (const double v : p.value)
+      if (drawable(v, false)) values.push_back(v);
+    if (p.diverging) // equal ends, so that the neutral middle is zero
+      for (std::size_t i = 0, n = values.size(); i < n; ++i) values.push_back(-values[i]);
+    axis = fitted_axis(values, false, 0.0, 7);
+  }
+  axis.ticks = linear_ticks(axis.low, axis.high, 7);
+  return axis;
+}
+
+double level_centre(int level) { return (level + 0.5) / levels; }
+
+/// Step of the colour map for a value, or -1 if it is not finite.
+int level_of(double value, const Axis& axis) {
+  if (!std::isfinite(value)) return -1;
+  const double share = std::clamp((value - axis.low) / (axis.high - axis.low), 0.0, 1.0);
+  return std::min(static_cast<int>(share * levels), levels - 1);
+}
+
+/// From um to pixels, the same in both directions.
+struct Frame {
+  Vec2 low = Vec2::Zero(); ///< lower left corner of the box of the particles [um]
+  double left = 0.0, bottom = 0.0;
+  double scale = 1.0; ///< [pixel/um]
+
+  Vec2 at(const Vec2& a) const { return {left + scale * (a.x() - low.x()), bottom - scale * (a.y() - low.y())}; }
+};
+
+/// A dot is a line of no length with round ends, which takes a third of the bytes of a circle.
+/// Place of a level in the list of paths; -1, for values that are missing, comes first.
+std::size_t slot(int level) { return level < 0 ? 0 : std::size_t{1} + static_cast<std::size_t>(level); }
+
+std::string dots(const ParticlePicture& p, const Axis& axis, const Frame& frame) {
+  std::array<std::string, levels + 1> path;
+  for (std::size_t i = 0; i < p.position.size(); ++i) {
+    if (!finite(p.position[i])) continue;
+    const Vec2 a = frame.at(p.position[i]);
+    path[slot(level_of(p.value[i], axis))] += 'M' + svg::point(a.x(), a.y()) + "h0";
+  }
+  const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
+  std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\">\n",
+                                p.particle_size * frame.scale);
+  for (int level = -1; level < levels; ++level) {
+    const auto& data = path[slot(level)];
+    const std::string c = level < 0 ? std::string(missing) : colour(map, level_centre(level));
+    if (!data.empty()) out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", c, data);
+  }
+  return out + "</g>\n";
+}
+
+std::string arrows(const ParticlePicture& p, const Frame& frame) {
+  std::string path;
+  for (std::size_t i = 0; i < p.arrow.size(); ++i) {
+    if (!finite(p.position[i]) || !finite(p.arrow[i])) continue;
+    const Vec2 tail = frame.at(p.position[i]);
+    const Vec2 tip = frame.at(p.position[i] + p.arrow_scale * p.arrow[i]);
+    const double length = (tip - tail).norm();
+    if (length < 0.5) continue;
+    const Vec2 back = (tail - tip) * (std::min(0.4 * length, 6.0) / length);
+    const Vec2 side = 0.5 * perpendicular(back);
+    const Vec2 left = tip + back + side;
+    const Vec2 right = tip + back - side;
+    path += 'M' + svg::point(tail.x(), tail.y()) + 'L' + svg::point(tip.x(), tip.y());
+    path += 'M' + svg::point(left.x(), left.y()) + 'L' + svg::point(tip.x(), tip.y()) + 'L';
+    path += svg::point(right.x(), right.y());
+  }
+  if (path.empty()) return path;
+  // A light line below the dark one keeps arrows visible on any colour.
+  return fmt::format("<g fill=\"none\" stroke-linejoin=\"round\">\n"
+                     "<path stroke=\"#ffffff\" stroke-width=\"3\" stroke-opacity=\"0.7\" d=\"{0}\"/>\n"
+                     "<path stroke=\"{1}\" stroke-width=\"1.3\" d=\"{0}\"/>\n</g>\n",
+                     path, svg::dark);
+}
+
+/// The closed curve, dark with a light edge.
+std::string outline(const ParticlePicture& p, const Frame& frame) {
+  std::string path;
+  for (const Vec2& x : p.outline) {
+    const Vec2 a = frame.at(x);
+    path += (path.empty() ? 'M' : 'L') + svg::point(a.x(), a.y());
+  }
+  if (path.empty()) return path;
+  return fmt::format("<path fill=\"none\" stroke=\"#ffffff\" stroke-width=\"3.4\" d=\"{0}Z\"/>\n"
+                     "<path fill=\"none\" stroke=\"{1}\" stroke-width=\"1.6\" d=\"{0}Z\"/>\n",
+                     path, svg::dark);
+}
+
+std::string colour_bar(const ParticlePicture& p, const Axis& axis, double left) {
+  const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
+  const double step = (axis.begin - axis.end) / levels;
+  std::string out;
+  for (int level = 0; level < levels; ++level) // each step reaches half a pixel under the next, so that no gap shows
+    out += svg::rectangle(left, axis.begin - (level + 1) * step, bar_width, step + (level > 0 ? 0.5 : 0.0),
+                          colour(map, level_centre(level)));
+  out += svg::frame(left, axis.end, bar_width, axis.begin - axis.end);
+  for (const Tick& t : axis.ticks) {
+    out += svg::line(left + bar_width, axis.at(t.value), left + bar_width + 5.0, axis.at(t.value), svg::dark, 1.0);
+    out += svg::text(left + bar_width + 9.0, axis.at(t.value) + 5.5, t.label, {});
+  }
+  return out;
+}
+
+std::string scale_bar(double um, const Frame& frame, double y) {
+  const double length = um * frame.scale;
+  return svg::rectangle(frame.left, y, length, 5.0, svg::dark)
+         + svg::text(frame.left + length + 8.0, y + 8.5, fmt::format("{} um", um), {});
+}
+
+} // namespace
+
+std::string to_svg(const ParticlePicture& p, int width) {
+  check(p, width);
+  const Extent box = extent(p);
+  const Vec2 size = box.high - box.low;
+  Axis values = value_axis(p);
+  const auto title = svg::wrapped(p.title, width - 2.0 * margin, 1.05 * svg::title_size);
+  const double top = 1.5 * margin + svg::text_height(title.size(), svg::title_size);
+
+  // The lines of the label go upward beside the bar, so their number depends on its height and the other way round: a
+  // first guess of the height decides.
+  const double room_without_label = width - 2.0 * margin - bar_gap - bar_width - 9.0 - label_width(values);
+  const auto height_for = [&](double room) { return std::clamp(room * size.y() / size.x(), 140.0, 1.2 * width); };
+  const auto label = svg::wrapped(p.value_label, 0.9 * height_for(room_without_label), svg::label_size);
+  const double room = room_without_label - svg::text_height(label.size(), svg::label_size) - 4.0;
+  const double height = height_for(room);
+
+  Frame frame;
+  frame.low = box.low;
+  frame.scale = std::min(room / size.x(), height / size.y());
+  frame.left = margin + 0.5 * (room - frame.scale * size.x());
+  frame.bottom = top + 0.5 * (height + frame.scale * size.y());
+  values.begin = top + height;
+  values.end = top;
+
+  const svg::TextStyle heading{.size = svg::title_size, .bold = true};
+  const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
+  const double bar_left = margin + room + bar_gap;
+  std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
+  body += dots(p, values, frame) + arrows(p, frame) + outline(p, frame) + colour_bar(p, values, bar_left);
+  body += svg::text_lines(bar_left + bar_width + 9.0 + label_width(values) + svg::label_size + 4.0, top + 0.5 * height,
+                          label, upward);
+  body += scale_bar(round_step(0.1 * room / frame.scale), frame, top + height + 0.4 * scale_room);
+  if (p.position.empty())
+    body += svg::text(margin + 0.5 * room, top + 0.5 * height, "no particles to draw", {.anchor = svg::Anchor::middle});
+  return svg::document(width, top + height + scale_room + 0.5 * margin, p.title, body);
+}
+
+} // namespace matrigrate::io

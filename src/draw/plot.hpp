@@ -1,0 +1,68 @@
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <string>
+#include <vector>
+
+/// Figures as self-contained SVG text: light background, colour-blind-safe colours, dark text. Nothing here knows
+/// physics. Equal input gives equal bytes in every locale. Test: tests/unit/draw/plot_test.cpp,
+/// particle_picture_test.cpp
+namespace matrigrate::io {
+
+/// A finished picture.
+struct Figure {
+  std::string name;    ///< file name without ending
+  std::string caption; ///< one or two sentences for the report
+  std::string svg;     ///< the whole SVG document
+};
+
+enum class Mark { line, dashed, points };
+
+/// A curve of a plot. x and y are of one length; values that are not finite, or not positive on a logarithmic axis,
+/// break the line.
+struct Series {
+  std::string label = {}; ///< legend entry; empty for none
+  std::vector<double> x = {}, y = {};
+  Mark mark = Mark::line;
+  int colour = -1; ///< index into the palette; -1 takes the next one
+};
+
+/// A plot of curves over linear or logarithmic axes, with ticks at round numbers and a legend.
+struct Plot {
+  std::string title;
+  std::string x_label = {}, y_label = {}; ///< with unit: "time [s]"
+  bool log_x = false, log_y = false;
+  std::vector<Series> series = {};
+  bool equal_axes = false;   ///< a unit is as long on one axis as on the other, as on a map; linear axes only
+  double least_extent = 0.0; ///< both axes reach at least from minus to plus this, for plots to one scale; 0: as needed
+};
+
+/// @param width, height  [pixel] at least 240 x 200; the drawing gets taller where title and legend need it
+/// @return  the SVG document
+/// @throws std::invalid_argument if x and y of a series differ in length, the drawing is too small, or
+///         equal axes are wanted of a logarithmic one
+std::string to_svg(const Plot& plot, int width = 640, int height = 440);
+
+/// Particles in the plane coloured by a scalar, with a colour bar and a scale bar.
+struct ParticlePicture {
+  std::string title;
+  std::string value_label;                 ///< with unit: "displacement [um]"
+  std::vector<Vec2> position = {};         ///< [um]; a particle whose position is not finite is left out
+  std::vector<double> value = {};          ///< one a particle; grey where not finite
+  double particle_size = 2.0;              ///< diameter of a dot [um]
+  double value_min = 0.0, value_max = 0.0; ///< range of the colour bar; taken from the values if both are 0; values
+                                           ///< beyond it get the colour of its end
+  bool diverging = false;                  ///< a map with a neutral middle, for signed values
+  std::vector<Vec2> arrow = {};            ///< drawn from each particle if not empty, in any unit
+  std::vector<Vec2> outline = {};          ///< a closed curve on top of the particles [um]
+  double arrow_scale = 1.0;                ///< length of a drawn arrow over its vector [um per unit of arrow]
+};
+
+/// @param width  [pixel] at least 240; the height follows from the extent of the particles
+/// @return  the SVG document; compact: coordinates rounded to 0.1 pixel, one group a colour level
+/// @throws std::invalid_argument if the arrays differ in length, particle_size is not positive, the range of the colour
+///         bar is empty or the drawing is too small
+std::string to_svg(const ParticlePicture& picture, int width = 640);
+
+} // namespace matrigrate::io

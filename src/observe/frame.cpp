@@ -1,0 +1,186 @@
+#include "observe/frame.hpp"
+
+#include "cell/actomyosin.hpp"
+#include "cell/geometry.hpp"
+#include "ecm/fluid.hpp"
+#include "ecm/law/material.hpp"
+#include "observe/fields.hpp"
+#include "protrusion/adhesion.hpp"
+#include "sph/neighbours.hpp"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace matrigrate::io {
+
+namespace {
+
+constexpr double Pa = 1e3; // in a kPa
+
+/// Rounded to multiples of 1/16384.
+float fixed(double value) { return static_cast<float>(std::nearbyint(value * 16384.0) / 16384.0); }
+
+/// Rounded to 13 binary digits: what is left out would be noise that no compression can shorten.
+float short_float(double value) {
+  if (!std::isfinite(value)) return static_cast<float>(value);
+  constexpr std::uint32_t dropped = 11;
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  return std::bit_cast<float>((bits + (1U << (dropped - 1))) & ~((1U << dropped) - 1));
+}
+
+void add(Floats& to, const Vec2& x) {
+  to.push_back(static_cast<float>(x.x()));
+  to.push_back(static_cast<float>(x.y()));
+}
+
+/// Pressure of the fluid where it is now, 0 in the solid [kPa]: of the state alone, so that a run that goes on has it
+/// too. Neighbours are looked for in the box around the fluid only.
+std::vector<double> fluid_pressures(const EcmState& ecm, const EcmParameters& p) {
+  const Kernel kernel(p.smoothing_length);
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if (ecm.f[i] <= 0.0) box.extend(ecm.x[i]);
+  std::vector<double> pressures(ecm.size(), 0.0);
+  if (box.isEmpty()) return pressures;
+  const Vec2 reach = Vec2::Constant(kernel.support());
+  box = {box.min() - reach, box.max() + reach};
+  EcmState part;
+  part.V0 = ecm.V0;
+  part.period_x = ecm.period_x;
+  std::vector<std::size_t> of_part;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.period_x == 0.0 && !box.contains(ecm.x[i])) continue;
+    part.x.push_back(ecm.x[i]);
+    part.f.push_back(ecm.f[i]);
+    of_part.push_back(i);
+  }
+  const double rho_lattice = lattice_density(p);
+  const Adjacency pairs = neighbours_within(part.x, kernel.support(), part.period_x);
+  for (std::size_t k = 0; k < of_part.size(); ++k)
+    if (part.f[k] <= 0.0) pressures[of_part[k]] = fluid_pressure(part, p, pairs, kernel, rho_lattice, k);
+  return pressures;
+}
+
+MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w) {
+  const EcmState& ecm = s.ecm;
+  const double K = moduli(p.ecm).K;
+  const std::vector<double> fluid = fluid_pressures(ecm, p.ecm);
+  MatrixFrame m;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    const Vec2 u = ecm.displacement(i);
+    const bool solid = ecm.f[i] > 0.0;
+    m.displacement.insert(m.displacement.end(), {fixed(u.x()), fixed(u.y())});
+    m.velocity.insert(m.velocity.end(), {short_float(ecm.v[i].x()), short_float(ecm.v[i].y())});
+    m.f_degr.push_back(static_cast<float>(ecm.f[i]));
+    m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K) : fluid[i])));
+    m.von_mises.push_back(solid ? short_float(Pa * von_mises(ecm.S[i])) : 0.0F);
+  }
+  if (!w.fibres.empty())
+    for (const double stress : fibre_stress_field(ecm, p.fibres, w.fibres))
+      m.fibre_von_mises.push_back(std::isnan(stress) ? 0.0F : short_float(Pa * stress));
+  return m;
+}
+
+/// Magnitude of what the tensions of both segments of each particle add up to [nN].
+Floats actomyosin_forces(const CortexState& c, const std::vector<double>& f_mat, const ActomyosinParameters& p) {
+  std::vector<Vec2> sum(c.size(), Vec2::Zero());
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const std::size_t j = c.next(i);
+    const Vec2 T =
+        F_am(f_mat[i], f_mat[j], 0.5 * (curvature(c, i) + curvature(c, j)), p) * (c.x[j] - c.x[i]).normalized();
+    sum[i] += T;
+    sum[j] -= T;
+  }
+  Floats magnitude;
+  for (const Vec2& F : sum) magnitude.push_back(static_cast<float>(F.norm()));
+  return magnitude;
+}
+
+OutlineFrame outline_frame(const State& s, const Parameters& p) {
+  const CortexState& c = s.cortex;
+  const Membership m = membership(s, p);
+  OutlineFrame o;
+  o.front = s.polarization ? front(c, *s.polarization) : Bytes(c.size(), 1);
+  o.force = actomyosin_forces(c, m.f_mat, p.actomyosin);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    add(o.x, c.x[i]);
+    o.f_mat.push_back(static_cast<float>(m.f_mat[i]));
+    o.curvature.push_back(static_cast<float>(curvature(c, i)));
+    const bool none = m.of_particle[i] == no_protrusion || m.of_particle[i] >= of_none;
+    o.protrusion.push_back(none ? of_none : static_cast<std::uint8_t>(m.of_particle[i]));
+    o.phase.push_back(
+        none ? of_none
+             : static_cast<std::uint8_t>(s.protrusions[static_cast<std::size_t>(m.of_particle[i])].phase.index()));
+  }
+  return o;
+}
+
+struct Maturation {
+  double operator()(const Growing&) const { return 0.0; }
+  double operator()(const Maturing& phase) const { return std::min(1.0, 0.1 * (phase.steps + 1)); }
+  double operator()(const Contracting& phase) const { return phase.f_mat; }
+  double operator()(const Finishing& phase) const { return phase.f_mat; }
+};
+
+ProtrusionFrame protrusion_frame(const State& s, const Parameters& p) {
+  ProtrusionFrame out;
+  for (const Protrusion& protrusion : s.protrusions) {
+    const Vec2* adhered = anchor(protrusion.phase);
+    out.id.push_back(static_cast<float>(protrusion.record.id));
+    out.centre.push_back(static_cast<float>(protrusion.centre));
+    out.phase.push_back(static_cast<std::uint8_t>(protrusion.phase.index()));
+    add(out.anchor, adhered != nullptr ? *adhered : Vec2(never, never));
+    out.f_mat.push_back(static_cast<float>(std::visit(Maturation{}, protrusion.phase)));
+    out.force.push_back(static_cast<float>(adhesion_force(s, protrusion, p.adhesion)));
+  }
+  return out;
+}
+
+} // namespace
+
+std::span<const FrameField<Floats>> float_fields() {
+  static constexpr std::array<FrameField<Floats>, 15> all{{
+      {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
+      {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
+      {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
+      {"matrix/pressure", "Pa", 1, [](Frame& f) -> Floats& { return f.matrix.pressure; }},
+      {"matrix/von_mises", "Pa", 1, [](Frame& f) -> Floats& { return f.matrix.von_mises; }},
+      {"matrix/fibre_von_mises", "Pa", 1, [](Frame& f) -> Floats& { return f.matrix.fibre_von_mises; }},
+      {"outline/position", "um", 2, [](Frame& f) -> Floats& { return f.outline.x; }},
+      {"outline/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.outline.f_mat; }},
+      {"outline/curvature", "1/um", 1, [](Frame& f) -> Floats& { return f.outline.curvature; }},
+      {"outline/actomyosin_force", "nN", 1, [](Frame& f) -> Floats& { return f.outline.force; }},
+      {"protrusions/id", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.id; }},
+      {"protrusions/centre", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.centre; }},
+      {"protrusions/anchor", "um", 2, [](Frame& f) -> Floats& { return f.protrusions.anchor; }},
+      {"protrusions/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.f_mat; }},
+      {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
+  }};
+  return all;
+}
+
+std::span<const FrameField<Bytes>> byte_fields() {
+  static constexpr std::array<FrameField<Bytes>, 4> all{{
+      {"outline/front", "1", 1, [](Frame& f) -> Bytes& { return f.outline.front; }},
+      {"outline/protrusion", "1", 1, [](Frame& f) -> Bytes& { return f.outline.protrusion; }},
+      {"outline/phase", "1", 1, [](Frame& f) -> Bytes& { return f.outline.phase; }},
+      {"protrusions/phase", "1", 1, [](Frame& f) -> Bytes& { return f.protrusions.phase; }},
+  }};
+  return all;
+}
+
+FrameHead frame_head(const State& s, const Parameters& p) {
+  FrameHead head{.radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}};
+  for (const Vec2& X : s.ecm.X) add(head.reference, X);
+  return head;
+}
+
+Frame frame(const State& s, const Parameters& p, const Workspace& w) {
+  return {
+      .t = s.t, .matrix = matrix_frame(s, p, w), .outline = outline_frame(s, p), .protrusions = protrusion_frame(s, p)};
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "simulation/workspace.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// What is kept of a state to be looked at: fields of the matrix, outline of the cell, protrusions alive. Numbers are
+/// 32 bits long, and hold no more digits than are meant: displacements 1/16384 um, velocities and stresses four of
+/// them. Test: tests/unit/observe/frame_test.cpp
+namespace matrigrate::io {
+
+/// Numbers beside each other, those of an entry together: x0, y0, x1, y1, ...
+using Floats = std::vector<float>;
+using Bytes = std::vector<std::uint8_t>;
+
+inline constexpr std::uint8_t of_none = 255; ///< outline particles without a protrusion
+
+/// Fields of the matrix, one entry a particle.
+struct MatrixFrame {
+  Floats displacement;    ///< [um]
+  Floats velocity;        ///< [um/s]
+  Floats f_degr;          ///< 1 intact solid, 0 fluid [-]
+  Floats pressure;        ///< of the solid, or of the fluid, compression positive [Pa]
+  Floats von_mises;       ///< of the solid; 0 in the fluid [Pa]
+  Floats fibre_von_mises; ///< Eq. (11); 0 in the fluid; empty without fibres [Pa]
+};
+
+/// Particles of the cortex, around the cell.
+struct OutlineFrame {
+  Floats x;         ///< [um]
+  Floats f_mat;     ///< maturation of the cortex [-]
+  Floats curvature; ///< convex positive [1/um]
+  Floats force;     ///< magnitude of the actomyosin force on the particle [nN]
+  Bytes front;      ///< 1 in the front of the cell; all of it before the first protrusion
+  Bytes protrusion; ///< which of the frame's protrusions it belongs to, or of_none
+  Bytes phase;      ///< of that protrusion, or of_none
+};
+
+/// Protrusions alive, in the order of initiation.
+struct ProtrusionFrame {
+  Floats id;     ///< as in protrusions.csv
+  Floats centre; ///< index of the central particle
+  Bytes phase;   ///< 0 growing, 1 maturing, 2 contracting, 3 finishing
+  Floats anchor; ///< adhered point; NaN without one [um]
+  Floats f_mat;  ///< maturation; 0 while growing [-]
+  Floats force;  ///< of the adhesion; 0 without one [nN]
+};
+
+struct Frame {
+  double t = 0.0; ///< [s]
+  MatrixFrame matrix;
+  OutlineFrame outline;
+  ProtrusionFrame protrusions;
+};
+
+/// What is the same in all frames.
+struct FrameHead {
+  double radius = 0.0;  ///< of the disc [um]
+  double spacing = 0.0; ///< of the matrix particles [um]
+  Floats reference;     ///< reference positions of the matrix particles [um]
+
+  std::size_t particles() const { return reference.size() / 2; }
+};
+
+/// All that was kept of a run.
+struct Film {
+  FrameHead head;
+  std::vector<Frame> frames;
+};
+
+/// Where a field stands, for all who write or read frames.
+template <class Numbers>
+struct FrameField {
+  std::string_view name;    ///< in files: "matrix/displacement"
+  std::string_view unit;    ///< "1" for a ratio or a count
+  std::uint32_t components; ///< 1, or 2 for vectors
+  Numbers& (*of)(Frame&);
+
+  const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
+};
+std::span<const FrameField<Floats>> float_fields();
+std::span<const FrameField<Bytes>> byte_fields();
+
+FrameHead frame_head(const State& s, const Parameters& p);
+
+/// @param w  for its fibres; all else is of the state, so that a run that goes on writes the same frames
+Frame frame(const State& s, const Parameters& p, const Workspace& w);
+
+} // namespace matrigrate::io

@@ -1,0 +1,81 @@
+#include "observe/readout_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace matrigrate {
+
+std::string ReadOutSpec::meaning_with_unit() const {
+  return unit.empty() ? std::string(meaning) : fmt::format("{} [{}]", meaning, unit);
+}
+
+std::span<const ReadOutSpec> readout_table() {
+  using Value = ReadOutValue;
+  // clang-format off
+  static constexpr std::array<ReadOutSpec, 21> table{{
+      {.name = "duration_s", .label = "duration", .unit = "s", .meaning = "duration",
+       .value = [](const ReadOuts& r) -> Value { return r.duration; }},
+      {.name = "v_migr_abs_um_per_h", .label = "v_migr_abs", .unit = "um/h", .meaning = "speed, start to end",
+       .value = [](const ReadOuts& r) -> Value { return r.v_migr_abs; }, .usual = true},
+      {.name = "v_migr_path_60s_um_per_h", .label = "v_migr_path_60s", .unit = "um/h",
+       .meaning = "speed along the path, sampled every 60 s",
+       .value = [](const ReadOuts& r) -> Value { return r.v_migr_path_60s; }, .usual = true},
+      {.name = "v_migr_path_600s_um_per_h", .label = "v_migr_path_600s", .unit = "um/h",
+       .meaning = "speed along the path, sampled every 600 s",
+       .value = [](const ReadOuts& r) -> Value { return r.v_migr_path_600s; }},
+      {.name = "n_protrusions", .label = "n_protrusions", .unit = "", .meaning = "protrusions initiated",
+       .value = [](const ReadOuts& r) -> Value { return r.n_protrusions; }, .usual = true},
+      {.name = "n_unadhered", .label = "n_unadhered", .unit = "", .meaning = "of them, never adhered",
+       .value = [](const ReadOuts& r) -> Value { return r.n_unadhered; }},
+      {.name = "tau_prot_min", .label = "tau_prot", .unit = "min", .meaning = "life of a mature adhesion, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.tau_prot.value; }, .usual = true},
+      {.name = "n_tau_prot", .label = "n_tau_prot", .unit = "", .meaning = "adhesions in this mean",
+       .value = [](const ReadOuts& r) -> Value { return r.tau_prot.n; }},
+      {.name = "n_censored", .label = "n_censored", .unit = "",
+       .meaning = "mature adhesions still alive, not in this mean",
+       .value = [](const ReadOuts& r) -> Value { return r.n_censored; }},
+      {.name = "l_prot_um", .label = "l_prot", .unit = "um", .meaning = "length at the end of growth, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.l_prot.value; }, .usual = true},
+      {.name = "f_mat", .label = "f_mat", .unit = "-", .meaning = "maturation, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.f_mat.value; }, .usual = true},
+      {.name = "force_nN", .label = "force", .unit = "nN", .meaning = "force at disassembly, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.force.value; }},
+      {.name = "f_adh_rel", .label = "f_adh_rel", .unit = "-", .meaning = "force at disassembly over f_mat F_am, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.f_adh_rel.value; }, .usual = true},
+      {.name = "n_simultaneous_mean", .label = "n_simultaneous_mean", .unit = "",
+       .meaning = "protrusions at a time, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.mean_simultaneous; }},
+      {.name = "n_simultaneous_max", .label = "n_simultaneous_max", .unit = "",
+       .meaning = "protrusions at a time, most",
+       .value = [](const ReadOuts& r) -> Value { return r.most_simultaneous; }},
+      {.name = "msd_slope", .label = "msd_slope", .unit = "",
+       .meaning = "log-log slope of the mean square displacement, lags of 10 min to half the run",
+       .value = [](const ReadOuts& r) -> Value { return r.msd_slope; }, .usual = true},
+      {.name = "path_angle_deg", .label = "path_angle", .unit = "degrees",
+       .meaning = "mean angle of the path, sampled every 600 s, to uniaxial fibres",
+       .value = [](const ReadOuts& r) -> Value { return r.path_angle; }, .of_fibres = true},
+      {.name = "f_mat_along", .label = "f_mat_along", .unit = "-",
+       .meaning = "maturation of protrusions along uniaxial fibres, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.along.f_mat.value; }, .of_fibres = true},
+      {.name = "f_mat_across", .label = "f_mat_across", .unit = "-",
+       .meaning = "maturation of protrusions across uniaxial fibres, mean",
+       .value = [](const ReadOuts& r) -> Value { return r.across.f_mat.value; }, .of_fibres = true},
+      {.name = "share_ruptured_along", .label = "share_ruptured_along", .unit = "",
+       .meaning = "share of adhesions along uniaxial fibres that ended by rupture",
+       .value = [](const ReadOuts& r) -> Value { return r.along.ruptured.value; }, .of_fibres = true},
+      {.name = "share_ruptured_across", .label = "share_ruptured_across", .unit = "",
+       .meaning = "share of adhesions across uniaxial fibres that ended by rupture",
+       .value = [](const ReadOuts& r) -> Value { return r.across.ruptured.value; }, .of_fibres = true},
+  }};
+  // clang-format on
+  return table;
+}
+
+const ReadOutSpec* find_readout(std::string_view name) {
+  const auto found = std::ranges::find(readout_table(), name, &ReadOutSpec::name);
+  return found == readout_table().end() ? nullptr : &*found;
+}
+
+} // namespace matrigrate

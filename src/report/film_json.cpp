@@ -1,0 +1,117 @@
+#include "report/film_json.hpp"
+
+#include "report/packed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace matrigrate::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double byte_range = 255.0;
+
+Json layer(const Film& film, const Floats& (*field)(const Frame&)) {
+  const Limits limits = usual_limits(film, field);
+  return packed({.scale = (limits.high - limits.low) / byte_range, .offset = limits.low}, film.frames.size(),
+                [&](std::size_t k) -> const Floats& { return field(film.frames[k]); });
+}
+
+/// Positions to 0.005 um, or coarser where 16 bits would not reach the rim.
+Packing positions(const FrameHead& head) {
+  constexpr double reach = 32767.0;
+  return {.wide = true, .components = 2, .scale = std::max(0.005, 1.05 * (head.radius + head.spacing) / reach)};
+}
+
+Json particles_json(const Film& film) {
+  Floats x;
+  const auto positions_of = [&](std::size_t k) -> const Floats& {
+    x = film.frames[k].matrix.displacement;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += film.head.reference[i];
+    return x;
+  };
+  Json json{{"x", packed(positions(film.head), film.frames.size(), positions_of)},
+            {"f", packed({.scale = 1.0 / byte_range}, film.frames.size(),
+                         [&](std::size_t k) -> const Floats& { return film.frames[k].matrix.f_degr; })},
+            {"pressure", layer(film, [](const Frame& f) -> const Floats& { return f.matrix.pressure; })},
+            {"von_mises", layer(film, [](const Frame& f) -> const Floats& { return f.matrix.von_mises; })}};
+  if (!film.frames.front().matrix.fibre_von_mises.empty())
+    json["fibre_von_mises"] = layer(film, [](const Frame& f) -> const Floats& { return f.matrix.fibre_von_mises; });
+  return json;
+}
+
+Json outline_json(const Film& film) {
+  const std::size_t n = film.frames.size();
+  double strongest = 0.0;
+  for (const Frame& frame : film.frames)
+    for (const float force : frame.outline.force) strongest = std::max(strongest, static_cast<double>(force));
+  Floats row;
+  const auto bytes = [&](const Bytes OutlineFrame::*field) {
+    return packed({}, n, [&film, &row, field](std::size_t k) -> const Floats& {
+      const Bytes& values = film.frames[k].outline.*field;
+      row.assign(values.begin(), values.end());
+      return row;
+    });
+  };
+  const auto floats = [&](const Packing& packing, const Floats OutlineFrame::*field) {
+    return packed(packing, n, [&film, field](std::size_t k) -> const Floats& { return film.frames[k].outline.*field; });
+  };
+  return {{"x", floats(positions(film.head), &OutlineFrame::x)},
+          {"front", bytes(&OutlineFrame::front)},
+          {"protrusion", bytes(&OutlineFrame::protrusion)},
+          {"f_mat", floats({.scale = 1.0 / byte_range}, &OutlineFrame::f_mat)},
+          {"force", floats({.scale = (strongest > 0.0 ? strongest : 1.0) / byte_range}, &OutlineFrame::force)}};
+}
+
+Json protrusions_json(const ProtrusionFrame& p) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < p.id.size(); ++i)
+    list.push_back({{"id", static_cast<std::uint32_t>(p.id[i])},
+                    {"phase", p.phase[i]},
+                    {"centre", static_cast<std::uint32_t>(p.centre[i])},
+                    {"anchor", std::isnan(p.anchor[2 * i]) ? Json() : Json{p.anchor[2 * i], p.anchor[2 * i + 1]}},
+                    {"f_mat", p.f_mat[i]},
+                    {"force_nN", p.force[i]}});
+  return list;
+}
+
+} // namespace
+
+Limits usual_limits(const Film& film, const Floats& (*field)(const Frame&)) {
+  std::vector<float> values;
+  values.reserve(film.frames.size() * film.head.particles()); // without growing: it is a large part of all memory
+  for (const Frame& frame : film.frames) {
+    const Floats& all = field(frame);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (frame.matrix.f_degr[i] > 0.0F && std::isfinite(all[i])) values.push_back(all[i]);
+  }
+  if (values.empty()) return {};
+  const auto at = [&](std::size_t place) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
+    return static_cast<double>(values[place]);
+  };
+  const std::size_t outside = values.size() / 2000; // on either side
+  const Limits limits{.low = std::min(0.0, at(outside)), .high = at(values.size() - 1 - outside)};
+  return limits.high > limits.low ? limits : Limits{limits.low, limits.low + 1.0};
+}
+
+Json film_json(const Film& film) {
+  if (film.frames.empty()) return {};
+  Json times = Json::array();
+  Json protrusions = Json::array();
+  for (const Frame& frame : film.frames) {
+    times.push_back(frame.t);
+    protrusions.push_back(protrusions_json(frame.protrusions));
+  }
+  Packing reference = positions(film.head);
+  reference.delta = false;
+  return {{"times_s", std::move(times)},
+          {"reference", packed(reference, 1, [&](std::size_t) -> const Floats& { return film.head.reference; })},
+          {"particles", particles_json(film)},
+          {"outline", outline_json(film)},
+          {"protrusions", std::move(protrusions)}};
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "observe/frame.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+
+/// Numbers of many frames in few characters, as viewer/README.md describes it. Test: tests/unit/report/packed_test.cpp
+namespace matrigrate::io {
+
+/// How numbers are stored: value = offset + scale q.
+struct Packing {
+  bool wide = false; ///< q of 16 bits with sign, else of 8 bits without
+  int components = 1;
+  double scale = 1.0;
+  double offset = 0.0;
+  bool delta = true; ///< whether frames after the first store differences of q
+};
+
+/// The numbers of one frame.
+using FrameValues = std::function<const Floats&(std::size_t frame)>;
+
+/// {type, components, per_frame, scale, offset, delta, data}
+/// @param frames  at least one, all of one size
+nlohmann::ordered_json packed(const Packing& packing, std::size_t frames, const FrameValues& values);
+
+} // namespace matrigrate::io

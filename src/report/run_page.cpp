@@ -1,0 +1,163 @@
+#include "report/run_page.hpp"
+
+#include "parameters/schema.hpp"
+#include "report/film_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace matrigrate::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json; // NaN is written as null
+
+Json tracks_json(std::span<const TrackRow> rows) {
+  Json json{{"t_s", Json::array()},           {"x_um", Json::array()},         {"y_um", Json::array()},
+            {"area_um2", Json::array()},      {"perimeter_um", Json::array()}, {"polarization_rad", Json::array()},
+            {"n_simultaneous", Json::array()}};
+  for (const TrackRow& row : rows) {
+    json["t_s"].push_back(row.t);
+    json["x_um"].push_back(row.centre.x());
+    json["y_um"].push_back(row.centre.y());
+    json["area_um2"].push_back(row.area);
+    json["perimeter_um"].push_back(row.perimeter);
+    json["polarization_rad"].push_back(row.polarization.value_or(never));
+    json["n_simultaneous"].push_back(row.alive());
+  }
+  return json;
+}
+
+Json json_of(const Field& field) {
+  return std::visit([](const auto& value) { return Json(value); }, field);
+}
+
+Json protrusions_json(const RunReport& report) {
+  Json list = Json::array();
+  const std::vector<std::string_view> columns = protrusion_columns();
+  for (const ProtrusionRecord& record : report.records) {
+    const std::vector<Field> row = fields(record, report.p.actomyosin);
+    Json json;
+    for (std::size_t i = 0; i < columns.size(); ++i) json[std::string(columns[i])] = json_of(row[i]);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json facts_json(const std::vector<Fact>& facts) {
+  Json list = Json::array();
+  for (const Fact& fact : facts) list.push_back({{"name", fact.name}, {"value", fact.value}});
+  return list;
+}
+
+Json readouts_json(const RunReport& report) {
+  Json list = Json::array();
+  for (const NamedValue& v : shown_values(report.readouts, report.p))
+    list.push_back({{"name", v.name}, {"meaning", v.meaning}, {"value", json_of(v.value)}});
+  return list;
+}
+
+/// The largest of a column over all rows; NaN without rows.
+template <class Value>
+double worst(std::span<const HealthRow> rows, const Value& value) {
+  double most = never;
+  for (const HealthRow& row : rows) {
+    const auto x = static_cast<double>(value(row));
+    if (!(x <= most)) most = std::isnan(x) ? most : x;
+  }
+  return most;
+}
+
+Json health_json(std::span<const HealthRow> rows) {
+  Json list = Json::array();
+  const auto add = [&](const char* name, const char* meaning, double value) {
+    list.push_back({{"name", name}, {"meaning", meaning}, {"value", value}});
+  };
+  add("solver_iterations_max", "iterations of the solver in a step, largest number",
+      worst(rows, [](const HealthRow& r) { return r.most_iterations; }));
+  add("solver_residual_max", "relative residual of the solver, largest [-]",
+      worst(rows, [](const HealthRow& r) { return r.largest_residual; }));
+  add("force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]",
+      worst(rows, [](const HealthRow& r) { return r.force_imbalance; }));
+  add("n_orphans", "particles made fluid since too few neighbours were left",
+      worst(rows, [](const HealthRow& r) { return r.orphans; }));
+  add("n_torn", "particles made fluid since their density left its allowed range",
+      worst(rows, [](const HealthRow& r) { return r.torn; }));
+  add("n_engulfed", "solid particles made fluid inside the cell",
+      worst(rows, [](const HealthRow& r) { return r.engulfed; }));
+  add("n_solid_inside", "solid particles inside the cell, largest number",
+      worst(rows, [](const HealthRow& r) { return r.solid_inside; }));
+  add("area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]",
+      worst(rows, [](const HealthRow& r) { return std::abs(r.area_ratio - 1.0); }));
+  add("density_max", "density of the solid over that of the start, largest deviation from 1 [-]",
+      worst(rows, [](const HealthRow& r) { return std::max(r.density_max - 1.0, 1.0 - r.density_min); }));
+  return list;
+}
+
+/// A value as in a scenario, without quotes.
+std::string bare(std::string text) {
+  std::erase(text, '"');
+  return text;
+}
+
+Json changed_parameters(const Parameters& p) {
+  const Parameters defaults;
+  Json list = Json::array();
+  for (const Row& row : schema())
+    if (value_text(row, p) != value_text(row, defaults))
+      list.push_back({{"name", row.path},
+                      {"value", bare(value_text(row, p))},
+                      {"default", bare(value_text(row, defaults))},
+                      {"meaning", row.description}});
+  return list;
+}
+
+} // namespace
+
+std::string citation() {
+  return "Heck et al. 2020, The role of actin protrusion dynamics in cell migration through a degradable viscoelastic "
+         "extracellular matrix: Insights from a computational model. PLoS Comput Biol 16(1): e1007250, "
+         "doi:10.1371/journal.pcbi.1007250. Computed with Matrigrate; the file CITATION.cff in its source says how to "
+         "cite it.";
+}
+
+Json run_data(const RunReport& report) {
+  const bool plays = report.film != nullptr && !report.film->frames.empty();
+  const std::size_t n = plays ? report.film->head.particles() : 0;
+  return {{"format", "matrigrate-run"},
+          {"version", 1},
+          {"title", report.title},
+          {"status", report.status},
+          {"summary", result_sentence(report.readouts)},
+          {"facts", facts_json(report.facts)},
+          {"t_end_s", report.t_end},
+          {"geometry",
+           {{"radius_um", report.p.ecm.radius},
+            {"spacing_um", report.p.ecm.particle_spacing},
+            {"n_particles", n},
+            {"n_outline", report.p.cell.particles}}},
+          {"frames", plays ? film_json(*report.film) : Json()},
+          {"tracks", tracks_json(report.rows)},
+          {"protrusions", protrusions_json(report)},
+          {"readouts", readouts_json(report)},
+          {"parameters", changed_parameters(report.p)},
+          {"health", health_json(report.health)},
+          {"provenance", report.provenance},
+          {"citation", citation()}};
+}
+
+std::string filled_page(std::string_view page_template, const Json& data) {
+  constexpr std::string_view place = "<script type=\"application/json\" id=\"matrigrate-data\">null</script>";
+  constexpr std::string_view before = "null</script>";
+  const std::size_t at = page_template.find(place);
+  if (at == std::string_view::npos || page_template.find(place, at + 1) != std::string_view::npos)
+    throw std::invalid_argument("the template of a page has no place for data, or several");
+  const std::size_t start = at + place.size() - before.size();
+  std::string page(page_template.substr(0, start));
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
+    c == '<' ? page += "\\u003c" : page += c;
+  return page.append(page_template.substr(start + 4));
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,122 @@
+#include "run/branch.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/read.hpp"
+#include "parameters/schema.hpp"
+#include "run/occupied_folder.hpp"
+#include "run/provenance.hpp"
+#include "run/stopped_run.hpp"
+#include "simulation/start.hpp"
+#include "simulation/start_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace matrigrate::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Sections and keys that the start was made with: a state that exists cannot be given others.
+bool of_the_start(std::string_view path) {
+  constexpr std::array<std::string_view, 10> fixed{
+      "ecm.radius",      "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice",  "ecm.cell_hole",
+      "ecm.formulation", "cell.radius",          "cell.particles",       "cell.start_x", "cell.start_y"};
+  return std::ranges::find(fixed, path) != fixed.end();
+}
+
+/// @throws ConfigurationError naming every parameter that the branch cannot change
+void require_same_start(const Parameters& before, const Parameters& after) {
+  std::vector<Fault> faults;
+  for (const Row& row : schema())
+    if (of_the_start(row.path) && value_text(row, before) != value_text(row, after))
+      faults.push_back({.file = "--set",
+                        .key = std::string(row.path),
+                        .message = fmt::format("a branch goes on with the bodies that there are, made with {}; only a "
+                                               "new run can have {}",
+                                               value_text(row, before), value_text(row, after))});
+  if (!faults.empty()) throw ConfigurationError(std::move(faults));
+}
+
+/// The checkpoint that lies closest before t; none: the start. Warns of those that cannot be read.
+std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t, RunObserver& observer) {
+  std::vector<fs::path> files{folder / io::checkpoint_name, folder / io::previous_checkpoint_name};
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
+    if (entry.path().extension() == ".h5") files.push_back(entry.path());
+  std::optional<FoundCheckpoint> best;
+  for (const fs::path& file : files) {
+    if (!fs::exists(file, error)) continue;
+    try {
+      FoundCheckpoint found = read_checkpoint_of(folder, file);
+      const double at = found.checkpoint.state.t;
+      if (at <= t * (1.0 + 1e-12) && (!best || at > best->checkpoint.state.t)) best = std::move(found);
+    } catch (const InputOutputError& trouble) { // an earlier one will do
+      observer.warn(fmt::format("{}; it is not used", trouble.what()));
+    }
+  }
+  return best;
+}
+
+void require_multiple(double t, const Parameters& p) {
+  const double steps = t / p.run.time_step;
+  if (std::abs(steps - std::round(steps)) > 1e-6)
+    throw ConfigurationError(
+        {{.file = "--at",
+          .key = {},
+          .message = fmt::format("{:.6g} s is no multiple of run.time_step, {:.6g} s", t, p.run.time_step)}});
+}
+
+} // namespace
+
+RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptions& options, RunObserver& observer) {
+  const Parameters before = scenario_of(from, observer);
+  const Parameters after = apply_overrides(before, how.overrides, start_rules());
+  require_same_start(before, after);
+  std::optional<FoundCheckpoint> found =
+      how.at ? checkpoint_before(from, *how.at, observer) : last_checkpoint(from, how.previous);
+  const double until = how.at ? *how.at : found->checkpoint.state.t;
+  require_multiple(until, before);
+  require_multiple(until, after);
+  if (until >= after.run.duration)
+    throw ConfigurationError({{.file = "--at",
+                               .key = {},
+                               .message = fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another",
+                                                      until, after.run.duration)}});
+
+  const Json record = record_of(from);
+  RunStart start;
+  if (found) {
+    warn_of_other_program(*found, observer);
+    start = start_from(*found, record);
+    start.lineage.push_back(event("branched", *found));
+  } else {
+    start = {.s = initial_state(before), .p = before};
+    start.lineage = lineage_of(record);
+    start.lineage.push_back(
+        {{"event", "branched"}, {"checkpoint", nullptr}, {"by", version_line()}, {"when", time_now()}});
+  }
+  start.scenario = scenario_name(record, from);
+  start.commands = commands_of(record);
+  start.commands.push_back(options.command_line);
+  start.earlier_wall_time = 0.0;
+  start.frames_from = from;
+  start.lineage.back()["at_s"] = until;
+  start.lineage.back()["from"] = from.string();
+  start.lineage.back()["configuration_hash"] = configuration_hash(before);
+  start.lineage.back()["set"] = how.overrides;
+  start.p = after;
+  start.before = BranchPoint{.p = before, .until = until};
+  if (!is_free(options.folder))
+    throw InputOutputError(options.folder.string() + ": exists and is not empty; choose another folder with -o");
+  make_output_folder(options.folder, false);
+  return run(std::move(start), options, observer);
+}
+
+} // namespace matrigrate::run

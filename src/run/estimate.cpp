@@ -1,0 +1,157 @@
+#include "run/estimate.hpp"
+
+#include "ecm/law/material.hpp"
+#include "state/cortex.hpp"
+#include "state/initial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace matrigrate::run {
+
+namespace {
+
+// Measured with one thread on a server (AMD EPYC), release build: six hours of the baseline at 2.9 ms a step of 17,665
+// particles, 5,000 adaptive steps of up to 5 s at 3.9 ms; a decade of the tolerance costs 0.3 ms. A run takes 70 MB
+// before its end. Conjugate gradients took 3.4 R/h iterations to 1e-6.
+constexpr double seconds_a_pair = 3.8e-9;
+constexpr double seconds_a_pair_and_decade = 0.7e-9;
+constexpr double of_longer_steps = 1.6; // a step of the adaptive integrator, halved ones included
+constexpr double seconds_a_pair_and_iteration = 1.0e-9;
+constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
+constexpr double bytes_alone = 20e6;
+constexpr double bytes_a_particle = 600.0;
+constexpr double bytes_a_pair = 75.0;
+
+/// Mean number of particles within a distance of a point of the lattice, itself left out.
+double particles_within(double reach, const EcmParameters& ecm) {
+  return std::numbers::pi * reach * reach / particle_area(ecm) - 1.0;
+}
+
+double times(const Parameters& p, double interval) {
+  return interval > 0.0 ? std::floor(p.run.duration / interval) : 0.0;
+}
+double frames(const Parameters& p) {
+  return p.output.field_interval > 0.0 ? times(p, p.output.field_interval) + 1.0 : 0.0;
+}
+
+// Measured: 76 to 85 MB at the end of a run with 73 frames of 17,665 particles, when little else is left.
+constexpr double bytes_a_particle_and_frame = 50.0;
+
+// Measured: six hours of the baseline, 17,665 particles, leave 25.4 MB of fields and 2.3 MB of report in 73 frames,
+// 3.2 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
+double disk_bytes(const Parameters& p, double particles) {
+  const OutputParameters& out = p.output;
+  const bool fibres = p.fibres.arrangement != FibreArrangement::none;
+  const double layers =
+      out.pictures ? 1.0 + (out.displacement_layer ? 1.0 : 0.0) + (fibres && out.fibre_stress_layer ? 1.0 : 0.0) : 0.0;
+  return 8e4 + 250.0 * (times(p, out.track_interval) + 2.0)
+         + particles
+               * (frames(p) * (19.7 + (out.report ? 1.7 : 0.0)) + 180.0 * (2.0 + times(p, out.kept_checkpoint_interval))
+                  + 17.0 * layers * (times(p, out.snapshot_interval) + 1.0));
+}
+
+double steps(const Parameters& p) { return std::ceil(p.run.duration / p.run.time_step - 1e-9); }
+
+double listed_neighbours(const EcmParameters& ecm) {
+  return particles_within(2.0 * ecm.smoothing_length + ecm.verlet_skin, ecm);
+}
+
+double wall_time(const Parameters& p, double particles) {
+  const double decades = -std::log10(p.solver.tolerance);
+  const double solve = p.solver.method == SolverMethod::multigrid
+                           ? seconds_a_pair_and_decade
+                           : seconds_a_pair_and_iteration * iterations_a_radius * p.ecm.radius / p.ecm.smoothing_length;
+  const double longer = p.run.integrator == Integrator::adaptive ? of_longer_steps : 1.0;
+  return longer * steps(p) * particles * listed_neighbours(p.ecm) * (seconds_a_pair + decades * solve);
+}
+
+} // namespace
+
+std::size_t particle_count(const Parameters& p) { return lattice_patch(p.ecm, p.ecm.radius).size(); }
+
+RunCost run_cost(const Parameters& p, std::size_t particles) {
+  const auto n = static_cast<double>(particles);
+  return {.memory_bytes = bytes_alone
+                          + n
+                                * std::max(bytes_a_particle + listed_neighbours(p.ecm) * bytes_a_pair,
+                                           frames(p) * bytes_a_particle_and_frame),
+          .disk_bytes = disk_bytes(p, n),
+          .wall_time = wall_time(p, n)};
+}
+
+Derived derived(const Parameters& p) {
+  const EcmState ecm = disc(p);
+  const Moduli m = moduli(p.ecm);
+  const auto clamped = static_cast<std::size_t>(std::ranges::count(ecm.clamped, 1));
+  const int in_front = p.cell.particles / 2;
+  const StepLimits limits = step_limits(p);
+  Parameters as_run = p;
+  as_run.run.time_step = longest_step(p, limits);
+  return {.K = m.K,
+          .G = m.G,
+          .shear_time = p.ecm.viscosity / m.G,
+          .compression_time = p.ecm.viscosity / m.longitudinal(),
+          .free_particles = ecm.size() - clamped,
+          .clamped_particles = clamped,
+          .fluid_particles = static_cast<std::size_t>(std::ranges::count(ecm.f, 0.0)),
+          .neighbours = static_cast<double>(lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size()) - 1.0,
+          .segment_length = initial_segment_length(p.cell),
+          .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
+          .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
+          .wait = 1.0 / (in_front * p.protrusion.initiation_rate),
+          .longest_step = as_run.run.time_step,
+          .steps = steps(as_run),
+          .limits = limits,
+          .bonds = fibre_bonds(p),
+          .cost = run_cost(as_run, ecm.size())};
+}
+
+std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) {
+  if (p.run.integrator == Integrator::adaptive) return std::nullopt;
+  Parameters q = p;
+  q.run.integrator = Integrator::adaptive;
+  q.run.time_step = std::min(usual_time_step(Integrator::adaptive), p.run.duration);
+  q.run.time_step = longest_step(q, d.limits);
+  if (q.run.time_step <= p.run.time_step) return std::nullopt;
+  return Quicker{q.run.time_step, wall_time(q, static_cast<double>(d.particles()))};
+}
+
+std::string wall_time_basis() {
+  return "The wall time rests on the measured cost of the baseline on one core of a server: 3.8 ns a step for each\n"
+         "listed pair of particles, and 0.7 ns for each decade of solver.tolerance; 1.6 times that for each step of "
+         "the\n"
+         "adaptive integrator. A machine with other work to do takes longer.";
+}
+
+std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
+  std::vector<std::string> found;
+  const double limit = largest_step(p, d.limits);
+  const std::string too_long = fault_of_step(p, d.limits);
+  const std::string no_fibres = fault_of_fibres(p);
+  if (!no_fibres.empty()) found.push_back(no_fibres + ". A run of it is refused.");
+  if (!too_long.empty())
+    found.push_back(too_long + ". A run of it is refused, since errors would grow from step to step.");
+  else if (p.run.integrator == Integrator::reference && p.run.time_step > 0.5 * limit)
+    found.push_back(
+        fmt::format("the time step of {:.3g} s is more than half of the largest stable one, {:.3g} s: stable, but "
+                    "the fastest relaxation is resolved by a few steps only.",
+                    p.run.time_step, limit));
+  if (p.run.duration < d.shear_time)
+    found.push_back(
+        fmt::format("the run of {:.3g} s is shorter than the relaxation of the matrix in shear, {:.3g} s: it will "
+                    "look like a fluid.",
+                    p.run.duration, d.shear_time));
+  if (p.ecm.formulation == Formulation::updated_lagrangian)
+    found.emplace_back(
+        "sums over current neighbours let a loaded gel tear without being degraded (numerical fracture); "
+        "meant for comparison only.");
+  if (p.ecm.formulation == Formulation::total_lagrangian && p.ecm.hourglass_weight == 0.0)
+    found.emplace_back("without the hourglass penalty, particles pair up and drift in modes that cost no energy.");
+  return found;
+}
+
+} // namespace matrigrate::run

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ecm/bonds.hpp"
+#include "parameters/parameters.hpp"
+#include "simulation/step_limits.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace matrigrate::run {
+
+/// Estimates for a run.
+struct RunCost {
+  double memory_bytes;
+  double disk_bytes; ///< of its folder
+  double wall_time;  ///< with one thread [s]
+};
+
+/// Particles of the matrix.
+std::size_t particle_count(const Parameters& p);
+
+/// @param particles  particle_count(p)
+RunCost run_cost(const Parameters& p, std::size_t particles);
+
+/// What follows from the parameters before anything is computed.
+struct Derived {
+  double K;                ///< bulk modulus [kPa]
+  double G;                ///< shear modulus [kPa]
+  double shear_time;       ///< mu/G [s]
+  double compression_time; ///< mu/(K + 4G/3) [s]
+  std::size_t free_particles;
+  std::size_t clamped_particles;
+  std::size_t fluid_particles; ///< of the free ones, fluid from the start
+  double neighbours;           ///< within the kernel's support, itself not counted
+  double segment_length;       ///< of the round cell's cortex [um]
+  double protrusion_width;     ///< cortex that a protrusion takes, of the round cell [um]
+  double first_wait;           ///< mean time to the first protrusion, from all of the cortex [s]
+  double wait;                 ///< mean time between protrusions of a polarized cell without any [s]
+  double longest_step;         ///< that the run takes [s]
+  double steps;                ///< of that length
+  StepLimits limits;
+  FibreBonds bonds; ///< of a particle, that carry fibres
+  RunCost cost;
+
+  std::size_t particles() const { return free_particles + clamped_particles; }
+};
+
+Derived derived(const Parameters& p);
+
+/// What the adaptive integrator would take.
+struct Quicker {
+  double time_step; ///< [s]
+  double wall_time; ///< estimate [s]
+};
+
+/// @return nothing if it is chosen already, or bears no longer step
+std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d);
+
+/// What the estimate of the wall time rests on.
+std::string wall_time_basis();
+
+/// What will go wrong or mislead, a sentence or two each.
+std::vector<std::string> warnings(const Parameters& p, const Derived& d);
+
+} // namespace matrigrate::run

@@ -1,0 +1,112 @@
+#include "run/finished_run.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "base/time_text.hpp"
+#include "parameters/read.hpp"
+#include "report/run_page.hpp"
+#include "run/run_record.hpp"
+#include "store/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+namespace matrigrate::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t max_text = std::size_t{64} << 20U; // of run.json
+
+/// How the run stands, in a sentence.
+std::string status_text(const FinishedRun& run) {
+  const std::string status = run.record.value("status", "unknown");
+  const std::string reason = run.record.value("reason", "");
+  const std::string reached = fmt::format("{} of {}", time_text(run.t), time_text(run.p.run.duration));
+  const io::LostFrames lost = lost_frames(run);
+  const std::string gone = lost.count == 0 ? "" : fmt::format(" {}.", io::to_text(lost));
+  if (status_of(run.record) == RunStatus::done) return fmt::format("Done: {}.{}", time_text(run.t), gone);
+  return fmt::format("Status: {}; {} in the last checkpoint{}{}.{}", status, reached, reason.empty() ? "" : ": ",
+                     reason, gone);
+}
+
+/// What made the numbers, as run.json has it.
+std::string provenance_of(const Json& record) {
+  std::string text;
+  for (const char* key : {"version", "git_hash", "compiler", "build_type", "flags", "start", "end", "trajectory_hash"})
+    if (record.contains(key) && record.at(key).is_string())
+      text += fmt::format("{:<17}{}\n", key, record.at(key).get<std::string>());
+  return text;
+}
+
+/// Whether a run came to its end, or was stopped, at t: then it has written a frame there, due or not.
+bool ended_at(const Json& record, double t) {
+  const std::optional<RunStatus> status = status_of(record);
+  const auto reached = record.find("t_s");
+  return (status == RunStatus::done || status == RunStatus::interrupted) && reached != record.end() && *reached == t;
+}
+
+} // namespace
+
+FinishedRun read_run(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error))
+    throw InputOutputError(
+        fmt::format("{0}: is the folder of a study; name one of its runs, {0}/runs/NAME", folder.string()));
+  if (!std::filesystem::is_regular_file(folder / "run.json", error))
+    throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
+  FinishedRun run;
+  run.folder = folder;
+  run.record = Json::parse(read_file(folder / "run.json", max_text), nullptr, false);
+  if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
+  const bool last = std::filesystem::exists(folder / io::checkpoint_name, error);
+  const std::filesystem::path file = folder / (last ? io::checkpoint_name : io::previous_checkpoint_name);
+  const io::Checkpoint checkpoint = io::read_checkpoint(file);
+  run.p = parse_parameters(checkpoint.scenario, file.string());
+  run.t = checkpoint.state.t;
+  run.memory = io::parse_memory(checkpoint.memory);
+  if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
+    run.memory.rows.push_back(track_row(checkpoint.state)); // as at the end of a run
+  run.protrusions = protrusion_records(checkpoint.state);
+  run.frame_times = run.memory.frames;
+  if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
+    run.frame_times.push_back(run.t);
+  const io::FrameShape shape{.head = io::frame_head(checkpoint.state, run.p),
+                             .outline = checkpoint.state.cortex.size(),
+                             .fibres = run.p.fibres.arrangement != FibreArrangement::none};
+  if (run.p.output.field_interval > 0.0) run.film = io::saved_film(folder, shape, run.frame_times);
+  return run;
+}
+
+io::LostFrames lost_frames(const FinishedRun& run) {
+  if (run.p.output.field_interval <= 0.0) return {};
+  const std::vector<double> there = io::times_of(run.film);
+  std::vector<double> written;
+  std::ranges::set_union(run.frame_times, there, std::back_inserter(written));
+  return io::lost_frames(written, there);
+}
+
+nlohmann::ordered_json page_data(const FinishedRun& run) {
+  const std::string scenario = scenario_name(run.record, run.folder);
+  return io::run_data({.title = run_title(run.p, scenario),
+                       .status = status_text(run),
+                       .facts = run_facts(run.p, run.record, scenario),
+                       .t_end = run.t,
+                       .p = run.p,
+                       .readouts = readouts(run.memory.rows, run.protrusions, run.p),
+                       .rows = run.memory.rows,
+                       .health = run.memory.health,
+                       .records = run.protrusions,
+                       .film = &run.film,
+                       .provenance = provenance_of(run.record)});
+}
+
+std::string report_of(const FinishedRun& run, std::string_view page_template) {
+  return io::filled_page(page_template, page_data(run));
+}
+
+} // namespace matrigrate::run

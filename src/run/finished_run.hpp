@@ -1,0 +1,44 @@
+#pragma once
+
+#include "observe/frame.hpp"
+#include "parameters/parameters.hpp"
+#include "state/protrusion.hpp"
+#include "store/run_memory.hpp"
+#include "store/saved_frames.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace matrigrate::run {
+
+/// What the files of a run hold, up to its last checkpoint; frames up to the last one.
+struct FinishedRun {
+  std::filesystem::path folder;
+  Parameters p;
+  nlohmann::ordered_json record; ///< run.json
+  double t = 0.0;                ///< of the checkpoint [s]
+  io::RunMemory memory;
+  std::vector<ProtrusionRecord> protrusions;
+  std::vector<double> frame_times; ///< of the frames written up to the checkpoint [s]
+  io::Film film;                   ///< those that are still whole, and later ones
+};
+
+/// The scenario is taken from the checkpoint.
+/// @throws InputOutputError if the folder holds no run, or one of its files cannot be read
+FinishedRun read_run(const std::filesystem::path& folder);
+
+/// Frames that the run has written up to its last checkpoint, and that are not in its film.
+io::LostFrames lost_frames(const FinishedRun& run);
+
+/// What the page of the run shows (viewer/README.md).
+nlohmann::ordered_json page_data(const FinishedRun& run);
+
+/// The page of report.html.
+/// @param page_template  of report/run_page.hpp
+std::string report_of(const FinishedRun& run, std::string_view page_template);
+
+} // namespace matrigrate::run

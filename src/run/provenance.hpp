@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/// What this program is made of and what it runs on.
+namespace matrigrate::run {
+
+/// "0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
+std::string version_text();
+
+/// The same after the program's name.
+std::string version_line();
+
+/// {version, git_hash, git_dirty, compiler, flags, build_type, sanitizers, libraries: {name: version},
+///  cpu: {model, threads, simd: [names]}}
+nlohmann::ordered_json provenance();
+
+/// The same for people.
+std::string provenance_text();
+
+} // namespace matrigrate::run

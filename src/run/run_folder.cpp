@@ -1,0 +1,252 @@
+#include "run/run_folder.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "draw/cell_picture.hpp"
+#include "draw/layer_picture.hpp"
+#include "parameters/write.hpp"
+#include "report/film_json.hpp"
+#include "report/run_page.hpp"
+#include "run/own_files.hpp"
+#include "run/provenance.hpp"
+#include "store/checkpoint.hpp"
+#include "store/field_file.hpp"
+#include "store/run_files.hpp"
+#include "store/trajectory_hash.hpp"
+
+#include <fmt/format.h>
+
+#include <malloc.h>
+
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace matrigrate::run {
+
+namespace {
+
+/// "t_01800s"; times between full seconds keep their fraction: "t_00000.4s".
+std::string time_name(double t) {
+  const double rounded = std::round(1e3 * t) / 1e3;
+  const double whole = std::floor(rounded);
+  const std::string fraction = rounded > whole ? fmt::format("{:.3g}", rounded - whole).substr(1) : std::string();
+  return fmt::format("t_{:05.0f}{}s", whole, fraction);
+}
+
+template <class Row>
+std::vector<std::vector<io::Field>> fields_of(const std::vector<Row>& rows) {
+  std::vector<std::vector<io::Field>> all;
+  all.reserve(rows.size());
+  for (const Row& row : rows) all.push_back(io::fields(row));
+  return all;
+}
+
+std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord>& records, const Parameters& p) {
+  std::vector<std::vector<io::Field>> all;
+  all.reserve(records.size());
+  for (const ProtrusionRecord& record : records) all.push_back(io::fields(record, p.actomyosin));
+  return all;
+}
+
+} // namespace
+
+RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
+                     io::RunMemory memory, const std::filesystem::path& from)
+    : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
+      m_memory(std::move(memory)), m_ended(s.ended.size()), m_row_cadence(p.output.track_interval, p.run.time_step),
+      m_snapshot_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
+      m_frame_cadence(p.output.field_interval, p.run.time_step),
+      m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
+      m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
+  require_no_links(m_folder);
+  remove_temporaries(m_folder);
+  if (s.step == 0 && m_memory.rows.empty()) remove_run_files(m_folder); // of a run that this one replaces
+  write_record(record);                                                 // first: it tells whose folder this is
+  write_file(m_folder / "scenario.resolved.toml", to_toml(p));
+  if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
+  m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
+  m_protrusions.emplace(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p));
+  m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
+  if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
+  if (m_memory.rows.empty()) return;
+  for (Cadence* cadence :
+       {&m_row_cadence, &m_snapshot_cadence, &m_frame_cadence, &m_checkpoint_cadence, &m_kept_cadence})
+    cadence->due(s.t); // what was due is done
+  m_safe_until = s.t;
+}
+
+void RunFolder::begin(const State& s, const Workspace& w) {
+  if (m_row_cadence.due(s.t)) add_row(s, w);
+  if (m_snapshot_cadence.due(s.t)) add_snapshot(s, w);
+  if (m_frame_cadence.due(s.t)) add_frame(s, w);
+  m_kept_cadence.due(s.t);
+  m_checkpoint_cadence.due(s.t);
+  if (m_keeps_checkpoints) write_checkpoint(s, w, 0.0);
+}
+
+void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record) {
+  m_memory.watch.see(w.health);
+  add_ended(s);
+  if (m_row_cadence.due(s.t)) {
+    add_row(s, w);
+    require_health(s, m_memory.health.back());
+  }
+  const bool snapshot = m_snapshot_cadence.due(s.t);
+  if (snapshot) add_snapshot(s, w);
+  if (m_frame_cadence.due(s.t)) add_frame(s, w);
+  const bool keep = m_kept_cadence.due(s.t);
+  const bool due = m_checkpoint_cadence.due(s.t) || keep;
+  if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time);
+  if (keep && m_keeps_checkpoints) keep_checkpoint(s.t);
+  if (snapshot) write_record(record);
+}
+
+void RunFolder::require_health(const State& s, const HealthRow& row) const {
+  if (const std::string why = alarm(s, m_p, row); !why.empty())
+    throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, why));
+}
+
+HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch& watch) const {
+  if (m_memory.last && m_memory.last->step == s.step) return *m_memory.last;
+  HealthRow row = watch.row(s, m_p, w.health);
+  row.force_imbalance = force_imbalance(w);
+  return row;
+}
+
+void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time) {
+  HealthWatch watch = m_memory.watch; // a copy: the next row still tells of the steps so far
+  m_memory.last = health_row(s, w, watch);
+  require_health(s, *m_memory.last);
+  if (m_frames) m_frames->flush();
+  m_memory.counts = w.health;
+  m_memory.march_wall_time = march_wall_time;
+  io::write_checkpoint(m_folder, {.state = s,
+                                  .scenario = to_toml(m_p),
+                                  .configuration_hash = configuration_hash(m_p),
+                                  .program = version_line(),
+                                  .memory = io::to_text(m_memory)});
+  m_safe_until = s.t;
+}
+
+/// Keeps the checkpoint just written under its time.
+void RunFolder::keep_checkpoint(double t) const {
+  make_output_folder(m_folder / "checkpoints", true);
+  write_file(m_folder / "checkpoints" / (time_name(t) + ".h5"),
+             read_file(m_folder / io::checkpoint_name, std::size_t{1} << 40U));
+}
+
+void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
+  add_ended(s);
+  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) add_row(s, w);
+  const bool drawn = !m_memory.scenes.empty() && m_memory.scenes.back().t == s.t;
+  if (m_p.output.pictures && !drawn && !stopped) add_snapshot(s, w);
+  if (m_frames && (m_frame_times.empty() || m_frame_times.back() != s.t)) add_frame(s, w);
+}
+
+void RunFolder::finish(const State& s, const std::string& status, bool failed, const RunRecord& record,
+                       std::string_view page_template) {
+  if (m_frames) io::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
+  write_pictures(s, failed);
+  const std::vector<ProtrusionRecord> records = protrusion_records(s);
+  m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
+  write_file(m_folder / "protrusions.csv", io::protrusions_csv(records, m_p.actomyosin)); // with those still alive
+  write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
+  write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
+  write_file(m_folder / "summary.json", io::summary_json(m_readouts));
+  if (!m_p.output.report || page_template.empty()) return;
+  ::malloc_trim(0); // before all frames that are played are in memory
+  const nlohmann::ordered_json record_json = to_json(record, m_p);
+  const std::string scenario = scenario_name(record_json, m_folder);
+  const io::Film film = m_frames ? io::read_film(m_folder, io::keep_what_is_played) : io::Film{};
+  write_file(m_folder / "report.html",
+             io::filled_page(page_template, io::run_data({.title = run_title(m_p, scenario),
+                                                          .status = status,
+                                                          .facts = run_facts(m_p, record_json, scenario),
+                                                          .t_end = s.t,
+                                                          .p = m_p,
+                                                          .readouts = m_readouts,
+                                                          .rows = m_memory.rows,
+                                                          .health = m_memory.health,
+                                                          .records = records,
+                                                          .film = m_frames ? &film : nullptr,
+                                                          .provenance = provenance_text()})));
+}
+
+void RunFolder::write_pictures(const State& s, bool failed) const {
+  if (m_p.output.pictures) write_file(m_folder / "snapshots.svg", io::contact_sheet(m_memory.scenes));
+  if (!failed) return;
+  const io::CellScene scene = io::cell_scene(s, m_p, {});
+  write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
+}
+
+void RunFolder::remove_log() {
+  m_frames.reset();
+  std::error_code error;
+  std::filesystem::remove(m_folder / io::frame_log_name, error); // one that stays does no harm
+}
+
+void RunFolder::write_record(const RunRecord& record) const {
+  const auto handler = nlohmann::ordered_json::error_handler_t::replace;
+  write_file(m_folder / "run.json", to_json(record, m_p).dump(2, ' ', false, handler) + "\n");
+}
+
+std::string RunFolder::trajectory_hash() const { return io::TrajectoryHash(m_memory.trajectory).text(); }
+
+void RunFolder::add_row(const State& s, const Workspace& w) {
+  io::TrajectoryHash trajectory(m_memory.trajectory);
+  trajectory.add(s);
+  m_memory.trajectory = trajectory.value();
+  m_memory.rows.push_back(track_row(s));
+  m_tracks->add(io::fields(m_memory.rows.back()));
+  m_memory.health.push_back(health_row(s, w, m_memory.watch));
+  m_health->add(io::fields(m_memory.health.back()));
+}
+
+void RunFolder::add_ended(const State& s) {
+  for (; m_ended < s.ended.size(); ++m_ended) m_protrusions->add(io::fields(s.ended[m_ended], m_p.actomyosin));
+}
+
+void RunFolder::add_snapshot(const State& s, const Workspace& w) {
+  std::vector<Vec2> path;
+  path.reserve(m_memory.rows.size() + 1);
+  for (const TrackRow& row : m_memory.rows) path.push_back(row.centre);
+  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(track_row(s).centre);
+  io::CellScene scene = io::cell_scene(s, m_p, std::move(path));
+  const std::filesystem::path file = m_folder / "snapshots" / time_name(s.t);
+  const auto layer = [&file](std::string_view name) { return file.string() + std::string(name) + ".svg"; };
+  write_file(layer(""), io::cell_picture(scene, io::whole_disc(scene)));
+  if (m_p.output.displacement_layer) write_file(layer("_displacement"), io::displacement_picture(s, m_p));
+  if (m_p.output.fibre_stress_layer && !w.fibres.empty())
+    write_file(layer("_fibre_stress"), io::fibre_stress_picture(s, m_p, w.fibres));
+  scene.matrix.front() = {}; // the contact sheet draws the intact matrix as one area
+  m_memory.scenes.push_back(std::move(scene));
+}
+
+void RunFolder::add_frame(const State& s, const Workspace& w) {
+  m_frames->add(io::frame(s, m_p, w));
+  m_frame_times.push_back(s.t);
+  if (m_memory.frames.empty() || m_memory.frames.back() < s.t) m_memory.frames.push_back(s.t);
+}
+
+/// Begins the log with those frames of the past that a folder still holds.
+void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
+  const io::FrameShape shape{.head = io::frame_head(s, m_p),
+                             .outline = s.cortex.size(),
+                             .fibres = m_p.fibres.arrangement != FibreArrangement::none};
+  std::string log = io::log_head(shape.head);
+  if (!m_memory.frames.empty())
+    for (const auto& [t, frame] : io::saved_frames(from, shape, m_memory.frames)) {
+      log += frame;
+      m_frame_times.push_back(t);
+    }
+  m_frames.emplace(m_folder / io::frame_log_name, log);
+}
+
+io::LostFrames RunFolder::lost_frames() const {
+  if (!m_frames) return {};
+  return io::lost_frames(m_memory.frames, m_frame_times);
+}
+
+} // namespace matrigrate::run

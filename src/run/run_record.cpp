@@ -1,0 +1,173 @@
+#include "run/run_record.hpp"
+
+#include "base/file.hpp"
+#include "base/time_text.hpp"
+#include "parameters/write.hpp"
+#include "run/provenance.hpp"
+#include "store/trajectory_hash.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+namespace matrigrate::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::system_clock;
+namespace fs = std::filesystem;
+
+/// ISO 8601, UTC: "2026-01-31T12:00:00Z".
+std::string utc(Clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(Clock::to_time_t(time)));
+}
+
+constexpr double Pa = 1e3;                                 // in a kPa
+constexpr std::size_t max_record = std::size_t{64} << 20U; // bytes of run.json
+
+/// The last part of a path that is no dot; the current folder's own name for "".
+std::string name_of(const fs::path& folder) {
+  std::error_code error;
+  fs::path path = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.filename().string();
+}
+
+/// "2026-01-31 12:00 UTC" of "2026-01-31T12:00:00Z".
+std::string minute_of(const std::string& time) {
+  return time.size() < 16 ? time : fmt::format("{} {} UTC", time.substr(0, 10), time.substr(11, 5));
+}
+
+std::vector<std::string> words_of(const Json& list) {
+  std::vector<std::string> words;
+  if (list.is_array())
+    for (const Json& word : list)
+      if (word.is_string()) words.push_back(word.get<std::string>());
+  return words;
+}
+
+/// A value of a record; null where there is none.
+Json value_of(const Json& record, const char* key) {
+  return record.is_object() && record.contains(key) ? record.at(key) : Json();
+}
+
+} // namespace
+
+Json record_of(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "run.json", error)) return {};
+  const Json json = Json::parse(read_file(folder / "run.json", max_record), nullptr, false);
+  return json.is_object() ? json : Json();
+}
+
+std::string text_of(const Json& record, const char* key) {
+  const bool there = record.is_object() && record.contains(key) && record.at(key).is_string();
+  return there ? record.at(key).get<std::string>() : std::string();
+}
+
+std::optional<RunStatus> status_of(const Json& record) { return parse_run_status(text_of(record, "status")); }
+
+std::vector<Json> lineage_of(const Json& record) {
+  if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
+  return record.at("lineage").get<std::vector<Json>>();
+}
+
+std::string command_text(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    const std::string shown = text.empty() ? fs::path(word).filename().string() : word;
+    const bool plain = !shown.empty() && shown.find_first_of(" \t\"'$`\\!*?[](){}<>|&;#~") == std::string::npos;
+    std::string quoted;
+    for (const char c : shown) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += (text.empty() ? "" : " ") + (plain ? shown : fmt::format("'{}'", quoted));
+  }
+  return text;
+}
+
+std::string minute_text(Clock::time_point time) { return minute_of(utc(time)); }
+
+std::string configuration_hash(const Parameters& p) {
+  Parameters q = p;
+  q.run.threads = RunParameters{}.threads;
+  return io::text_hash(values_text(q));
+}
+
+std::string scenario_name(const Json& record, const fs::path& folder) {
+  if (const std::string name = text_of(record, "scenario"); !name.empty()) return name;
+  for (const fs::path file : words_of(value_of(record, "command_line"))) {
+    if (file.extension() != ".toml") continue;
+    if (file.filename() != "scenario.resolved.toml") return file.stem().string();
+    return name_of(file.parent_path());
+  }
+  const std::string name = name_of(folder);
+  return name.substr(0, name.rfind("-seed"));
+}
+
+std::vector<std::vector<std::string>> commands_of(const Json& record) {
+  std::vector<std::vector<std::string>> commands;
+  if (const Json all = value_of(record, "commands"); all.is_array())
+    for (const Json& command : all) commands.push_back(words_of(command));
+  if (!commands.empty()) return commands;
+  if (std::vector<std::string> words = words_of(value_of(record, "command_line")); !words.empty())
+    commands.push_back(std::move(words));
+  return commands;
+}
+
+io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
+  p.run.threads = RunParameters{}.threads;
+  return {.program = "matrigrate",
+          .version = version_text(),
+          .seed = p.run.seed,
+          .trajectory_hash = std::move(trajectory_hash),
+          .scenario = to_toml(p)};
+}
+
+std::string run_title(const Parameters& p, const std::string& scenario) {
+  return fmt::format("{}: E = {:.6g} Pa, seed {}", scenario, Pa * p.ecm.youngs_modulus, p.run.seed);
+}
+
+std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
+  std::vector<io::Fact> facts{{"scenario", scenario},
+                              {"Young's modulus E", fmt::format("{:.6g} Pa", Pa * p.ecm.youngs_modulus)},
+                              {"seed", fmt::format("{}", p.run.seed)}};
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) facts.push_back({name, value});
+  };
+  const auto commands = commands_of(record);
+  for (std::size_t i = 0; i < commands.size(); ++i) add(i == 0 ? "command" : "branched by", command_text(commands[i]));
+  const std::string end = text_of(record, "end");
+  add("date", minute_of(end.empty() ? text_of(record, "start") : end));
+  if (const auto time = record.find("wall_time_s"); time != record.end() && time->is_number())
+    add("wall time", wall_time_text(time->get<double>()));
+  add("trajectory hash", text_of(record, "trajectory_hash"));
+  return facts;
+}
+
+Json to_json(const RunRecord& record, const Parameters& p) {
+  const Clock::time_point now = record.end.value_or(Clock::now());
+  const io::LostFrames& lost = record.lost_frames;
+  Json json{{"status", to_string(record.status())},
+            {"exit_code", record.ended ? Json(exit_code(*record.ended)) : Json()},
+            {"reason", record.reason},
+            {"seed", p.run.seed},
+            {"steps", record.steps},
+            {"t_s", record.t},
+            {"duration_s", p.run.duration},
+            {"wall_time_s", record.earlier_wall_time + std::chrono::duration<double>(now - record.start).count()},
+            {"ms_per_step",
+             record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
+            {"trajectory_hash", record.trajectory_hash},
+            {"configuration_hash", record.configuration_hash},
+            {"frames_lost", lost.count},
+            {"frames_lost_s", lost.count > 0 ? Json{lost.first, lost.last} : Json()},
+            {"command_line", record.command_line},
+            {"scenario", record.scenario},
+            {"commands", record.commands},
+            {"start", utc(record.start)},
+            {"end", record.end ? Json(utc(*record.end)) : Json()},
+            {"lineage", record.lineage}};
+  json.update(provenance());
+  return json;
+}
+
+} // namespace matrigrate::run

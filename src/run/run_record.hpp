@@ -1,0 +1,90 @@
+#pragma once
+
+#include "parameters/parameters.hpp"
+#include "report/run_page.hpp"
+#include "run/status.hpp"
+#include "store/field_file.hpp"
+#include "store/saved_frames.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The record of a run, run.json. Test: tests/unit/run/run_record_test.cpp, tests/apps/run_test.cpp
+namespace matrigrate::run {
+
+/// How a run stands or ended: what run.json holds.
+struct RunRecord {
+  std::optional<RunEnd> ended; ///< none while it runs
+  std::string reason;          ///< why it ended early; empty if it did not
+  std::uint64_t steps = 0;
+  double t = 0.0;                 ///< simulated time reached [s]
+  double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
+  double earlier_wall_time = 0.0; ///< of this run before it was resumed [s]
+  io::LostFrames lost_frames;
+  std::string trajectory_hash;
+  std::string configuration_hash;
+  std::vector<std::string> command_line;          ///< of the process that wrote it
+  std::string scenario;                           ///< name of the scenario that the run was started from
+  std::vector<std::vector<std::string>> commands; ///< that started the run and then each branch, oldest first
+  std::vector<nlohmann::ordered_json> lineage;    ///< restarts and branches, oldest first
+  std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
+  std::optional<std::chrono::system_clock::time_point> end;
+
+  RunStatus status() const { return ended ? status_of(*ended) : RunStatus::running; }
+};
+
+/// run.json of a folder; null where there is none, or it cannot be read.
+nlohmann::ordered_json record_of(const std::filesystem::path& folder);
+
+/// A text of a record; empty where there is none.
+std::string text_of(const nlohmann::ordered_json& record, const char* key);
+
+/// How the run of a record stands; nothing if the record does not tell.
+std::optional<RunStatus> status_of(const nlohmann::ordered_json& record);
+
+/// The restarts and branches that a record tells of, oldest first.
+std::vector<nlohmann::ordered_json> lineage_of(const nlohmann::ordered_json& record);
+
+/// Words as one would type them in a shell, the program by its name alone.
+std::string command_text(const std::vector<std::string>& words);
+
+/// "2026-01-31 12:00 UTC"
+std::string minute_text(std::chrono::system_clock::time_point time);
+
+/// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
+std::string configuration_hash(const Parameters& p);
+
+/// The scenario of a record. One that has none: the name of the scenario file in its command; of a run of a study the
+/// name of its folder, and that of the run's folder without its seed where the command names no file: "cell".
+/// @param record  as in run.json
+std::string scenario_name(const nlohmann::ordered_json& record, const std::filesystem::path& folder);
+
+/// The commands that started a run and then each branch, oldest first; none if the record names none.
+/// @param record  as in run.json
+std::vector<std::vector<std::string>> commands_of(const nlohmann::ordered_json& record);
+
+/// What fields.h5 says of the run. The number of threads is left out: it changes no result, and may differ after a
+/// resume.
+/// @param trajectory_hash  empty for a run that is not finished
+io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
+
+/// Heading of the run's report: "cell: E = 200 Pa, seed 1".
+std::string run_title(const Parameters& p, const std::string& scenario);
+
+/// What was run, when and how: scenario, stiffness, seed, the commands that started it and its branches, date, wall
+/// time, trajectory hash.
+/// @param record  as in run.json
+std::vector<io::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record, const std::string& scenario);
+
+/// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
+///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start,
+///  end, lineage, and the keys of provenance()}
+nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
+
+} // namespace matrigrate::run

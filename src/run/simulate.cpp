@@ -1,0 +1,218 @@
+#include "run/simulate.hpp"
+
+#include "base/failure.hpp"
+#include "base/time_text.hpp"
+#include "run/run_folder.hpp"
+#include "simulation/march.hpp"
+#include "store/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <malloc.h>
+
+#include <chrono>
+#include <functional>
+#include <new>
+#include <utility>
+
+namespace matrigrate::run {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Tells the observer when the steps begin and end.
+class Steps {
+public:
+  Steps(RunObserver& observer, double t, double t_end) : m_observer(observer) { m_observer.begin_steps(t, t_end); }
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+  ~Steps() { m_observer.end_steps(); }
+
+private:
+  RunObserver& m_observer;
+};
+
+/// One run, from its start to however it ends.
+class Simulation {
+public:
+  Simulation(RunStart start, const RunOptions& options, RunObserver& observer)
+      : m_options(options), m_observer(observer), m_s(std::move(start.s)), m_p(start.p), m_before(start.before),
+        m_new(start.memory.rows.empty()), m_earlier_march_time(start.memory.march_wall_time),
+        m_counts(start.memory.counts) {
+    m_record.configuration_hash = configuration_hash(m_p);
+    m_record.command_line = options.command_line;
+    m_record.scenario = std::move(start.scenario);
+    if (m_record.scenario.empty())
+      m_record.scenario = scenario_name({{"command_line", options.command_line}}, options.folder);
+    m_record.commands = std::move(start.commands);
+    if (m_record.commands.empty()) m_record.commands.push_back(options.command_line);
+    m_record.lineage = std::move(start.lineage);
+    m_record.earlier_wall_time = start.earlier_wall_time;
+    m_folder.emplace(options.folder, m_p, m_record, m_s, std::move(start.memory), start.frames_from);
+    m_record.lost_frames = m_folder->lost_frames();
+    if (m_record.lost_frames.count == 0) return;
+    m_folder->write_record(m_record);
+    m_observer.warn(io::to_text(m_record.lost_frames));
+  }
+
+  RunOutcome compute() {
+    try {
+      march_to_end();
+      const RunStatus status = m_record.status();
+      m_folder->see_last(m_s, *m_w, status == RunStatus::interrupted);
+      m_record.lost_frames = m_folder->lost_frames();
+      m_w.reset();      // frees the memory that all frames together need,
+      ::malloc_trim(0); // and gives it back
+      m_record.trajectory_hash = m_folder->trajectory_hash();
+      m_folder->finish(m_s, status_text(), status == RunStatus::failed, m_record, m_options.page_template);
+      m_record.end = std::chrono::system_clock::now();
+      m_folder->write_record(m_record);
+      if (status == RunStatus::done) m_folder->remove_log();
+    } catch (const InputOutputError& error) {
+      record_trouble(error.what(), RunEnd::cannot_write);
+      throw InputOutputError(fmt::format("{}; {}", error.what(), safe_text()));
+    } catch (const std::bad_alloc&) {
+      record_trouble("not enough memory", RunEnd::no_memory);
+      throw;
+    }
+    return {.folder = m_options.folder,
+            .end = *m_record.ended,
+            .computed = true,
+            .record = to_json(m_record, m_p),
+            .sentence = status_text(),
+            .p = m_p,
+            .readouts = m_folder->readouts()};
+  }
+
+private:
+  void work_with(const Parameters& p) {
+    m_w.emplace(m_s, p);
+    m_w->health = m_counts;
+  }
+
+  void march_to_end() {
+    const Steps steps(m_observer, m_s.t, m_p.run.duration);
+    const Clock::time_point start = Clock::now();
+    const auto note_time = [&] {
+      m_record.steps = m_s.step;
+      m_record.t = m_s.t;
+      m_record.march_wall_time = m_earlier_march_time + seconds_since(start);
+    };
+    const auto each_step = [&](const State& now) {
+      note_time();
+      m_folder->see(now, *m_w, m_record);
+      m_observer.step(now);
+      m_stop = m_observer.stop_request();
+      return !m_stop && seconds_since(start) < m_options.wall_time_limit;
+    };
+    try {
+      if (m_before) march_before(each_step);
+      if (!m_before || m_s.t >= m_before->until) {
+        work_with(m_p);
+        if (m_new && !m_before) m_folder->begin(m_s, *m_w);
+        if (m_before) m_folder->write_checkpoint(m_s, *m_w, m_record.march_wall_time);
+        march(m_s, m_p, *m_w, m_p.run.duration, {}, each_step);
+      }
+      note_time();
+      note_end();
+    } catch (const NumericalFailure& failure) {
+      note_time();
+      m_record.ended = RunEnd::numerical_failure;
+      m_record.reason = fmt::format("{}; {}", failure.what(), last_good_text());
+    }
+    m_record.trajectory_hash = m_folder->trajectory_hash();
+  }
+
+  /// The part of a branch's run that has no checkpoint yet.
+  void march_before(const std::function<bool(const State&)>& each_step) {
+    m_folder->keep_checkpoints(false);
+    work_with(m_before->p);
+    if (m_new) m_folder->begin(m_s, *m_w);
+    march(m_s, m_before->p, *m_w, m_before->until, {}, each_step);
+    m_counts = m_w->health;
+    m_folder->keep_checkpoints(true);
+  }
+
+  void note_end() {
+    const bool stopped = m_s.t < m_p.run.duration - 0.5 * m_p.run.time_step;
+    if (!m_before || m_s.t >= m_before->until) m_folder->write_checkpoint(m_s, *m_w, m_record.march_wall_time);
+    m_record.ended = !stopped                           ? RunEnd::completed
+                     : m_stop == StopRequest::user      ? RunEnd::stopped_by_user
+                     : m_stop == StopRequest::terminate ? RunEnd::told_to_terminate
+                                                        : RunEnd::out_of_wall_time;
+    if (stopped) m_record.reason = fmt::format("stopped by {}; {}", stop_text(*m_record.ended), safe_text());
+  }
+
+  static const char* stop_text(RunEnd end) {
+    if (end == RunEnd::stopped_by_user) return "Ctrl-C";
+    return end == RunEnd::told_to_terminate ? "a signal to terminate" : "the limit of wall time";
+  }
+
+  /// What the user still has.
+  std::string safe_text() const {
+    if (!m_folder->safe_until()) return "there is no checkpoint yet";
+    std::error_code error;
+    if (!std::filesystem::exists(m_options.folder / io::checkpoint_name, error))
+      return "the checkpoint is gone as well";
+    return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
+                       time_text(*m_folder->safe_until()), io::checkpoint_name, m_options.folder.string());
+  }
+
+  std::string last_good_text() const {
+    if (!m_folder->safe_until()) return "there is no checkpoint yet";
+    return fmt::format("the last good checkpoint is {}, at {}", io::checkpoint_name,
+                       time_text(*m_folder->safe_until()));
+  }
+
+  /// How the run ended, in a sentence.
+  std::string status_text() const {
+    const std::string reached = fmt::format("{} of {}", time_text(m_record.t), time_text(m_p.run.duration));
+    const std::string lost =
+        m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", io::to_text(m_record.lost_frames));
+    if (m_record.status() == RunStatus::done)
+      return fmt::format("Done: {}, {} steps.{}", time_text(m_record.t), m_record.steps, lost);
+    return fmt::format("{} after {}: {}.{}", m_record.status() == RunStatus::failed ? "Failed" : "Interrupted", reached,
+                       m_record.reason, lost);
+  }
+
+  /// Where a file cannot be written or memory ends, run.json should say so too, if it can still be written.
+  void record_trouble(const std::string& reason, RunEnd end) {
+    m_record.ended = end;
+    m_record.reason = fmt::format("{}; {}", reason, safe_text());
+    m_record.end = std::chrono::system_clock::now();
+    try {
+      m_folder->write_record(m_record);
+    } catch (const InputOutputError&) { // the first trouble is the one to tell
+    }
+  }
+
+  const RunOptions& m_options;
+  RunObserver& m_observer;
+  State m_s;
+  Parameters m_p;
+  std::optional<BranchPoint> m_before;
+  bool m_new;
+  double m_earlier_march_time;
+  StepHealth m_counts;
+  RunRecord m_record;
+  std::optional<RunFolder> m_folder;
+  std::optional<Workspace> m_w;
+  std::optional<StopRequest> m_stop;
+};
+
+} // namespace
+
+RunOutcome run(RunStart start, const RunOptions& options, RunObserver& observer) {
+  const int asked = start.p.run.threads;
+  const auto threads = static_cast<std::size_t>(asked > 0 ? asked : tbb::info::default_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  observer.begin();
+  return Simulation(std::move(start), options, observer).compute();
+}
+
+} // namespace matrigrate::run

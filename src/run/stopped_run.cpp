@@ -1,0 +1,186 @@
+#include "run/stopped_run.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "base/time_text.hpp"
+#include "parameters/document.hpp"
+#include "parameters/read.hpp"
+#include "parameters/schema.hpp"
+#include "parameters/write.hpp"
+#include "run/provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace matrigrate::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_text = std::size_t{64} << 20U; // of a scenario
+constexpr const char* scenario_file = "scenario.resolved.toml";
+
+/// Whether a text gives every parameter: a part of a resolved scenario is valid TOML too, with defaults for the rest.
+bool is_complete(const std::string& text) {
+  const auto document = parse_document(text, scenario_file);
+  const auto* table = std::get_if<toml::table>(&document);
+  const auto has = [&](const Row& row) { return static_cast<bool>((*table)[section_of(row)][key_of(row)]); };
+  return table != nullptr && text.ends_with('\n') && std::ranges::all_of(schema(), has);
+}
+
+/// The scenario that a folder's file holds; none if it is missing, incomplete or not valid.
+std::optional<Parameters> written_scenario(const fs::path& folder) {
+  try {
+    const std::string text = read_file(folder / scenario_file, max_text);
+    if (is_complete(text)) return parse_parameters(text, scenario_file);
+  } catch (const InputOutputError&) {   // is not there
+  } catch (const ConfigurationError&) { // was damaged
+  }
+  return std::nullopt;
+}
+
+/// Fingerprint of the scenario of a folder, by its file or else by run.json; empty if neither can be read.
+std::string expected_configuration(const fs::path& folder) {
+  const std::optional<Parameters> p = written_scenario(folder);
+  return p ? configuration_hash(*p) : text_of(record_of(folder), "configuration_hash");
+}
+
+} // namespace
+
+bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) {
+  if (status_of(record) != RunStatus::done) return false;
+  try {
+    const FoundCheckpoint found = read_checkpoint_of(folder, folder / io::checkpoint_name);
+    const double t = found.checkpoint.state.t;
+    if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return true;
+    observer.warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}",
+                              (folder / "run.json").string(), time_text(t), time_text(found.p.run.duration)));
+    return false;
+  } catch (const InputOutputError&) { // then there is nothing to go on from
+    return true;
+  }
+}
+
+Parameters scenario_of(const fs::path& folder, RunObserver& observer) {
+  if (const std::optional<Parameters> p = written_scenario(folder)) return *p;
+  Parameters p = whole_checkpoint(folder, observer).p;
+  observer.warn(fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
+                            (folder / scenario_file).string()));
+  return p;
+}
+
+void restore_scenario(const fs::path& folder, RunObserver& observer) {
+  if (written_scenario(folder) || !has_checkpoint(folder)) return;
+  try {
+    write_file(folder / scenario_file, to_toml(scenario_of(folder, observer)));
+  } catch (const InputOutputError& trouble) { // the results of the run are whole all the same
+    observer.warn(trouble.what());
+  }
+}
+
+std::string time_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file) {
+  FoundCheckpoint found{.checkpoint = io::read_checkpoint(file), .p = {}, .file = file};
+  found.p = parse_parameters(found.checkpoint.scenario, file.string());
+  const std::string expected = expected_configuration(folder);
+  // Another version of the program may have other parameters, and so other hashes.
+  if (!expected.empty() && expected != configuration_hash(found.p) && expected != found.checkpoint.configuration_hash)
+    throw InputOutputError(fmt::format("{}: is a checkpoint of another scenario than {}", file.string(),
+                                       (folder / scenario_file).string()));
+  return found;
+}
+
+FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
+  const fs::path last = folder / io::checkpoint_name;
+  const fs::path before = folder / io::previous_checkpoint_name;
+  std::error_code error;
+  if (!fs::exists(folder, error)) throw InputOutputError(fmt::format("{}: there is no such folder", folder.string()));
+  if (previous || (!fs::exists(last, error) && fs::exists(before, error))) return read_checkpoint_of(folder, before);
+  if (!fs::exists(last, error))
+    throw InputOutputError(fmt::format("{}: holds no checkpoint to go on from", folder.string()));
+  try {
+    return read_checkpoint_of(folder, last);
+  } catch (const InputOutputError& trouble) {
+    std::string offer = "there is no other one";
+    try {
+      const FoundCheckpoint found = read_checkpoint_of(folder, before);
+      offer = fmt::format("the one before, at {}, is whole: go on from it with --previous",
+                          time_text(found.checkpoint.state.t));
+    } catch (const InputOutputError&) { // neither is
+    }
+    throw InputOutputError(fmt::format("{}; {}", trouble.what(), offer));
+  }
+}
+
+FoundCheckpoint whole_checkpoint(const fs::path& folder, RunObserver& observer) {
+  try {
+    return last_checkpoint(folder, false);
+  } catch (const InputOutputError& trouble) {
+    std::optional<FoundCheckpoint> before;
+    try {
+      before = last_checkpoint(folder, true);
+    } catch (const InputOutputError&) { // then the trouble with the last one is the one to tell
+    }
+    if (!before) throw;
+    observer.warn(trouble.what());
+    return *std::move(before);
+  }
+}
+
+bool has_checkpoint(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / io::checkpoint_name, error) || fs::exists(folder / io::previous_checkpoint_name, error);
+}
+
+bool has_only_broken_checkpoints(const fs::path& folder) {
+  const auto whole = [&](std::string_view name) {
+    try {
+      read_checkpoint_of(folder, folder / name);
+      return true;
+    } catch (const std::exception&) { // whatever is wrong with it
+      return false;
+    }
+  };
+  return has_checkpoint(folder) && !whole(io::checkpoint_name) && !whole(io::previous_checkpoint_name);
+}
+
+RunStart start_from(const FoundCheckpoint& found, const Json& record) {
+  RunStart start{.s = found.checkpoint.state,
+                 .p = found.p,
+                 .memory = io::parse_memory(found.checkpoint.memory),
+                 .before = {},
+                 .lineage = lineage_of(record)};
+  if (record.is_object()) {
+    start.scenario = scenario_name(record, found.file.parent_path());
+    start.commands = commands_of(record);
+  }
+  if (record.is_object() && record.contains("wall_time_s") && record.at("wall_time_s").is_number())
+    start.earlier_wall_time = record.at("wall_time_s");
+  return start;
+}
+
+Json event(std::string_view kind, const FoundCheckpoint& found) {
+  return {{"event", kind},
+          {"checkpoint", found.file.string()},
+          {"step", found.checkpoint.state.step},
+          {"t_s", found.checkpoint.state.t},
+          {"written_by", found.checkpoint.program},
+          {"by", version_line()},
+          {"when", time_now()}};
+}
+
+void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer) {
+  if (found.checkpoint.program == version_line()) return;
+  observer.warn(fmt::format("{} was written by {}, this is {}: the bits may differ from here on", found.file.string(),
+                            found.checkpoint.program, version_line()));
+}
+
+} // namespace matrigrate::run

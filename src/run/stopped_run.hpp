@@ -1,0 +1,65 @@
+#pragma once
+
+#include "run/simulate.hpp"
+#include "store/checkpoint.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A resumable run: its record and its checkpoints. Test: tests/apps/resume_test.cpp
+namespace matrigrate::run {
+
+/// Whether a run is done: its record says so, and its checkpoint, if it is whole, does not say otherwise.
+/// @param record  run.json of the folder
+bool is_done(const std::filesystem::path& folder, const nlohmann::ordered_json& record, RunObserver& observer);
+
+/// The parameters of the run in a folder: scenario.resolved.toml or, with a warning, what its checkpoint holds.
+/// @throws InputOutputError if neither can be read
+Parameters scenario_of(const std::filesystem::path& folder, RunObserver& observer);
+
+/// Writes scenario.resolved.toml again, with a warning, if it is missing, incomplete or not valid and there is a whole
+/// checkpoint to take it from.
+void restore_scenario(const std::filesystem::path& folder, RunObserver& observer);
+
+/// A checkpoint that a run can be resumed from.
+struct FoundCheckpoint {
+  io::Checkpoint checkpoint;
+  Parameters p;
+  std::filesystem::path file;
+};
+
+/// @throws InputOutputError if the file is no whole checkpoint, or not one of the folder's scenario (as far as
+///         scenario.resolved.toml or run.json can be read)
+FoundCheckpoint read_checkpoint_of(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+/// The last checkpoint, or the one before.
+/// @throws InputOutputError if the run cannot be resumed from it, saying whether the one before can
+FoundCheckpoint last_checkpoint(const std::filesystem::path& folder, bool previous);
+
+/// The last checkpoint that is whole, for where nobody may be there to choose; says why if it is the one before.
+/// @throws InputOutputError if neither is
+FoundCheckpoint whole_checkpoint(const std::filesystem::path& folder, RunObserver& observer);
+
+/// Whether there are checkpoints.
+bool has_checkpoint(const std::filesystem::path& folder);
+
+/// Whether there are checkpoints, but none that is whole.
+bool has_only_broken_checkpoints(const std::filesystem::path& folder);
+
+/// A start from a checkpoint.
+RunStart start_from(const FoundCheckpoint& found, const nlohmann::ordered_json& record);
+
+/// An entry of the lineage: "resumed" or "branched".
+nlohmann::ordered_json event(std::string_view kind, const FoundCheckpoint& found);
+
+/// The time of day, for the lineage.
+std::string time_now();
+
+/// Warns where another program has written it.
+void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer);
+
+} // namespace matrigrate::run

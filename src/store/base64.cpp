@@ -1,0 +1,21 @@
+#include "store/base64.hpp"
+
+#include <cstdint>
+
+namespace matrigrate::io {
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) -> std::uint32_t {
+      return i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U;
+    };
+    const std::uint32_t three = byte(0) << 16U | byte(1) << 8U | byte(2);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[three >> (18U - 6U * k) & 63U] : '=';
+  }
+  return text;
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Bytes as text. Test: tests/unit/store/base64_test.cpp
+namespace matrigrate::io {
+
+/// base64 with padding (RFC 4648).
+std::string base64(std::string_view bytes);
+
+} // namespace matrigrate::io

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "state/state.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+/// The exact state of a run as one file, checkpoint.h5. It is an HDF5 file with a user block of 512 bytes in front, a
+/// line of text that names format, version, length and fingerprint of what follows: HDF5's own tools open the file as
+/// it is, and a file that is cut short, or of which one bit has changed, is refused before anything of it is read.
+/// Test: tests/unit/store/checkpoint_test.cpp
+namespace matrigrate::io {
+
+inline constexpr int checkpoint_version = 5;
+inline constexpr std::string_view checkpoint_name = "checkpoint.h5";
+inline constexpr std::string_view previous_checkpoint_name = "checkpoint_prev.h5";
+
+/// All that is needed to go on, and to go on writing.
+struct Checkpoint {
+  State state;
+  std::string scenario;           ///< resolved, TOML
+  std::string configuration_hash; ///< of the scenario
+  std::string program;            ///< version and commit of the program that wrote it
+  std::string memory;             ///< of what has been written so far, for the writer of the run's files
+};
+
+/// The bytes of the file.
+std::string checkpoint_image(const Checkpoint& checkpoint);
+
+/// @param name  stands for the file in messages
+/// @throws InputOutputError saying whether the bytes are no checkpoint, one of another version, cut short, or changed
+Checkpoint parse_checkpoint(std::string_view image, const std::string& name);
+
+/// The parts of the state that are kept as text: all but the arrays.
+/// @throws InputOutputError saying what is wrong
+State parse_state_parts(const std::string& text);
+
+/// @throws InputOutputError as parse_checkpoint, or if the file cannot be read
+Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+/// Writes folder/checkpoint.h5 whole or not at all; the one before becomes checkpoint_prev.h5.
+/// @throws InputOutputError naming the path and the reason
+void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
+
+} // namespace matrigrate::io

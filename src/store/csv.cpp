@@ -1,0 +1,92 @@
+#include "store/csv.hpp"
+
+#include "base/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace matrigrate::io {
+
+namespace {
+
+std::string_view cut(std::string_view& text, char end) {
+  const std::size_t length = std::min(text.find(end), text.size());
+  const std::string_view part = text.substr(0, length);
+  text.remove_prefix(std::min(length + 1, text.size()));
+  return part;
+}
+
+/// Takes a field and the comma behind it off the front of the text; the end of a line stays.
+std::string take_field(std::string_view& text, std::size_t line) {
+  std::string field;
+  if (!text.starts_with('"')) {
+    field = text.substr(0, std::min(text.find_first_of(",\n"), text.size()));
+    text.remove_prefix(field.size());
+    return field;
+  }
+  for (text.remove_prefix(1);; text.remove_prefix(1)) {
+    const std::size_t quote = text.find('"');
+    if (quote == std::string_view::npos) throw InputOutputError(fmt::format("line {}: a quote is not closed", line));
+    field += text.substr(0, quote);
+    text.remove_prefix(quote + 1);
+    if (!text.starts_with('"')) return field;
+    field += '"'; // doubled
+  }
+}
+
+} // namespace
+
+std::optional<std::size_t> CsvTable::column(std::string_view name) const {
+  const auto found = std::ranges::find(header, name);
+  if (found == header.end()) return {};
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+CsvTable read_csv(std::string_view text) {
+  CsvTable table;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    std::vector<std::string> fields{take_field(text, line)};
+    while (text.starts_with(',')) {
+      text.remove_prefix(1);
+      fields.push_back(take_field(text, line));
+    }
+    if (!text.empty() && text.front() != '\n')
+      throw InputOutputError(fmt::format("line {}: a quoted field goes on after its quote", line));
+    text.remove_prefix(std::min<std::size_t>(1, text.size()));
+    if (line == 1)
+      table.header = std::move(fields);
+    else if (fields.size() == table.header.size())
+      table.rows.push_back(std::move(fields));
+    else
+      throw InputOutputError(
+          fmt::format("line {}: has {} fields, its header {}", line, fields.size(), table.header.size()));
+  }
+  return table;
+}
+
+double csv_number(std::string_view field) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(field.data(), field.data() + field.size(), value);
+  return value;
+}
+
+std::vector<double> csv_column(std::string_view text, std::string_view column) {
+  std::string_view header = cut(text, '\n');
+  std::size_t index = 0;
+  while (!header.empty() && cut(header, ',') != column) {
+    ++index;
+    if (header.empty()) return {};
+  }
+  std::vector<double> values;
+  while (!text.empty()) {
+    std::string_view line = cut(text, '\n');
+    for (std::size_t i = 0; i < index; ++i) cut(line, ',');
+    values.push_back(csv_number(cut(line, ',')));
+  }
+  return values;
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,243 @@
+#include "store/field_file.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "store/anchors.hpp"
+#include "store/frame_log.hpp"
+#include "store/hdf5.hpp"
+#include "store/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace matrigrate::io {
+
+namespace {
+
+constexpr std::string_view protrusions = "protrusions/";
+
+/// Vectors of two components with a third one, 0; all else as it is.
+Floats in_space(const Floats& values, std::uint32_t components) {
+  if (components != 2) return values;
+  Floats all;
+  all.reserve(values.size() / 2 * 3);
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) all.insert(all.end(), {values[i], values[i + 1], 0.0F});
+  return all;
+}
+
+Floats positions(const FrameHead& head, const Frame& frame) {
+  Floats x = frame.matrix.displacement;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += head.reference[i];
+  return in_space(x, 2);
+}
+
+Bytes solid(const Frame& frame) {
+  Bytes flags;
+  for (const float f : frame.matrix.f_degr) flags.push_back(f > 0.0F ? 1 : 0);
+  return flags;
+}
+
+/// An array with a frame of numbers made by `of` from each frame.
+template <class Number>
+struct Column {
+  std::string name;
+  std::string_view unit;
+  std::function<std::vector<Number>(const Frame&)> of;
+  FrameArray array;
+};
+
+/// Whether a column of the table of protrusions is written as whole numbers.
+bool counts(std::string_view name) { return name == "protrusions/id" || name == "protrusions/centre"; }
+
+std::vector<std::uint32_t> whole(const Floats& values) {
+  std::vector<std::uint32_t> all;
+  all.reserve(values.size());
+  for (const float value : values) all.push_back(static_cast<std::uint32_t>(value));
+  return all;
+}
+
+/// Writes fields.h5 frame by frame.
+class FieldWriter {
+public:
+  /// @param first   frame, which tells the sizes
+  FieldWriter(MemoryFile& file, const FrameHead& head, const Frame& first, std::size_t frames)
+      : m_file(file), m_frames(frames) {
+    add_column(m_floats, "/matrix/position", 3, "um", first, [&head](const Frame& f) { return positions(head, f); });
+    add_column(m_bytes, "/matrix/solid", 1, "1", first, solid);
+    for (const auto& field : float_fields())
+      if (!field.name.starts_with(protrusions))
+        add_column(m_floats, fmt::format("/{}", field.name), field.components == 2 ? 3 : 1, field.unit, first,
+                   [&field](const Frame& f) { return in_space(field.in(f), field.components); });
+      else
+        m_protrusions.emplace_back(); // a table's column
+    for (const auto& field : byte_fields())
+      if (!field.name.starts_with(protrusions))
+        add_column(m_bytes, fmt::format("/{}", field.name), 1, field.unit, first,
+                   [&field](const Frame& f) { return field.in(f); });
+  }
+
+  void add(const Frame& frame) {
+    write(m_floats, frame);
+    write(m_bytes, frame);
+    const std::size_t alive = frame.protrusions.id.size();
+    m_frame_of_row.resize(m_frame_of_row.size() + alive, static_cast<std::uint32_t>(m_next));
+    auto column = m_protrusions.begin();
+    for (const auto& field : float_fields())
+      if (field.name.starts_with(protrusions)) append(*column++, field.in(frame));
+    append(m_phases, frame.protrusions.phase);
+    add_anchors(anchors(frame));
+    ++m_next;
+  }
+
+  /// Writes the tables of protrusions and anchors of all frames.
+  void finish() {
+    m_file.write("/protrusions/frame", m_frame_of_row, "1");
+    auto column = m_protrusions.begin();
+    for (const auto& field : float_fields()) {
+      if (!field.name.starts_with(protrusions)) continue;
+      const std::string name = fmt::format("/{}", field.name);
+      if (counts(field.name))
+        m_file.write(name, whole(*column++), field.unit);
+      else
+        m_file.write_rows(name, in_space(*column++, field.components), field.components == 2 ? 3 : 1, field.unit);
+    }
+    m_file.write("/protrusions/phase", m_phases, "1");
+    write_anchors();
+  }
+
+private:
+  template <class Number>
+  static void append(std::vector<Number>& to, const std::vector<Number>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  }
+
+  template <class Number, class Of>
+  void add_column(std::vector<Column<Number>>& columns, const std::string& name, std::uint32_t components,
+                  std::string_view unit, const Frame& first, const Of& of) {
+    const std::vector<Number> like = of(first);
+    if (like.empty()) return; // fibres, where there are none
+    columns.push_back(
+        {name, unit, of, FrameArray(m_file, name, like, m_frames, like.size() / components, components, unit)});
+  }
+
+  template <class Number>
+  void write(std::vector<Column<Number>>& columns, const Frame& frame) {
+    for (Column<Number>& column : columns) {
+      column.array.write(m_next, column.of(frame));
+      m_file.name_frame(frame_path(m_next, column.name), column.name, m_next, column.unit);
+    }
+  }
+
+  void add_anchors(const Anchors& more) {
+    m_anchors_of_frame.push_back(more.size());
+    m_frame_of_anchor.resize(m_frame_of_anchor.size() + more.size(), static_cast<std::uint32_t>(m_next));
+    append(m_anchors.x, more.x);
+    append(m_anchors.id, more.id);
+    append(m_anchors.f_mat, more.f_mat);
+    append(m_anchors.force, more.force);
+  }
+
+  void write_anchors() {
+    m_file.write("/anchors/frame", m_frame_of_anchor, "1");
+    m_file.write("/anchors/id", m_anchors.id, "1");
+    m_file.write_rows("/anchors/position", in_space(m_anchors.x, 2), 3, "um");
+    m_file.write_rows("/anchors/f_mat", m_anchors.f_mat, 1, "1");
+    m_file.write_rows("/anchors/force", m_anchors.force, 1, "nN");
+    constexpr std::array<std::pair<const char*, const char*>, 4> views{
+        {{"/anchors/id", "1"}, {"/anchors/position", "um"}, {"/anchors/f_mat", "1"}, {"/anchors/force", "nN"}}};
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < m_anchors_of_frame.size(); first += m_anchors_of_frame[k++])
+      if (m_anchors_of_frame[k] > 0)
+        for (const auto& [name, unit] : views)
+          m_file.name_rows(frame_path(k, name), name, first, m_anchors_of_frame[k], unit);
+  }
+
+  MemoryFile& m_file;
+  std::size_t m_frames;
+  std::size_t m_next = 0;
+  std::vector<Column<float>> m_floats;
+  std::vector<Column<std::uint8_t>> m_bytes;
+  std::vector<std::uint32_t> m_frame_of_row;
+  std::vector<Floats> m_protrusions;
+  Bytes m_phases;
+  Anchors m_anchors; ///< of all frames
+  std::vector<std::size_t> m_anchors_of_frame;
+  std::vector<std::uint32_t> m_frame_of_anchor;
+};
+
+void write_head(MemoryFile& file, const FrameHead& head, std::span<const double> times, const FieldOrigin& origin) {
+  file.write_attribute("program", origin.program);
+  file.write_attribute("version", origin.version);
+  file.write_attribute("seed", origin.seed);
+  file.write_attribute("trajectory_hash", origin.trajectory_hash);
+  file.write_attribute("scenario", origin.scenario);
+  file.write("/time", times, "s");
+  file.write("/matrix/radius", std::array{head.radius}, "um");
+  file.write("/matrix/spacing", std::array{head.spacing}, "um");
+  file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
+}
+
+} // namespace
+
+std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
+
+std::string field_file(const Film& film, const FieldOrigin& origin) {
+  MemoryFile file;
+  std::vector<double> times;
+  for (const Frame& frame : film.frames) times.push_back(frame.t);
+  write_head(file, film.head, times, origin);
+  if (!film.frames.empty()) {
+    FieldWriter writer(file, film.head, film.frames.front(), film.frames.size());
+    for (const Frame& frame : film.frames) writer.add(frame);
+    writer.finish();
+  }
+  return std::string(file.view());
+}
+
+void write_field_files(const std::filesystem::path& folder, std::size_t frames, const FieldOrigin& origin) {
+  const std::filesystem::path log = folder / frame_log_name;
+  MemoryFile file;
+  std::vector<double> times;
+  std::vector<std::size_t> adhesions;
+  std::optional<Frame> first;
+  naming(log, [&] {
+    std::ifstream once(log, std::ios::binary);
+    FrameReader reader(once);
+    while (std::optional<Frame> frame = reader.next()) {
+      times.push_back(frame->t);
+      adhesions.push_back(anchors(*frame).size());
+      if (!first) first = std::move(frame);
+    }
+    if (times.size() != frames)
+      throw InputOutputError(fmt::format("holds {} whole frames of {}", times.size(), frames));
+    write_head(file, reader.head(), times, origin);
+    if (!first) return;
+    std::ifstream again(log, std::ios::binary);
+    FrameReader rereader(again);
+    FieldWriter writer(file, rereader.head(), *first, times.size());
+    while (const std::optional<Frame> frame = rereader.next()) writer.add(*frame);
+    writer.finish();
+  });
+  write_file(folder / field_file_name, file.view());
+  write_file(folder / field_index_name, field_index(first ? &*first : nullptr, times, adhesions));
+}
+
+void write_field_files(const std::filesystem::path& folder, const Film& film, const FieldOrigin& origin) {
+  std::vector<double> times;
+  std::vector<std::size_t> adhesions;
+  for (const Frame& frame : film.frames) {
+    times.push_back(frame.t);
+    adhesions.push_back(anchors(frame).size());
+  }
+  write_file(folder / field_file_name, field_file(film, origin));
+  write_file(folder / field_index_name,
+             field_index(film.frames.empty() ? nullptr : &film.frames.front(), times, adhesions));
+}
+
+} // namespace matrigrate::io

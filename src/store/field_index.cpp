@@ -1,0 +1,96 @@
+#include "store/field_file.hpp"
+
+#include <fmt/format.h>
+
+namespace matrigrate::io {
+
+namespace {
+
+/// An array at frame k.
+std::string item(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
+  return fmt::format("<DataItem Dimensions=\"{}{}\" {} Format=\"HDF\">{}:{}</DataItem>", n, components == 3 ? " 3" : "",
+                     type, field_file_name, frame_path(k, fmt::format("/{}", name)));
+}
+
+constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
+constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
+constexpr std::string_view whole = "NumberType=\"UInt\" Precision=\"4\"";
+
+std::string attribute(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
+  return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                     name.substr(name.find('/') + 1), components == 3 ? "Vector" : "Scalar",
+                     item(name, type, k, n, components));
+}
+
+/// All fields of one body; all frames have the same.
+std::string attributes(std::string_view body, const Frame& frame, std::size_t k, std::size_t n) {
+  std::string text;
+  for (const auto& field : float_fields())
+    if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
+      text += attribute(field.name, floating, k, n, field.components == 2 ? 3 : 1);
+  for (const auto& field : byte_fields())
+    if (field.name.starts_with(body)) text += attribute(field.name, bytes, k, n, 1);
+  return text;
+}
+
+/// @param fields  its attributes
+std::string grid(std::string_view name, const std::string& topology, double t, std::size_t k, std::size_t n,
+                 const std::string& fields) {
+  return fmt::format("      <Grid Name=\"{0}\" GridType=\"Uniform\">\n        <Time Value=\"{1}\"/>\n        {2}\n"
+                     "        <Geometry GeometryType=\"XYZ\">{3}</Geometry>\n{4}      </Grid>\n",
+                     name, t, topology, item(fmt::format("{}/position", name), floating, k, n, 3), fields);
+}
+
+std::string points(std::size_t n) {
+  return fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n);
+}
+
+std::string closed_line(std::size_t n) {
+  std::string points;
+  for (std::size_t i = 0; i <= n; ++i) points += fmt::format("{} ", i == n ? 0 : i);
+  return fmt::format("<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"{0}\">"
+                     "<DataItem Dimensions=\"1 {0}\" NumberType=\"Int\" Format=\"XML\">{1}</DataItem></Topology>",
+                     n + 1, points);
+}
+
+std::string collection(std::string_view name, const std::string& grids) {
+  return fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}    </Grid>\n",
+                     name, grids);
+}
+
+/// Readers find none at a time that is left out, and some of them stumble over a grid of no points.
+std::string anchor_grids(std::span<const double> times, std::span<const std::size_t> anchors) {
+  std::string text;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const std::size_t n = anchors[k];
+    if (n == 0) continue;
+    text += grid("anchors", points(n), times[k], k, n,
+                 attribute("anchors/id", whole, k, n, 1) + attribute("anchors/f_mat", floating, k, n, 1)
+                     + attribute("anchors/force", floating, k, n, 1));
+  }
+  return text;
+}
+
+} // namespace
+
+std::string field_index(const Frame* first, std::span<const double> times, std::span<const std::size_t> anchors) {
+  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
+  if (first != nullptr) {
+    const std::size_t n = first->matrix.f_degr.size();
+    const std::size_t m = first->outline.front.size();
+    std::string matrix;
+    std::string outline;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      matrix += grid("matrix", points(n), times[k], k, n,
+                     attributes("matrix/", *first, k, n) + attribute("matrix/solid", bytes, k, n, 1));
+      if (m > 0) outline += grid("outline", closed_line(m), times[k], k, m, attributes("outline/", *first, k, m));
+    }
+    text += collection("matrix", matrix);
+    if (m > 0) text += collection("outline", outline);
+    if (const std::string adhesions = anchor_grids(times, anchors); !adhesions.empty())
+      text += collection("anchors", adhesions);
+  }
+  return text + "  </Domain>\n</Xdmf>\n";
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,224 @@
+#include "store/frame_log.hpp"
+
+#include "base/failure.hpp"
+#include "store/deflate.hpp"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <utility>
+
+namespace matrigrate::io {
+
+namespace {
+
+constexpr std::string_view magic = "matrigrate frames 1\n";
+constexpr std::size_t most_bytes = std::size_t{1} << 30U; // of a frame
+
+/// Before each block: bytes of it compressed and not, and its fingerprint.
+struct BlockHead {
+  std::uint64_t stored, size, hash;
+};
+
+template <class T>
+void put(std::string& to, const T& value) {
+  to.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+template <class T>
+void put_planes(std::string& to, const std::vector<T>& values) {
+  put(to, std::uint64_t{values.size()});
+  to += byte_planes(std::span<const T>(values));
+}
+
+/// Takes values from the front of bytes.
+class Taker {
+public:
+  explicit Taker(std::string_view bytes) : m_bytes(bytes) {}
+
+  template <class T>
+  T take() {
+    T value;
+    std::memcpy(&value, some(sizeof(T)).data(), sizeof(T));
+    return value;
+  }
+  template <class T>
+  void take_planes(std::vector<T>& values) {
+    const auto n = take<std::uint64_t>();
+    if (n > most_bytes) throw InputOutputError("a frame is not what it says");
+    const std::string_view planes = some(n * sizeof(T));
+    values.resize(n);
+    auto* bytes = reinterpret_cast<char*>(values.data());
+    for (std::size_t plane = 0; plane < sizeof(T); ++plane)
+      for (std::size_t i = 0; i < n; ++i) bytes[i * sizeof(T) + plane] = planes[plane * n + i];
+  }
+
+private:
+  std::string_view some(std::size_t n) {
+    if (n > m_bytes.size()) throw InputOutputError("a frame is shorter than it says");
+    const std::string_view part = m_bytes.substr(0, n);
+    m_bytes.remove_prefix(n);
+    return part;
+  }
+  std::string_view m_bytes;
+};
+
+std::string block(std::string_view content) {
+  const std::string stored = deflated_fast(content);
+  std::string bytes;
+  put(bytes, BlockHead{stored.size(), content.size(), XXH3_64bits(stored.data(), stored.size())});
+  return bytes + stored;
+}
+
+/// Whether a block can have this head: deflated bytes are hardly longer than what they were made of.
+bool is_plausible(const BlockHead& head) {
+  return head.size > 0 && head.size <= most_bytes && head.stored > 0 && head.stored <= head.size + head.size / 64 + 64;
+}
+
+/// The content of the next block of a stream; none if it is not whole.
+std::optional<std::string> next_content(std::istream& log) {
+  constexpr std::size_t piece = std::size_t{1} << 20U; // a length that is wrong must not take all memory
+  BlockHead head{};
+  if (!log.read(reinterpret_cast<char*>(&head), sizeof(head)) || !is_plausible(head)) return std::nullopt;
+  std::string stored;
+  while (stored.size() < head.stored) {
+    const std::size_t before = stored.size();
+    stored.resize(std::min<std::uint64_t>(head.stored, before + piece));
+    if (!log.read(stored.data() + before, static_cast<std::streamsize>(stored.size() - before))) return std::nullopt;
+  }
+  if (XXH3_64bits(stored.data(), stored.size()) != head.hash) return std::nullopt;
+  return inflated(stored, head.size);
+}
+
+/// Where the first whole block of at least `smallest` bytes begins; none: npos.
+/// @param budget  bytes that may still be hashed, so that bytes which look like heads everywhere cannot take for ever
+std::size_t find_block(std::string_view bytes, std::size_t smallest, std::size_t& budget) {
+  for (std::size_t at = 0; at + sizeof(BlockHead) <= bytes.size(); ++at) {
+    BlockHead head{};
+    std::memcpy(&head, bytes.data() + at, sizeof(head));
+    const std::string_view rest = bytes.substr(at + sizeof(head));
+    if (!is_plausible(head) || head.size < smallest || head.stored > rest.size()) continue;
+    if (head.stored > budget) return std::string_view::npos;
+    budget -= head.stored;
+    if (XXH3_64bits(rest.data(), head.stored) == head.hash) return at;
+  }
+  return std::string_view::npos;
+}
+
+Frame frame_of(const std::string& content) {
+  Taker taker(content);
+  Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
+  for (const auto& field : float_fields()) taker.take_planes(field.of(frame));
+  for (const auto& field : byte_fields()) taker.take_planes(field.of(frame));
+  return frame;
+}
+
+} // namespace
+
+bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
+  const std::size_t outline = frame.outline.f_mat.size();
+  const std::size_t alive = frame.protrusions.id.size();
+  const auto right = [&](const auto& field) {
+    const std::size_t entries = field.name == "matrix/fibre_von_mises"   ? fibres
+                                : field.name.starts_with("matrix/")      ? head.particles()
+                                : field.name.starts_with("protrusions/") ? alive
+                                                                         : outline;
+    return field.in(frame).size() == entries * field.components;
+  };
+  return std::isfinite(frame.t) && std::ranges::all_of(float_fields(), right)
+         && std::ranges::all_of(byte_fields(), right);
+}
+
+std::string log_head(const FrameHead& head) {
+  std::string content;
+  put(content, head.radius);
+  put(content, head.spacing);
+  put_planes(content, head.reference);
+  return std::string(magic) + block(content);
+}
+
+std::string log_frame(const Frame& frame) {
+  std::string content;
+  put(content, frame.t);
+  for (const auto& field : float_fields()) put_planes(content, field.in(frame));
+  for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
+  return block(content);
+}
+
+std::string log_bytes(const Film& film) {
+  std::string bytes = log_head(film.head);
+  for (const Frame& frame : film.frames) bytes += log_frame(frame);
+  return bytes;
+}
+
+Film read_log(std::string_view bytes) {
+  std::istringstream log{std::string(bytes)};
+  return read_log(log);
+}
+
+Film read_log(std::istream& log, const std::function<void(Frame&)>& each) {
+  FrameReader reader(log);
+  Film film{.head = reader.head(), .frames = {}};
+  while (std::optional<Frame> frame = reader.next()) {
+    if (each) each(*frame);
+    film.frames.push_back(*std::move(frame));
+  }
+  return film;
+}
+
+FrameReader::FrameReader(std::istream& log) : m_log(&log) {
+  std::string start(magic.size(), '\0');
+  if (!log.read(start.data(), static_cast<std::streamsize>(start.size())) || start != magic)
+    throw InputOutputError("is no log of frames");
+  const std::optional<std::string> content = next_content(log);
+  if (!content) throw InputOutputError("is cut short or has been changed");
+  Taker head(*content);
+  m_head.radius = head.take<double>();
+  m_head.spacing = head.take<double>();
+  head.take_planes(m_head.reference);
+}
+
+std::optional<Frame> FrameReader::next() {
+  while (true) {
+    const std::streampos start = m_log->tellg();
+    if (start < 0) return std::nullopt;
+    try {
+      if (const std::optional<std::string> content = next_content(*m_log)) {
+        Frame frame = frame_of(*content);
+        if (!m_fibres) m_fibres = frame.matrix.fibre_von_mises.empty() ? 0 : m_head.particles();
+        if (fits(frame, m_head, *m_fibres)) return frame;
+        continue; // whole, but of other bodies
+      }
+    } catch (const InputOutputError&) { // whole, but no frame
+      continue;
+    }
+    if (!find_next(start)) return std::nullopt;
+  }
+}
+
+/// Goes to the next whole block behind the place where one was expected.
+bool FrameReader::find_next(std::streampos start) {
+  m_log->clear();
+  m_log->seekg(start);
+  if (m_log != &m_rest) { // from here on in memory, so that much damage does not take many readings of the file
+    m_rest.str(std::string(std::istreambuf_iterator<char>(*m_log), {}));
+    m_log = &m_rest;
+    m_budget = 8 * m_rest.view().size();
+    start = 0;
+  }
+  const std::string_view rest = m_rest.view().substr(static_cast<std::size_t>(start));
+  if (rest.empty()) return false;
+  const std::size_t at = find_block(rest.substr(1), sizeof(double) * m_head.particles(), m_budget);
+  if (at == std::string_view::npos) return false;
+  m_rest.seekg(start + static_cast<std::streamoff>(1 + at));
+  return true;
+}
+
+void FrameLog::add(const Frame& frame) { m_file.append(log_frame(frame)); }
+
+} // namespace matrigrate::io

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "base/vector.hpp"
+#include "store/deflate.hpp"
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A thin layer over the C interface of HDF5: handles that close themselves, arrays of numbers with their unit, and
+/// failures as exceptions. Test: tests/unit/store/checkpoint_test.cpp
+namespace matrigrate::io {
+
+/// Any identifier of HDF5, closed at the end of its scope.
+class Handle {
+public:
+  using Close = herr_t (*)(hid_t);
+
+  /// @throws InputOutputError saying what could not be done, if HDF5 has returned no identifier
+  Handle(hid_t id, Close close, std::string_view what);
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  Handle(Handle&& other) noexcept;
+  Handle& operator=(Handle&& other) = delete;
+  ~Handle();
+
+  hid_t id() const { return m_id; }
+
+private:
+  hid_t m_id;
+  Close m_close;
+};
+
+/// A file held in memory: written as a whole, and read only from bytes that are known to be whole.
+class MemoryFile {
+public:
+  /// An empty file to be filled.
+  MemoryFile();
+
+  /// A file to be read.
+  /// @throws InputOutputError if it is no HDF5 file
+  explicit MemoryFile(std::string_view image);
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() = default;
+
+  /// Its bytes, until it is written to again or gone.
+  std::string_view view() const;
+
+  /// Groups on the way to `name` are made. The array is 1-d, or n x 2 for vectors, n x 4 for matrices (row by row).
+  void write(const std::string& name, std::span<const double> values, std::string_view unit);
+  void write(const std::string& name, std::span<const Vec2> values, std::string_view unit);
+  void write(const std::string& name, std::span<const Mat2> values, std::string_view unit);
+  void write(const std::string& name, std::span<const std::uint8_t> values, std::string_view unit = "");
+  void write(const std::string& name, std::span<const std::uint32_t> values, std::string_view unit);
+  void write_text(const std::string& name, std::string_view text);
+  /// @param columns  1 for a 1-d array, else n x columns
+  void write_rows(const std::string& name, std::span<const float> values, std::size_t columns, std::string_view unit);
+
+  /// An attribute of the file as a whole.
+  void write_attribute(const std::string& name, const std::string& text);
+  void write_attribute(const std::string& name, std::uint64_t number);
+
+  /// Names one frame of a FrameArray as an array of its own, without a copy: what HDF5 calls a virtual dataset.
+  void name_frame(const std::string& view, const std::string& name, std::size_t frame, std::string_view unit);
+  /// Names rows of a table as an array of their own, likewise.
+  /// @param rows  at least 1
+  void name_rows(const std::string& view, const std::string& name, std::size_t first, std::size_t rows,
+                 std::string_view unit);
+
+  /// @throws InputOutputError naming the array, if it is not there or of another type or shape
+  std::vector<double> doubles(const std::string& name) const;
+  std::vector<Vec2> vectors(const std::string& name) const;
+  std::vector<Mat2> matrices(const std::string& name) const;
+  std::vector<std::uint8_t> bytes(const std::string& name) const;
+  std::string text(const std::string& name) const;
+  bool has(const std::string& name) const;
+  std::vector<float> floats(const std::string& name) const; ///< of any shape, row by row
+  /// What a FrameArray of frames has at one.
+  std::vector<float> float_frame(const std::string& name, std::size_t frame) const;
+  std::vector<std::uint8_t> byte_frame(const std::string& name, std::size_t frame) const;
+
+private:
+  friend class FrameArray;
+  void write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,
+             std::string_view unit);
+  void name_part(const std::string& view, const std::string& name, hid_t part, std::span<const hsize_t> shape,
+                 std::string_view unit);
+  Handle open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const;
+  template <class Number>
+  std::vector<Number> read(const std::string& name, hid_t type, std::size_t columns) const;
+
+  template <class Number>
+  std::vector<Number> read_frame(const std::string& name, hid_t type, std::size_t frame) const;
+
+  std::size_t m_size = 0; ///< of the image that is read [bytes]
+  Handle m_file;
+};
+
+/// An array of (frames, entries[, components]), compressed frame by frame.
+class FrameArray {
+public:
+  /// @param like  tells the type of the numbers: float or byte
+  template <class Number>
+  FrameArray(MemoryFile& file, const std::string& name, const std::vector<Number>& like, std::size_t frames,
+             std::size_t entries, std::size_t components, std::string_view unit)
+      : FrameArray(file, name, type_of(like), shape_of(frames, entries, components), unit) {}
+
+  /// @throws std::invalid_argument if a frame has another size than the others
+  template <class Number>
+  void write(std::size_t frame, const std::vector<Number>& values) {
+    require_size(values.size());
+    write_chunk(frame, deflated_fast(byte_planes(std::span<const Number>(values)))); // as HDF5's own filters would
+  }
+
+private:
+  static hid_t type_of(const std::vector<float>&) { return H5T_NATIVE_FLOAT; }
+  static hid_t type_of(const std::vector<std::uint8_t>&) { return H5T_NATIVE_UINT8; }
+  static std::vector<hsize_t> shape_of(std::size_t frames, std::size_t entries, std::size_t components);
+  FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape, std::string_view unit);
+  void require_size(std::size_t size) const;
+  void write_chunk(std::size_t frame, const std::string& bytes);
+
+  std::vector<hsize_t> m_shape;
+  Handle m_data;
+};
+
+} // namespace matrigrate::io

@@ -1,0 +1,149 @@
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "store/field_file.hpp"
+#include "store/frame_log.hpp"
+#include "store/hdf5.hpp"
+#include "store/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+namespace matrigrate::io {
+
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{64} << 30U;
+constexpr std::string_view protrusions = "protrusions/";
+
+Floats in_plane(const Floats& values) {
+  Floats all;
+  all.reserve(values.size() / 3 * 2);
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) all.insert(all.end(), {values[i], values[i + 1]});
+  return all;
+}
+
+void read_protrusions(const MemoryFile& file, Film& film) {
+  const Floats frame_of_row = file.floats("/protrusions/frame");
+  const std::vector<std::uint8_t> phases = file.bytes("/protrusions/phase");
+  std::vector<Floats> columns;
+  for (const auto& field : float_fields())
+    if (field.name.starts_with(protrusions)) {
+      const Floats stored = file.floats(fmt::format("/{}", field.name));
+      columns.push_back(field.components == 2 ? in_plane(stored) : stored);
+      if (columns.back().size() != frame_of_row.size() * field.components)
+        throw InputOutputError("its tables of protrusions do not belong together");
+    }
+  if (phases.size() != frame_of_row.size()) throw InputOutputError("its tables of protrusions do not belong together");
+  for (std::size_t row = 0; row < frame_of_row.size(); ++row) {
+    const auto frame = static_cast<double>(frame_of_row[row]);
+    if (!(frame >= 0.0 && frame < static_cast<double>(film.frames.size())))
+      throw InputOutputError("a protrusion is of no frame");
+    const auto k = static_cast<std::size_t>(frame);
+    std::size_t column = 0;
+    for (const auto& field : float_fields()) {
+      if (!field.name.starts_with(protrusions)) continue;
+      const auto first = columns[column++].begin() + static_cast<std::ptrdiff_t>(row * field.components);
+      Floats& to = field.of(film.frames[k]);
+      to.insert(to.end(), first, first + field.components);
+    }
+    film.frames[k].protrusions.phase.push_back(phases[row]);
+  }
+}
+
+/// @param whole  whether of each frame is to be told if it could be read; else the first that cannot is an error
+Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
+  Film film;
+  const std::vector<double> times = file.doubles("/time");
+  const std::vector<double> radius = file.doubles("/matrix/radius");
+  const std::vector<double> spacing = file.doubles("/matrix/spacing");
+  if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
+  film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
+  for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
+  if (whole != nullptr) whole->assign(times.size(), true);
+  if (times.empty()) return film;
+  const auto frames_of = [&](const std::string& name, const auto& read, const auto& keep) {
+    if (!file.has(name)) return; // fibres, where there are none
+    for (std::size_t k = 0; k < film.frames.size(); ++k) {
+      try {
+        keep(film.frames[k], read(name, k));
+      } catch (const InputOutputError&) {
+        if (whole == nullptr) throw;
+        (*whole)[k] = false;
+      }
+    }
+  };
+  for (const auto& field : float_fields())
+    if (!field.name.starts_with(protrusions))
+      frames_of(
+          fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
+          [&](Frame& f, Floats v) { field.of(f) = field.components == 2 ? in_plane(v) : std::move(v); });
+  for (const auto& field : byte_fields())
+    if (!field.name.starts_with(protrusions))
+      frames_of(
+          fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
+          [&](Frame& f, Bytes v) { field.of(f) = std::move(v); });
+  read_protrusions(file, film);
+  const std::size_t fibres = file.has("/matrix/fibre_von_mises") ? film.head.particles() : 0;
+  for (std::size_t k = 0; k < film.frames.size(); ++k) {
+    if (fits(film.frames[k], film.head, fibres)) continue;
+    if (whole == nullptr) throw InputOutputError("its arrays do not belong together");
+    (*whole)[k] = false;
+  }
+  return film;
+}
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(file, error);
+}
+
+/// Reads the field file of a folder, if it has one.
+template <class Read>
+Film read_in(const std::filesystem::path& folder, const Read& read) {
+  const std::filesystem::path path = folder / field_file_name;
+  if (!is_there(path)) return {};
+  std::string bytes = read_file(path, most_bytes);
+  return naming(path, [&] {
+    const MemoryFile file(bytes);
+    bytes = std::string(); // HDF5 has taken a copy
+    return read(file);
+  });
+}
+
+} // namespace
+
+Film read_field_file(std::string_view bytes) { return film_in(MemoryFile(bytes)); }
+
+Film read_field_film(const std::filesystem::path& folder) {
+  return read_in(folder, [](const MemoryFile& file) { return film_in(file); });
+}
+
+Film read_whole_frames(const std::filesystem::path& folder) {
+  return read_in(folder, [](const MemoryFile& file) {
+    std::vector<bool> whole;
+    Film film = film_in(file, &whole);
+    Film found{.head = film.head, .frames = {}};
+    for (std::size_t k = 0; k < whole.size(); ++k)
+      if (whole[k]) found.frames.push_back(std::move(film.frames[k]));
+    return found;
+  });
+}
+
+Film read_film(const std::filesystem::path& folder, const std::function<void(Frame&)>& each) {
+  const std::filesystem::path path = folder / frame_log_name;
+  if (!is_there(path)) {
+    Film film = read_field_film(folder);
+    if (each) std::ranges::for_each(film.frames, each);
+    return film;
+  }
+  return naming(path, [&] {
+    std::ifstream log(path, std::ios::binary);
+    return read_log(log, each);
+  });
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "observe/frame.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The whole frames of a run, for one that is resumed and for reports and exports, and those that are no longer there.
+/// Test: tests/unit/store/saved_frames_test.cpp
+namespace matrigrate::io {
+
+/// Frames as they stand in a log, by their times [s].
+using SavedFrames = std::map<double, std::string>;
+
+/// What the frames of a run have in common.
+struct FrameShape {
+  FrameHead head;
+  std::size_t outline = 0; ///< particles of the cortex
+  bool fibres = false;     ///< whether the matrix has fibres
+};
+
+/// The frames of given times that a folder still holds whole, in its log or else in its field file. Files that are
+/// missing or damaged, and frames of another shape, are passed over.
+/// @param times  in ascending order [s]
+SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
+
+/// All frames that a folder still holds whole, whether a checkpoint knows of them or not.
+/// @param times  of those that there should be: only where one is missing in the log is the field file read [s]
+Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
+
+/// Frames that were written once and are not there any longer.
+struct LostFrames {
+  std::size_t count = 0;
+  std::size_t written = 0; ///< lost or not
+  double first = 0.0;      ///< time of the first lost one [s]
+  double last = 0.0;       ///< time of the last lost one [s]
+};
+
+/// @param written  times of the frames that a run has written, ascending [s]
+/// @param there    times of those that are there, ascending [s]
+LostFrames lost_frames(std::span<const double> written, std::span<const double> there);
+
+/// "4 of 11 frames (from 30 s to 2 min) are lost: ..."; empty if none is lost.
+std::string to_text(const LostFrames& lost);
+
+/// The times of a film's frames [s].
+std::vector<double> times_of(const Film& film);
+
+} // namespace matrigrate::io

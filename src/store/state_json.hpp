@@ -1,0 +1,41 @@
+#pragma once
+
+#include "state/protrusion.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+/// Parts of the state as JSON, to be read back to the same bits; what is not defined (NaN) is null. Reading throws
+/// nlohmann::json::exception where something is missing or of another type.
+/// Test: tests/unit/store/checkpoint_test.cpp
+namespace matrigrate::io {
+
+using Json = nlohmann::ordered_json;
+
+/// An integer that T can hold. @throws std::invalid_argument if it is none
+template <class T>
+T integer(const Json& json) {
+  if (json.is_number_unsigned() && std::in_range<T>(json.get<std::uint64_t>()))
+    return static_cast<T>(json.get<std::uint64_t>());
+  if (json.is_number_integer() && !json.is_number_unsigned() && std::in_range<T>(json.get<std::int64_t>()))
+    return static_cast<T>(json.get<std::int64_t>());
+  throw std::invalid_argument("a number is no integer, or out of range");
+}
+
+double number(const Json& json); ///< NaN for null
+Vec2 vector(const Json& json);   ///< [x, y]
+Json to_json(const Vec2& x);     ///< [x, y]
+Json to_json(const std::vector<Vec2>& points);
+std::vector<Vec2> vectors(const Json& json);
+
+Json to_json(const ProtrusionRecord& record);
+ProtrusionRecord record_of(const Json& json);
+
+Json to_json(const Protrusion& protrusion);
+Protrusion protrusion_of(const Json& json);
+
+} // namespace matrigrate::io

@@ -1,0 +1,70 @@
+#include "store/table.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace matrigrate::io {
+
+namespace {
+
+void check_length(const Table& table, const std::vector<double>& row) {
+  if (row.size() != table.columns.size())
+    throw std::invalid_argument(
+        fmt::format("a row of {} numbers does not fit a table of {} columns", row.size(), table.columns.size()));
+}
+
+bool is_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// Whether a spreadsheet would compute a field instead of showing it.
+bool is_formula(std::string_view field) { return field.find_first_of("=+-@\t\r\n") == 0 && !is_number(field); }
+
+} // namespace
+
+std::string csv_text(std::string_view field) {
+  const std::string shown = (is_formula(field) ? "'" : "") + std::string(field);
+  if (shown.find_first_of(",\"\r\n") == std::string::npos) return shown;
+  std::string out = "\"";
+  for (const char c : shown) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+void Table::add(std::vector<double> row) {
+  check_length(*this, row);
+  rows.push_back(std::move(row));
+}
+
+std::string to_csv(const Table& table) {
+  std::string out;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (c > 0) out += ',';
+    out += csv_text(table.columns[c]);
+  }
+  out += '\n';
+  for (const auto& row : table.rows) {
+    check_length(table, row);
+    // An empty line would be skipped by most readers, so a lone missing number is written as an empty quoted field.
+    if (row.size() == 1 && std::isnan(row[0])) out += "\"\"";
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (c > 0) out += ',';
+      if (!std::isnan(row[c])) fmt::format_to(std::back_inserter(out), "{}", row[c]);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+} // namespace matrigrate::io

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace matrigrate::io {
+
+/// A table of numbers with a name and unit for each column, as in every CSV file of the program.
+struct Table {
+  std::vector<std::string> columns;      ///< names ending in their unit: "displacement_um", "time_s"
+  std::vector<std::vector<double>> rows; ///< each as long as columns
+
+  /// Appends a row. @throws std::invalid_argument if its length is not that of columns
+  void add(std::vector<double> row);
+};
+
+/// The table as RFC 4180 text, but with the line ends of Unix: a header line, numbers in the shortest form that reads
+/// back to the same bits, NaN as an empty field, infinities as inf and -inf. The same bytes in every locale.
+/// @throws std::invalid_argument if a row is not as long as columns
+std::string to_csv(const Table& table);
+
+/// Text as a field of CSV: in quotes where it holds a character that would end the field, and after an apostrophe where
+/// a spreadsheet would compute it as a formula, that is, where it begins with = + - @, a tab or a line break and is no
+/// number. Test: tests/unit/store/table_test.cpp
+std::string csv_text(std::string_view field);
+
+} // namespace matrigrate::io

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "observe/tracks.hpp"
+
+#include <span>
+#include <string>
+
+/// The path of the cell for programs that analyse tracks. Test: tests/unit/store/track_files_test.cpp,
+/// tests/readers/tracks_reads.py
+namespace matrigrate::io {
+
+/// For celltrackR: columns id, t [s], x, y [um]. Read by read.tracks.csv(file, sep = ",", pos.columns = 3:4).
+std::string celltrackr_csv(std::span<const TrackRow> rows);
+
+/// As TrackMate exports spots: columns ID, TRACK_ID, POSITION_X, POSITION_Y, POSITION_Z [um], POSITION_T [s], FRAME,
+/// RADIUS [um].
+std::string trackmate_csv(std::span<const TrackRow> rows);
+
+/// As TrackMate exports tracks to XML ("Export tracks to XML file"), one particle; a detection's t is the number of
+/// its row, as TrackMate's is that of the frame.
+std::string trackmate_xml(std::span<const TrackRow> rows);
+
+} // namespace matrigrate::io

@@ -1,0 +1,106 @@
+#include "study_report/played_runs.hpp"
+
+#include "base/failure.hpp"
+#include "run/finished_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr std::size_t most_runs = 5;           ///< that are chosen unasked
+constexpr std::size_t most_bytes = 12'000'000; ///< of all of them
+
+struct Choice {
+  const Result* result;
+  std::string why;
+};
+
+/// Of the runs of a point that are done, the one in the middle by the first read-out.
+std::optional<Choice> typical(const StudyFolder& study, const std::vector<Result>& results, std::size_t point) {
+  const std::string& readout = study.study.readouts.front();
+  const std::size_t column = readout_column(readout);
+  std::vector<const Result*> runs;
+  for (const Result& r : results)
+    if (r.run.point == point && r.standing.done() && std::isfinite(r.readouts[column])) runs.push_back(&r);
+  if (runs.empty()) return {};
+  const auto by_value = [&](const Result* r) { return r->readouts[column]; };
+  std::ranges::sort(runs, {}, by_value);
+  return Choice{runs[(runs.size() - 1) / 2], fmt::format("the middle one by {}", readout)};
+}
+
+/// Up to most_runs points, spread over all of them.
+std::vector<Choice> typical_ones(const StudyFolder& study, const std::vector<Result>& results) {
+  std::vector<Choice> chosen;
+  const std::size_t points = study.study.points.size();
+  const std::size_t n = std::min(points, most_runs);
+  for (std::size_t k = 0; k < n; ++k)
+    if (auto choice = typical(study, results, n == 1 ? 0 : k * (points - 1) / (n - 1))) chosen.push_back(*choice);
+  return chosen;
+}
+
+const Result* find(const std::vector<Result>& results, const std::string& id) {
+  const auto found = std::ranges::find_if(results, [&](const Result& r) { return r.run.hash == id; });
+  return found == results.end() ? nullptr : &*found;
+}
+
+std::vector<Choice> asked_for(const std::vector<Result>& results, const std::vector<std::string>& wanted) {
+  if (const std::string fault = fault_of_wanted(results, wanted); !fault.empty()) throw std::invalid_argument(fault);
+  std::vector<Choice> chosen;
+  for (const std::string& id : wanted) chosen.push_back({find(results, id), "chosen"});
+  return chosen;
+}
+
+/// Every `stride`-th frame, and the last one.
+void thin(io::Film& film, std::size_t stride) {
+  std::vector<io::Frame> kept;
+  for (std::size_t k = 0; k < film.frames.size(); ++k)
+    if (k % stride == 0 || k + 1 == film.frames.size()) kept.push_back(std::move(film.frames[k]));
+  film.frames = std::move(kept);
+}
+
+nlohmann::ordered_json page_of(const std::filesystem::path& folder, std::size_t stride) {
+  run::FinishedRun run = run::read_run(folder);
+  if (stride > 1) thin(run.film, stride);
+  return page_data(run);
+}
+
+} // namespace
+
+std::string fault_of_wanted(const std::vector<Result>& results, const std::vector<std::string>& wanted) {
+  for (const std::string& id : wanted) {
+    const Result* result = find(results, id);
+    if (result == nullptr) return fmt::format("there is no run \"{}\" in this study", id);
+    if (!result->standing.done()) return fmt::format("run {} is not done", id);
+  }
+  return {};
+}
+
+std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
+                                   const std::vector<std::string>& wanted) {
+  const std::vector<Choice> chosen = wanted.empty() ? typical_ones(study, results) : asked_for(results, wanted);
+  std::vector<PlayedRun> played;
+  std::size_t stride = 1;
+  for (const auto& [result, why] : chosen) {
+    try {
+      const std::filesystem::path folder = run_folder(study.folder, result->run);
+      nlohmann::ordered_json page = page_of(folder, stride);
+      if (played.empty()) {
+        stride = page.dump().size() * chosen.size() / most_bytes + 1;
+        if (stride > 1) page = page_of(folder, stride);
+      }
+      played.push_back({result->run.hash, fmt::format("{}: {}", title_of(study, result->run), why), std::move(page)});
+    } catch (const InputOutputError&) { // its checkpoint or its frames were deleted
+      if (!wanted.empty()) throw;
+    }
+  }
+  return played;
+}
+
+} // namespace matrigrate::study

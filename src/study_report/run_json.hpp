@@ -1,0 +1,18 @@
+#pragma once
+
+#include "study/results.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace matrigrate::study {
+
+/// A run as the page of a study takes it (viewer/README.md): how it stands, its read-outs, path and outline at the end.
+/// @param place  of its point on the axes
+/// @throws InputOutputError if a table of a run that is done cannot be read
+/// Test: tests/unit/study_report/study_data_test.cpp, tests/apps/study_test.cpp
+nlohmann::ordered_json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result,
+                                const nlohmann::ordered_json& place);
+
+} // namespace matrigrate::study

@@ -1,0 +1,171 @@
+#include "study_report/run_shapes.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "cell/geometry.hpp"
+#include "draw/plot.hpp"
+#include "draw/svg.hpp"
+#include "store/checkpoint.hpp"
+#include "store/csv.hpp"
+#include "store/field_file.hpp"
+#include "store/hdf5.hpp"
+#include "store/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr std::size_t replicates_shown = 3;
+constexpr std::size_t largest_file = std::size_t{1} << 30U;
+
+/// A path in plane: its distance from start to end, and its length over every second point, per hour.
+struct Speeds {
+  double along_line = 0.0; ///< [um/h]
+  double along_path = 0.0; ///< [um/h]
+};
+
+Speeds speeds(const std::vector<Vec2>& path, double hours) {
+  Speeds s{.along_line = (path.back() - path.front()).norm() / hours};
+  for (std::size_t k = 2; k < path.size(); k += 2) s.along_path += (path[k] - path[k - 2]).norm() / hours;
+  return s;
+}
+
+std::vector<Vec2> ring_of(const std::vector<float>& numbers) {
+  std::vector<Vec2> ring;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) ring.emplace_back(numbers[i], numbers[i + 1]);
+  return ring;
+}
+
+/// The speeds of both centres of a run; nothing if it kept no frames.
+std::string centre_row(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / io::field_file_name;
+  if (!std::filesystem::exists(file)) return {};
+  const io::MemoryFile fields(read_file(file, largest_file));
+  const std::vector<double> times = fields.doubles("/time");
+  if (times.size() < 3) return {};
+  std::vector<Vec2> areas;
+  std::vector<Vec2> means;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const CortexState ring{.x = ring_of(fields.float_frame("/outline/position", k)), .v = {}, .l0 = {}};
+    areas.push_back(centroid(ring));
+    means.push_back(std::accumulate(ring.x.begin(), ring.x.end(), Vec2(0.0, 0.0)) / static_cast<double>(ring.size()));
+  }
+  const double hours = (times.back() - times.front()) / 3600.0;
+  const Speeds area = speeds(areas, hours);
+  const Speeds mean = speeds(means, hours);
+  return fmt::format("{:.3f},{:.3f},{:.3f},{:.3f}", area.along_line, area.along_path, mean.along_line, mean.along_path);
+}
+
+} // namespace
+
+std::string shapes_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder) {
+  std::string csv = "replicate,x_um,y_um,point\n";
+  for (const Result& r : results) {
+    if (!r.standing.done() || r.run.replicate > replicates_shown) continue;
+    const std::filesystem::path checkpoint = run_folder(study_folder, r.run) / io::checkpoint_name;
+    if (!std::filesystem::exists(checkpoint)) continue;
+    const CortexState cortex = io::read_checkpoint(checkpoint).state.cortex;
+    for (std::size_t i = 0; i < cortex.size(); i += 2)
+      csv += fmt::format("{},{:.2f},{:.2f},{}\n", r.run.replicate, cortex.x[i].x(), cortex.x[i].y(),
+                         io::csv_text(study.points[r.run.point].label));
+  }
+  return csv;
+}
+
+std::string shapes_svg(std::string_view shapes_csv) {
+  const io::CsvTable table = io::read_csv(shapes_csv);
+  std::vector<io::Plot> plots;
+  double extent = 1.0;
+  std::string replicate;
+  for (const std::vector<std::string>& row : table.rows) {
+    if (plots.empty() || plots.back().title != row[3]) {
+      plots.push_back({.title = row[3], .x_label = "x [um]", .y_label = "y [um]"});
+      plots.back().equal_axes = true;
+      replicate.clear();
+    }
+    if (row[0] != replicate) plots.back().series.emplace_back();
+    replicate = row[0];
+    io::Series& outline = plots.back().series.back();
+    outline.x.push_back(io::csv_number(row[1]));
+    outline.y.push_back(io::csv_number(row[2]));
+    extent = std::max({extent, std::abs(outline.x.back()), std::abs(outline.y.back())});
+  }
+  std::vector<std::string> panels;
+  for (io::Plot& plot : plots) {
+    plot.least_extent = extent;
+    for (io::Series& outline : plot.series) { // closed
+      outline.x.push_back(outline.x.front());
+      outline.y.push_back(outline.y.front());
+    }
+    panels.push_back(io::to_svg(plot, 430, 400));
+  }
+  return io::svg::sheet(panels, 3, "Shapes of three cells at the end of their paths");
+}
+
+std::string centres_csv(const Study& study, const std::vector<Result>& results,
+                        const std::filesystem::path& study_folder) {
+  std::string csv = "replicate,v_abs_area_um_per_h,v_path_600s_area_um_per_h,v_abs_mean_um_per_h,"
+                    "v_path_600s_mean_um_per_h,point\n";
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::string row = centre_row(run_folder(study_folder, r.run));
+    if (!row.empty())
+      csv += fmt::format("{},{},{}\n", r.run.replicate, row, io::csv_text(study.points[r.run.point].label));
+  }
+  return csv;
+}
+
+std::string fibre_stress_csv(const io::Film& film) {
+  constexpr double shown = 60.0; // [um]
+  std::string csv = "what,x_um,y_um,von_mises_Pa\n";
+  if (film.frames.empty()) return csv;
+  const io::Frame& last = film.frames.back();
+  CortexState cortex{.x = {}, .v = {}, .l0 = {}};
+  for (std::size_t i = 0; i + 1 < last.outline.x.size(); i += 2)
+    cortex.x.emplace_back(last.outline.x[i], last.outline.x[i + 1]);
+  const Vec2 centre = centroid(cortex);
+  for (std::size_t i = 0; i < last.matrix.fibre_von_mises.size(); ++i) {
+    const Vec2 x(film.head.reference[2 * i] + last.matrix.displacement[2 * i],
+                 film.head.reference[2 * i + 1] + last.matrix.displacement[2 * i + 1]);
+    if ((x - centre).norm() > shown) continue;
+    csv += fmt::format("matrix,{:.2f},{:.2f},{}\n", x.x(), x.y(),
+                       last.matrix.f_degr[i] > 0.0F ? fmt::format("{:.1f}", last.matrix.fibre_von_mises[i])
+                                                    : std::string());
+  }
+  for (const Vec2& x : cortex.x) csv += fmt::format("outline,{:.2f},{:.2f},\n", x.x(), x.y());
+  return csv;
+}
+
+std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing) {
+  io::ParticlePicture picture{.title = "Von Mises stress of the fibres (Eq. 11)",
+                              .value_label = "von Mises stress of the fibres [Pa]"};
+  std::vector<double> values;
+  for (const std::vector<std::string>& row : io::read_csv(fibre_stress_csv).rows) {
+    const Vec2 x(io::csv_number(row[1]), io::csv_number(row[2]));
+    if (row[0] == "outline") {
+      picture.outline.push_back(x);
+      continue;
+    }
+    picture.position.push_back(x);
+    picture.value.push_back(io::csv_number(row[3]));
+    if (std::isfinite(picture.value.back())) values.push_back(picture.value.back());
+  }
+  if (!values.empty()) { // all but one in a hundred lie on the scale
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 99 / 100);
+    std::ranges::nth_element(values, place);
+    picture.value_min = 0.0;
+    picture.value_max = *place > 0.0 ? *place : 1.0;
+  }
+  picture.particle_size = spacing;
+  return io::to_svg(picture, 700);
+}
+
+} // namespace matrigrate::study

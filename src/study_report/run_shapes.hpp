@@ -1,0 +1,37 @@
+#pragma once
+
+#include "observe/frame.hpp"
+#include "study/results.hpp"
+#include "study/study.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+/// Cells and matrix of the runs of a study as small tables, and the figures drawn from these alone: shapes at the end,
+/// both ways to take the centre of a cell, the stress of the fibres around a cell.
+/// Test: tests/unit/study/run_shapes_test.cpp
+namespace matrigrate::study {
+
+/// shapes.csv: replicate, x_um, y_um, point; every second particle of the cortex where a run ended, the first three
+/// replicates of each point. Runs that are not done, or whose checkpoint is gone, are left out.
+std::string shapes_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder);
+
+/// The outlines, a panel a point, all to one scale, from the common origin of their paths (Figs 6, 11 and 12).
+std::string shapes_svg(std::string_view shapes_csv);
+
+/// centres.csv: replicate, v_abs and path speed sampled at every second frame (600 s), first of the centre of the area,
+/// then of the mean of the cortex particles, point. Runs that are not done or kept no frames are left out.
+/// @throws InputOutputError if frames cannot be read
+std::string centres_csv(const Study& study, const std::vector<Result>& results,
+                        const std::filesystem::path& study_folder);
+
+/// fibre-stress.csv: what (matrix, or outline of the cell), x_um, y_um, von_mises_Pa of the fibres (Eq. 11), at the
+/// last frame of a film, as far as 60 um from the cell's centre; fluid and outline have no stress.
+std::string fibre_stress_csv(const io::Film& film);
+
+/// The stress on the solid matrix, with the outline (Fig 13).
+std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing);
+
+} // namespace matrigrate::study

@@ -1,0 +1,224 @@
+#include "study_report/study_data.hpp"
+
+#include "base/file.hpp"
+#include "observe/readout_table.hpp"
+#include "parameters/schema.hpp"
+#include "report/run_page.hpp"
+#include "statistics/correlation.hpp"
+#include "study/axes.hpp"
+#include "study/table_readouts.hpp"
+#include "study_report/run_curves.hpp"
+#include "study_report/run_json.hpp"
+#include "study_report/screening_data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <system_error>
+
+namespace matrigrate::study {
+
+namespace {
+
+using Json = nlohmann::ordered_json; // NaN is written as null
+
+Json readouts_json(const Study& study) {
+  Json list = Json::array();
+  for (const std::string& name : study.readouts) {
+    const ReadOutSpec* spec = find_readout(name); // none of those that tables of runs give
+    const std::string_view unit = spec == nullptr || spec->unit == "-" ? "" : spec->unit;
+    list.push_back({{"name", name},
+                    {"label", spec == nullptr ? name : std::string(spec->label)},
+                    {"meaning", spec == nullptr ? name : std::string(spec->meaning)},
+                    {"unit", unit}});
+  }
+  return list;
+}
+
+/// The samples that are compared, with the numbers of groups.csv.
+Json groups_json(const StudyReport& report, const std::vector<Json>& place) {
+  Json list = Json::array();
+  for (const ReadOutSample& g : samples(report.study, report.results))
+    list.push_back({{"readout", g.readout},
+                    {"point", place[g.point]},
+                    {"n", g.moments.n},
+                    {"mean", g.moments.mean},
+                    {"low_whisker", g.box.low_whisker},
+                    {"low_quartile", g.box.low_quartile},
+                    {"median", g.box.median},
+                    {"high_quartile", g.box.high_quartile},
+                    {"high_whisker", g.box.high_whisker}});
+  return list;
+}
+
+Json test_json(const Study& study, const Comparison& c, const std::vector<Json>& place) {
+  const bool bounded = std::isfinite(c.difference.low) && std::isfinite(c.difference.high);
+  return {{"readout", c.readout},
+          {"a", place[c.a]},
+          {"b", place[c.b]},
+          {"test", name(study.comparisons.test)},
+          {"statistic", c.test.statistic},
+          {"p", c.test.p},
+          {"p_holm", c.p_holm},
+          {"n_a", c.sample_a.n},
+          {"n_b", c.sample_b.n},
+          {"difference", c.difference.value},
+          {"interval", bounded ? Json{c.difference.low, c.difference.high} : Json()}};
+}
+
+Json msd_json(const StudyReport& report, std::size_t point, const Json& place) {
+  Json json{{"point", place}, {"lag_min", Json::array()}, {"msd_um2", Json::array()}, {"sem_um2", Json::array()}};
+  std::vector<MsdPoint> means;
+  for (const MeanMsd& m : mean_msd(report.results, point, report.folder)) {
+    json["lag_min"].push_back(m.lag / 60.0);
+    json["msd_um2"].push_back(m.mean);
+    json["sem_um2"].push_back(m.sem);
+    means.push_back({.lag = m.lag, .msd = m.mean, .samples = m.runs});
+  }
+  json["slope"] = msd_slope(means);
+  return json;
+}
+
+Json correlation_json(const StudyReport& report) {
+  std::vector<std::vector<double>> columns;
+  for (const std::string& readout : report.study.readouts) {
+    const std::size_t index = readout_column(readout);
+    std::vector<double>& values = columns.emplace_back();
+    for (const Result& r : report.results) values.push_back(r.readouts[index]);
+  }
+  Json r = Json::array();
+  Json p = Json::array();
+  Json n = Json::array();
+  for (const auto& row : statistics::correlation_matrix(columns)) {
+    for (Json* matrix : {&r, &p, &n}) matrix->push_back(Json::array());
+    for (const statistics::Correlation& c : row) {
+      r.back().push_back(c.r);
+      p.back().push_back(c.p);
+      n.back().push_back(c.n);
+    }
+  }
+  return {{"names", report.study.readouts}, {"r", r}, {"p", p}, {"n", n}};
+}
+
+std::string verdict_word(Verdict verdict) {
+  return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "open" : "fails";
+}
+
+Json claims_json(const std::vector<JudgedClaim>& claims) {
+  Json list = Json::array();
+  for (const JudgedClaim& c : claims)
+    list.push_back({{"id", c.id},
+                    {"claim", c.sentence},
+                    {"published", c.published},
+                    {"verdict", verdict_word(c.finding.verdict)},
+                    {"ours", c.finding.ours},
+                    {"statistic", c.finding.conditions}});
+  return list;
+}
+
+/// "Stiffness: 4 points x 12 replicates": studies with one title are told apart.
+std::string titled(const Study& study) {
+  return fmt::format("{}: {} point{} x {} replicate{}", study.title.empty() ? "Study" : study.title,
+                     study.points.size(), study.points.size() == 1 ? "" : "s", study.replicates,
+                     study.replicates == 1 ? "" : "s");
+}
+
+/// Command, date, versions of the program, runs done: from the files of the folder alone.
+Json facts_json(const StudyReport& report) {
+  std::size_t done = 0;
+  std::string last;
+  std::set<std::string> programs;
+  for (const Result& r : report.results) {
+    if (!r.standing.done()) continue;
+    ++done;
+    last = std::max(last, r.standing.end);
+    if (!r.standing.program.empty()) programs.insert(r.standing.program);
+  }
+  Json facts = Json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) facts.push_back({{"name", name}, {"value", value}});
+  };
+  add("command", report.command);
+  if (last.size() >= 16) add("date", fmt::format("{} {} UTC", last.substr(0, 10), last.substr(11, 5)));
+  if (!programs.empty()) add("program", fmt::format("matrigrate {}", fmt::join(programs, ", ")));
+  add("runs done", fmt::format("{} of {}", done, report.results.size()));
+  return facts;
+}
+
+Json players_json(const std::vector<PlayedRun>& played) {
+  Json list = Json::array();
+  for (const PlayedRun& run : played) list.push_back({{"id", run.id}, {"label", run.label}, {"run", run.page}});
+  return list;
+}
+
+} // namespace
+
+std::string result_sentence(const StudyReport& report) {
+  if (report.study.readouts.empty()) return {};
+  const Json readout = readouts_json(report.study).at(0);
+  std::vector<ReadOutSample> defined = samples(report.study, report.results);
+  std::erase_if(defined, [&](const ReadOutSample& s) { return s.readout != readout.at("name") || s.moments.n == 0; });
+  const std::string label = readout.at("label");
+  if (defined.empty()) return fmt::format("No run has a value of {} yet.", label);
+  const auto value = [&](const ReadOutSample& s) {
+    const std::string unit = readout.at("unit");
+    return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit.empty() ? "" : " " + unit, s.moments.n,
+                       s.moments.n == 1 ? "" : "s", report.study.points[s.point].label);
+  };
+  const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
+  if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
+  std::size_t tested = 0;
+  std::size_t significant = 0;
+  for (const Comparison& c : report.comparisons) {
+    const bool enough = std::min(c.sample_a.n, c.sample_b.n) >= least_runs;
+    if (c.readout != readout.at("name") || !enough || std::isnan(c.p_holm)) continue;
+    ++tested;
+    if (c.p_holm < report.study.comparisons.alpha) ++significant;
+  }
+  if (report.study.comparisons.pairs == Pairs::none)
+    return fmt::format("{} is lowest, {}, and highest, {}.", label, value(*low), value(*high));
+  return fmt::format("{} is lowest, {}, and highest, {}; ", label, value(*low), value(*high))
+         + (tested == 0
+                ? fmt::format("no comparison has {} runs at both points.", least_runs)
+                : fmt::format("{} of {} comparisons {} significant (p < {:.3g} after Holm's correction).", significant,
+                              tested, significant == 1 ? "is" : "are", report.study.comparisons.alpha));
+}
+
+Json study_data(const StudyReport& report) {
+  const std::vector<Json> place = places(report.study);
+  const auto done = std::ranges::count_if(report.results, [](const Result& r) { return r.standing.done(); });
+  Json runs = Json::array();
+  for (const Result& result : report.results)
+    runs.push_back(run_json(report.study, report.folder, result, place[result.run.point]));
+  Json tests = Json::array();
+  for (const Comparison& c : report.comparisons) tests.push_back(test_json(report.study, c, place));
+  Json msd = Json::array();
+  for (std::size_t i = 0; i < place.size(); ++i) msd.push_back(msd_json(report, i, place[i]));
+  return {{"format", "matrigrate-study"},
+          {"version", 1},
+          {"title", titled(report.study)},
+          {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
+          {"summary", result_sentence(report) + screening_sentence(report.study, report.screening)},
+          {"facts", facts_json(report)},
+          {"axes", axes_json(report.study)},
+          {"readouts", readouts_json(report.study)},
+          {"runs", std::move(runs)},
+          {"groups", groups_json(report, place)},
+          {"tests", std::move(tests)},
+          {"msd", std::move(msd)},
+          {"correlation", correlation_json(report)},
+          {"claims", claims_json(report.claims)},
+          {"claims_note", report.claims_note},
+          {"claims_caveat", report.claims_caveat},
+          {"screening", screening_json(report.study, report.screening)},
+          {"players", players_json(report.played)},
+          {"provenance", report.provenance},
+          {"citation", io::citation()}};
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "study/comparison.hpp"
+#include "study/effects.hpp"
+#include "study_report/study_data.hpp"
+#include "study_runs/study_folder.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The tables, figures and page of a study. Test: tests/apps/study_test.cpp, tests/apps/study_report_test.cpp
+namespace matrigrate::study {
+
+/// What a study has come to so far.
+struct Collected {
+  std::vector<Result> results;
+  std::vector<Comparison> comparisons;
+  Screening screening;
+};
+
+/// Reads the results of all runs, and compares the points.
+Collected gathered(const StudyFolder& study);
+
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv, boxes.svg, and
+/// paths, msd and adhesions as .csv and .svg, of at most 60 points; with targets discrepancy.csv, and of designs that
+/// screen factors effects.csv.
+Collected collect_tables(const StudyFolder& study);
+
+/// What the page of a study is made of besides its results.
+struct StudyPage {
+  std::string_view page_template;    ///< of report/run_page.hpp
+  std::vector<JudgedClaim> claims{}; ///< of the paper, about this study
+  std::string claims_note{};         ///< what to know of them
+  std::string claims_caveat{};       ///< what stands beside each verdict
+  std::vector<std::string> played{}; ///< names of the runs that it plays; none: typical ones
+};
+
+/// Writes report.html.
+void write_study_report(const StudyFolder& study, const Collected& collected, const StudyPage& page);
+
+} // namespace matrigrate::study

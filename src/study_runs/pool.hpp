@@ -1,0 +1,61 @@
+#pragma once
+
+#include "study_runs/study_folder.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace matrigrate::study {
+
+/// How the runs of a study are computed: as many processes of this program at a time as `jobs`, each with one run.
+struct PoolOptions {
+  int jobs = 1;
+  int threads = 1;           ///< of each process
+  bool retry_failed = false; ///< also those that failed numerically before
+};
+
+/// A run that is not done, and why.
+struct Trouble {
+  std::size_t run; ///< index into StudyFolder::runs
+  RunState status;
+  std::string reason;
+};
+
+struct PoolOutcome {
+  std::size_t done_before = 0;
+  std::size_t done_now = 0;
+  std::vector<Trouble> troubles;
+  int signal = 0;               ///< that stopped the pool, or 0
+  bool cannot_write = false;    ///< a run could not write its files: the pool was stopped
+  bool ended_by_signal = false; ///< a run was ended by a signal that the pool did not pass on
+};
+
+/// Follows a pool from outside. The library itself prints nothing.
+class PoolObserver {
+public:
+  PoolObserver() = default;
+  PoolObserver(const PoolObserver&) = delete;
+  PoolObserver& operator=(const PoolObserver&) = delete;
+  virtual ~PoolObserver() = default;
+
+  /// The first runs are about to be started.
+  /// @param runs  that are to be computed   @param jobs  at a time
+  virtual void begin(std::size_t /*runs*/, int /*jobs*/) {}
+  /// The last one has ended, however the pool ends.
+  virtual void end() {}
+
+  /// Many times a second.
+  /// @param ended  runs that have ended   @param failed  those of them that are not done
+  virtual void show(std::size_t /*ended*/, std::size_t /*failed*/) {}
+
+  /// Asked as often. @return a signal that is passed on to the runs and stops the pool, or 0
+  virtual int stop_signal() { return 0; }
+};
+
+/// Computes those of the given runs that are not done, in their order. A run that fails does not stop the others; one
+/// that cannot write its files does, and so does a signal that the observer tells of. Test: tests/apps/study_test.cpp
+PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const PoolOptions& options,
+                    PoolObserver& observer);
+
+} // namespace matrigrate::study

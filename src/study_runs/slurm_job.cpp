@@ -1,0 +1,195 @@
+#include "study_runs/slurm_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <string_view>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr int seconds_to_stop = 120;     ///< before its time limit a task is told to stop
+constexpr int shortest_time_limit = 300; ///< a task with less would be told to stop when it has hardly begun [s]
+
+constexpr std::string_view time_formats = "minutes, minutes:seconds, hours:minutes:seconds, days-hours, "
+                                          "days-hours:minutes or days-hours:minutes:seconds, as in 12:00:00";
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// Text for a message: control characters as question marks, of a long one the beginning.
+std::string shown(std::string text) {
+  std::ranges::replace_if(text, is_control, '?');
+  return text.size() <= 80 ? text : text.substr(0, 80) + "...";
+}
+
+/// A time limit of Slurm's formats [s]; 0 where there is none (0, UNLIMITED, INFINITE), nothing for anything else.
+std::optional<long> seconds(const std::string& time) {
+  static const std::regex format(
+      R"((?:(\d{1,4})-(\d{1,4})(?::(\d{1,4})(?::(\d{1,4}))?)?)|(?:(\d{1,6}):)?(\d{1,6}):(\d{1,6})|(\d{1,7}))");
+  static const std::regex none("unlimited|infinite", std::regex::icase);
+  if (time.size() > 30) return std::nullopt; // the library's expressions take stack space for each character
+  if (std::regex_match(time, none)) return 0;
+  std::smatch part;
+  if (!std::regex_match(time, part, format)) return std::nullopt;
+  const auto number = [&part](std::size_t i) { return part[i].matched ? std::stol(part[i]) : 0L; };
+  if (part[1].matched) return 86400 * number(1) + 3600 * number(2) + 60 * number(3) + number(4);
+  return part[8].matched ? 60 * number(8) : 3600 * number(5) + 60 * number(6) + number(7);
+}
+
+bool is_word(std::string_view text, std::string_view signs) {
+  return std::ranges::all_of(text, [signs](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || signs.find(c) != signs.npos;
+  });
+}
+
+/// Collects what is wrong with the options.
+class Faults {
+public:
+  void add(const std::string& option, const std::string& value, const std::string& message) {
+    m_faults.push_back({option, 0, 0, "", fmt::format("\"{}\" {}", shown(value), message)});
+  }
+  /// A value, if there is one, that is made of letters, digits and these signs and does not begin with one of them, an
+  /// underscore aside.
+  void check_word(const std::string& option, const std::string& value, std::string_view signs) {
+    if (!value.empty() && (!is_word(value, signs) || !is_word(value.substr(0, 1), "_")))
+      add(option, value,
+          fmt::format("is not allowed: a letter, a digit or an underscore, and then letters, digits and {}", signs));
+  }
+  std::vector<Fault> all() && { return std::move(m_faults); }
+
+private:
+  std::vector<Fault> m_faults;
+};
+
+void check_memory(Faults& faults, const std::string& memory) {
+  const std::size_t digits = std::min(memory.find_first_not_of("0123456789"), memory.size());
+  const std::string_view unit = std::string_view(memory).substr(digits);
+  if (!memory.empty()
+      && (digits == 0 || digits > 12 || unit.size() > 1 || std::string_view("KMGTkmgt").find(unit) == unit.npos))
+    faults.add("--mem", memory, "is no size of memory; allowed is a number with K, M, G or T, as in 500M");
+}
+
+void check_time(Faults& faults, const std::string& time) {
+  if (time.empty()) return;
+  const std::optional<long> limit = seconds(time);
+  if (!limit)
+    faults.add("--time", time, fmt::format("is no time limit of Slurm, which knows {}", time_formats));
+  else if (*limit > 0 && *limit < shortest_time_limit)
+    faults.add("--time", time,
+               fmt::format("is too short: a task is told to stop {} s before its time limit; allowed is 5:00 and more",
+                           seconds_to_stop));
+}
+
+void check_folder(Faults& faults, const std::filesystem::path& folder) {
+  const std::string name = std::filesystem::absolute(folder).string();
+  if (std::ranges::any_of(name, [](char c) { return is_control(c) || c == '"' || c == '\\'; }))
+    faults.add(
+        "-o", name,
+        "holds a control character, a double quote or a backslash, which the name of Slurm's output file cannot; "
+        "choose another folder");
+}
+
+void check_more(Faults& faults, const std::vector<std::string>& more) {
+  if (!more.empty() && !more.front().starts_with('-'))
+    faults.add("--", more.front(), "is no option of sbatch: it does not begin with a hyphen");
+  for (const std::string& word : more)
+    if (std::ranges::any_of(word, is_control)) faults.add("--", word, "holds a control character");
+}
+
+/// What the batch script does: the task in the background, so that the shell can pass on signals and see exit code 75.
+/// Slurm's own end of a job (scancel, preemption) signals the shell too, and is no reason to queue it again.
+constexpr std::string_view script_body = R"(
+cancelled=0
+trap 'cancelled=1' TERM
+trap 'kill -TERM "$task" 2>/dev/null' USR1
+"$program" study task "$folder" "$SLURM_ARRAY_TASK_ID" --list "$list" &
+task=$!
+wait "$task"
+code=$?
+while kill -0 "$task" 2>/dev/null; do # a trap ends the wait before the task has ended
+  wait "$task"
+  code=$?
+done
+if [ "$code" -eq 75 ] && [ "$cancelled" -eq 0 ]; then
+  echo "task $SLURM_ARRAY_TASK_ID was stopped and is queued again"
+  scontrol requeue "$SLURM_JOB_ID"
+fi
+exit "$code"
+)";
+
+/// A word for a shell.
+std::string quoted(const std::string& word) {
+  if (!word.empty() && is_word(word, "_./:=,@%+-")) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// A path in the name of an output file of Slurm, in which % begins a replacement.
+std::string output_pattern(const std::string& path) {
+  std::string text;
+  for (const char c : path) text += c == '%' ? std::string("%%") : std::string(1, c);
+  return text;
+}
+
+} // namespace
+
+std::vector<Fault> slurm_faults(const SlurmOptions& options, const std::filesystem::path& folder) {
+  Faults faults;
+  faults.check_word("--account", options.account, "_.:@+-");
+  faults.check_word("--partition", options.partition, "_.:@+-,");
+  faults.check_word("--qos", options.qos, "_.:@+-,");
+  faults.check_word("--mail-user", options.mail_user, "_.:@+-,%");
+  check_memory(faults, options.memory);
+  check_time(faults, options.time);
+  check_folder(faults, folder);
+  check_more(faults, options.more);
+  return std::move(faults).all();
+}
+
+std::vector<std::string> sbatch_command(const SlurmOptions& options, const std::filesystem::path& script) {
+  std::vector<std::string> command{"sbatch", "--requeue", "--parsable"};
+  command.insert(command.end(), options.more.begin(), options.more.end());
+  command.push_back(script.string());
+  return command;
+}
+
+std::string shell_text(const std::vector<std::string>& command) {
+  std::string text;
+  for (const std::string& word : command) text += (text.empty() ? "" : " ") + quoted(word);
+  return text;
+}
+
+std::string job_script(const SlurmOptions& options, const std::filesystem::path& folder, std::size_t tasks,
+                       const std::string& list) {
+  const std::string path = std::filesystem::absolute(folder).string();
+  std::string text = "#!/bin/bash\n";
+  const auto add = [&text](const std::string& option) { text += "#SBATCH " + option + "\n"; };
+  const auto add_if = [&add](const std::string& option, const std::string& value) {
+    if (!value.empty()) add(option + "=" + value);
+  };
+  add("--job-name=matrigrate");
+  add(fmt::format("--array=0-{}{}", tasks - 1, options.throttle > 0 ? fmt::format("%{}", options.throttle) : ""));
+  add("--ntasks=1");
+  add(fmt::format("--cpus-per-task={}", options.cpus));
+  add("--requeue");
+  add("--open-mode=append");
+  add(fmt::format("--signal=B:USR1@{}", seconds_to_stop));
+  add(fmt::format("--output=\"{}/slurm/%A_%a.out\"", output_pattern(path)));
+  add_if("--account", options.account);
+  add_if("--partition", options.partition);
+  add_if("--qos", options.qos);
+  add_if("--time", options.time);
+  add_if("--mem", options.memory);
+  add_if("--mail-user", options.mail_user);
+  if (!options.mail_user.empty()) add("--mail-type=END,FAIL"); // without it Slurm sends nothing
+  if (!options.more.empty()) text += "# submitted by: " + shell_text(sbatch_command(options, "submit.sh")) + "\n";
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  text += fmt::format("program={}\nfolder={}\nlist={}\n", quoted(program), quoted(path), quoted(list));
+  return text + std::string(script_body);
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,100 @@
+#include "study_runs/study_progress.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "run/run_record.hpp"
+#include "store/csv.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+
+namespace matrigrate::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_table = std::size_t{1} << 28U;
+
+/// Whether a process works in the folder of a run. Whoever begins to waits long enough for this look to be over.
+bool is_worked_on(const fs::path& folder) {
+  const int descriptor = ::open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
+}
+
+/// Simulated time of the last row of tracks.csv [s].
+double time_reached(const fs::path& folder) {
+  const std::vector<double> t = io::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
+  return t.empty() ? 0.0 : t.back();
+}
+
+/// Wall time that went into a run so far: what run.json says, and the time since that was written [s].
+double time_spent(const fs::path& folder) {
+  const nlohmann::ordered_json record = run::record_of(folder);
+  const auto found = record.find("wall_time_s");
+  const double before = found != record.end() && found->is_number() ? found->get<double>() : 0.0;
+  const auto since = fs::file_time_type::clock::now() - fs::last_write_time(folder / "run.json");
+  return before + std::max(0.0, std::chrono::duration<double>(since).count());
+}
+
+std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
+  const fs::path folder = run_folder(study.folder, study.runs[i]);
+  if (!is_worked_on(folder)) return {};
+  try {
+    const double whole = study.study.points[study.runs[i].point].parameters.run.duration;
+    RunningRun run{.run = i, .share = std::min(1.0, time_reached(folder) / whole), .left = {}};
+    if (run.share > 0.0) run.left = time_spent(folder) * (1.0 - run.share) / run.share;
+    return run;
+  } catch (const InputOutputError&) { // its first files are being written
+    return RunningRun{.run = i, .share = 0.0, .left = {}};
+  } catch (const fs::filesystem_error&) {
+    return RunningRun{.run = i, .share = 0.0, .left = {}};
+  }
+}
+
+/// Of all runs together, from those that are done and those that are running.
+std::optional<double> time_left(const StudyProgress& progress, const std::vector<Standing>& standings) {
+  double left = 0.0;
+  double whole = 0.0;
+  std::size_t known = 0;
+  for (const RunningRun& run : progress.running) {
+    if (!run.left || run.share >= 1.0) continue;
+    left += *run.left;
+    whole += *run.left / (1.0 - run.share);
+    ++known;
+  }
+  for (const Standing& s : standings) {
+    if (!s.done()) continue;
+    whole += s.wall_time;
+    ++known;
+  }
+  if (progress.running.empty() || known == 0) return {};
+  const double mean = whole / static_cast<double>(known);
+  const auto closed =
+      std::ranges::count_if(standings, [](const Standing& s) { return s.done() || s.failed_for_good(); });
+  const double waiting = static_cast<double>(standings.size() - progress.running.size()) - static_cast<double>(closed);
+  for (const RunningRun& run : progress.running)
+    if (!run.left) left += mean;
+  return (left + mean * std::max(0.0, waiting)) / static_cast<double>(progress.running.size());
+}
+
+} // namespace
+
+StudyProgress progress_of(const StudyFolder& study, const std::vector<Standing>& standings) {
+  StudyProgress progress;
+  for (std::size_t i = 0; i < study.runs.size(); ++i)
+    if (standings[i].status == RunState::unfinished)
+      if (auto run = running_run(study, i)) progress.running.push_back(*run);
+  progress.left = time_left(progress, standings);
+  return progress;
+}
+
+} // namespace matrigrate::study

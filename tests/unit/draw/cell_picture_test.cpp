@@ -1,0 +1,149 @@
+#include "draw/cell_picture.hpp"
+
+#include "base/time_text.hpp"
+#include "unit/draw/markup.hpp"
+
+#include "cell/geometry.hpp"
+#include "state/initial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace matrigrate::io {
+namespace {
+
+CortexState ring_of(std::vector<Vec2> points) {
+  CortexState c;
+  c.x = std::move(points);
+  return c;
+}
+
+Parameters parameters(double radius) {
+  Parameters p;
+  p.ecm.radius = radius;
+  return p;
+}
+
+/// A round cell with protrusions in the phases that have an adhesion, and one that grows.
+State state(const Parameters& p) {
+  State s;
+  s.t = 5400.0;
+  s.ecm = disc(p);
+  s.cortex = round_cortex(p.cell);
+  s.polarization = 0.25 * std::numbers::pi;
+  const auto add = [&](std::uint32_t centre, Phase phase) {
+    s.protrusions.emplace_back();
+    s.protrusions.back().centre = centre;
+    s.protrusions.back().phase = std::move(phase);
+  };
+  add(20, Growing{Vec2::UnitX()});
+  add(80, Maturing{Vec2::UnitX(), Vec2(-10, 25), 2});
+  add(140, Contracting{Vec2(-30, -5), 0.5});
+  return s;
+}
+
+TEST(CellScene, SortsTheMatrixIntoClasses) {
+  const Parameters p = parameters(40.0);
+  State s = state(p);
+  s.ecm.f.assign(s.ecm.size(), 1.0);
+  s.ecm.f[0] = 0.0;
+  s.ecm.f[1] = 0.001;
+  s.ecm.f[2] = 0.999;
+  s.ecm.f[3] = 0.5;
+  const CellScene scene = cell_scene(s, p, {});
+  EXPECT_EQ(scene.matrix[0].size(), s.ecm.size() - 4);
+  for (std::size_t c = 1; c < matrix_classes; ++c) EXPECT_EQ(scene.matrix[c].size(), 1U) << c;
+}
+
+TEST(CellScene, CutsTheFrontHalfOff) {
+  const Parameters p = parameters(40.0);
+  State s = state(p);
+  const CellScene scene = cell_scene(s, p, {});
+  EXPECT_NEAR(area(ring_of(scene.front)), 0.5 * area(s.cortex), 0.01 * area(s.cortex));
+  const Vec2 ahead = centroid(ring_of(scene.front));
+  EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), 0.25 * std::numbers::pi, 0.02);
+  s.polarization.reset();
+  EXPECT_EQ(cell_scene(s, p, {}).front.size(), s.cortex.size()) << "all of it before the first protrusion";
+}
+
+TEST(CellScene, TakesProtrusionsWithTheirAnchors) {
+  const Parameters p = parameters(40.0);
+  const CellScene scene = cell_scene(state(p), p, {});
+  ASSERT_EQ(scene.protrusions.size(), 3U);
+  EXPECT_EQ(scene.protrusions[0].contour.size(), 2U * static_cast<std::size_t>(p.protrusion.half_width) + 1U);
+  EXPECT_FALSE(scene.protrusions[0].anchor);
+  EXPECT_EQ(scene.protrusions[2].anchor, Vec2(-30, -5));
+}
+
+TEST(Surroundings, AreASquareWithinTheDisc) {
+  const Parameters p = parameters(40.0);
+  const std::vector<CellScene> scenes{cell_scene(state(p), p, {})};
+  const Box box = surroundings(scenes, 3.0);
+  EXPECT_NEAR(box.size().x(), 45.0 + 6.0, 0.1); // from the anchor at -30 to the cell's edge at 15, and room
+  EXPECT_NEAR(box.size().x(), box.size().y(), 1e-12);
+  EXPECT_LE(box.low.x(), -33.0 + 0.1);
+  const Box all = surroundings(scenes, 300.0);
+  EXPECT_NEAR((all.low - whole_disc(scenes[0]).low).norm(), 0.0, 1e-12);
+}
+
+TEST(CellPicture, IsWellFormedAndSmall) {
+  const Parameters p = parameters(150.0);
+  const CellScene scene = cell_scene(state(p), p, {{0, 0}, {1, 1}});
+  const std::string svg = cell_picture(scene, whole_disc(scene));
+  EXPECT_LT(svg.size(), 1000000U);
+  ASSERT_TRUE(parsed(svg));
+  EXPECT_LT(count(svg, "<path"), 60U) << "one path a class, not one a particle";
+  EXPECT_EQ(count(svg, ">1 h 30 min<"), 1U);
+  EXPECT_EQ(count(svg, " um<"), 1U) << "scale bar";
+  for (const char* word : {"matrix, solid to fluid", "front", "rear", "growing", "maturing", "contracting", "finishing",
+                           "adhesion", "path of the centre"})
+    EXPECT_EQ(count(svg, std::string(">") + word + "<"), 1U) << word;
+}
+
+TEST(CellPicture, LeavesOutWhatIsNotSeen) {
+  const Parameters p = parameters(150.0);
+  const CellScene scene = cell_scene(state(p), p, {});
+  const std::string part = cell_picture(scene, {Vec2(-20, -20), Vec2(20, 20)});
+  EXPECT_LT(10 * part.size(), cell_picture(scene, whole_disc(scene)).size());
+}
+
+/// Times over the panels of a sheet of n scenes, an hour apart [h].
+std::vector<int> panel_hours(std::size_t n) {
+  const Parameters p = parameters(20.0);
+  std::vector<CellScene> scenes(n, cell_scene(state(p), p, {}));
+  for (std::size_t k = 0; k < n; ++k) scenes[k].t = 3600.0 * static_cast<double>(k);
+  const std::string svg = contact_sheet(scenes);
+  std::vector<int> hours;
+  for (std::size_t k = 0; k < n; ++k)
+    if (count(svg, ">" + time_text(scenes[k].t) + "<") == 1) hours.push_back(static_cast<int>(k));
+  return hours;
+}
+
+TEST(ContactSheet, HasPanelsAtRegularTimes) {
+  EXPECT_EQ(panel_hours(13), (std::vector<int>{0, 2, 4, 6, 8, 10, 12}));
+  EXPECT_EQ(panel_hours(12).size(), 12U);
+  EXPECT_EQ(panel_hours(25), (std::vector<int>{0, 3, 6, 9, 12, 15, 18, 21, 24}));
+  EXPECT_EQ(panel_hours(15), (std::vector<int>{0, 2, 4, 6, 8, 10, 12, 14}));
+  EXPECT_EQ(panel_hours(14), (std::vector<int>{0, 2, 4, 6, 8, 10, 12, 13})) << "the end belongs to it";
+  EXPECT_EQ(panel_hours(1), std::vector<int>{0});
+}
+
+TEST(ContactSheet, IsOneDocumentWithOneLegend) {
+  const Parameters p = parameters(150.0);
+  const CellScene one = cell_scene(state(p), p, {});
+  std::vector<CellScene> scenes(25, one);
+  for (std::size_t k = 0; k < scenes.size(); ++k) scenes[k].t = 3600.0 * static_cast<double>(k);
+  const std::string svg = contact_sheet(scenes);
+  ASSERT_TRUE(parsed(svg));
+  EXPECT_LT(svg.size(), 1000000U);
+  EXPECT_EQ(count(svg, "<svg "), 10U) << "the document and nine panels";
+  EXPECT_EQ(count(svg, ">0 s<"), 1U);
+  EXPECT_EQ(count(svg, ">24 h<"), 1U);
+  EXPECT_EQ(count(svg, ">finishing<"), 1U) << "one legend for all";
+  EXPECT_TRUE(parsed(contact_sheet(std::span(scenes).first(1))));
+  EXPECT_TRUE(parsed(contact_sheet({}))) << "an empty sheet is a sheet";
+}
+
+} // namespace
+} // namespace matrigrate::io

@@ -1,0 +1,80 @@
+#include "observe/frame.hpp"
+
+#include "ecm/fluid.hpp"
+#include "ecm/law/material.hpp"
+#include "frames.hpp"
+#include "sph/neighbours.hpp"
+#include "unit/observe/frames.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matrigrate::io {
+namespace {
+
+TEST(Frame, HoldsTheFieldsOfAState) {
+  const SmallRun run;
+  const Frame f = run.film().frames[0];
+  const std::size_t n = run.s.ecm.size();
+  EXPECT_EQ(f.t, 300.0);
+  ASSERT_EQ(f.matrix.displacement.size(), 2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_NEAR(f.matrix.displacement[2 * i], 0.01 * run.s.ecm.X[i].x(), 4e-5);
+    EXPECT_NEAR(f.matrix.velocity[2 * i + 1], 1e-3 * run.s.ecm.X[i].y(), 3e-4 * std::abs(run.s.ecm.v[i].y()));
+  }
+  const double Pa = 1e3;
+  EXPECT_NEAR(f.matrix.pressure[0], Pa * pressure(1.01, moduli(run.p.ecm).K), 1e-3);
+  EXPECT_NEAR(f.matrix.von_mises[0], Pa * von_mises(run.s.ecm.S[0]), 1e-2);
+  EXPECT_EQ(f.matrix.von_mises[3], 0.0F) << "fluid";
+  EXPECT_EQ(f.matrix.f_degr[4], 0.5F);
+  EXPECT_TRUE(f.matrix.fibre_von_mises.empty());
+}
+
+TEST(Frame, HoldsThePressureOfTheFluidWhereItIs) {
+  SmallRun run;
+  EcmState& ecm = run.s.ecm;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    ecm.x[i] = 0.97 * ecm.X[i];
+    ecm.f[i] = 0.0;
+  }
+  const Kernel kernel(run.p.ecm.smoothing_length);
+  const Adjacency pairs = neighbours_within(ecm.x, kernel.support(), 0.0);
+  const Floats pressed = run.film().frames[0].matrix.pressure;
+  std::size_t under_pressure = 0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    const double expected = 1e3 * fluid_pressure(ecm, run.p.ecm, pairs, kernel, lattice_density(run.p.ecm), i);
+    EXPECT_NEAR(pressed[i], expected, 1e-3 * expected) << i;
+    under_pressure += expected > 1.0 ? 1 : 0; // Pa
+  }
+  EXPECT_GT(under_pressure, ecm.size() / 2) << "all but those at the edges";
+}
+
+TEST(Frame, HoldsTheFibresWhereThereAreAny) {
+  SmallRun run;
+  run.p.fibres.arrangement = FibreArrangement::isotropic;
+  const Frame f = run.film().frames[0];
+  ASSERT_EQ(f.matrix.fibre_von_mises.size(), run.s.ecm.size());
+  EXPECT_EQ(f.matrix.fibre_von_mises[3], 0.0F) << "fluid";
+  EXPECT_GT(f.matrix.fibre_von_mises[0], 0.0F) << "stretched";
+}
+
+TEST(Frame, HoldsTheCellAndItsProtrusions) {
+  const SmallRun run;
+  const Frame f = run.film().frames[0];
+  EXPECT_EQ(f.outline.protrusion[10], 0);
+  EXPECT_EQ(f.outline.protrusion[60], 1);
+  EXPECT_EQ(f.outline.protrusion[35], of_none);
+  EXPECT_EQ(f.outline.phase[60], 2);
+  EXPECT_EQ(std::count(f.outline.front.begin(), f.outline.front.end(), 1),
+            static_cast<std::ptrdiff_t>(run.s.cortex.size() / 2));
+  EXPECT_EQ(f.protrusions.id, (Floats{1, 2}));
+  EXPECT_EQ(f.protrusions.centre, (Floats{10, 60}));
+  EXPECT_EQ(f.protrusions.phase, (Bytes{0, 2}));
+  EXPECT_TRUE(std::isnan(f.protrusions.anchor[0]));
+  EXPECT_EQ(f.protrusions.anchor[2], 30.5F);
+  EXPECT_EQ(f.protrusions.f_mat, (Floats{0, 0.75F}));
+  EXPECT_EQ(f.protrusions.force[0], 0.0F);
+  EXPECT_GT(f.protrusions.force[1], 0.0F);
+}
+
+} // namespace
+} // namespace matrigrate::io

@@ -1,0 +1,88 @@
+#include "report/run_page.hpp"
+
+#include "report/film_json.hpp"
+#include "unit/draw/markup.hpp"
+#include "unit/observe/frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace matrigrate::io {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::string_view page_template =
+    "<html><script type=\"application/json\" id=\"matrigrate-data\">null</script></html>";
+
+TEST(RunPage, HoldsTheRun) {
+  const SmallRun run;
+  const Film film = run.film();
+  const std::vector<TrackRow> rows{{.t = 0.0, .polarization = {}}, {.t = 60.0, .polarization = 0.5}};
+  const std::vector<HealthRow> health{{.most_iterations = 3, .orphans = 1}, {.most_iterations = 7, .orphans = 2}};
+  const std::vector<ProtrusionRecord> records{{.id = 1, .t_initiation = 4.0}};
+  RunReport report{.title = "Run <1>",
+                   .status = "Done.",
+                   .facts = {{"seed", "7"}},
+                   .p = run.p,
+                   .rows = rows,
+                   .health = health,
+                   .records = records,
+                   .film = &film,
+                   .provenance = "commit"};
+  report.readouts.v_migr_abs = 4.5;
+  const ordered_json data = run_data(report);
+  EXPECT_EQ(data.at("format"), "matrigrate-run");
+  EXPECT_EQ(data.at("facts").dump(), "[{\"name\":\"seed\",\"value\":\"7\"}]");
+  EXPECT_EQ(data.at("summary"), "4.5 um/h from start to end, 0 protrusions.");
+  EXPECT_NE(data.at("citation").get<std::string>().find("matrix: Insights from a computational model."),
+            std::string::npos);
+  EXPECT_EQ(data.at("readouts").dump().find("uniaxial"), std::string::npos) << "there are no fibres";
+  EXPECT_EQ(data.at("geometry").at("n_particles"), run.s.ecm.size());
+  EXPECT_EQ(data.at("tracks").at("polarization_rad").dump(), "[null,0.5]");
+  EXPECT_EQ(data.at("protrusions").at(0).at("id"), 1);
+  EXPECT_EQ(data.at("protrusions").at(0).at("cause"), "");
+  EXPECT_EQ(data.at("protrusions").at(0).at("t_end_s").dump(), "null");
+  EXPECT_EQ(data.at("health").at(0).at("value"), 7.0);
+  ASSERT_EQ(data.at("parameters").size(), 1U) << "those that differ from their default";
+  EXPECT_EQ(data.at("parameters").at(0).at("name"), "ecm.radius");
+  EXPECT_EQ(data.at("parameters").at(0).at("value"), "40 um");
+  const ordered_json& frames = data.at("frames");
+  EXPECT_EQ(frames.at("times_s").dump(), "[300.0,600.0]");
+  EXPECT_EQ(frames.at("particles").at("x").at("per_frame"), run.s.ecm.size());
+  EXPECT_FALSE(frames.at("particles").contains("fibre_von_mises"));
+  EXPECT_EQ(frames.at("protrusions").at(0).at(0).at("anchor").dump(), "null");
+  EXPECT_EQ(frames.at("protrusions").at(0).at(1).at("anchor").dump(), "[30.5,-1.25]");
+  EXPECT_EQ(frames.at("protrusions").at(1).size(), 1U);
+}
+
+TEST(RunPage, NeedsNoFramesAndNoRows) {
+  EXPECT_TRUE(run_data({}).at("frames").is_null());
+  const Film none;
+  EXPECT_TRUE(run_data({.film = &none}).at("frames").is_null());
+}
+
+TEST(RunPage, LimitsLeaveOutFewSolidValues) {
+  Film film{.head = {}, .frames = {Frame{}}};
+  Frame& frame = film.frames[0];
+  for (int i = 0; i < 10000; ++i) {
+    frame.matrix.pressure.push_back(static_cast<float>(i));
+    frame.matrix.f_degr.push_back(i < 9000 ? 1.0F : 0.0F);
+  }
+  frame.matrix.pressure[17] = 1e9F;
+  const Limits limits = usual_limits(film, [](const Frame& f) -> const Floats& { return f.matrix.pressure; });
+  EXPECT_EQ(limits.low, 0.0);
+  EXPECT_NEAR(limits.high, 8996.0, 2.0) << "neither the one that stands out nor the fluid";
+}
+
+TEST(FilledPage, PutsDataInItsPlaceWithoutATag) {
+  const std::string page = filled_page(page_template, {{"title", "a </script> b"}});
+  EXPECT_EQ(page, "<html><script type=\"application/json\" id=\"matrigrate-data\">"
+                  "{\"title\":\"a \\u003c/script> b\"}</script></html>");
+  EXPECT_THROW(filled_page("<html>", {}), std::invalid_argument);
+  EXPECT_THROW(filled_page(std::string(page_template) + std::string(page_template), {}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace matrigrate::io

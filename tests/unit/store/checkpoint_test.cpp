@@ -1,0 +1,149 @@
+#include "store/checkpoint.hpp"
+
+#include "base/failure.hpp"
+#include "state/initial.hpp"
+#include "store/hdf5.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace matrigrate {
+namespace {
+
+using io::Checkpoint;
+
+State lively_state() {
+  Parameters p;
+  p.ecm.radius = 30.0;
+  State s;
+  s.step = 12345;
+  s.t = 4938.000000000001;
+  s.ecm = disc(p);
+  s.cortex = round_cortex(p.cell);
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) {
+    const double a = std::sin(static_cast<double>(i));
+    s.ecm.x[i] += Vec2(a, 1.0 / 3.0 * a);
+    s.ecm.v[i] = {-0.0, a * 1e-300};
+    s.ecm.rho[i] = 1.0 + 0.1 * a;
+    s.ecm.S[i] << a, 2 * a, 3 * a, 4 * a;
+    s.ecm.f[i] = std::abs(a);
+  }
+  s.solver_memory.x_drag = s.ecm.x;
+  s.solver_memory.x_drag[7] += Vec2(1e-3 / 3.0, 0.0);
+  s.cortex.v.assign(s.cortex.size(), Vec2(0.1, 0.7));
+  s.solver_memory.v_before.assign(s.ecm.size() + s.cortex.size(), Vec2(0.2 / 3.0, -1.0));
+  s.polarization = 0.1 + 0.2;
+  s.initiated = 4;
+  s.protrusions = {
+      {.centre = 3, .since = 0.1, .phase = Growing{{0.6, 0.8}, 44.0 / 3.0}, .record = {.id = 1}},
+      {.centre = 50, .since = 1e-7, .phase = Maturing{{0, 1}, {1.0 / 3.0, 2}, 4, 1e-7}, .record = {.id = 2}},
+      {.centre = 90, .since = 3, .phase = Contracting{{5, 6}, 0.7, 0.2, 1e-7}, .record = {.id = 3}},
+      {.centre = 99, .since = 4, .phase = Finishing{0.9}, .record = {.id = 4}}};
+  s.ended = {
+      {.id = 9, .centre = 7, .t_initiation = 0.4, .length = 1.0 / 7.0, .direction = -1.1, .cause = EndCause::rupture}};
+  return s;
+}
+
+Checkpoint example() {
+  return {.state = lively_state(),
+          .scenario = "[run]\n",
+          .configuration_hash = "0123",
+          .program = "matrigrate 0",
+          .memory = "{}"};
+}
+
+std::string refusal(std::string_view image) {
+  try {
+    io::parse_checkpoint(image, "c.h5");
+  } catch (const InputOutputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Checkpoint, GivesTheSameBitsBack) {
+  const Checkpoint before = example();
+  const std::string image = io::checkpoint_image(before);
+  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(after.scenario, before.scenario);
+  EXPECT_EQ(after.configuration_hash, before.configuration_hash);
+  EXPECT_EQ(after.program, before.program);
+  EXPECT_EQ(after.memory, before.memory);
+  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  EXPECT_TRUE(std::signbit(after.state.ecm.v[0].x()));
+  EXPECT_EQ(after.state.solver_memory.x_drag, before.state.solver_memory.x_drag);
+  EXPECT_EQ(after.state.solver_memory.v_before, before.state.solver_memory.v_before);
+  EXPECT_EQ(after.state.polarization, before.state.polarization);
+  EXPECT_EQ(after.state.protrusions.size(), 4U);
+  EXPECT_EQ(std::get<Growing>(after.state.protrusions[0].phase).base_width, 44.0 / 3.0);
+  EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).steps, 4);
+  EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).last_step, 1e-7);
+  EXPECT_EQ(std::get<Contracting>(after.state.protrusions[2].phase).bundle, 0.2);
+  EXPECT_EQ(std::get<Contracting>(after.state.protrusions[2].phase).falling, 1e-7);
+  EXPECT_TRUE(std::isnan(after.state.ended[0].t_adhesion));
+}
+
+TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
+  const std::string image = io::checkpoint_image(example());
+  EXPECT_TRUE(refusal("").ends_with("c.h5: is no checkpoint of matrigrate"));
+  EXPECT_TRUE(refusal("matrigrate checkpoint ").ends_with("is no checkpoint of matrigrate"));
+  EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
+  std::string other = image;
+  other[22] = '1';
+  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads format 5"));
+  for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
+    EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;
+  EXPECT_NE(refusal(image + "x").find("cut short"), std::string::npos);
+}
+
+TEST(Checkpoint, RefusesEveryChangedByte) {
+  const std::string image = io::checkpoint_image(example());
+  for (std::size_t at = 0; at < image.size(); at += at < 600 ? 1 : 997) {
+    std::string changed = image;
+    changed[at] = static_cast<char>(changed[at] ^ 4);
+    EXPECT_NE(refusal(changed), "accepted") << at;
+  }
+}
+
+TEST(Checkpoint, RefusesArraysThatDoNotBelongTogether) {
+  Checkpoint broken = example();
+  broken.state.ecm.rho.pop_back();
+  EXPECT_TRUE(refusal(io::checkpoint_image(broken)).ends_with("its arrays do not belong together"));
+  broken = example();
+  broken.state.protrusions[0].centre = 100000;
+  EXPECT_TRUE(refusal(io::checkpoint_image(broken)).ends_with("a protrusion has no place on the cortex"));
+}
+
+TEST(Checkpoint, KeepsTheOneBefore) {
+  std::string name = (std::filesystem::temp_directory_path() / "matrigrate-checkpoint-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const std::filesystem::path folder = name;
+  Checkpoint checkpoint = example();
+  io::write_checkpoint(folder, checkpoint);
+  EXPECT_FALSE(std::filesystem::exists(folder / io::previous_checkpoint_name));
+  checkpoint.state.step = 2;
+  io::write_checkpoint(folder, checkpoint);
+  EXPECT_EQ(io::read_checkpoint(folder / io::checkpoint_name).state.step, 2U);
+  EXPECT_EQ(io::read_checkpoint(folder / io::previous_checkpoint_name).state.step, 12345U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()), 2);
+  std::filesystem::remove_all(folder);
+  EXPECT_THROW(io::write_checkpoint(folder, checkpoint), InputOutputError);
+}
+
+TEST(MemoryFile, SaysWhatIsNotThere) {
+  io::MemoryFile file;
+  file.write("/a/x", std::vector<double>{1.0, 2.0}, "um");
+  const io::MemoryFile read(file.view());
+  EXPECT_EQ(read.doubles("/a/x"), (std::vector<double>{1.0, 2.0}));
+  EXPECT_THROW(read.doubles("/a/y"), InputOutputError);
+  EXPECT_THROW(read.vectors("/a/x"), InputOutputError) << "another shape";
+  EXPECT_THROW(read.bytes("/a/x"), InputOutputError) << "another type";
+  EXPECT_THROW(io::MemoryFile("no HDF5"), InputOutputError);
+}
+
+} // namespace
+} // namespace matrigrate

@@ -1,0 +1,185 @@
+#include "store/field_file.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "cell/geometry.hpp"
+#include "observe/tracks.hpp"
+#include "store/frame_log.hpp"
+#include "store/hdf5.hpp"
+#include "unit/draw/markup.hpp"
+#include "unit/observe/frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+namespace matrigrate::io {
+namespace {
+
+/// The attributes of a field file, as any program reads them.
+class Attributes {
+public:
+  explicit Attributes(std::string image) : m_image(std::move(image)), m_file(opened()) {}
+
+  std::string text(const std::string& object, const char* name) const {
+    const Handle attribute = found(object, name);
+    const Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+    if (H5Tis_variable_str(type.id()) > 0) {
+      char* value = nullptr;
+      H5Aread(attribute.id(), type.id(), static_cast<void*>(&value));
+      std::string copy(value);
+      H5free_memory(value);
+      return copy;
+    }
+    std::string value(H5Tget_size(type.id()), ' ');
+    H5Aread(attribute.id(), type.id(), value.data());
+    return value;
+  }
+
+  std::uint64_t number(const char* name) const {
+    std::uint64_t value = 0;
+    H5Aread(found("/", name).id(), H5T_NATIVE_UINT64, &value);
+    return value;
+  }
+
+private:
+  Handle opened() {
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
+    H5Pset_fapl_core(access.id(), 1U << 20U, 0);
+    H5Pset_file_image(access.id(), m_image.data(), m_image.size());
+    return {H5Fopen("attributes", H5F_ACC_RDONLY, access.id()), H5Fclose, "file"};
+  }
+  Handle found(const std::string& object, const char* name) const {
+    return {H5Aopen_by_name(m_file.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, object + name};
+  }
+
+  std::string m_image;
+  Handle m_file;
+};
+
+TEST(FieldFile, GivesTheSameBitsBack) {
+  SmallRun run;
+  EXPECT_EQ(difference(read_field_file(field_file(run.film())), run.film()), "");
+  run.p.fibres.arrangement = FibreArrangement::isotropic;
+  EXPECT_EQ(difference(read_field_file(field_file(run.film())), run.film()), "") << "with fibres";
+  EXPECT_EQ(field_file(run.film()), field_file(run.film())) << "no date in it";
+}
+
+TEST(FieldFile, NeedsNoFrames) {
+  const Film film{.head = SmallRun().film().head, .frames = {}};
+  EXPECT_EQ(difference(read_field_file(field_file(film)), film), "");
+}
+
+TEST(FieldFile, HoldsPositionsInSpace) {
+  const Film film = SmallRun().film();
+  const std::string image = field_file(film);
+  const MemoryFile file(image);
+  const Floats x = file.float_frame("/matrix/position", 1);
+  ASSERT_EQ(x.size(), 3 * film.head.particles());
+  EXPECT_EQ(x[3], film.head.reference[2] + film.frames[1].matrix.displacement[2]);
+  EXPECT_EQ(x[5], 0.0F);
+  EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[3], 0);
+  EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[4], 1);
+  EXPECT_EQ(file.floats("/frames/1/matrix/position"), x) << "a view, for readers of XDMF";
+  EXPECT_THROW(file.float_frame("/matrix/position", 2), InputOutputError);
+  EXPECT_THROW(file.float_frame("/matrix/nothing", 0), InputOutputError);
+}
+
+TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
+  SmallRun run;
+  for (Vec2& x : run.s.cortex.x) x += Vec2(3.0, -7.0);
+  const Film film = read_field_file(field_file(run.film()));
+  const Floats& x = film.frames[0].outline.x;
+  CortexState read;
+  for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
+  EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
+}
+
+TEST(FieldFile, SaysWhatItIsOf) {
+  const FieldOrigin origin{.program = "matrigrate",
+                           .version = "0.1.0",
+                           .seed = 9007199254740991,
+                           .trajectory_hash = "0123456789abcdef",
+                           .scenario = "[ecm]\nradius = \"40 \u00b5m\"\n"};
+  const Film film = SmallRun().film();
+  const std::string image = field_file(film, origin);
+  const Attributes file(image);
+  EXPECT_EQ(file.text("/", "program"), origin.program);
+  EXPECT_EQ(file.text("/", "version"), origin.version);
+  EXPECT_EQ(file.number("seed"), origin.seed);
+  EXPECT_EQ(file.text("/", "trajectory_hash"), origin.trajectory_hash);
+  EXPECT_EQ(file.text("/", "scenario"), origin.scenario);
+  EXPECT_EQ(field_file(film, origin), image) << "no date in it";
+}
+
+TEST(FieldFile, HasAUnitOnEveryArray) {
+  const Attributes file(field_file(SmallRun().film()));
+  for (const auto& [name, unit] : std::vector<std::pair<std::string, std::string>>{{"/time", "s"},
+                                                                                   {"/matrix/solid", "1"},
+                                                                                   {"/frames/0/matrix/pressure", "Pa"},
+                                                                                   {"/frames/1/outline/phase", "1"},
+                                                                                   {"/protrusions/frame", "1"},
+                                                                                   {"/protrusions/phase", "1"},
+                                                                                   {"/protrusions/force", "nN"},
+                                                                                   {"/anchors/position", "um"},
+                                                                                   {"/frames/0/anchors/force", "nN"}})
+    EXPECT_EQ(file.text(name, "units"), unit) << name;
+}
+
+TEST(FieldFile, HoldsAdhesionsOfEachFrame) {
+  const Film film = SmallRun().film(); // one protrusion adheres in the first frame, none in the second
+  const std::string image = field_file(film);
+  const MemoryFile file(image);
+  EXPECT_EQ(file.floats("/anchors/frame"), Floats{0.0F});
+  EXPECT_EQ(file.floats("/anchors/id"), Floats{2.0F});
+  EXPECT_EQ(file.floats("/frames/0/anchors/position"), (Floats{30.5F, -1.25F, 0.0F}));
+  EXPECT_EQ(file.floats("/frames/0/anchors/force"), Floats{film.frames[0].protrusions.force[1]});
+  EXPECT_FALSE(file.has("/frames/1/anchors/force"));
+}
+
+TEST(FieldFile, IsMadeOfALogFrameByFrame) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("matrigrate-fields-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  const Film film = SmallRun().film();
+  EXPECT_THROW(write_field_files(folder, 2), InputOutputError) << "without a log";
+  const std::string log = log_bytes(film);
+  write_file(folder / frame_log_name, log.substr(0, log.size() - 1));
+  EXPECT_THROW(write_field_files(folder, 2), InputOutputError) << "a frame is cut short";
+  EXPECT_FALSE(std::filesystem::exists(folder / field_file_name));
+  write_file(folder / frame_log_name, log);
+  write_field_files(folder, 2);
+  EXPECT_EQ(read_file(folder / field_file_name, 1U << 30U), field_file(film));
+  EXPECT_EQ(difference(read_film(folder), film), "");
+  std::filesystem::remove(folder / frame_log_name);
+  EXPECT_EQ(difference(read_film(folder), film), "") << "of fields.h5";
+  write_file(folder / frame_log_name, log_bytes({.head = film.head, .frames = {}}));
+  write_field_files(folder, 0);
+  EXPECT_TRUE(read_field_film(folder).frames.empty());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(FieldFile, RefusesWhatItIsNot) { EXPECT_THROW(read_field_file("nonsense"), InputOutputError); }
+
+TEST(FieldFile, RefusesArraysThatDoNotBelongTogether) {
+  Film film = SmallRun().film();
+  film.head.reference.insert(film.head.reference.end(), {0.0F, 0.0F});
+  for (Frame& frame : film.frames) frame.matrix.displacement.insert(frame.matrix.displacement.end(), {0.0F, 0.0F});
+  EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
+}
+
+TEST(FieldIndex, NamesGridsTimesAndArrays) {
+  const Film film = SmallRun().film();
+  const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t},
+                                      std::vector<std::size_t>{2, 0});
+  EXPECT_TRUE(parsed(xml.substr(xml.find("<Xdmf"))));
+  EXPECT_EQ(count(xml, "GridType=\"Uniform\""), 5U) << "matrix and outline, twice, and anchors once";
+  EXPECT_EQ(count(xml, "<Time Value=\"600\"/>"), 2U);
+  EXPECT_EQ(count(xml, "<Grid Name=\"anchors\" GridType=\"Uniform\">"), 1U) << "not at the time without an adhesion";
+  EXPECT_EQ(count(xml, "fields.h5:/frames/0/anchors/force<"), 1U);
+  EXPECT_EQ(count(xml, "fields.h5:/frames/1/matrix/position<"), 1U);
+  EXPECT_EQ(count(xml, "fibre"), 0U);
+}
+
+} // namespace
+} // namespace matrigrate::io

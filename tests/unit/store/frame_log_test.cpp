@@ -1,0 +1,102 @@
+#include "store/frame_log.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "unit/observe/frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace matrigrate::io {
+namespace {
+
+TEST(FrameLog, GivesTheSameBitsBack) {
+  const Film film = SmallRun().film();
+  EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
+}
+
+TEST(FrameLog, GrowsByWholeFrames) {
+  const Film film = SmallRun().film();
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("matrigrate-log-" + std::to_string(::getpid()));
+  {
+    FrameLog log(file, log_bytes({.head = film.head, .frames = {}}));
+    for (const Frame& frame : film.frames) log.add(frame);
+    log.flush();
+  }
+  EXPECT_EQ(read_file(file, 1U << 30U), log_bytes(film));
+  std::filesystem::remove(file);
+}
+
+std::vector<double> times(const Film& film) {
+  std::vector<double> all;
+  for (const Frame& frame : film.frames) all.push_back(frame.t);
+  return all;
+}
+
+Film four_frames() {
+  Film film = SmallRun().film();
+  film.frames.insert(film.frames.end(), {film.frames[0], film.frames[1]});
+  for (std::size_t k = 0; k < film.frames.size(); ++k) film.frames[k].t = 10.0 * static_cast<double>(k);
+  return film;
+}
+
+TEST(FrameLog, EndsWhereItIsCutShort) {
+  const Film film = SmallRun().film();
+  const std::string bytes = log_bytes(film);
+  const std::size_t head = log_head(film.head).size();
+  const std::size_t first = head + log_frame(film.frames[0]).size();
+  for (std::size_t size = 0; size < bytes.size(); size += 97) {
+    const std::string_view part = std::string_view(bytes).substr(0, size);
+    if (size < head)
+      EXPECT_THROW(read_log(part), InputOutputError) << size;
+    else
+      EXPECT_EQ(read_log(part).frames.size(), size < first ? 0U : 1U) << size;
+  }
+  EXPECT_EQ(read_log(std::string_view(bytes).substr(0, bytes.size() - 1)).frames.size(), 1U);
+  EXPECT_THROW(read_log("matrigrate frames 2\n"), InputOutputError);
+  EXPECT_THROW(read_log("nonsense"), InputOutputError);
+}
+
+TEST(FrameLog, LosesOnlyTheFramesThatAreDamaged) {
+  const Film film = four_frames();
+  const std::size_t second = log_head(film.head).size() + log_frame(film.frames[0]).size();
+  const std::size_t third = second + log_frame(film.frames[1]).size();
+  for (std::size_t at = second; at < third; at += at < second + 24 ? 1 : 211) { // lengths and fingerprint: each byte
+    std::string bytes = log_bytes(film);
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    EXPECT_EQ(times(read_log(bytes)), (std::vector{0.0, 20.0, 30.0})) << at;
+  }
+  std::string bytes = log_bytes(film);
+  bytes.erase(third - 50, 100); // the end of one and the beginning of the next
+  EXPECT_EQ(times(read_log(bytes)), (std::vector{0.0, 30.0}));
+  bytes[second - 1] = static_cast<char>(bytes[second - 1] ^ 1); // and more damage before it
+  EXPECT_EQ(times(read_log(bytes)), (std::vector{30.0}));
+}
+
+TEST(FrameLog, PassesOverFramesOfOtherBodies) {
+  const Film film = four_frames();
+  for (const auto change :
+       {+[](Frame& f) { f.matrix.displacement.clear(); }, +[](Frame& f) { f.matrix.f_degr.pop_back(); },
+        +[](Frame& f) { f.matrix.fibre_von_mises = f.matrix.pressure; }, +[](Frame& f) { f.outline.phase.pop_back(); },
+        +[](Frame& f) { f.protrusions.anchor.push_back(0.0F); }}) {
+    Film other = film;
+    change(other.frames[1]);
+    EXPECT_EQ(times(read_log(log_bytes(other))), (std::vector{0.0, 20.0, 30.0}));
+  }
+}
+
+TEST(FrameLog, GivesUpOnBytesThatLookLikeHeadsEverywhere) {
+  const Film film = four_frames();
+  std::string bytes = log_head(film.head);
+  const std::uint64_t length = 8 * film.head.particles();
+  while (bytes.size() < (std::size_t{1} << 22U)) bytes.append(reinterpret_cast<const char*>(&length), sizeof(length));
+  EXPECT_TRUE(read_log(bytes).frames.empty());
+}
+
+} // namespace
+} // namespace matrigrate::io

@@ -1,0 +1,138 @@
+#include "store/run_files.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <numbers>
+#include <stdexcept>
+
+namespace matrigrate::io {
+namespace {
+
+/// A file name that is taken away at the end.
+struct Scratch {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("matrigrate-rows-" + std::to_string(::getpid()) + ".csv");
+  ~Scratch() { std::filesystem::remove(path); }
+};
+
+TEST(CsvLine, WritesEachKindOfField) {
+  EXPECT_EQ(csv_line({0.1, std::uint64_t{18446744073709551615U}, never, "word", "a,b", "say \"x\""}),
+            "0.1,18446744073709551615,,word,\"a,b\",\"say \"\"x\"\"\"\n");
+}
+
+TEST(RowFile, ReachesTheDiskRowByRow) {
+  const Scratch scratch;
+  RowFile file(scratch.path, {"t_s", "cause"});
+  EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n");
+  file.add({0.4, "lost"});
+  EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n0.4,lost\n");
+  EXPECT_THROW(file.add({0.4}), std::invalid_argument);
+  file.add({0.8, ""});
+  EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n0.4,lost\n0.8,\n");
+}
+
+TEST(RowFile, BeginsWithTheRowsThereAre) {
+  const Scratch scratch;
+  { RowFile(scratch.path, {"t_s"}).add({7.0}); }
+  RowFile file(scratch.path, {"t_s"}, {{0.4}, {0.8}});
+  file.add({1.2});
+  EXPECT_EQ(read_file(scratch.path, 1000), "t_s\n0.4\n0.8\n1.2\n") << "in place of what there was";
+}
+
+TEST(RowFile, SaysWhenItCannotBeWritten) {
+  EXPECT_THROW(RowFile("/nonexistent/folder/t.csv", {"t_s"}), InputOutputError);
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  EXPECT_THROW(RowFile("/dev/full", {"t_s"}), InputOutputError);
+}
+
+TEST(RunFiles, HaveAFieldForEachColumn) {
+  EXPECT_EQ(fields(TrackRow{}).size(), track_columns().size());
+  EXPECT_EQ(fields(HealthRow{}).size(), health_columns().size());
+  EXPECT_EQ(fields(ProtrusionRecord{}, {}).size(), protrusion_columns().size());
+}
+
+TEST(RunFiles, KeepTheirOrderOfColumns) {
+  TrackRow track;
+  track.t = 60.0;
+  track.step = 150;
+  track.centre = {1, 2};
+  track.area = 3;
+  track.perimeter = 4;
+  track.initiated = 9;
+  track.in_phase = {1, 2, 3, 0};
+  EXPECT_EQ(csv_line(fields(track)), "1,60,1,2,3,4,,6,1,2,3,0,9,150\n");
+  track.polarization = -0.5;
+  EXPECT_EQ(csv_line(fields(track)), "1,60,1,2,3,4,-0.5,6,1,2,3,0,9,150\n");
+}
+
+TEST(RunFiles, ProtrusionsHaveTheTimesOfTheirTransitions) {
+  ProtrusionRecord r;
+  r.id = 3;
+  r.centre = 17;
+  r.t_initiation = 100.0;
+  r.t_adhesion = 500.0;
+  r.t_mature = 1100.0;
+  r.t_disassembly = 2000.0;
+  r.length = 25.5;
+  r.direction = std::numbers::pi / 2.0;
+  r.f_mat = 0.5;
+  r.force = 0.15;
+  r.cause = EndCause::rupture;
+  const std::vector<ProtrusionRecord> records{r};
+  EXPECT_EQ(protrusions_csv(records, {.force = 0.6}),
+            "id,centre_particle,t_initiation_s,t_adhesion_s,t_mature_s,t_disassembly_s,t_end_s,length_um,"
+            "direction_deg,f_mat,force_nN,f_adh_rel,cause\n3,17,100,500,1100,2000,,25.5,90,0.5,0.15,0.5,rupture\n");
+}
+
+TEST(Summary, IsTheSameInBothFormats) {
+  ReadOuts r;
+  r.duration = 3600.0;
+  r.v_migr_abs = 4.5;
+  r.n_protrusions = 7;
+  const std::string csv = summary_csv(r);
+  EXPECT_TRUE(csv.starts_with("duration_s,v_migr_abs_um_per_h,"));
+  EXPECT_TRUE(csv.find("\n3600,4.5,,,7,0,,0,") != std::string::npos) << csv;
+  const auto json = nlohmann::json::parse(summary_json(r));
+  EXPECT_EQ(json.at("v_migr_abs_um_per_h"), 4.5);
+  EXPECT_EQ(json.at("n_protrusions"), 7);
+  EXPECT_TRUE(json.at("tau_prot_min").is_null());
+  EXPECT_EQ(json.size(), named_values(r).size());
+}
+
+TEST(Summary, LeavesOutForPeopleWhatARunCannotHave) {
+  Parameters p;
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + 5);
+  for (const NamedValue& v : shown_values({}, p)) EXPECT_EQ(v.meaning.find("fibres"), std::string_view::npos) << v.name;
+  p.fibres.arrangement = FibreArrangement::uniaxial;
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size());
+}
+
+TEST(Summary, SaysInASentenceWhatCameOut) {
+  ReadOuts r;
+  EXPECT_EQ(result_sentence(r), "0 protrusions.");
+  r.v_migr_abs = 12.68;
+  r.msd_slope = 1.42;
+  r.n_protrusions = 21;
+  EXPECT_EQ(result_sentence(r), "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions.");
+  r.msd_slope = 1.1;
+  r.n_protrusions = 1;
+  EXPECT_EQ(result_sentence(r), "12.7 um/h from start to end, like a random walk (MSD slope 1.1), 1 protrusion.");
+  r.msd_slope = 0.5;
+  EXPECT_NE(result_sentence(r).find("confined"), std::string::npos);
+}
+
+TEST(Summary, IsReadable) {
+  EXPECT_EQ(readable(never), "-");
+  EXPECT_EQ(readable(1.23456), "1.235");
+  EXPECT_EQ(readable(std::uint64_t{12}), "12");
+}
+
+} // namespace
+} // namespace matrigrate::io

@@ -1,0 +1,24 @@
+#include "store/track_files.hpp"
+
+#include "unit/draw/markup.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace matrigrate::io {
+namespace {
+
+TEST(TrackFiles, HoldThePath) {
+  const std::vector<TrackRow> rows{{.t = 0.0, .centre = {1.5, -2.0}, .area = 3.141592653589793, .polarization = {}},
+                                   {.t = 60.0, .centre = {2.5, 0.25}, .polarization = {}}};
+  EXPECT_EQ(celltrackr_csv(rows), "id,t,x,y\n1,0,1.5,-2\n1,60,2.5,0.25\n");
+  EXPECT_EQ(count(trackmate_csv(rows), "0,0,1.5,-2,0,0,0,1\n"), 1U);
+  const std::string xml = trackmate_xml(rows);
+  EXPECT_EQ(count(xml, "frameInterval=\"60\""), 1U);
+  EXPECT_EQ(count(xml, "<detection t=\"1\" x=\"2.5\" y=\"0.25\" z=\"0\" />"), 1U);
+  EXPECT_EQ(count(celltrackr_csv({}), "\n"), 1U);
+}
+
+} // namespace
+} // namespace matrigrate::io

@@ -1,0 +1,87 @@
+#include "study_report/run_curves.hpp"
+
+#include "base/file.hpp"
+#include "unit/study/studies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace matrigrate::study {
+namespace {
+
+/// Two points, two runs each, the last one without files; a label with a comma and quotes.
+class RunCurves : public ::testing::Test {
+protected:
+  RunCurves() {
+    std::filesystem::remove_all(folder);
+    for (const Result& r : results) {
+      if (!r.standing.done()) continue;
+      const std::filesystem::path run = run_folder(folder, r.run);
+      std::filesystem::create_directories(run);
+      const double end = static_cast<double>(r.run.replicate) + 10.0 * static_cast<double>(r.run.point);
+      write_file(run / "tracks.csv", fmt::format("track,t_s,x_um,y_um\n1,0,5,5\n1,60,9,9\n1,600,{},5\n1,1200,{},4.5\n",
+                                                 5.0 + end, 5.0 + 2.0 * end));
+      write_file(run / "msd.csv", fmt::format("lag_s,msd_um2,samples\n600,{},2\n1200,{},1\n", end, 4.0 * end));
+      write_file(run / "protrusions.csv",
+                 fmt::format("id,length_um,f_mat,f_adh_rel,cause\n1,28,0.7,{},disassembly\n2,27.5,,,\n", 0.1 * end));
+    }
+  }
+  ~RunCurves() override { std::filesystem::remove_all(folder); }
+
+  static std::vector<Result> made() {
+    std::vector<Result> all = results_of("f_mat", {{0.1, 0.2}, {0.3, 0.4}});
+    all.back().standing.status = RunState::failed;
+    return all;
+  }
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / fmt::format("run-curves-{}", ::getpid());
+  Study study =
+      read("[[points]]\nlabel = \"soft, \\\"50\\\"\"\necm.youngs_modulus = 50\n[[points]]\nlabel = \"stiff\"\n"
+           "ecm.youngs_modulus = 400\n");
+  std::vector<Result> results = made();
+};
+
+TEST_F(RunCurves, PathsBeginAtTheOriginAndHaveARowEachTenMinutes) {
+  const std::string csv = paths_csv(study, results, folder);
+  EXPECT_EQ(csv, "replicate,t_s,x_um,y_um,point\n"
+                 "1,0,0.00,0.00,\"soft, \"\"50\"\"\"\n1,600,1.00,0.00,\"soft, \"\"50\"\"\"\n"
+                 "1,1200,2.00,-0.50,\"soft, \"\"50\"\"\"\n"
+                 "2,0,0.00,0.00,\"soft, \"\"50\"\"\"\n2,600,2.00,0.00,\"soft, \"\"50\"\"\"\n"
+                 "2,1200,4.00,-0.50,\"soft, \"\"50\"\"\"\n"
+                 "1,0,0.00,0.00,stiff\n1,600,11.00,0.00,stiff\n1,1200,22.00,-0.50,stiff\n");
+  const std::string svg = paths_svg(csv);
+  EXPECT_NE(svg.find("soft, &quot;50&quot; (n = 2)"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("stiff (n = 1)"), std::string::npos);
+}
+
+TEST_F(RunCurves, MeanSquareDisplacementsAreMeansOverRuns) {
+  const std::vector<MeanMsd> soft = mean_msd(results, 0, folder);
+  ASSERT_EQ(soft.size(), 2U);
+  EXPECT_EQ(soft[0].mean, 1.5);
+  EXPECT_EQ(soft[0].sem, 0.5);
+  EXPECT_EQ(soft[1].mean, 6.0);
+  const std::string csv = msd_csv(study, results, folder);
+  EXPECT_TRUE(csv.starts_with("lag_s,msd_um2,sem_um2,n_runs,point\n600,1.5,0.5,2,\"soft")) << csv;
+  EXPECT_NE(csv.find("\n600,11,,1,stiff\n"), std::string::npos) << csv;
+  EXPECT_NE(msd_svg(csv).find("soft, &quot;50&quot;"), std::string::npos);
+}
+
+TEST_F(RunCurves, AdhesionsThatHaveEndedAreListedAndCounted) {
+  const std::string csv = adhesions_csv(study, results, folder);
+  EXPECT_EQ(csv, "replicate,length_um,f_mat,f_adh_rel,point\n1,28.00,0.700,0.100,\"soft, \"\"50\"\"\"\n"
+                 "2,28.00,0.700,0.200,\"soft, \"\"50\"\"\"\n1,28.00,0.700,1.100,stiff\n");
+  EXPECT_NE(adhesions_svg(csv).find("(n = 2)"), std::string::npos);
+}
+
+TEST_F(RunCurves, AStudyWithoutRunsHasEmptyTablesAndFigures) {
+  const std::vector<Result> none;
+  EXPECT_EQ(paths_csv(study, none, folder), "replicate,t_s,x_um,y_um,point\n");
+  for (const std::string& svg : {paths_svg(paths_csv(study, none, folder)), msd_svg(msd_csv(study, none, folder)),
+                                 adhesions_svg(adhesions_csv(study, none, folder))})
+    EXPECT_TRUE(svg.starts_with("<svg ")) << svg;
+}
+
+} // namespace
+} // namespace matrigrate::study

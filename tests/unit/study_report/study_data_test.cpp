@@ -1,0 +1,119 @@
+#include "study_report/study_data.hpp"
+
+#include "store/csv.hpp"
+#include "study/axes.hpp"
+#include "study_report/screening_data.hpp"
+#include "unit/study/studies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matrigrate::study {
+namespace {
+
+TEST(StudyData, AxesHoldValuesInOrder) {
+  const Study study = read("[sweep]\necm.youngs_modulus = [\"200 Pa\", \"50 Pa\"]\n"
+                           "ecm.lattice = [\"square\", \"hexagonal\"]\n");
+  const nlohmann::ordered_json axes = axes_json(study);
+  ASSERT_EQ(axes.size(), 2U);
+  EXPECT_EQ(axes.at(0).at("name"), "ecm.youngs_modulus");
+  EXPECT_EQ(axes.at(0).at("unit"), "Pa");
+  EXPECT_EQ(axes.at(0).at("values").dump(), "[50.0,200.0]");
+  EXPECT_EQ(axes.at(1).at("values").dump(), "[\"square\",\"hexagonal\"]");
+  EXPECT_EQ(axes_json(read("")).size(), 1U) << "a study of one point";
+}
+
+TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
+  const nlohmann::ordered_json samples =
+      axes_json(read("[latin_hypercube]\nsamples = 5\necm.youngs_modulus = [50, 400]\necm.viscosity = [500, 1000]\n"));
+  ASSERT_EQ(samples.size(), 1U);
+  EXPECT_EQ(samples.at(0).at("values").at(4), "sample 5");
+  const Study study = read("[one_at_a_time]\nadhesion.rupture = [true]\n[[conditions]]\nlabel = \"soft\"\n"
+                           "ecm.youngs_modulus = 50\n[[conditions]]\nlabel = \"stiff\"\necm.youngs_modulus = 400\n");
+  const nlohmann::ordered_json axes = axes_json(study);
+  ASSERT_EQ(axes.size(), 2U);
+  EXPECT_EQ(axes.at(0).at("values").dump(), "[\"base\",\"rupture true\"]");
+  EXPECT_EQ(axes.at(1).at("values").dump(), "[\"soft\",\"stiff\"]");
+  EXPECT_EQ(places(study).at(3).dump(), "[1,1]");
+  EXPECT_EQ(places(read("[sweep]\nprotrusion.number = [2, 1]\n")).at(0).dump(), "[1]") << "a grid, in order";
+}
+
+TEST(StudyData, HoldsFactorsAndTargets) {
+  const Study study = read("readouts = [\"f_mat\"]\n[one_at_a_time]\nadhesion.rupture = [true]\n[[targets]]\n"
+                           "readout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n");
+  const std::vector<Result> results = results_of("f_mat", {{0.25, 0.25, 0.25}, {1.5, 1.5, 1.5}});
+  const Screening found = screening(study, results);
+  const nlohmann::ordered_json json = screening_json(study, found);
+  EXPECT_EQ(json.at("targets").at(0).at("target"), "0.5 to 1 +- 0.25");
+  EXPECT_EQ(json.at("sets").at(0).at("label"), "base");
+  EXPECT_EQ(json.at("sets").at(0).at("z").dump(), "[-1.0]");
+  EXPECT_EQ(json.at("sets").at(1).at("settings"), "rupture true");
+  EXPECT_EQ(json.at("sets").at(1).at("discrepancy"), 2.0);
+  EXPECT_EQ(json.at("effects").at(0).at("readout"), "discrepancy");
+  EXPECT_EQ(json.at("effects").at(0).at("effect"), 1.0);
+  EXPECT_EQ(json.at("effects").at(1).at("interval").dump(), "[1.25,1.25]");
+  EXPECT_EQ(screening_sentence(study, found), " The discrepancy is least, 1 (1 to 1), at base. The largest effect on "
+                                              "discrepancy is that of rupture true: 1 (1 to 1).");
+  const Study plain = read("");
+  EXPECT_TRUE(screening_json(plain, {}).is_null());
+  EXPECT_EQ(screening_sentence(plain, {}), "");
+}
+
+TEST(StudyData, HoldsRunsThatAreNotThereYet) {
+  const Study study = read("[sweep]\necm.youngs_modulus = [\"200 Pa\", \"50 Pa\"]\n");
+  const auto runs = planned_runs(study, [](const Parameters&) { return std::string("0"); });
+  std::vector<Result> results;
+  for (const auto& run : runs) {
+    Result& result = results.emplace_back();
+    result.run = run;
+    result.readouts.assign(all_readouts().size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  EXPECT_EQ(data.at("format"), "matrigrate-study");
+  ASSERT_EQ(data.at("runs").size(), 6U);
+  EXPECT_EQ(data.at("runs").at(0).at("status"), "pending");
+  EXPECT_EQ(data.at("runs").at(0).at("point").dump(), "[1]") << "200 Pa is drawn after 50 Pa";
+  EXPECT_EQ(data.at("msd").size(), 2U);
+  EXPECT_EQ(data.at("correlation").at("names").size(), study.readouts.size());
+}
+
+TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
+  const Study study = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
+  std::vector<Result> results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5}});
+  for (Result& r : results) r.standing.status = RunState::running; // there are no tables of runs to read
+  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  ASSERT_EQ(data.at("groups").size(), 2U);
+  const std::string csv = groups_csv(study, results);
+  for (const char* name : {"mean", "low_whisker", "low_quartile", "median", "high_quartile", "high_whisker"})
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(data.at("groups").at(i).at(name).get<double>(), io::csv_column(csv, name).at(i)) << name;
+  EXPECT_EQ(data.at("groups").at(0).at("low_quartile"), 0.2125) << "linear between order statistics";
+  EXPECT_EQ(data.at("groups").at(1).at("n"), 1);
+  EXPECT_TRUE(data.at("tests").at(0).contains("p_holm"));
+  EXPECT_EQ(data.at("summary"), "f_mat is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, 0.5 (mean of 1 run) "
+                                "at n_prot 2; no comparison has 3 runs at both points.");
+}
+
+TEST(StudyData, HoldsClaimsAndPlayedRuns) {
+  const Study study = read("[sweep]\nprotrusion.number = [1, 2]\n");
+  const Finding finding{Verdict::does_not_hold, {"f_mat at 1 0.3 [0.2, 0.4] (n = 3)"}, {"p 0.2: not met"}};
+  const auto data = study_data({.study = study,
+                                .results = {},
+                                .comparisons = {},
+                                .folder = "nowhere",
+                                .provenance = "commit",
+                                .claims = {{"A1", "rises", "0.5", finding}},
+                                .claims_note = "Not run as published.",
+                                .claims_caveat = "not the paper's runs",
+                                .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
+  const auto& claim = data.at("claims").at(0);
+  EXPECT_EQ(claim.at("verdict"), "fails");
+  EXPECT_EQ(claim.at("published"), "0.5");
+  EXPECT_EQ(claim.at("ours").dump(), "[\"f_mat at 1 0.3 [0.2, 0.4] (n = 3)\"]");
+  EXPECT_EQ(claim.at("statistic").at(0), "p 0.2: not met");
+  EXPECT_EQ(data.at("claims_note"), "Not run as published.");
+  EXPECT_EQ(data.at("claims_caveat"), "not the paper's runs");
+  EXPECT_EQ(data.at("players").at(0).at("run").at("format"), "matrigrate-run");
+}
+
+} // namespace
+} // namespace matrigrate::study

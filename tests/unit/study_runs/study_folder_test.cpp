@@ -1,0 +1,99 @@
+#include "study_runs/study_folder.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "study_runs/pool.hpp"
+#include "study_runs/study_cost.hpp"
+#include "unit/study/studies.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace matrigrate::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudyFolders : public testing::Test {
+protected:
+  void TearDown() override { fs::remove_all(m_root); }
+
+  StudyFolder two_points() const { return planned(read("[sweep]\necm.youngs_modulus = [50, 200]\n"), m_root / "s"); }
+
+  fs::path m_root = fs::path(testing::TempDir()) / ("matrigrate_study_" + std::to_string(::getpid()));
+};
+
+TEST_F(StudyFolders, HoldTheStudyThatWasWritten) {
+  const StudyFolder study = two_points();
+  ASSERT_EQ(study.runs.size(), 6U);
+  make_study_folder(study.folder);
+  write_study(study);
+  const StudyFolder again = open_study(study.folder);
+  ASSERT_EQ(again.runs.size(), study.runs.size());
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    EXPECT_EQ(again.runs[i].hash, study.runs[i].hash);
+    EXPECT_EQ(standing(again.folder, again.runs[i]).status, RunState::missing);
+  }
+}
+
+TEST_F(StudyFolders, OfOtherFilesAreRefused) {
+  fs::create_directories(m_root / "s");
+  write_file(m_root / "s" / "letter.txt", "x");
+  EXPECT_THROW(make_study_folder(m_root / "s"), InputOutputError);
+  EXPECT_THROW(open_study(m_root / "s"), InputOutputError);
+}
+
+TEST_F(StudyFolders, AreNamedAfterTheirFile) {
+  EXPECT_EQ(default_study_folder("a/stiffness.toml"), "stiffness-study");
+  EXPECT_EQ(default_study_folder("a/study.resolved.toml"), "a");
+}
+
+TEST_F(StudyFolders, GiveEachRunItsCommand) {
+  const StudyFolder study = two_points();
+  const std::vector<std::string> command = run_command(study, study.runs.front(), 2);
+  const auto has = [&](const std::string& word) { return std::ranges::find(command, word) != command.end(); };
+  EXPECT_EQ(command[1], "run");
+  EXPECT_TRUE(std::ranges::any_of(command, [](const auto& word) { return word.starts_with("ecm.youngs_modulus="); }))
+      << fmt::format("{}", fmt::join(command, " "));
+  EXPECT_TRUE(has(fmt::format("{}", study.runs.front().seed)));
+  EXPECT_TRUE(has(run_folder(study.folder, study.runs.front()).string()));
+}
+
+TEST_F(StudyFolders, CostAsMuchAsTheirRuns) {
+  const StudyCost c = cost(two_points());
+  ASSERT_EQ(c.run_times.size(), 2U);
+  EXPECT_NEAR(c.wall_time, 3.0 * (c.run_times[0] + c.run_times[1]), 1e-9 * c.wall_time);
+  EXPECT_EQ(c.looked_at, 2U);
+}
+
+/// Notes what it is told, and stops the pool at once.
+class Stopping : public PoolObserver {
+public:
+  void begin(std::size_t runs, int /*jobs*/) override { told += fmt::format("<{}", runs); }
+  void end() override { told += ">"; }
+  int stop_signal() override { return 15; }
+  std::string told;
+};
+
+TEST_F(StudyFolders, HaveRunsThatAreNotComputedAgain) {
+  const StudyFolder study = two_points();
+  make_study_folder(study.folder);
+  for (const study::Run& run : study.runs) { // not testing::Test::Run
+    fs::create_directories(run_folder(study.folder, run));
+    const bool first = run.hash == study.runs.front().hash;
+    write_file(run_folder(study.folder, run) / "run.json",
+               first ? R"({"status": "failed", "exit_code": 4, "reason": "why"})" : R"({"status": "done"})");
+  }
+  Stopping observer;
+  const PoolOutcome outcome = compute(study, {0, 1, 2, 3, 4, 5}, {}, observer);
+  EXPECT_EQ(observer.told, "<0>");
+  EXPECT_EQ(outcome.done_before, 5U);
+  ASSERT_EQ(outcome.troubles.size(), 1U);
+  EXPECT_EQ(outcome.troubles[0].status, RunState::failed);
+  EXPECT_EQ(outcome.troubles[0].reason, "why");
+}
+
+} // namespace
+} // namespace matrigrate::study
