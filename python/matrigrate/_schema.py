@@ -166,7 +166,8 @@ def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
     text = _description.fullmatch(entry["description"])
     if text is None:
         raise AssertionError(f"{path}: a description of another form")
-    number = next((e for e in entry.get("anyOf", [entry]) if e.get("type") in ("number", "integer")), {})
+    number: dict[str, Any] = next((e for e in entry.get("anyOf", [entry])
+                                   if e.get("type") in ("number", "integer")), {})
     kind = ("choice" if "enum" in entry else "boolean" if entry.get("type") == "boolean" else
             "integer" if number["type"] == "integer" else "ratio" if "anyOf" not in entry else
             "angle" if text["angle"] else "quantity")

@@ -52,11 +52,13 @@ _prefixes = {"p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "
 _number = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _symbol = re.compile(r"1|(?:[A-Za-z]|[^\x00-\x7f·])+")
 _longest = 80
-_words = {(0, 0, 0, 0): "a bare number", (1, 0, 0, 0): "a length", (2, 0, 0, 0): "an area", (0, 1, 0, 0): "a time",
-          (0, -1, 0, 0): "a rate", (1, -1, 0, 0): "a speed", (0, 0, 1, 0): "a force", (0, 0, -1, 0): "an inverse force",
-          (-2, 0, 1, 0): "a stress", (-2, 1, 1, 0): "a viscosity", (-1, 0, 1, 0): "a stiffness",
-          (-1, 1, 1, 0): "a drag coefficient", (1, 0, 1, 0): "a bending stiffness", (-1, 0, 0, 0): "a curvature",
-          (0, 0, 0, 1): "an angle"}
+_words: dict[tuple[float | Fraction, ...], str] = {
+    (0, 0, 0, 0): "a bare number", (1, 0, 0, 0): "a length", (2, 0, 0, 0): "an area", (0, 1, 0, 0): "a time",
+    (0, -1, 0, 0): "a rate", (1, -1, 0, 0): "a speed", (0, 0, 1, 0): "a force", (0, 0, -1, 0): "an inverse force",
+    (-2, 0, 1, 0): "a stress", (-2, 1, 1, 0): "a viscosity", (-1, 0, 1, 0): "a stiffness",
+    (-1, 1, 1, 0): "a drag coefficient", (1, 0, 1, 0): "a bending stiffness", (-1, 0, 0, 0): "a curvature",
+    (0, 0, 0, 1): "an angle",
+}
 
 
 def number_text(value: int | float | Fraction) -> str:

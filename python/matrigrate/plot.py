@@ -31,8 +31,8 @@ def path(run: Run | Mapping[str, Run], axes: Axes | None = None) -> Axes:
         axes.plot(x.iloc[:1], y.iloc[:1], "o", color=colour, markerfacecolor="white")
         axes.plot(x.iloc[-1:], y.iloc[-1:], "o", color=colour)
     _plane(axes)
-    if len(runs) > 1:
-        axes.legend(frameon=False)
+    if 1 < len(runs) <= len(_colours):
+        axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return axes
 
 
@@ -91,7 +91,8 @@ def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None 
     unit = unit_of(readout)
     axes.set_ylabel(_wrapped(meaning(readout)) + ("" if unit == "1" else f" [{_shown_unit(unit)}]"))
     if len(labels) > 3:
-        axes.tick_params(axis="x", rotation=30)
+        for text in axes.get_xticklabels():
+            text.set(rotation=30, horizontalalignment="right", rotation_mode="anchor")
     return axes
 
 

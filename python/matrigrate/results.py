@@ -63,7 +63,7 @@ class Readouts(Mapping[str, float]):
     """
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        self._values = {name: float("nan") if value is None else value for name, value in values.items()}
+        self._values: dict[str, float] = {name: float("nan") if value is None else value for name, value in values.items()}
 
     def __getitem__(self, name: str) -> float:
         return self._values[name]

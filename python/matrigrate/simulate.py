@@ -5,7 +5,7 @@ import json
 import os
 import tomllib
 from collections.abc import Callable, Mapping
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -42,7 +42,8 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     :raises InputOutputError: if the folder holds another run, or cannot be written
     :raises ProgramNotFound: without the program
     """
-    source = scenario._as_file() if isinstance(scenario, Scenario) else nullcontext(Path(scenario))
+    source: AbstractContextManager[Path] = (scenario._as_file() if isinstance(scenario, Scenario) else
+                                            nullcontext(Path(scenario)))
     with source as file:
         words = ["run", str(file), "--json", "--quiet"]
         for option, value in (("--seed", seed), ("--hours", hours), ("--threads", threads), ("--wall-time", wall_time)):

@@ -25,8 +25,8 @@ class Tutorial(common.InTemporaryFolder):
         text = printed.getvalue()
         for words in re.findall(r"^ *print\(error\) +# (.*)$", page, re.MULTILINE):
             self.assertIn(words, text)
-        self.assertIn("30 min, 100%", text)
-        self.assertIn("done, 0.5 h, seed 7", text)
+        self.assertIn("60 min, 100%", text)
+        self.assertIn("done, 1 h, seed 7", text)
         self.assertIn("\n100.0\n", text)
         for picture in ("path", "frame", "msd", "boxes"):
             self.assertGreater((self.folder / f"{picture}.png").stat().st_size, 5000)
