@@ -13,7 +13,7 @@ from importlib import resources
 from typing import Any
 
 from ._names import did_you_mean, nearest, nearest_parameter
-from ._units import dimension_words, number_text, parse_quantity, parse_unit
+from ._units import dimension_words, exact, number_text, parse_quantity, parse_unit
 
 Value = str | int | float | bool  #: of a parameter, as it is typed
 
@@ -124,19 +124,13 @@ class Parameter:
         if unit.dimension != own.dimension:
             raise ValueError(f"{shown} is {dimension_words(unit)}, but {dimension_words(own)} is expected; {such}")
         if unit == own:
-            return _fraction(number), shown
+            return exact(number), shown
         ratio = unit.times(own, Fraction(-1)).scale()
-        return _fraction(number) * ratio, shown
-
-
-def _fraction(number: str) -> Fraction | float:
-    """Exact, unless its exponent is beyond any double."""
-    value = float(number)
-    return Fraction(number) if 1e-300 < abs(value) < 1e300 else value
+        return exact(number) * ratio, shown
 
 
 def excerpt(text: str, most: int = 60) -> str:
-    shown = "".join("?" if ord(c) < 32 or ord(c) == 127 else c for c in text[:most])
+    shown = "".join("?" if (ord(c) < 32 and c != "\t") or ord(c) == 127 else c for c in text[:most])
     return shown + ("..." if len(text) > most else "")
 
 

@@ -103,10 +103,12 @@ def parse_unit(text: str) -> Unit:
             raise ValueError(f'"{match.group()}" is not a unit')
         rest, power = rest[match.end():].lstrip(" \t"), Fraction(1)
         if rest.startswith("^"):
-            exponent = re.match(r"\s*([-+]?)\s*([0-9]+(?:\.[0-9]{0,3})?|\.[0-9]{1,3})", rest[1:])
-            if exponent is None or Fraction(exponent.group(2)) > 9:
+            exponent = re.match(r"[ \t]*([-+]?)([0-9.]*)", rest[1:])
+            number = re.fullmatch(r"[0-9]+\.?[0-9]*|\.[0-9]+", exponent.group(2)) if exponent else None
+            power = Fraction(number.group().rstrip(".")) if number else Fraction(10)
+            if exponent is None or power > 9 or (1000 * power).denominator != 1:
                 raise ValueError(f'the exponent of {match.group()} in "{text}" cannot be read')
-            power = Fraction(exponent.group(2)) * (-1 if exponent.group(1) == "-" else 1)
+            power = -power if exponent.group(1) == "-" else power
             rest = rest[1 + exponent.end():].lstrip(" \t")
         unit = unit.times(factor, sign * power)
         if not rest:
@@ -137,7 +139,15 @@ def _sum_of_times(text: str) -> str | None:
     terms = re.findall(rf"({_number.pattern})[ \t]*([A-Za-z]+)[ \t]*", text)
     joined = re.fullmatch(rf"(?:(?!-){_number.pattern}[ \t]*[A-Za-z]+[ \t]*){{2,}}", text)
     units = [_find(name) for _, name in terms]
-    if joined is None or any(unit is None or unit.dimension != _hour.dimension for unit in units):
+    if joined is None or len(terms) < 2 or any(unit is None or unit.dimension != _hour.dimension for unit in units):
         return None
-    seconds = sum(Fraction(number) * unit.scale() for (number, _), unit in zip(terms, units, strict=True) if unit)
-    return number_text(float(seconds))
+    numbers = [exact(number) for number, _ in terms]
+    if any(isinstance(number, float) and math.isinf(number) for number in numbers):
+        raise ValueError("is too large a number")
+    return number_text(float(sum(number * unit.scale() for number, unit in zip(numbers, units, strict=True) if unit)))
+
+
+def exact(number: str) -> Fraction | float:
+    """The value of a decimal, unless its exponent is beyond any double."""
+    value = float(number)
+    return Fraction(number) if 1e-300 < abs(value) < 1e300 else value

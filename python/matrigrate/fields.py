@@ -123,7 +123,8 @@ class Fields(Mapping[str, Field]):
             if not name.startswith(group + "/"):
                 continue
             key, values = name.split("/")[1], field[...]
-            parts = {f"{key}_{axis}": values[:, i] for i, axis in enumerate("xy")} if values.ndim == 2 else {key: values}
+            flat = {f"{key}_{axis}": values[:, i] for i, axis in enumerate("xy")} if values.ndim == 2 else {}
+            parts = flat or {key: values}
             columns |= parts
             units |= dict.fromkeys(parts, field.units)
         frames = columns.pop("frame", np.zeros(0, dtype="u4"))

@@ -1,4 +1,4 @@
-"""Figures of runs and studies with matplotlib. Each function draws into ``axes``, or into a new figure, and returns them.
+"""Figures of runs and studies with matplotlib. Each function draws into ``axes`` or a new figure, and returns the axes.
 
     axes = matrigrate.plot.path(run)
     axes.figure.savefig("path.png")
@@ -64,8 +64,8 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     axes.fill(*outline.T, facecolor="#f4efe6", edgecolor="black", linewidth=1.5, zorder=3)
     adhered = fields.anchors[fields.anchors["frame"] == k]
     if len(adhered):
-        axes.plot(adhered["position_x"], adhered["position_y"], "o", color="#d55e00", markeredgecolor="white", markersize=6,
-                  zorder=4)
+        axes.plot(adhered["position_x"], adhered["position_y"], "o", color="#d55e00", markeredgecolor="white",
+                  markersize=6, zorder=4)
     unit = "" if shown.units == "1" else f" [{_shown_unit(shown.units)}]"
     axes.figure.colorbar(particles, ax=axes, label=_words.get(field, field) + unit, shrink=0.8)
     axes.set_title(f"{fields.times[k] / 60:g} min")
@@ -123,7 +123,8 @@ def _new_axes() -> Any:
     try:
         from matplotlib import pyplot
     except ImportError:
-        raise ImportError("figures need matplotlib: apt install python3-matplotlib, or pip install matplotlib") from None
+        raise ImportError("figures need matplotlib: apt install python3-matplotlib, "
+                          "or pip install matplotlib") from None
     return pyplot.subplots(layout="constrained")[1]
 
 

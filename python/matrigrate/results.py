@@ -1,7 +1,6 @@
 """Folders of runs."""
 from __future__ import annotations
 
-import fcntl
 import os
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -15,6 +14,11 @@ from .fields import Fields
 
 if TYPE_CHECKING:
     import pandas
+
+try:
+    import fcntl
+except ImportError:  # results can be read where the program does not run
+    fcntl = None  # type: ignore[assignment]
 
 _meanings = {
     "duration_s": "simulated time",
@@ -63,7 +67,8 @@ class Readouts(Mapping[str, float]):
     """
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        self._values: dict[str, float] = {name: float("nan") if value is None else value for name, value in values.items()}
+        self._values: dict[str, float] = {name: float("nan") if value is None else value
+                                          for name, value in values.items()}
 
     def __getitem__(self, name: str) -> float:
         return self._values[name]
@@ -198,6 +203,8 @@ class Run:
 
     def _is_worked_on(self) -> bool:
         """Whether a process of this machine works in the folder; it holds a lock while it does."""
+        if fcntl is None:
+            return False
         try:
             with open(self.folder / ".lock", "rb") as lock:
                 try:

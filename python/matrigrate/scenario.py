@@ -197,6 +197,9 @@ class Scenario(Mapping[str, Value]):
         changed = ", ".join(f"{path}={_schema.toml_text(value)}" for path, value in self.changed().items())
         return f"Scenario({self.name}: {changed or 'all defaults'})"
 
+    def __copy__(self) -> Scenario:
+        return self.copy()
+
     def given(self) -> dict[str, Value]:
         """What was set, as it was typed; all else has its default."""
         return dict(self._given)
@@ -204,7 +207,8 @@ class Scenario(Mapping[str, Value]):
     def changed(self) -> dict[str, Value]:
         """What differs from the defaults, as it was typed."""
         rows = _schema.parameters()
-        return {path: value for path, value in self._given.items() if self[path] != rows[path].number(rows[path].default)}
+        return {path: value for path, value in self._given.items()
+                if self[path] != rows[path].number(rows[path].default)}
 
     def copy(self, name: str | None = None) -> Scenario:
         """A scenario of the same values, to be changed apart from this one."""

@@ -42,9 +42,7 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     :raises InputOutputError: if the folder holds another run, or cannot be written
     :raises ProgramNotFound: without the program
     """
-    source: AbstractContextManager[Path] = (scenario._as_file() if isinstance(scenario, Scenario) else
-                                            nullcontext(Path(scenario)))
-    with source as file:
+    with _file_of(scenario) as file:
         words = ["run", str(file), "--json", "--quiet"]
         for option, value in (("--seed", seed), ("--hours", hours), ("--threads", threads), ("--wall-time", wall_time)):
             words += [] if value is None else [option, str(value)]
@@ -80,6 +78,12 @@ def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None =
         raise KeyboardStop(folder) from None
     _program.raise_for(outcome, folder)
     return load_study(folder)
+
+
+def _file_of(scenario: Scenario | str | os.PathLike[str]) -> AbstractContextManager[Path]:
+    if isinstance(scenario, Scenario):
+        return scenario._as_file()
+    return nullcontext(Path(scenario))
 
 
 def _override(value: Any) -> str:

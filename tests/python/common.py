@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 try:
+    import tomllib  # noqa: F401 # Python 3.11
     import h5py  # noqa: F401
     import numpy  # noqa: F401
     import pandas  # noqa: F401

@@ -14,7 +14,8 @@ from matrigrate import Scenario, _schema, _units
 wrong = [  # what the program and Python must say the same of
     ("ecm", "youngs_modulus", value) for value in
     (-1, 0, 2e7, "50 s", "50 kg", "50", "0,2 kPa", "fifty Pa", "50 Pascals", "20 MPa", "10.0001 MPa", "1e999 Pa", "5 Pa^x",
-     "50 Pa^2", "50 /", "50 Pa*", True, [1], 1e300, "-3 Pa", "", "7 Pa s/m", "3 um^0.5", "x" * 90)
+     "50 Pa^2", "50 /", "50 Pa*", True, [1], 1e300, "-3 Pa", "", "7 Pa s/m", "3 um^0.5", "x" * 90,
+     "3 Pa^1.2345", "a\tb", "1e400 h 3 min", "1e999999999 Pa")
 ] + [
     ("ecm", "lattice", "sqare"), ("ecm", "lattice", "round"), ("ecm", "lattice", 3), ("ecm", "cell_hole", "yes"),
     ("ecm", "cell_hole", 1), ("ecm", "poissons_ratio", 0.5), ("ecm", "poissons_ratio", "0.4"), ("run", "seed", 1.5),
