@@ -117,7 +117,7 @@ class Run:
             raise InputOutputError(f"{self.folder / 'run.json'}: is damaged: it has no status", self.folder)
 
     def __repr__(self) -> str:
-        reached = self.record.get("t_s")
+        reached = self.record.get("t_s") if self.record.get("exit_code") is not None else None  # else of a checkpoint
         until = f", {reached / 3600:.3g} h" if isinstance(reached, (int, float)) else ""
         return f"Run({str(self.folder)!r}: {self.status}{until}, seed {self.seed})"
 

@@ -76,6 +76,11 @@ class Study:
         """Mean square displacement [um^2] over the runs of each point, with its standard error, over lags [s]."""
         return self._table("msd.csv")
 
+    def table(self, name: str) -> pandas.DataFrame:
+        """Any table of the study by its name: "correlations", "paths", "adhesions", with targets "discrepancy", of
+        screening designs "effects"."""
+        return self._table(name if name.endswith(".csv") else f"{name}.csv")
+
     @property
     def parameters(self) -> list[str]:
         """The columns of the parameters that differ between points, such as "ecm.youngs_modulus_Pa"."""

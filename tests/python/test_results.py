@@ -117,6 +117,10 @@ class Studies(unittest.TestCase):
                          {"label": ["=soft", "NA"], "ecm.youngs_modulus_Pa": [50, 200], "runs": [2, 2], "done": [2, 2]})
         self.assertEqual(set(self.study.statistics["point_a"]), {"=soft"})
         self.assertEqual(set(self.study.groups["point"]), {"=soft", "NA"})
+        self.assertEqual(set(self.study.table("paths")["point"]), {"=soft", "NA"})
+        self.assertEqual(list(self.study.table("correlations")), ["readout_x", "readout_y", "n", "r", "p"])
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "has no effects.csv"):
+            self.study.table("effects")
 
     def test_runs(self):
         self.assertEqual(set(self.study.runs), set(self.study.results["run"]))
