@@ -1,0 +1,107 @@
+# bash completion of matrigrate. Made from matrigrate --help by tools/from_help.py; do not edit.
+# Put it into ~/.local/share/bash-completion/completions/matrigrate, or: source completions/matrigrate.bash
+
+_matrigrate_files() { # -f or -d: names that may hold blanks
+  local IFS=$'\n'
+  COMPREPLY=($(compgen "$1" -- "$cur"))
+  compopt -o filenames 2>/dev/null
+}
+
+_matrigrate() {
+  local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} verb=matrigrate word
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    case ${verb}_$word in
+    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_report|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
+    esac
+  done
+  case $verb:$previous in
+  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres" -- "$cur")); return ;;
+  matrigrate_new:--schema) _matrigrate_files -f; return ;;
+  matrigrate_explain:--set) COMPREPLY=(); return ;;
+  matrigrate_run:-o|matrigrate_run:--output) _matrigrate_files -d; return ;;
+  matrigrate_run:--seed) COMPREPLY=(); return ;;
+  matrigrate_run:--hours) COMPREPLY=(); return ;;
+  matrigrate_run:--threads) COMPREPLY=(); return ;;
+  matrigrate_run:--set) COMPREPLY=(); return ;;
+  matrigrate_run:--wall-time) COMPREPLY=(); return ;;
+  matrigrate_resume:-o|matrigrate_resume:--output) _matrigrate_files -d; return ;;
+  matrigrate_resume:--at) COMPREPLY=(); return ;;
+  matrigrate_resume:--set) COMPREPLY=(); return ;;
+  matrigrate_resume:--seed) COMPREPLY=(); return ;;
+  matrigrate_resume:--hours) COMPREPLY=(); return ;;
+  matrigrate_resume:--threads) COMPREPLY=(); return ;;
+  matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
+  matrigrate_report:--play) COMPREPLY=(); return ;;
+  matrigrate_export:--layer) COMPREPLY=($(compgen -W "displacement von_mises pressure fibre_von_mises" -- "$cur")); return ;;
+  matrigrate_export:-o|matrigrate_export:--output) _matrigrate_files -d; return ;;
+  matrigrate_validate:-o|matrigrate_validate:--output) _matrigrate_files -d; return ;;
+  matrigrate_validate:--scenario) _matrigrate_files -f; return ;;
+  matrigrate_validate:--set) COMPREPLY=(); return ;;
+  matrigrate_selftest:--with) _matrigrate_files -f; return ;;
+  matrigrate_study_plan:-o|matrigrate_study_plan:--output) _matrigrate_files -d; return ;;
+  matrigrate_study_plan:--jobs) COMPREPLY=(); return ;;
+  matrigrate_study_run:-o|matrigrate_study_run:--output) _matrigrate_files -d; return ;;
+  matrigrate_study_run:--jobs) COMPREPLY=(); return ;;
+  matrigrate_study_submit:-o|matrigrate_study_submit:--output) _matrigrate_files -d; return ;;
+  matrigrate_study_submit:--account) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--partition) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--qos) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--time) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--mem) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--mail-user) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--throttle) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--cpus) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--chunk) COMPREPLY=(); return ;;
+  matrigrate_study_task:--list) COMPREPLY=(); return ;;
+  matrigrate_reproduce:-o|matrigrate_reproduce:--output) _matrigrate_files -d; return ;;
+  matrigrate_reproduce:--replicates) COMPREPLY=(); return ;;
+  matrigrate_reproduce:--jobs) COMPREPLY=(); return ;;
+  matrigrate_reproduce:--integrator) COMPREPLY=($(compgen -W "adaptive reference" -- "$cur")); return ;;
+  matrigrate_reproduce:--set) COMPREPLY=(); return ;;
+  matrigrate_reproduce:--from) _matrigrate_files -d; return ;;
+  esac
+  case $verb in
+  matrigrate)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume report export validate selftest study reproduce info" -- "$cur")); fi ;;
+  matrigrate_new)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_list)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json" -- "$cur")); else COMPREPLY=(); fi ;;
+  matrigrate_check)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_explain)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_run)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --seed --hours --threads --set --wall-time --force --json --quiet" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_resume)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --at --set --seed --hours --threads --wall-time --previous --json --quiet" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_report)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_export)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --svg --png --movie --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_validate)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover competition stunting initiation all" -- "$cur")); fi ;;
+  matrigrate_selftest)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --with --json" -- "$cur")); else COMPREPLY=(); fi ;;
+  matrigrate_study)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help" -- "$cur")); else COMPREPLY=($(compgen -W "plan run status collect submit task" -- "$cur")); fi ;;
+  matrigrate_study_plan)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --jobs --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_study_run)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --jobs --retry-failed --json --quiet" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_study_status)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_study_collect)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json --quiet" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_study_submit)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --account --partition --qos --time --mem --mail-user --throttle --cpus --chunk --retry-failed --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+  matrigrate_study_task)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_reproduce)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --set --from --markdown --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
+  matrigrate_info)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
+  esac
+}
+
+complete -F _matrigrate matrigrate

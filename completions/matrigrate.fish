@@ -1,0 +1,168 @@
+# fish completion of matrigrate. Made from matrigrate --help by tools/from_help.py; do not edit.
+# Put it into ~/.config/fish/completions/.
+
+# Whether the verbs typed so far are those given, and no more.
+function __matrigrate_at
+  set -l verbs
+  for word in (commandline -opc)[2..]
+    switch (string join -- _ matrigrate $verbs $word)
+      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_report matrigrate_export matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
+        set -a verbs $word
+    end
+  end
+  test "$verbs" = "$argv"
+end
+
+complete -c matrigrate -f
+
+complete -c matrigrate -n '__matrigrate_at' -a new -d 'Write a commented scenario file; never overwrites one'
+complete -c matrigrate -n '__matrigrate_at' -a list -d 'The presets, validation cases and studies that ship with the program'
+complete -c matrigrate -n '__matrigrate_at' -a check -d 'Validate scenarios and studies; print every fault at once'
+complete -c matrigrate -n '__matrigrate_at' -a explain -d 'What a scenario means and needs, before anything is computed'
+complete -c matrigrate -n '__matrigrate_at' -a run -d 'Simulate one cell; write tracks, protrusions, read-outs and pictures'
+complete -c matrigrate -n '__matrigrate_at' -a resume -d 'Go on with a run from its last checkpoint, or branch off from it'
+complete -c matrigrate -n '__matrigrate_at' -a report -d 'Make report.html of a run or a study anew, from its files'
+complete -c matrigrate -n '__matrigrate_at' -a export -d 'Write a run in other formats: VTK, tracks, pictures, a movie'
+complete -c matrigrate -n '__matrigrate_at' -a validate -d 'Verify the matrix on its own against closed forms and measured limits'
+complete -c matrigrate -n '__matrigrate_at' -a selftest -d 'Prove on this machine that runs are reproducible to the last bit'
+complete -c matrigrate -n '__matrigrate_at' -a study -d 'Many runs: plan, compute, collect and compare them'
+complete -c matrigrate -n '__matrigrate_at' -a reproduce -d 'Run the paper\'s ensembles and judge its claims by them'
+complete -c matrigrate -n '__matrigrate_at' -a info -d 'Version, commit, compiler, libraries and CPU'
+complete -c matrigrate -n '__matrigrate_at' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at' -l version -d 'Display program version information and exit'
+
+complete -c matrigrate -n '__matrigrate_at new' -F
+complete -c matrigrate -n '__matrigrate_at new' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON schema that the first line names for editors, seen from FILE (default: scenario.schema.json, which is then written beside FILE)'
+
+complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at list' -l parameters -d 'Instead: all parameters, as a Markdown table a section'
+complete -c matrigrate -n '__matrigrate_at list' -l schema-json -d 'Instead: the JSON schema of a scenario file, for editors'
+
+complete -c matrigrate -n '__matrigrate_at check' -F
+complete -c matrigrate -n '__matrigrate_at check' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at check' -l json -d 'Print the findings as JSON'
+
+complete -c matrigrate -n '__matrigrate_at explain' -F
+complete -c matrigrate -n '__matrigrate_at explain' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at explain' -l set -x -d 'key=value, over the file; may be repeated'
+complete -c matrigrate -n '__matrigrate_at explain' -l json -d 'Print the numbers as JSON'
+
+complete -c matrigrate -n '__matrigrate_at run' -F
+complete -c matrigrate -n '__matrigrate_at run' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at run' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: <scenario>-seed<N>)'
+complete -c matrigrate -n '__matrigrate_at run' -l seed -x -d 'Seed of the random numbers: run.seed'
+complete -c matrigrate -n '__matrigrate_at run' -l hours -x -d 'Simulated time in hours: run.duration'
+complete -c matrigrate -n '__matrigrate_at run' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
+complete -c matrigrate -n '__matrigrate_at run' -l set -x -d 'key=value, over the file; may be repeated'
+complete -c matrigrate -n '__matrigrate_at run' -l wall-time -x -d 'Stop with a checkpoint after this time of the clock: "2 h"'
+complete -c matrigrate -n '__matrigrate_at run' -l force -d 'Start again in a folder that is not empty: files of an older run are removed, others stay'
+complete -c matrigrate -n '__matrigrate_at run' -l json -d 'Print the outcome as one JSON object'
+complete -c matrigrate -n '__matrigrate_at run' -l quiet -d 'Show no progress; print only where the report is'
+
+complete -c matrigrate -n '__matrigrate_at resume' -a '(__fish_complete_directories)'
+complete -c matrigrate -n '__matrigrate_at resume' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at resume' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for a branch (default: <FOLDER>-branch)'
+complete -c matrigrate -n '__matrigrate_at resume' -l at -x -d 'Branch at this simulated time: "3 h"'
+complete -c matrigrate -n '__matrigrate_at resume' -l set -x -d 'Branch with key=value; may be repeated'
+complete -c matrigrate -n '__matrigrate_at resume' -l seed -x -d 'Branch with another seed: run.seed'
+complete -c matrigrate -n '__matrigrate_at resume' -l hours -x -d 'Branch with another end: run.duration'
+complete -c matrigrate -n '__matrigrate_at resume' -l threads -x -d 'Threads, 0 for all; never changes a result'
+complete -c matrigrate -n '__matrigrate_at resume' -l wall-time -x -d 'Stop with a checkpoint after this time of the clock: "2 h"'
+complete -c matrigrate -n '__matrigrate_at resume' -l previous -d 'Go on, or branch, from checkpoint_prev.h5'
+complete -c matrigrate -n '__matrigrate_at resume' -l json -d 'Print the outcome as one JSON object'
+complete -c matrigrate -n '__matrigrate_at resume' -l quiet -d 'Show no progress; print only where the report is'
+
+complete -c matrigrate -n '__matrigrate_at report' -a '(__fish_complete_directories)'
+complete -c matrigrate -n '__matrigrate_at report' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at report' -l play -x -d 'A run that the page of a study is to play, by the name of its folder; may be repeated'
+
+complete -c matrigrate -n '__matrigrate_at export' -a '(__fish_complete_directories)'
+complete -c matrigrate -n '__matrigrate_at export' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at export' -l vtk -d 'Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)'
+complete -c matrigrate -n '__matrigrate_at export' -l fields -d 'fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet'
+complete -c matrigrate -n '__matrigrate_at export' -l tracks -d 'The path for celltrackR (CSV) and TrackMate (CSV, XML)'
+complete -c matrigrate -n '__matrigrate_at export' -l svg -d 'The contact sheet and the path, for a publication'
+complete -c matrigrate -n '__matrigrate_at export' -l png -d 'One picture per frame'
+complete -c matrigrate -n '__matrigrate_at export' -l movie -d 'movie.mp4 of such pictures'
+complete -c matrigrate -n '__matrigrate_at export' -l layer -x -a 'displacement von_mises pressure fibre_von_mises' -d 'Of --png and --movie: displacement, von_mises, pressure or fibre_von_mises'
+complete -c matrigrate -n '__matrigrate_at export' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into (default: DIR/export)'
+complete -c matrigrate -n '__matrigrate_at export' -l force -d 'Replace an earlier export of the same kind'
+
+complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover competition stunting initiation all'
+complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at validate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: validate-NAME)'
+complete -c matrigrate -n '__matrigrate_at validate' -l scenario -r -F -d 'Take material and numerics from this scenario file'
+complete -c matrigrate -n '__matrigrate_at validate' -l set -x -d 'key=value, over the scenario; may be repeated'
+complete -c matrigrate -n '__matrigrate_at validate' -l force -d 'Write into a folder that is not empty: files of the same name are replaced, others stay'
+complete -c matrigrate -n '__matrigrate_at validate' -l json -d 'Print the results as JSON'
+complete -c matrigrate -n '__matrigrate_at validate' -l quiet -d 'Print only the verdict'
+
+complete -c matrigrate -n '__matrigrate_at selftest' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at selftest' -l with -r -F -d 'Compare with another build of the program, which must give the same bits'
+complete -c matrigrate -n '__matrigrate_at selftest' -l json -d 'Print one JSON object'
+
+complete -c matrigrate -n '__matrigrate_at study' -a plan -d 'Points, runs, expected time and disk; writes nothing'
+complete -c matrigrate -n '__matrigrate_at study' -a run -d 'Compute what is missing, several runs at a time; then collect'
+complete -c matrigrate -n '__matrigrate_at study' -a status -d 'How many runs are done, how far others are, and why some are not done'
+complete -c matrigrate -n '__matrigrate_at study' -a collect -d 'Gather results and statistics of the runs that are done, at any time'
+complete -c matrigrate -n '__matrigrate_at study' -a submit -d 'Hand what is missing to Slurm, as a job array'
+complete -c matrigrate -n '__matrigrate_at study' -a task -d 'One task of a job array; called by submit.sh'
+complete -c matrigrate -n '__matrigrate_at study' -s h -l help -d 'Print this help message and exit'
+
+complete -c matrigrate -n '__matrigrate_at study plan' -F
+complete -c matrigrate -n '__matrigrate_at study plan' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at study plan' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder of the study (default: <file>-study)'
+complete -c matrigrate -n '__matrigrate_at study plan' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
+complete -c matrigrate -n '__matrigrate_at study plan' -l json -d 'Print the plan as one JSON object, with every run, its seed and its folder'
+
+complete -c matrigrate -n '__matrigrate_at study run' -F
+complete -c matrigrate -n '__matrigrate_at study run' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at study run' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder of the study (default: <file>-study)'
+complete -c matrigrate -n '__matrigrate_at study run' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
+complete -c matrigrate -n '__matrigrate_at study run' -l retry-failed -d 'Compute again also what failed numerically; it will fail again unless the program has changed'
+complete -c matrigrate -n '__matrigrate_at study run' -l json -d 'Print the outcome as one JSON object'
+complete -c matrigrate -n '__matrigrate_at study run' -l quiet -d 'Show no progress'
+
+complete -c matrigrate -n '__matrigrate_at study status' -a '(__fish_complete_directories)'
+complete -c matrigrate -n '__matrigrate_at study status' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at study status' -l json -d 'Print it as one JSON object'
+
+complete -c matrigrate -n '__matrigrate_at study collect' -a '(__fish_complete_directories)'
+complete -c matrigrate -n '__matrigrate_at study collect' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at study collect' -l json -d 'Print the outcome as one JSON object'
+complete -c matrigrate -n '__matrigrate_at study collect' -l quiet -d 'Print no tables'
+
+complete -c matrigrate -n '__matrigrate_at study submit' -F
+complete -c matrigrate -n '__matrigrate_at study submit' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at study submit' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder of the study (default: <file>-study)'
+complete -c matrigrate -n '__matrigrate_at study submit' -l account -x -d 'Slurm\'s account that the time is charged to'
+complete -c matrigrate -n '__matrigrate_at study submit' -l partition -x -d 'Slurm\'s partition, or several with commas between'
+complete -c matrigrate -n '__matrigrate_at study submit' -l qos -x -d 'Slurm\'s quality of service'
+complete -c matrigrate -n '__matrigrate_at study submit' -l time -x -d 'Time limit of a task, as in 12:00:00'
+complete -c matrigrate -n '__matrigrate_at study submit' -l mem -x -d 'Memory of a task, as in 500M'
+complete -c matrigrate -n '__matrigrate_at study submit' -l mail-user -x -d 'Who is told by mail when the job ends or fails'
+complete -c matrigrate -n '__matrigrate_at study submit' -l throttle -x -d 'Largest number of tasks at a time (default: as Slurm decides)'
+complete -c matrigrate -n '__matrigrate_at study submit' -l cpus -x -d 'Threads per task; never changes a result (default: 1)'
+complete -c matrigrate -n '__matrigrate_at study submit' -l chunk -x -d 'Runs per task, one after the other (default: as few as fit into 1000 tasks)'
+complete -c matrigrate -n '__matrigrate_at study submit' -l retry-failed -d 'Compute again also what failed numerically; it will fail again unless the program has changed'
+complete -c matrigrate -n '__matrigrate_at study submit' -l json -d 'Print {folder, job, runs, tasks}'
+
+complete -c matrigrate -n '__matrigrate_at study task' -a '(__fish_complete_directories)'
+complete -c matrigrate -n '__matrigrate_at study task' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at study task' -l list -x -d 'Which run belongs to which task, a file in the folder'
+
+complete -c matrigrate -n '__matrigrate_at reproduce' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at reproduce' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for studies and verdicts (default: reproduce)'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l replicates -x -d 'Runs at each point (default: as many as the paper)'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l integrator -x -a 'adaptive reference' -d 'adaptive (default) or reference'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l set -x -d 'key=value, over all studies; may be repeated'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l from -x -a '(__fish_complete_directories)' -d 'Folder with kept tables (<study>-results.csv) to judge by; nothing is run'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l markdown -d 'Print the table of verdicts as Markdown; write no page'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l json -d 'Print the table as JSON'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l quiet -d 'Show no progress'
+
+complete -c matrigrate -n '__matrigrate_at info' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at info' -l json -d 'Print it as JSON'

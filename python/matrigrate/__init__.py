@@ -1,0 +1,35 @@
+"""Results, scenarios and runs of Matrigrate, a simulator of a cell that migrates through a degradable matrix.
+
+    import matrigrate
+
+    run = matrigrate.load("cell-seed1")               # the folder of a run
+    run.tracks                                        # pandas: t_s, x_um, y_um, ...
+    run.readouts.v_migr_abs_um_per_h                  # um/h
+    run.fields["matrix/pressure"][-1]                 # numpy: Pa, of each particle in the last frame
+
+    study = matrigrate.load_study("stiffness-study")  # many runs
+    study.results
+
+    scenario = matrigrate.Scenario.preset("soft")     # a scenario of one's own
+    scenario.ecm.youngs_modulus = "100 Pa"
+    run = matrigrate.run(scenario, out="mine", hours=1)
+
+Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
+"""
+from . import plot
+from ._schema import Parameter
+from ._version import __version__
+from .errors import (ConfigurationError, Fault, InputOutputError, InternalError, KeyboardStop, MatrigrateError,
+                     NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError)
+from .fields import Field, Fields
+from .results import Readouts, Run, load, meaning
+from .scenario import Scenario, Section
+from .simulate import run, run_study
+from .studies import Runs, Study, load_study
+
+__all__ = [
+    "ConfigurationError", "Fault", "Field", "Fields", "InputOutputError", "InternalError", "KeyboardStop",
+    "MatrigrateError", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "Run", "Runs", "Scenario",
+    "Section", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__", "load", "load_study", "meaning",
+    "plot", "run", "run_study",
+]

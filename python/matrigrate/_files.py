@@ -1,0 +1,97 @@
+"""Tables and JSON files of the program, checked as they are read."""
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Collection
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .errors import InputOutputError
+
+if TYPE_CHECKING:
+    import pandas
+
+_units = {"um_per_h": "um/h", "um_per_s": "um/s", "um2": "um^2", "um": "um", "min": "min", "s": "s", "nN": "nN",
+          "Pa": "Pa", "rad": "rad", "deg": "deg"}
+_guarded = re.compile(r"'(?=[=+\-@\t\r\n])")
+
+
+def unit_of(column: str) -> str:
+    """The unit that stands in the name of a column or read-out; "1" if none does.
+
+    >>> unit_of("v_migr_abs_um_per_h"), unit_of("n_protrusions")
+    ('um/h', '1')
+    """
+    return next((unit for suffix, unit in _units.items() if column.endswith("_" + suffix)), "1")
+
+
+def read_text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise InputOutputError(f"{path}: is damaged: it is no text", path.parent) from None
+    except OSError as error:
+        raise InputOutputError(f"{path}: cannot be read: {error.strerror}", path.parent) from None
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    try:
+        document = json.loads(read_text(path))
+    except ValueError as error:
+        raise InputOutputError(f"{path}: is damaged: it is no JSON: {error}", path.parent) from None
+    if not isinstance(document, dict):
+        raise InputOutputError(f"{path}: is damaged: it holds no object", path.parent)
+    return document
+
+
+def read_table(path: Path, *, texts: Collection[str] = (), strict: bool = True,
+               unfinished: bool = False) -> pandas.DataFrame:
+    """A CSV file; ``attrs["units"]`` holds the unit of each column.
+
+    :param texts: the columns that are no numbers
+    :param strict: whether all others are; if not, those that hold anything else are texts as well
+    :param unfinished: whether its last row may be cut short, because it is being written
+    """
+    pandas = _pandas()
+    text = read_text(path)
+    if unfinished and not text.endswith("\n"):
+        text = text[:text.rfind("\n") + 1]
+    rows = list(csv.reader(io.StringIO(text)))
+    if not rows or not text.endswith("\n"):
+        raise InputOutputError(f"{path}: is damaged: it {'is cut short' if rows else 'is empty'}", path.parent)
+    for number, row in enumerate(rows, 1):
+        if len(row) != len(rows[0]):
+            raise InputOutputError(f"{path}: is damaged: row {number} has {len(row)} fields, its header "
+                                   f"{len(rows[0])}", path.parent)
+    columns = {name: list(values) for name, values in zip(rows[0], zip(*rows[1:], strict=True), strict=True)} \
+        if len(rows) > 1 else {name: [] for name in rows[0]}
+    table = pandas.DataFrame({name: _column(path, name, values, name in texts, strict)
+                              for name, values in columns.items()})
+    table.attrs["units"] = {name: unit_of(name) for name in table.columns}
+    return table
+
+
+def _column(path: Path, name: str, values: list[str], is_text: bool, strict: bool) -> Any:
+    """Numbers, whole ones where all are; or texts, as they were before they were guarded against spreadsheets."""
+    pandas = _pandas()
+    if not is_text:
+        try:
+            if values and all(re.fullmatch(r"-?\d{1,18}", value) for value in values):
+                return pandas.Series([int(value) for value in values], dtype="int64")
+            return pandas.Series([float(value) if value else float("nan") for value in values], dtype="float64")
+        except ValueError as error:
+            if strict:
+                raise InputOutputError(f"{path}: is damaged: column {name}: {error}", path.parent) from None
+    return pandas.Series([_guarded.sub("", value, 1) if _guarded.match(value) else value for value in values],
+                         dtype="object")
+
+
+def _pandas() -> Any:
+    try:
+        import pandas
+    except ImportError:
+        raise ImportError("tables need pandas: apt install python3-pandas, or pip install pandas") from None
+    return pandas

@@ -1,0 +1,161 @@
+"""The frames of fields.h5."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._files import _pandas
+from .errors import InputOutputError
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+_bodies = ("matrix", "outline")
+_sparse = ("protrusions", "anchors")
+
+
+class Field:
+    """One array of fields.h5. Nothing is read before it is indexed: ``field[-1]`` is that of the last frame."""
+
+    def __init__(self, file: Path, name: str, shape: tuple[int, ...], dtype: np.dtype[Any], units: str) -> None:
+        self._file, self.name, self.shape, self.dtype, self.units = file, name, shape, dtype, units
+
+    def __getitem__(self, index: Any) -> Any:
+        with _opened(self._file) as file:
+            try:
+                return file[self.name][index]
+            except (IndexError, ValueError, TypeError) as error:
+                raise IndexError(f"{self.name}, of shape {self.shape}: {error}") from None
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray[Any, Any]:
+        return np.asarray(self[...], dtype=dtype)
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __repr__(self) -> str:
+        return f"Field({self.name}: {self.shape} {self.dtype}, {self.units})"
+
+
+class Fields(Mapping[str, Field]):
+    """The frames of cell and matrix: ``fields["matrix/pressure"][k]`` is the pressure [Pa] of all particles in frame k.
+
+    Arrays are (frames, particles) or (frames, particles, 3).
+    """
+
+    def __init__(self, file: str | Path) -> None:
+        self.file = Path(file)
+        with _opened(self.file) as opened:
+            try:
+                self.times: np.ndarray[Any, Any] = opened["time"][:]
+                """Simulated time of each frame [s]."""
+                self._fields = {name: _field(self.file, opened[name]) for name in _names(opened)}
+            except (KeyError, AttributeError):
+                raise InputOutputError(f"{self.file}: is no file of frames of this program", self.file.parent) from None
+
+    def __getitem__(self, name: str) -> Field:
+        if name not in self._fields:
+            raise KeyError(f"{name}; there are {', '.join(self._fields)}")
+        return self._fields[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._fields)
+
+    def __len__(self) -> int:
+        return len(self._fields)
+
+    def __repr__(self) -> str:
+        rows = "\n".join(f"  {f.name:<26} {str(f.shape):<18} {f.units}" for f in self._fields.values())
+        span = f", {self.times[0]:g} to {self.times[-1]:g} s" if len(self.times) else ""
+        return f"Fields({str(self.file)!r}: {len(self.times)} frames{span})\n{rows}"
+
+    def nearest(self, t: float) -> int:
+        """The number of the frame nearest to a time. :param t: simulated time [s]"""
+        if not len(self.times):
+            raise InputOutputError(f"{self.file}: holds no frames", self.file.parent)
+        return int(np.abs(self.times - t).argmin())
+
+    def frame(self, k: int) -> dict[str, np.ndarray[Any, Any]]:
+        """All arrays of matrix and outline in frame k, by their names."""
+        number = range(len(self.times))[k]
+        return {name: field[number] for name, field in self._fields.items() if self._has_frames(field)}
+
+    @cached_property
+    def protrusions(self) -> pandas.DataFrame:
+        """A row for each protrusion alive in a frame: ``frame``, ``t_s`` [s], ``id``, phase, maturation, force [nN]."""
+        return self._sparse("protrusions")
+
+    @cached_property
+    def anchors(self) -> pandas.DataFrame:
+        """A row for each adhesion in a frame: ``frame``, ``t_s`` [s], ``id``, place [um], maturation, force [nN]."""
+        return self._sparse("anchors")
+
+    def xarray(self) -> xarray.Dataset:
+        """All frames as one data set with the coordinate ``time`` [s], units in the attributes. Needs xarray."""
+        try:
+            import xarray
+        except ImportError:
+            raise ImportError("Fields.xarray needs xarray: apt install python3-xarray, or pip install xarray") from None
+        arrays = {}
+        for name, field in self._fields.items():
+            body = name.split("/")[0]
+            if body in _bodies and len(field.shape) > 1:
+                first = ("time",) if self._has_frames(field) else ()
+                dims = (*first, body, "axis")[:len(field.shape)]
+                arrays[name.replace("/", "_")] = xarray.DataArray(field[...], dims=dims, attrs={"units": field.units})
+        data = xarray.Dataset(arrays, coords={"time": ("time", self.times, {"units": "s"})})
+        return data.assign_coords(axis=["x", "y", "z"]) if "axis" in data.dims else data
+
+    def _has_frames(self, field: Field) -> bool:
+        return (field.name.split("/")[0] in _bodies and field.name != "matrix/reference" and len(field.shape) > 1
+                and len(field) == len(self.times))
+
+    def _sparse(self, group: str) -> pandas.DataFrame:
+        columns: dict[str, Any] = {}
+        units: dict[str, str] = {}
+        for name, field in self._fields.items():
+            if not name.startswith(group + "/"):
+                continue
+            key, values = name.split("/")[1], field[...]
+            flat = {f"{key}_{axis}": values[:, i] for i, axis in enumerate("xy")} if values.ndim == 2 else {}
+            parts = flat or {key: values}
+            columns |= parts
+            units |= dict.fromkeys(parts, field.units)
+        frames = columns.pop("frame", np.zeros(0, dtype="u4"))
+        table = _pandas().DataFrame({"frame": frames, "t_s": self.times[frames], **columns})
+        table.attrs["units"] = units | {"frame": "1", "t_s": "s"}
+        return table
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    """The file in h5py, whose errors become ours."""
+    try:
+        import h5py
+    except ImportError:
+        raise ImportError("fields need h5py: apt install python3-h5py, or pip install h5py") from None
+    if not path.is_file():
+        raise InputOutputError(f"{path}: there is no such file", path.parent)
+    try:
+        with h5py.File(path, "r") as file:
+            yield file
+    except InputOutputError:
+        raise
+    except (OSError, RuntimeError) as error:
+        raise InputOutputError(f"{path}: is damaged: {error}", path.parent) from None
+
+
+def _names(file: Any) -> list[str]:
+    return [f"{group}/{name}" for group in (*_bodies, *_sparse) if group in file for name in file[group]]
+
+
+def _field(path: Path, data: Any) -> Field:
+    units = data.attrs.get("units", "1")
+    return Field(path, data.name.lstrip("/"), data.shape, data.dtype,
+                 units.decode() if isinstance(units, bytes) else str(units))

@@ -1,0 +1,236 @@
+"""Folders of runs."""
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ._files import read_json, read_table, read_text, unit_of
+from .errors import InputOutputError
+from .fields import Fields
+
+if TYPE_CHECKING:
+    import pandas
+
+try:
+    import fcntl
+except ImportError:  # results can be read where the program does not run
+    fcntl = None  # type: ignore[assignment]
+
+_meanings = {
+    "duration_s": "simulated time",
+    "v_migr_abs_um_per_h": "speed, start to end",
+    "v_migr_path_60s_um_per_h": "speed along the path, sampled every 60 s",
+    "v_migr_path_600s_um_per_h": "speed along the path, sampled every 600 s",
+    "n_protrusions": "protrusions initiated",
+    "n_unadhered": "of them, never adhered",
+    "tau_prot_min": "life of a mature adhesion, mean",
+    "n_tau_prot": "adhesions in this mean",
+    "n_censored": "mature adhesions still alive, not in this mean",
+    "l_prot_um": "length at the end of growth, mean",
+    "f_mat": "maturation, mean",
+    "force_nN": "force at disassembly, mean",
+    "f_adh_rel": "force at disassembly over f_mat F_am, mean",
+    "n_simultaneous_mean": "protrusions at a time, mean",
+    "n_simultaneous_max": "protrusions at a time, most",
+    "msd_slope": "log-log slope of the mean square displacement, lags of 10 min to half the run",
+    "path_angle_deg": "mean angle of the path, sampled every 600 s, to uniaxial fibres",
+    "f_mat_along": "maturation of protrusions along uniaxial fibres, mean",
+    "f_mat_across": "maturation of protrusions across uniaxial fibres, mean",
+    "share_ruptured_along": "share of adhesions along uniaxial fibres that ended by rupture",
+    "share_ruptured_across": "share of adhesions across uniaxial fibres that ended by rupture",
+    "share_f_adh_rel_low": "share of mature adhesions that ended below f_adh_rel = 0.5",
+    "share_2_or_3_protrusions": "share of times with two or three protrusions",
+}
+
+
+def meaning(readout: str) -> str:
+    """What a read-out is, in words.
+
+    >>> meaning("tau_prot_min")
+    'life of a mature adhesion, mean'
+    """
+    return _meanings.get(readout, readout)
+
+
+class Readouts(Mapping[str, float]):
+    """The read-outs of a run by their names, also as attributes; NaN where one is not defined.
+
+    >>> readouts = Readouts({"v_migr_abs_um_per_h": 5.25, "f_mat": None})
+    >>> readouts.v_migr_abs_um_per_h
+    5.25
+    >>> readouts.unit("v_migr_abs_um_per_h"), readouts["f_mat"]
+    ('um/h', nan)
+    """
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values: dict[str, float] = {name: float("nan") if value is None else value
+                                          for name, value in values.items()}
+
+    def __getitem__(self, name: str) -> float:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __getattr__(self, name: str) -> float:
+        if name.startswith("_") or name not in self._values:
+            raise AttributeError(f"there is no read-out {name}")
+        return self._values[name]
+
+    def __dir__(self) -> list[str]:
+        return [*self._values, "unit", "meaning"]
+
+    def unit(self, name: str) -> str:
+        """The unit of a read-out, such as "um/h"; "1" of counts and ratios."""
+        self[name]
+        return unit_of(name)
+
+    def meaning(self, name: str) -> str:
+        """What a read-out is, in words."""
+        self[name]
+        return meaning(name)
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{name:<26}{value:>12.4g} {unit_of(name) if unit_of(name) != '1' else '':<6} {meaning(name)}"
+                         for name, value in self._values.items())
+
+
+class Run:
+    """The folder of a run. Files are read when they are asked for, tables once.
+
+    Of a run that is going on, was stopped or failed, there is what its files hold so far.
+    """
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        self.folder = Path(folder)
+        _require_run(self.folder)
+        self.record: dict[str, Any] = read_json(self.folder / "run.json")
+        """run.json: version, seed, steps, wall_time_s, trajectory_hash, lineage and more, as when the run was loaded."""
+        if not isinstance(self.record.get("status"), str):
+            raise InputOutputError(f"{self.folder / 'run.json'}: is damaged: it has no status", self.folder)
+
+    def __repr__(self) -> str:
+        reached = self.record.get("t_s") if self.record.get("exit_code") is not None else None  # else of a checkpoint
+        until = f", {reached / 3600:.3g} h" if isinstance(reached, (int, float)) else ""
+        return f"Run({str(self.folder)!r}: {self.status}{until}, seed {self.seed})"
+
+    @property
+    def status(self) -> str:
+        """"done", "failed", "interrupted" (stopped with a checkpoint), "running", or "unfinished" (nothing works on it,
+        and it was not told to stop: it was killed)."""
+        status = str(self.record["status"])
+        return "unfinished" if status == "running" and not self._is_worked_on() else status
+
+    @property
+    def reason(self) -> str:
+        """Why it ended early, in the words of the program; empty if it did not."""
+        return str(self.record.get("reason", ""))
+
+    @property
+    def seed(self) -> int:
+        return int(self.record.get("seed", 0))
+
+    @property
+    def trajectory_hash(self) -> str:
+        """Fingerprint of all that the cell did: the same for the same bits; empty while the run goes on."""
+        return str(self.record.get("trajectory_hash", ""))
+
+    @cached_property
+    def tracks(self) -> pandas.DataFrame:
+        """A row each minute: ``t_s`` [s], ``x_um``, ``y_um`` [um], area, perimeter, polarization, protrusions."""
+        return self._table("tracks.csv")
+
+    @cached_property
+    def protrusions(self) -> pandas.DataFrame:
+        """A row for each protrusion: times [s], length [um], maturation, force [nN], cause of its end."""
+        return self._table("protrusions.csv", ["cause"])
+
+    @cached_property
+    def health(self) -> pandas.DataFrame:
+        """A row each minute: solver, balance of forces, area, density, solid inside the cell."""
+        return self._table("health.csv")
+
+    @cached_property
+    def msd(self) -> pandas.DataFrame:
+        """Mean square displacement [um^2] over lags [s] of 10 min to half the run; written when the run ends."""
+        return self._table("msd.csv")
+
+    @cached_property
+    def readouts(self) -> Readouts:
+        """The paper's read-outs by name, with units; written when the run ends."""
+        return Readouts(read_json(self._existing("summary.json")))
+
+    @cached_property
+    def scenario(self) -> dict[str, Any]:
+        """Every parameter, as in scenario.resolved.toml: ``run.scenario["ecm"]["youngs_modulus"]`` is "200 Pa".
+
+        ``matrigrate.Scenario(run.scenario)`` makes a scenario of it.
+        """
+        path = self._existing("scenario.resolved.toml")
+        try:
+            return tomllib.loads(read_text(path))
+        except tomllib.TOMLDecodeError as error:
+            raise InputOutputError(f"{path}: is damaged: it is no TOML: {error}", self.folder) from None
+
+    @cached_property
+    def fields(self) -> Fields:
+        """Frames of cell and matrix, read when they are asked for."""
+        for name in ("fields.h5", "export/fields.h5"):
+            if (self.folder / name).is_file():
+                return Fields(self.folder / name)
+        if (self.folder / "fields.part").is_file():
+            raise InputOutputError(f"{self.folder}: has no fields.h5 yet ({self.status}); matrigrate export "
+                                   f"{self.folder} --fields writes the frames so far", self.folder)
+        raise InputOutputError(f"{self.folder}: has no fields.h5: it was made without frames (output.field_interval)",
+                               self.folder)
+
+    def _table(self, name: str, texts: list[str] | None = None) -> pandas.DataFrame:
+        unfinished = self.status in ("running", "unfinished")
+        return read_table(self._existing(name), texts=texts or (), unfinished=unfinished)
+
+    def _existing(self, name: str) -> Path:
+        path = self.folder / name
+        if not path.exists():
+            raise InputOutputError(f"{self.folder}: has no {name} (the run is {self.status})", self.folder)
+        return path
+
+    def _is_worked_on(self) -> bool:
+        """Whether a process of this machine works in the folder; it holds a lock while it does."""
+        if fcntl is None:
+            return False
+        try:
+            with open(self.folder / ".lock", "rb") as lock:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    return True
+        except OSError:
+            pass
+        return False
+
+
+def _require_run(folder: Path) -> None:
+    if (folder / "run.json").is_file():
+        return
+    if not folder.exists():
+        raise InputOutputError(f"{folder}: there is no such folder", folder)
+    if not folder.is_dir():
+        raise InputOutputError(f"{folder}: is a file; the folder of a run is expected", folder)
+    if (folder / "study.resolved.toml").exists():
+        raise InputOutputError(f"{folder}: is a study; matrigrate.load_study reads it", folder)
+    raise InputOutputError(f"{folder}: is no folder of a run: it has no run.json", folder)
+
+
+def load(folder: str | os.PathLike[str]) -> Run:
+    """Loads the folder of a run, whether it is done or not.
+
+    :raises InputOutputError: if it is none, or is damaged
+    """
+    return Run(folder)

@@ -1,0 +1,134 @@
+"""Runs and studies by the program, as a process of its own."""
+from __future__ import annotations
+
+import json
+import os
+import tomllib
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import Any
+
+from . import _program
+from ._schema import toml_text
+from .errors import KeyboardStop
+from .results import Run, load
+from .scenario import Scenario
+from .studies import Study, load_study
+
+Progress = Callable[[float, float], None]  #: called with simulated time [s] and the share that is done [0 to 1]
+
+
+def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str] | None = None, *,
+        seed: int | None = None, hours: float | None = None, overrides: Mapping[str, Any] | None = None,
+        threads: int | None = None, wall_time: str | None = None, force: bool = False,
+        progress: Progress | None = None) -> Run:
+    """Simulates one cell, and loads what was written. The results have the bits of ``matrigrate run``, which does it.
+
+    A folder that holds the same scenario and seed is resumed; one that is done is loaded as it is. Ctrl-C ends the run
+    with a checkpoint and raises KeyboardInterrupt; the same call goes on.
+
+    :param scenario: a Scenario or the path of a scenario file
+    :param out: folder for the results; ``<scenario>-seed<N>`` if left out
+    :param seed: of the random numbers
+    :param hours: simulated time [h]
+    :param overrides: further parameters, ``{"ecm.youngs_modulus": "50 Pa"}``
+    :param threads: to compute with; never changes a result
+    :param wall_time: stop with a checkpoint after this time of the clock, "2 h", and raise Stopped
+    :param force: start again in a folder that holds another run, whose files are removed
+    :param progress: called several times a second with simulated time [s] and the share done [0 to 1]
+    :raises ConfigurationError: with all that is wrong with the scenario; nothing was written
+    :raises NumericalError: if the run fails; its ``folder`` can be loaded
+    :raises InputOutputError: if the folder holds another run, or cannot be written
+    :raises ProgramNotFound: without the program
+    """
+    with _file_of(scenario) as file:
+        words = ["run", str(file), "--json", "--quiet"]
+        for option, value in (("--seed", seed), ("--hours", hours), ("--threads", threads), ("--wall-time", wall_time)):
+            words += [] if value is None else [option, str(value)]
+        for key, value in (overrides or {}).items():
+            words += ["--set", f"{key}={_override(value)}"]
+        words += ["--force"] if force else []
+        folder = Path(out) if out is not None else _default_folder(file, seed, overrides or {})
+        watch = _Watch(folder, progress) if progress is not None else None
+        try:
+            outcome = _program.call([*words, "-o", str(folder)], watch)
+        except KeyboardInterrupt:
+            raise KeyboardStop(folder) from None
+        _program.raise_for(outcome, folder, file if isinstance(scenario, Scenario) else None)
+    done = load(folder)
+    if watch is not None:
+        watch.end(done)
+    return done
+
+
+def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None = None, *,
+              jobs: int | None = None) -> Study:
+    """Computes the runs of a study file that are missing, as ``matrigrate study run``, and loads the study.
+
+    :param out: folder of the study; ``<file>-study`` if left out
+    :param jobs: runs at a time; as many as there are cores if left out
+    :raises NumericalError: if a run failed; the others are done, and ``load_study`` reads them
+    """
+    folder = Path(out) if out is not None else Path(f"{Path(file).stem}-study")
+    words = ["study", "run", str(file), "-o", str(folder), "--quiet"] + ([] if jobs is None else ["--jobs", str(jobs)])
+    try:
+        outcome = _program.call(words)
+    except KeyboardInterrupt:
+        raise KeyboardStop(folder) from None
+    _program.raise_for(outcome, folder)
+    return load_study(folder)
+
+
+def _file_of(scenario: Scenario | str | os.PathLike[str]) -> AbstractContextManager[Path]:
+    if isinstance(scenario, Scenario):
+        return scenario._as_file()
+    return nullcontext(Path(scenario))
+
+
+def _override(value: Any) -> str:
+    return value if isinstance(value, str) else toml_text(value)
+
+
+def _default_folder(file: Path, seed: int | None, overrides: Mapping[str, Any]) -> Path:
+    """As the program names it; what cannot be read it will tell itself."""
+    if seed is None:
+        seed = overrides.get("run.seed")
+    if seed is None:
+        try:
+            seed = tomllib.loads(file.read_text(encoding="utf-8-sig")).get("run", {}).get("seed", 1)
+        except (OSError, ValueError, AttributeError):
+            seed = 1
+    return Path(f"{file.stem}-seed{seed}")
+
+
+class _Watch:
+    """Tells how far a run is, by the last row of tracks.csv; says each time once."""
+
+    def __init__(self, folder: Path, progress: Progress) -> None:
+        self._folder, self._progress, self._told = folder, progress, -1.0
+
+    def __call__(self) -> None:
+        try:
+            record = json.loads((self._folder / "run.json").read_text())
+            if record["status"] != "running":
+                return
+            with open(self._folder / "tracks.csv", "rb") as tracks:
+                header = tracks.readline().decode().strip().split(",")
+                tracks.seek(max(tracks.tell(), tracks.seek(0, os.SEEK_END) - 4096))
+                row = tracks.read().decode().rsplit("\n", 2)[-2].split(",")
+            t, whole = float(row[header.index("t_s")]), float(record["duration_s"])
+        except (OSError, ValueError, KeyError, IndexError):
+            return  # its first files are being written
+        self._tell(t, min(1.0, t / whole))
+
+    def end(self, run: Run) -> None:
+        """Tells the end, unless that was told."""
+        t = run.record.get("t_s")
+        if isinstance(t, (int, float)):
+            self._tell(float(t), 1.0)
+
+    def _tell(self, t: float, share: float) -> None:
+        if t > self._told:
+            self._told = t
+            self._progress(t, share)

@@ -1,0 +1,35 @@
+#!/bin/sh
+# A short run, one that failed and a small study for the tests of Python and R: small_runs.sh PROGRAM FOLDER
+set -eu
+rm -rf "$2"
+mkdir -p "$2"
+cd "$2"
+cat >cell.toml <<TOML
+[ecm]
+radius = "60 um"
+[protrusion]
+initiation_rate = "0.002 1/s"
+[run]
+duration = "30 min"
+integrator = "adaptive"
+[output]
+report = false
+TOML
+cat >study.toml <<TOML
+title = "Small"
+scenario = "cell.toml"
+replicates = 2
+[set]
+run.duration = "6 min"
+output.pictures = false
+[[points]]
+label = "=soft"
+ecm.youngs_modulus = "50 Pa"
+[[points]]
+label = "NA"
+ecm.youngs_modulus = "200 Pa"
+TOML
+"$1" run cell.toml -o run --quiet >/dev/null
+"$1" study run study.toml -o study --quiet >/dev/null
+"$1" run cell.toml -o failed --quiet --set ecm.radius="40 um" --set ecm.youngs_modulus="50 Pa" 2>/dev/null && exit 1
+test -f failed/run.json

@@ -1,0 +1,163 @@
+"""Scenarios in Python: the schema, defaults, words and files are those of the program."""
+import doctest
+import importlib
+import json
+import subprocess
+import tomllib
+import unittest
+
+import common
+import matrigrate
+import numpy as np
+from matrigrate import Scenario, _schema, _units
+
+wrong = [  # what the program and Python must say the same of
+    ("ecm", "youngs_modulus", value) for value in
+    (-1, 0, 2e7, "50 s", "50 kg", "50", "0,2 kPa", "fifty Pa", "50 Pascals", "20 MPa", "10.0001 MPa", "1e999 Pa", "5 Pa^x",
+     "50 Pa^2", "50 /", "50 Pa*", True, [1], 1e300, "-3 Pa", "", "7 Pa s/m", "3 um^0.5", "x" * 90,
+     "3 Pa^1.2345", "a\tb", "1e400 h 3 min", "1e999999999 Pa")
+] + [
+    ("ecm", "lattice", "sqare"), ("ecm", "lattice", "round"), ("ecm", "lattice", 3), ("ecm", "cell_hole", "yes"),
+    ("ecm", "cell_hole", 1), ("ecm", "poissons_ratio", 0.5), ("ecm", "poissons_ratio", "0.4"), ("run", "seed", 1.5),
+    ("run", "seed", "1"), ("run", "seed", -1), ("run", "seed", True), ("run", "duration", "6 h 30 Pa"),
+    ("run", "duration", "366 d"), ("run", "duration", "9000"), ("fibres", "direction_deg", 270),
+    ("fibres", "direction_deg", "4 rad"), ("fibres", "direction_deg", "3 Pa"), ("fibres", "direction_deg", "3"),
+    ("protrusion", "deflection_cone", "190 deg"), ("protrusion", "deflection_cone", 4), ("cell", "crowding", 1),
+    ("solver", "max_iterations", 0), ("ecm", "youngs_modulu", 1), ("ecm", "E", 1), ("ecm", "force", 1), ("run", "zzzzzz", 1),
+    ("cell", "repulsion_stiffness", "3 N/m^1.5 s"), ("adhesion", "zeta_diss", "20 nN"), ("run", "threads", 1025),
+]
+right = [
+    ("ecm", "youngs_modulus", "0.05 kPa"), ("degradation", "threshold", "1 MPa"), ("degradation", "threshold", 1e6),
+    ("ecm", "youngs_modulus", ".5e2 Pa"), ("ecm", "youngs_modulus", "50 nN/um^2 "), ("run", "duration", "6 h 30 min"),
+    ("run", "duration", "90 minutes"), ("run", "duration", "365 d"), ("fibres", "direction_deg", "30°"),
+    ("fibres", "direction_deg", "0.5 rad"), ("cell", "repulsion_stiffness", "1.4 N/m^1.5"), ("cell", "start_x", "-1 µm"),
+    ("adhesion", "zeta_diss", "20 1/nN"), ("ecm", "viscosity", "1 kPa s"), ("cell", "dashpot", "0.0025 N·s/m"),
+    ("fibres", "half_angle_deg", 90), ("solver", "tolerance", 1e-3), ("ecm", "radius", 100),
+]
+
+
+class LikeTheProgram(common.InTemporaryFolder):
+    def check(self, cases):
+        files = []
+        for k, (section, key, value) in enumerate(cases):
+            text = ("true" if value else "false") if isinstance(value, bool) else json.dumps(value, ensure_ascii=False)
+            files.append(f"{k}.toml")
+            (self.folder / files[-1]).write_text(f'run.integrator = "adaptive"\n{section}.{key} = {text}\n')
+        done = subprocess.run([common.program, "check", "--json", *files], capture_output=True, text=True)
+        return [file["faults"] for file in json.loads(done.stdout)["files"]]
+
+    def test_words(self):
+        for (section, key, value), faults in zip(wrong, self.check(wrong), strict=True):
+            with self.subTest(f"{section}.{key} = {value!r}"), self.assertRaises(matrigrate.ConfigurationError) as caught:
+                setattr(getattr(Scenario(), section), key, value)
+            ours = caught.exception.faults
+            self.assertEqual([(f.key, f.message) for f in ours], [(f["key"], f["message"]) for f in faults], repr(value))
+
+    def test_what_is_right(self):
+        for (section, key, value), faults in zip(right, self.check(right), strict=True):
+            with self.subTest(f"{section}.{key} = {value!r}"):
+                self.assertEqual(faults, [])
+                setattr(getattr(Scenario(), section), key, value)
+
+    def test_many_faults_at_once(self):
+        table = {"ecm": {"radius": -1, "a": 2}, "emc": {"x": 1}, "typo": 3}
+        (self.folder / "bad.toml").write_text("typo = 3\n[ecm]\nradius = -1\na = 2\n[emc]\nx = 1\n")
+        with self.assertRaises(matrigrate.ConfigurationError) as ours:
+            Scenario(table)
+        with self.assertRaises(matrigrate.ConfigurationError) as theirs:
+            matrigrate._program.check(self.folder / "bad.toml")
+        self.assertEqual({str(f) for f in ours.exception.faults}, {str(f) for f in theirs.exception.faults})
+
+    def test_defaults_and_units(self):
+        resolved = matrigrate.load(common.runs / "run").scenario
+        scenario = Scenario(resolved)
+        self.assertEqual(set(resolved), set(_schema.sections()))
+        self.assertEqual(list(scenario), list(scenario.given()), "the program writes every parameter, in this order")
+        for path in set(scenario) - {"ecm.radius", "protrusion.initiation_rate", "run.duration", "run.integrator",
+                                     "run.time_step", "output.report"}:
+            self.assertEqual(Scenario()[path], scenario[path], path)
+        adaptive = Scenario({"run.integrator": "adaptive"})
+        self.assertEqual(adaptive.run.time_step, scenario.run.time_step)
+        for parameter in _schema.parameters().values():
+            if parameter.kind in ("quantity", "angle"):
+                self.assertIsNotNone(_units.parse_unit(parameter.unit))
+
+    def test_presets(self):
+        soft = Scenario.preset("soft")
+        self.assertEqual(soft.changed(), {"run.integrator": "adaptive", "ecm.youngs_modulus": "50 Pa"})
+        self.assertEqual(soft, Scenario.load(common.source / "scenarios" / "soft.toml"))
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, 'no preset "sotf"; did you mean soft'):
+            Scenario.preset("sotf")
+
+    def test_saved_files_are_good(self):
+        scenario = Scenario.preset("two-protrusions-fibres")
+        scenario.ecm.youngs_modulus = "0.1 kPa"
+        scenario.ecm.radius = np.float32(80)
+        scenario.protrusion.number = np.int64(3)
+        path = scenario.save("mine.toml")
+        done = subprocess.run([common.program, "check", path], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (0, "mine.toml: good\n"), done.stderr)
+        self.assertEqual(Scenario.load(path), scenario)
+        self.assertEqual(tomllib.loads(path.read_text())["ecm"]["youngs_modulus"], "0.1 kPa")
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "exists, and is not overwritten"):
+            scenario.save("mine.toml")
+        scenario.save("mine.toml", overwrite=True)
+
+    def test_the_program_has_the_final_say(self):
+        scenario = Scenario()
+        scenario.ecm.radius = 20  # in range, but too small for the cell
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "the cell and its margin reach") as caught:
+            scenario.save("small.toml")
+        self.assertEqual(caught.exception.faults[0].key, "ecm.radius")
+        self.assertFalse((self.folder / "small.toml").exists())
+
+    def test_files_that_are_none(self):
+        for text, words in (("[", "cannot be read as TOML"), ("replicates = 3\n", "there is no such parameter")):
+            (self.folder / "x.toml").write_text(text)
+            with self.assertRaisesRegex(matrigrate.ConfigurationError, words):
+                Scenario.load("x.toml")
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "cannot be read: No such file"):
+            Scenario.load("none.toml")
+
+
+class Objects(unittest.TestCase):
+    def test_schema_is_that_of_the_documentation(self):
+        ours = (common.source / "python" / "matrigrate" / "scenario.schema.json").read_text()
+        self.assertEqual(ours, (common.source / "docs" / "scenario.schema.json").read_text(),
+                         "cp docs/scenario.schema.json python/matrigrate/")
+        printed = subprocess.run([common.program, "list", "--schema-json"], capture_output=True, text=True).stdout
+        self.assertEqual(ours, printed)
+
+    def test_names(self):
+        scenario = Scenario()
+        with self.assertRaisesRegex(matrigrate.UnknownParameter, "^emc: there is no such section; did you mean ecm"):
+            scenario.emc
+        with self.assertRaises(matrigrate.ConfigurationError):
+            scenario.ecm = 3
+        with self.assertRaises(matrigrate.ConfigurationError):
+            scenario.foo = 3
+        self.assertFalse(hasattr(scenario, "emc"))
+        self.assertIn("youngs_modulus", dir(scenario.ecm))
+        self.assertIn("ecm", dir(scenario))
+        self.assertIn("A bare number is in Pa.", type(scenario.ecm).youngs_modulus.__doc__)
+        self.assertEqual(scenario.unit("actomyosin.force"), "nN")
+        self.assertIn("youngs_modulus", repr(scenario.ecm))
+
+    def test_copies_and_defaults(self):
+        scenario = Scenario({"ecm": {"radius": "60 um"}}, name="a")
+        other = scenario.copy("b")
+        other.ecm.radius = "0.07 mm"
+        self.assertEqual((scenario.ecm.radius, other.ecm.radius, other.name), (60.0, 70.0, "b"))
+        del other["ecm.radius"]
+        self.assertEqual(other, Scenario())
+        self.assertEqual(repr(scenario), 'Scenario(a: ecm.radius="60 um")')
+
+
+def load_tests(_, tests, __):
+    tests.addTests(doctest.DocTestSuite(importlib.import_module("matrigrate.scenario")))
+    tests.addTests(doctest.DocTestSuite(_schema))
+    return tests
+
+
+if __name__ == "__main__":
+    unittest.main()
