@@ -86,6 +86,18 @@ std::size_t leave_out_clamps(const Field& free, std::size_t row, std::span<std::
   return count;
 }
 
+/// Makes F the velocities of the clamped particles, and zero for the others.   @return whether any of them moves
+bool prescribe_clamps(const EcmState& ecm, std::vector<Vec2>& F) {
+  F.assign(ecm.size(), Vec2::Zero());
+  bool move = false;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (!ecm.clamped[i]) continue;
+    F[i] = ecm.v[i];
+    move = move || ecm.v[i] != Vec2(0.0, 0.0);
+  }
+  return move;
+}
+
 /// Adds the drag of clamped particles on the others to their forces.
 void add_drag_of_clamps(const EcmState& ecm, std::size_t row, std::span<const std::int32_t> distances, const float* G,
                         std::span<Vec2> F) {
@@ -159,13 +171,7 @@ void ViscosityRows::assemble(const EcmState& ecm, std::span<const Vec2> x, const
   const bool all = m_stale.size() != pattern.blocks();
   mark_moved(x, pairs, pattern);
   A.diagonal.resize(n);
-  A.F.assign(n, Vec2::Zero());
-  bool clamps_move = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!ecm.clamped[i]) continue;
-    A.F[i] = ecm.v[i];
-    clamps_move = clamps_move || ecm.v[i] != Vec2(0.0, 0.0);
-  }
+  const bool clamps_move = prescribe_clamps(ecm, A.F);
   if (clamps_move) std::ranges::fill(m_stale, std::uint8_t{1}); // their drag on others is added on the way
   if (all) {
     A.prescribed.assign(ecm.clamped.begin(), ecm.clamped.end());

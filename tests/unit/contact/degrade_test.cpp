@@ -42,7 +42,7 @@ TEST(DegradationRate, ReadsTheSolidsOwnPressure) {
   EXPECT_GT(degradation_rate(1.89, false, 1.001 * p.degradation.threshold, p), 0.0);
 }
 
-TEST(Degrade, FollowsTheRateOfEachEncounterAndLeavesTheRestAlone) {
+TEST(Degrade, FollowsTheRateOfEachNearbyParticleAndLeavesTheRestAlone) {
   Scene s = touching_scene();
   const EcmState before = s.ecm;
   const std::vector<NearbyParticle> nearby = s.nearby();

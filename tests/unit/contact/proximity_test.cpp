@@ -47,7 +47,7 @@ TEST(SegmentGrid, KnowsWhichPointsMayHaveASegmentNear) {
   EXPECT_LT(found.size(), points.size() / 2);
 }
 
-TEST(Encounters, AreTheClosestSegmentsOfAllParticles) {
+TEST(NearbySolid, AreTheClosestSegmentsOfAllParticles) {
   const Scene s = touching_scene();
   const std::vector<NearbyParticle> nearby = s.nearby();
   std::size_t next = 0;
@@ -70,7 +70,7 @@ TEST(Encounters, AreTheClosestSegmentsOfAllParticles) {
   EXPECT_TRUE(std::ranges::any_of(nearby, [](const NearbyParticle& e) { return e.s == 0.0 || e.s == 1.0; }));
 }
 
-TEST(Encounters, LeaveFluidAndClampedParticlesOut) {
+TEST(NearbySolid, LeaveFluidAndClampedParticlesOut) {
   Scene s = touching_scene();
   const std::size_t all = s.nearby().size();
   s.ecm.f[s.nearby()[3].particle] = 0.0;
@@ -78,7 +78,7 @@ TEST(Encounters, LeaveFluidAndClampedParticlesOut) {
   EXPECT_EQ(s.nearby().size(), all - 2);
 }
 
-TEST(Encounters, GiveANormalEvenToAParticleOnTheCortex) {
+TEST(NearbySolid, GiveANormalEvenToAParticleOnTheCortex) {
   Scene s = touching_scene();
   const std::uint32_t k = s.nearby().front().particle;
   s.ecm.x[k] = 0.5 * (s.c.x[7] + s.c.x[8]);
