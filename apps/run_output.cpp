@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace matrigrate::apps {
 
@@ -63,7 +65,8 @@ int print_outcome(const run::RunOutcome& outcome, const OutcomeStyle& style) {
   if (!style.quiet) print_text(outcome);
   if (style.quiet && outcome.end != run::RunEnd::completed)
     print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
-  print(fmt::format("open {}\n", report));
+  std::error_code ignored;
+  print(fmt::format("open {}\n", std::filesystem::exists(report, ignored) ? report : outcome.folder.string()));
   return run::exit_code(outcome.end);
 }
 
