@@ -186,6 +186,36 @@ test("plays chosen runs, one at a time, when they are looked at", async () => {
   await page.context().close();
 });
 
+test("a player that is closed listens no more", async () => {
+  const { page, errors } = await open(browser, "study", JSON.stringify(sampleStudy()));
+  await page.locator("#players .stage").waitFor({ state: "attached" });
+  await page.evaluate(() => {
+    const real = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => {
+      document.documentElement.dataset["asked"] = String(Number(document.documentElement.dataset["asked"] ?? 0) + 1);
+      return real(callback);
+    };
+  });
+  /** Pictures that are asked for when the colours of the page change. */
+  const asked = async (colorScheme: "dark" | "light") => {
+    await page.waitForTimeout(300);
+    await page.evaluate(() => delete document.documentElement.dataset["asked"]);
+    await page.emulateMedia({ colorScheme });
+    await page.waitForTimeout(300);
+    return page.evaluate(() => Number(document.documentElement.dataset["asked"] ?? 0));
+  };
+  const one = await asked("dark");
+  assert.ok(one > 0, "the player does not follow the colours of the page");
+  for (const choice of ["1", "0", "1", "0"]) {
+    await page.locator("#players select >> nth=0").selectOption(choice);
+    await page.waitForTimeout(50);
+    await page.locator("#players .stage").waitFor({ state: "attached" });
+  }
+  assert.equal(await asked("light"), one);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("a study with one axis, or with nothing done yet", async () => {
   const study = sampleStudy();
   const one = {

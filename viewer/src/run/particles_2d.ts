@@ -1,7 +1,7 @@
 /** The matrix on a plain canvas: slower than the card, the same picture. */
 import { css, gelOnDark, gelOnLight, lookUp, type Rgb } from "../colour";
 import { between, type Film } from "./frames";
-import { fluidSize, intactSize, solidFrom, type ParticlePainter, type ParticleScene } from "./particles";
+import { fluidSize, intactSize, solidFrom, type ParticlePainter, type ParticleScene } from "./particle_scene";
 
 export function plainPainter(canvas: HTMLCanvasElement, film: Film, spacing: number): ParticlePainter {
   const context = canvas.getContext("2d");
@@ -44,5 +44,5 @@ export function plainPainter(canvas: HTMLCanvasElement, film: Film, spacing: num
       context.fillRect(sx - 0.5 * side, sy - 0.5 * side, side, side);
     }
   };
-  return { canvas, kind: "2d", paint };
+  return { canvas, kind: "2d", paint, close: () => undefined };
 }

@@ -5,7 +5,7 @@
 import { gelOnDark, gelOnLight, lookUp } from "../colour";
 import type { Field } from "../unpack";
 import type { Film } from "./frames";
-import { fluidSize, intactSize, solidFrom, type ParticlePainter, type ParticleScene } from "./particles";
+import { fluidSize, intactSize, solidFrom, type ParticlePainter, type ParticleScene } from "./particle_scene";
 
 const vertexSource = `#version 300 es
 layout(location = 0) in vec2 corner;
@@ -85,7 +85,8 @@ export function cardPainter(
   if (!gl || (!anyhow && isSoftware(gl))) return null;
   const used = program(gl);
   if (!used) return null;
-  canvas.addEventListener("webglcontextlost", lost, { once: true });
+  const closed = new AbortController();
+  canvas.addEventListener("webglcontextlost", lost, { once: true, signal: closed.signal });
   gl.useProgram(used);
   const at = (name: string) => gl.getUniformLocation(used, name);
   const uniforms = Object.fromEntries(
@@ -167,5 +168,10 @@ export function cardPainter(
     gl.uniform1i(uniforms["displacement"], layer.field ? 0 : 1);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, film.particles);
   };
-  return { canvas, kind: "webgl2", paint };
+  const close = (): void => {
+    closed.abort();
+    // A browser has few contexts to give; one that is no longer seen must not wait for the garbage collector.
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+  };
+  return { canvas, kind: "webgl2", paint, close };
 }

@@ -29,7 +29,7 @@ function viewButtons(stage: Stage): HTMLElement {
 }
 
 /** Radios for the matrix, boxes for what lies over it, and the legend of both. */
-function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLElement {
+function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>, gone: AbortSignal): HTMLElement {
   const bar = h("div", {});
   const legend = h("div", {});
   const arrowNote = h("p", { class: "note", "aria-live": "polite" });
@@ -61,7 +61,7 @@ function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLEl
     });
     return h("label", {}, input, overlay.name);
   });
-  onDarkMode(refresh);
+  onDarkMode(refresh, gone);
   stage.onView(refreshArrows);
   refresh();
   refreshArrows();
@@ -85,7 +85,7 @@ function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLEl
 }
 
 /** Protrusions alive at the time shown. */
-function present(film: Film, clock: Clock): HTMLElement {
+function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
   const body = h("tbody", {});
   let shown = -1;
   const update = () => {
@@ -103,7 +103,7 @@ function present(film: Film, clock: Clock): HTMLElement {
     );
     body.replaceChildren(...(rows.length > 0 ? rows : [h("tr", {}, h("td", { colspan: 3 }, "none"))]));
   };
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   return h(
     "div",
@@ -131,12 +131,12 @@ function present(film: Film, clock: Clock): HTMLElement {
 export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, gone: AbortSignal): HTMLElement {
   const all = layers(film);
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
-  const stage = new Stage(run, film, clock, all[0], displacement);
+  const stage = new Stage(run, film, clock, all[0], displacement, gone);
   const time = h("output", { class: "time" });
   const showTime = () => {
     time.textContent = timeText(clock.time);
   };
-  clock.onChange(showTime);
+  clock.onChange(showTime, gone);
   showTime();
   stage.element.append(time, viewButtons(stage));
   attachKeys(clock, stage, alone ? document : stage.element, gone);
@@ -152,8 +152,8 @@ export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, g
     h(
       "div",
       { class: "player" },
-      h("div", { class: "screen" }, stage.element, transport(clock, stage)),
-      h("div", { class: "aside" }, panel(stage, film, all), present(film, clock)),
+      h("div", { class: "screen" }, stage.element, transport(clock, stage, gone)),
+      h("div", { class: "aside" }, panel(stage, film, all, gone), present(film, clock, gone)),
     ),
   );
 }

@@ -1,5 +1,5 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
-import { h, isDark, onDarkMode } from "../dom";
+import { h, isDark, onDarkMode, onResize } from "../dom";
 import { roundStep } from "../numbers";
 import { onPaper, onPrint } from "../paper";
 import { valueAt } from "../unpack";
@@ -11,6 +11,7 @@ import { edges, type Edge } from "./edge";
 import { outlineAt, placeAt, type Film } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
+import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
@@ -37,7 +38,7 @@ export class Stage {
   private queued = false;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
-  private painter;
+  private painter: ParticlePainter;
   private pixels = 1;
   private viewListeners: (() => void)[] = [];
 
@@ -47,6 +48,7 @@ export class Stage {
     private readonly clock: Clock,
     public layer: Layer,
     private readonly displacementLimit: number,
+    gone: AbortSignal,
   ) {
     const bottom = h("canvas", { class: "matrix" });
     this.element = h(
@@ -75,20 +77,23 @@ export class Stage {
       if (panned) this.follow = false;
       this.viewChanged();
     });
-    clock.onChange(() => this.draw());
-    onDarkMode(() => this.draw());
-    onPrint(this.element, () => {
+    clock.onChange(() => this.draw(), gone);
+    onDarkMode(() => this.draw(), gone);
+    gone.addEventListener("abort", () => this.painter.close());
+    const printed = () => {
       this.fit();
       this.paint();
       if (onPaper()) this.layMatrixUnderCell();
-    });
+    };
+    onPrint(this.element, printed, gone);
     let first = true;
-    new ResizeObserver(() => {
+    const resized = () => {
       this.fit();
       if (first) this.camera.show(this.home);
       first = false;
       this.viewChanged();
-    }).observe(this.element);
+    };
+    onResize(this.element, resized, gone);
   }
 
   /** For what shows the state of the view: the follow switch, the length of arrows in the legend. */

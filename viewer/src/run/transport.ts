@@ -7,7 +7,7 @@ import type { Stage } from "./stage";
 /** Model minutes a second. */
 const speeds = [5, 10, 20, 40, 80];
 
-export function transport(clock: Clock, stage: Stage): HTMLElement {
+export function transport(clock: Clock, stage: Stage, gone: AbortSignal): HTMLElement {
   const play = h("button", { type: "button", class: "play" });
   play.addEventListener("click", () => clock.toggle());
   const scrub = h("input", { type: "range", class: "scrub", min: 0, max: clock.end, step: 1, "aria-label": "Time" });
@@ -34,7 +34,7 @@ export function transport(clock: Clock, stage: Stage): HTMLElement {
     scrub.setAttribute("aria-valuetext", timeText(clock.time));
     times.textContent = `${timeText(60 * Math.floor(clock.time / 60))} of ${timeText(clock.end)}`;
   };
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   return h(
     "div",

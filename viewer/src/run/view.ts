@@ -1,6 +1,6 @@
 /** What a run is looked at with: player, path and protrusions, all at the same time. */
 import type { RunPage } from "../contract";
-import { h, section } from "../dom";
+import { h, onResize, section } from "../dom";
 import { onPrint } from "../paper";
 import { Clock } from "./clock";
 import { film } from "./frames";
@@ -10,17 +10,21 @@ import "./run.css";
 import { protrusionTable, timeline } from "./timeline";
 
 /** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them again. */
-function fitted(make: (width: number) => HTMLElement): HTMLElement {
+function fitted(make: (width: number, gone: AbortSignal) => HTMLElement, gone: AbortSignal): HTMLElement {
   const holder = h("div", { class: "fitted" });
   let drawn = 0;
+  let replaced = new AbortController();
+  gone.addEventListener("abort", () => replaced.abort());
   const draw = () => {
     const width = Math.floor(holder.clientWidth);
     if (width === drawn || width === 0) return;
     drawn = width;
-    holder.replaceChildren(make(width));
+    replaced.abort();
+    replaced = new AbortController();
+    holder.replaceChildren(make(width, replaced.signal));
   };
-  new ResizeObserver(draw).observe(holder);
-  onPrint(holder, draw);
+  onResize(holder, draw, gone);
+  onPrint(holder, draw, gone);
   return holder;
 }
 
@@ -47,17 +51,18 @@ export function runView(run: RunPage, alone: boolean): RunView {
     section(
       "path",
       "Path, speed and area",
-      fitted((width) => plots(run.tracks, clock, width)),
+      fitted((width, replaced) => plots(run.tracks, clock, width, replaced), gone.signal),
     ),
     section(
       "protrusions",
       "Protrusions",
-      fitted((width) => timeline(run.protrusions, clock, width)),
+      fitted((width, replaced) => timeline(run.protrusions, clock, width, replaced), gone.signal),
       h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
     ),
   ];
   const ready = film(run)
     .then((made) => {
+      if (gone.signal.aborted) return;
       stage.replaceChildren(
         made
           ? player(run, made, clock, alone, gone.signal)
