@@ -1,13 +1,20 @@
-/** What a painter of the matrix is given, and what both painters of particles agree on. */
+/** What a painter of the matrix is given, and what all painters agree on. */
 import type { Camera } from "./camera";
 import type { Place } from "./frames";
 import type { Layer } from "./layers";
+import type { Patch } from "./resample";
+import type { Scale } from "./scale";
 
 export interface ParticleScene {
   place: Place;
   layer: Layer;
+  scale: Scale;
   camera: Camera;
   dark: boolean;
+  /** The layer interpolated over what is seen; null: particles are drawn as squares. */
+  patch: Patch | null;
+  /** Pixels of the canvas in a pixel of the page. */
+  pixels: number;
 }
 
 export interface ParticlePainter {
@@ -22,6 +29,3 @@ export interface ParticlePainter {
  *  which the deformation of the lattice shows, unless they are too small for gaps. */
 export const fluidSize = 1.08;
 export const intactSize = (spacingPixels: number): number => (spacingPixels < 4 ? 1.08 : 0.84);
-
-/** Below this f_degr a particle counts as fluid where only the solid has a value. */
-export const solidFrom = 0.05;

@@ -28,6 +28,24 @@ function viewButtons(stage: Stage): HTMLElement {
   );
 }
 
+/** The matrix as a field, or as the particles that it is computed by. */
+function styleChoice(stage: Stage): HTMLElement {
+  const radio = (value: string, name: string, smooth: boolean) => {
+    const input = h("input", { type: "radio", name: "style", value, checked: stage.smooth === smooth });
+    input.addEventListener("change", () => {
+      stage.smooth = smooth;
+      stage.draw();
+    });
+    return h("label", {}, input, name);
+  };
+  return h(
+    "div",
+    { class: "choices style", role: "group", "aria-label": "Draw the matrix as" },
+    radio("smooth", "Smooth field", true),
+    radio("particles", "Particles", false),
+  );
+}
+
 /** Radios for the matrix, boxes for what lies over it, and the legend of both. */
 function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>, gone: AbortSignal): HTMLElement {
   const bar = h("div", {});
@@ -68,7 +86,7 @@ function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>, gone: A
   return h(
     "div",
     { class: "panel" },
-    h("fieldset", {}, h("legend", {}, "Colour the matrix by"), h("div", { class: "choices" }, ...radios), bar),
+    h("fieldset", {}, h("legend", {}, "Colour the matrix by"), h("div", { class: "choices" }, ...radios), styleChoice(stage), bar),
     h(
       "fieldset",
       {},

@@ -13,6 +13,7 @@ import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
 import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
+import { resample, type Patch } from "./resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
 function haunts(film: Film): Box {
@@ -35,11 +36,14 @@ export class Stage {
   readonly camera: Camera;
   follow = false;
   edge: Edge;
+  /** The matrix as a field between the particles, not as the particles themselves. */
+  smooth = true;
   private queued = false;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
   private painter: ParticlePainter;
   private pixels = 1;
+  private patch: Patch | null = null;
   private viewListeners: (() => void)[] = [];
 
   constructor(
@@ -177,7 +181,10 @@ export class Stage {
       }
     }
     const dark = isDark();
-    this.painter.paint({ place, layer: this.layer, camera, dark });
+    const { layer } = this;
+    const scale = { low: layer.low, high: layer.high, map: layer.map(dark), hatched: false };
+    this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um) : null;
+    this.painter.paint({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
     paintCell(
       this.top,
       {
