@@ -13,22 +13,38 @@ import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { readable } from "../numbers";
 import type { Layer } from "./layers";
+import type { LayerScale } from "./scale";
 
-/** The colour bar of a layer, with low, middle and high value. */
-export function colourBar(layer: Layer): HTMLElement {
+/** The colour bar of a layer, with low, middle and high value; an arrow at an end where values lie beyond it. */
+export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
   const dark = isDark();
-  const value = (share: number) => readable(layer.low + share * (layer.high - layer.low), 3);
+  const beyond = scale.clamped();
+  const value = (share: number) => readable(scale.low + share * (scale.high - scale.low), 3);
   const ground = css((dark ? gelOnDark : gelOnLight)[0]);
+  const ends = `${beyond.low ? " more-low" : ""}${beyond.high ? " more-high" : ""}`;
   return h(
     "div",
     { class: "legend-layer" },
     h("p", { class: "legend-title" }, layer.name + (layer.unit ? ` [${layer.unit}]` : "")),
-    h("div", { class: "bar", style: `background:${gradient(layer.map(dark))}` }),
-    h("div", { class: "bar-numbers" }, h("span", {}, value(0)), h("span", {}, value(0.5)), h("span", {}, value(1))),
+    h("div", { class: `bar${ends}`, style: `background:${gradient(scale.on(dark).map)}` }),
+    h(
+      "div",
+      { class: "bar-numbers" },
+      h("span", {}, (beyond.low ? "\u2264 " : "") + value(0)),
+      h("span", {}, value(0.5)),
+      h("span", {}, (beyond.high ? "\u2265 " : "") + value(1)),
+    ),
     layer.ends
       ? h("div", { class: "bar-numbers words" }, h("span", {}, layer.ends[0]), h("span", {}, layer.ends[1]))
       : null,
     h("p", { class: "note" }, layer.note),
+    beyond.low || beyond.high
+      ? h(
+          "p",
+          { class: "note" },
+          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.edited ? " and are hatched" : ""}.`,
+        )
+      : null,
     layer.solidOnly
       ? h("p", { class: "note sign" }, h("span", { class: "swatch", style: `background:${ground}` }), "fluid: no value")
       : null,

@@ -1,14 +1,13 @@
 /** The player: stage, transport, choice of layers, legend, and what is true at the time shown. */
 import type { RunPage } from "../contract";
 import { phaseNames } from "../contract";
-import { h, onDarkMode, wantsStillness } from "../dom";
+import { h, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
 import type { Clock } from "./clock";
-import { edgeChoice, edges } from "./edge";
 import { placeAt, type Film } from "./frames";
 import { attachKeys } from "./keys";
-import { layers, overlays } from "./layers";
-import { colourBar, signs } from "./legend";
+import { layers } from "./layers";
+import { panel } from "./panel";
 import { Stage } from "./stage";
 import { transport } from "./transport";
 
@@ -25,80 +24,6 @@ function viewButtons(stage: Stage): HTMLElement {
     button("\u2212", "Zoom out", () => stage.zoom(1 / 1.4)),
     button("\u2302", "Back to the first view (0)", () => stage.reset()),
     button("\u25ef", "The whole matrix", () => stage.showWhole()),
-  );
-}
-
-/** The matrix as a field, or as the particles that it is computed by. */
-function styleChoice(stage: Stage): HTMLElement {
-  const radio = (value: string, name: string, smooth: boolean) => {
-    const input = h("input", { type: "radio", name: "style", value, checked: stage.smooth === smooth });
-    input.addEventListener("change", () => {
-      stage.smooth = smooth;
-      stage.draw();
-    });
-    return h("label", {}, input, name);
-  };
-  return h(
-    "div",
-    { class: "choices style", role: "group", "aria-label": "Draw the matrix as" },
-    radio("smooth", "Smooth field", true),
-    radio("particles", "Particles", false),
-  );
-}
-
-/** Radios for the matrix, boxes for what lies over it, and the legend of both. */
-function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>, gone: AbortSignal): HTMLElement {
-  const bar = h("div", {});
-  const legend = h("div", {});
-  const arrowNote = h("p", { class: "note", "aria-live": "polite" });
-  const refresh = () => {
-    bar.replaceChildren(colourBar(stage.layer));
-    legend.replaceChildren(signs());
-  };
-  const refreshArrows = () => {
-    const times = stage.arrowScale();
-    arrowNote.hidden = !stage.shown.arrows;
-    arrowNote.textContent =
-      times === 1 ? "Arrows: displacement, at true length." : `Arrows: displacement, drawn ${times} times as long.`;
-  };
-  const radios = all.map((layer) => {
-    const input = h("input", { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer });
-    input.addEventListener("change", () => {
-      stage.layer = layer;
-      refresh();
-      stage.draw();
-    });
-    return h("label", {}, input, layer.name);
-  });
-  const boxes = overlays.map((overlay) => {
-    const input = h("input", { type: "checkbox", name: overlay.key, checked: overlay.on });
-    input.addEventListener("change", () => {
-      stage.shown[overlay.key] = input.checked;
-      refreshArrows();
-      stage.draw();
-    });
-    return h("label", {}, input, overlay.name);
-  });
-  onDarkMode(refresh, gone);
-  stage.onView(refreshArrows);
-  refresh();
-  refreshArrows();
-  return h(
-    "div",
-    { class: "panel" },
-    h("fieldset", {}, h("legend", {}, "Colour the matrix by"), h("div", { class: "choices" }, ...radios), styleChoice(stage), bar),
-    h(
-      "fieldset",
-      {},
-      h("legend", {}, "Draw"),
-      h("div", { class: "choices" }, ...boxes),
-      edgeChoice(edges(film), (edge) => {
-        stage.edge = edge;
-        stage.draw();
-      }),
-      arrowNote,
-      legend,
-    ),
   );
 }
 

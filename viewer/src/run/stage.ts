@@ -13,6 +13,7 @@ import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
 import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
+import { LayerScale } from "./scale";
 import { resample, type Patch } from "./resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
@@ -45,6 +46,8 @@ export class Stage {
   private pixels = 1;
   private patch: Patch | null = null;
   private viewListeners: (() => void)[] = [];
+  private layerListeners: (() => void)[] = [];
+  private readonly scales = new Map<Layer, LayerScale>();
 
   constructor(
     private readonly run: RunPage,
@@ -103,6 +106,24 @@ export class Stage {
   /** For what shows the state of the view: the follow switch, the length of arrows in the legend. */
   onView(listener: () => void): void {
     this.viewListeners.push(listener);
+  }
+
+  /** For what shows the layer. */
+  onLayer(listener: () => void): void {
+    this.layerListeners.push(listener);
+  }
+
+  choose(layer: Layer): void {
+    this.layer = layer;
+    for (const listener of this.layerListeners) listener();
+    this.draw();
+  }
+
+  /** Of the layer that is shown. */
+  scale(): LayerScale {
+    let scale = this.scales.get(this.layer);
+    if (!scale) this.scales.set(this.layer, (scale = new LayerScale(this.layer, this.film)));
+    return scale;
   }
 
   viewChanged(): void {
@@ -182,7 +203,7 @@ export class Stage {
     }
     const dark = isDark();
     const { layer } = this;
-    const scale = { low: layer.low, high: layer.high, map: layer.map(dark), hatched: false };
+    const scale = this.scale().on(dark);
     this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um) : null;
     this.painter.paint({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
     paintCell(
