@@ -57,7 +57,7 @@ for (const card of [true, false]) {
     assert.equal(seen.size, 5);
     assert.ok(await page.getByText("Fibre von Mises [Pa]").isVisible());
     // What lies over the matrix is drawn the same way with either.
-    for (const overlay of card ? [] : ["cell", "protrusions", "adhesions", "path", "arrows"]) {
+    for (const overlay of card ? [] : ["traction", "cell", "protrusions", "adhesions", "path", "polarization", "arrows"]) {
       await page.locator(`input[name=${overlay}]`).click();
       const now = await picture(page);
       assert.ok(!seen.has(now), `${overlay} changes nothing`);

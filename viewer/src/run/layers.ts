@@ -114,6 +114,8 @@ export const overlays = [
   { key: "protrusions", name: "Protrusions", on: true },
   { key: "adhesions", name: "Adhesions", on: true },
   { key: "path", name: "Path so far", on: true },
+  { key: "traction", name: "Traction", on: true },
+  { key: "polarization", name: "Polarization", on: false },
   { key: "arrows", name: "Arrows", on: false },
 ] as const;
 export type OverlayKey = (typeof overlays)[number]["key"];

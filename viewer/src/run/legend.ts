@@ -12,6 +12,7 @@ import {
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { readable } from "../numbers";
+import { tractionColour } from "./arrows";
 import type { Layer } from "./layers";
 import type { LayerScale } from "./scale";
 
@@ -91,6 +92,16 @@ export function signs(): HTMLElement {
         s("circle", { cx: 5, cy: 7, r: 3.4, fill: dark ? "#14171a" : "#fff", stroke: line, "stroke-width": 1.6 }),
       ),
       "path of the centre",
+    ),
+    entry(
+      sign(
+        s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),
+      ),
+      "traction: pull of an adhesion on the matrix",
+    ),
+    entry(
+      sign(s("path", { d: "M2 7h26m-9 -5.5l9 5.5l-9 5.5", stroke: line, "stroke-width": 3.2, fill: "none" })),
+      "polarization: direction of the front",
     ),
   );
 }

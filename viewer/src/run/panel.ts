@@ -1,5 +1,6 @@
 /** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
 import { h, onDarkMode } from "../dom";
+import type { ArrowKind } from "./arrows";
 import { edgeChoice, edges } from "./edge";
 import type { Film } from "./frames";
 import { overlays, type Layer } from "./layers";
@@ -31,6 +32,13 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   const controls = h("div", {});
   const legend = h("div", {});
   const arrowNote = h("p", { class: "note", "aria-live": "polite" });
+  const arrows = h(
+    "select",
+    { name: "arrow-kind" },
+    h("option", { value: "displacement" }, "displacement"),
+    h("option", { value: "velocity" }, "velocity"),
+  );
+  const arrowChoice = h("div", { class: "edge" }, h("label", {}, "Arrows show: ", arrows), arrowNote);
   const refreshBar = () => bar.replaceChildren(colourBar(stage.layer, stage.scale()));
   const refresh = () => {
     refreshBar();
@@ -47,10 +55,17 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   };
   const refreshArrows = () => {
     const times = stage.arrowScale();
-    arrowNote.hidden = !stage.shown.arrows;
+    arrowChoice.hidden = !stage.shown.arrows;
     arrowNote.textContent =
-      times === 1 ? "Arrows: displacement, at true length." : `Arrows: displacement, drawn ${times} times as long.`;
+      stage.arrows === "velocity"
+        ? "Mean velocity of the matrix between two stored frames."
+        : `Since the start, ${times === 1 ? "at true length" : `drawn ${times} times as long`}.`;
   };
+  arrows.addEventListener("change", () => {
+    stage.arrows = arrows.value as ArrowKind;
+    refreshArrows();
+    stage.draw();
+  });
   const radios = all.map((layer) => {
     const input = h("input", { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer });
     input.addEventListener("change", () => stage.choose(layer));
@@ -95,7 +110,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
         stage.edge = edge;
         stage.draw();
       }),
-      arrowNote,
+      arrowChoice,
       legend,
     ),
   );

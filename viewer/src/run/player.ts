@@ -3,6 +3,7 @@ import type { RunPage } from "../contract";
 import { phaseNames } from "../contract";
 import { h, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
+import { usual } from "./arrows";
 import type { Clock } from "./clock";
 import { placeAt, type Film } from "./frames";
 import { attachKeys } from "./keys";
@@ -74,7 +75,7 @@ function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
 export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, gone: AbortSignal): HTMLElement {
   const all = layers(film);
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
-  const stage = new Stage(run, film, clock, all[0], displacement, gone);
+  const stage = new Stage(run, film, clock, all[0], usual(film, displacement), gone);
   const time = h("output", { class: "time" });
   const showTime = () => {
     time.textContent = timeText(clock.time);

@@ -1,14 +1,14 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
 import { h, isDark, onDarkMode, onResize } from "../dom";
-import { roundStep } from "../numbers";
 import { onPaper, onPrint } from "../paper";
 import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
-import { paintCell } from "./cell_painter";
+import { displacementScale, type ArrowKind, type Usual } from "./arrows";
+import { paintCell, type CellScene } from "./cell_painter";
 import type { Clock } from "./clock";
 import { edges, type Edge } from "./edge";
-import { outlineAt, placeAt, type Film } from "./frames";
+import { outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
 import type { ParticlePainter } from "./particle_scene";
@@ -39,6 +39,7 @@ export class Stage {
   edge: Edge;
   /** The matrix as a field between the particles, not as the particles themselves. */
   smooth = true;
+  arrows: ArrowKind = "displacement";
   private queued = false;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
@@ -54,7 +55,7 @@ export class Stage {
     private readonly film: Film,
     private readonly clock: Clock,
     public layer: Layer,
-    private readonly displacementLimit: number,
+    private readonly usual: Usual,
     gone: AbortSignal,
   ) {
     const bottom = h("canvas", { class: "matrix" });
@@ -156,9 +157,9 @@ export class Stage {
     this.viewChanged();
   }
 
-  /** Times their true length that arrows are drawn: a round number that makes the largest about 32 pixels long. */
+  /** Times their true length that displacements are drawn. */
   arrowScale(): number {
-    return Math.max(1, roundStep((0.6 * 32) / (this.displacementLimit * this.camera.scale)));
+    return displacementScale(this.usual.displacement, this.camera);
   }
 
   private fit(): void {
@@ -190,6 +191,13 @@ export class Stage {
     c.globalCompositeOperation = "source-over";
   }
 
+  private cellScene(place: Place, dark: boolean): CellScene {
+    const { film, camera, shown, edge, arrows, usual } = this;
+    const { tracks, geometry } = this.run;
+    const time = this.clock.time;
+    return { film, place, time, camera, tracks, shown, edge, spacing: geometry.spacing_um, arrows, usual, dark };
+  }
+
   private paint(): void {
     const { film, camera, clock } = this;
     const place = placeAt(film.times, clock.time);
@@ -206,21 +214,10 @@ export class Stage {
     const scale = this.scale().on(dark);
     this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um) : null;
     this.painter.paint({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
-    paintCell(
-      this.top,
-      {
-        film,
-        place,
-        time: clock.time,
-        camera,
-        tracks: this.run.tracks,
-        shown: this.shown,
-        edge: this.edge,
-        spacing: this.run.geometry.spacing_um,
-        arrowScale: this.arrowScale(),
-        dark,
-      },
-      this.pixels,
-    );
+    const c = this.top.getContext("2d");
+    if (!c) return;
+    c.setTransform(this.pixels, 0, 0, this.pixels, 0, 0);
+    c.clearRect(0, 0, camera.width, camera.height);
+    paintCell(c, this.cellScene(place, dark));
   }
 }
