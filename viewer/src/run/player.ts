@@ -5,10 +5,12 @@ import { h, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
 import { usual } from "./arrows";
 import type { Clock } from "./clock";
+import { description } from "./describe";
 import { placeAt, type Film } from "./frames";
-import { attachKeys } from "./keys";
+import { attachKeys, keyList } from "./keys";
 import { layers } from "./layers";
 import { panel } from "./panel";
+import { Probe } from "./probe";
 import { Stage } from "./stage";
 import { transport } from "./transport";
 
@@ -83,7 +85,16 @@ export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, g
   clock.onChange(showTime, gone);
   showTime();
   stage.element.append(time, viewButtons(stage));
-  attachKeys(clock, stage, alone ? document : stage.element, gone);
+  const probe = new Probe(stage);
+  attachKeys(clock, stage, probe, all, alone ? document : stage.element, gone);
+  const told = h("p", { class: "unseen", role: "status" });
+  const tell = () => {
+    // While it plays, a reader of the screen would never come to an end.
+    if (!clock.playing) told.textContent = description(film, run.tracks, stage.layer, clock.time);
+  };
+  clock.onChange(tell, gone);
+  stage.onLayer(tell);
+  tell();
   // Someone who asked for stillness gets the whole story in one picture: the end.
   if (wantsStillness()) clock.set(clock.end);
   else if (alone)
@@ -96,7 +107,7 @@ export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, g
     h(
       "div",
       { class: "player" },
-      h("div", { class: "screen" }, stage.element, transport(clock, stage, gone)),
+      h("div", { class: "screen" }, stage.element, transport(clock, stage, gone), keyList(), told),
       h("div", { class: "aside" }, panel(stage, film, all, gone), present(film, clock, gone)),
     ),
   );

@@ -46,6 +46,18 @@ export function particleValue(film: Film, layer: Layer, place: Place, i: number,
   return Math.hypot(x - offset - scale * q[2 * i], y - offset - scale * q[2 * i + 1]);
 }
 
+/** Value at the particle that covers a point [um]; null and NaN as `valueOn`. */
+export function valueOfNearest(film: Film, layer: Layer, place: Place, x: number, y: number, spacing: number): number | null {
+  let [found, least] = [-1, spacing];
+  for (let i = 0; i < film.particles; ++i) {
+    const away = Math.hypot(between(film.x, place, 2 * i) - x, between(film.x, place, 2 * i + 1) - y);
+    if (away < least) [found, least] = [i, away];
+  }
+  if (found < 0) return null;
+  if (layer.solidOnly && between(film.f, place, found) < solidFrom) return NaN;
+  return particleValue(film, layer, place, found, between(film.x, place, 2 * found), between(film.x, place, 2 * found + 1));
+}
+
 const [wx, wy] = [new Float64Array(8), new Float64Array(8)];
 
 export function resample(film: Film, layer: Layer, place: Place, camera: Camera, spacing: number): Patch {

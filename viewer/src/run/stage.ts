@@ -14,7 +14,7 @@ import { overlays, type Layer, type Shown } from "./layers";
 import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
 import { LayerScale } from "./scale";
-import { resample, type Patch } from "./resample";
+import { resample, valueOfNearest, valueOn, type Patch } from "./resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
 function haunts(film: Film): Box {
@@ -45,8 +45,10 @@ export class Stage {
   private readonly home: Box;
   private painter: ParticlePainter;
   private pixels = 1;
+  private place: Place = { frame: 0, next: 0, fraction: 0 };
   private patch: Patch | null = null;
   private viewListeners: (() => void)[] = [];
+  private paintListeners: (() => void)[] = [];
   private layerListeners: (() => void)[] = [];
   private readonly scales = new Map<Layer, LayerScale>();
 
@@ -64,9 +66,8 @@ export class Stage {
       {
         class: "stage",
         tabindex: 0,
-        role: "img",
-        "aria-label":
-          "The cell in the matrix. Space plays, arrow keys step, plus and minus zoom, F follows the cell, 0 shows it all.",
+        role: "group",
+        "aria-label": "The cell in the matrix. Keys are listed below it.",
       },
       bottom,
       this.top,
@@ -125,6 +126,23 @@ export class Stage {
     let scale = this.scales.get(this.layer);
     if (!scale) this.scales.set(this.layer, (scale = new LayerScale(this.layer, this.film)));
     return scale;
+  }
+
+  /** For what goes with each picture. */
+  onPaint(listener: () => void): void {
+    this.paintListeners.push(listener);
+  }
+
+  /** Of the layer shown, at a point [um]: null without matrix, NaN in fluid that has no value. */
+  valueAt(x: number, y: number): number | null {
+    if (this.patch) return valueOn(this.patch, x, y);
+    return valueOfNearest(this.film, this.layer, this.place, x, y, this.run.geometry.spacing_um);
+  }
+
+  pan(dx: number, dy: number): void {
+    this.follow = false;
+    this.camera.pan(dx, dy);
+    this.viewChanged();
   }
 
   viewChanged(): void {
@@ -200,7 +218,7 @@ export class Stage {
 
   private paint(): void {
     const { film, camera, clock } = this;
-    const place = placeAt(film.times, clock.time);
+    const place = (this.place = placeAt(film.times, clock.time));
     if (this.follow) {
       const outline = outlineAt(film, place);
       camera.x = camera.y = 0;
@@ -219,5 +237,6 @@ export class Stage {
     c.setTransform(this.pixels, 0, 0, this.pixels, 0, 0);
     c.clearRect(0, 0, camera.width, camera.height);
     paintCell(c, this.cellScene(place, dark));
+    for (const listener of this.paintListeners) listener();
   }
 }
