@@ -8,9 +8,11 @@ import type { Clock } from "./clock";
 import { description } from "./describe";
 import { placeAt, type Film } from "./frames";
 import { attachKeys, keyList } from "./keys";
+import { followAddress } from "./link";
 import { layers } from "./layers";
 import { panel } from "./panel";
 import { Probe } from "./probe";
+import { saving } from "./saving";
 import { Stage } from "./stage";
 import { transport } from "./transport";
 
@@ -95,9 +97,10 @@ export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, g
   clock.onChange(tell, gone);
   stage.onLayer(tell);
   tell();
+  const momentSaid = alone && followAddress(clock, stage, all, gone);
   // Someone who asked for stillness gets the whole story in one picture: the end.
-  if (wantsStillness()) clock.set(clock.end);
-  else if (alone)
+  if (wantsStillness() && !momentSaid) clock.set(clock.end);
+  else if (alone && !momentSaid)
     queueMicrotask(() => {
       if (!clock.playing && clock.time === 0) clock.toggle();
     });
@@ -107,7 +110,7 @@ export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, g
     h(
       "div",
       { class: "player" },
-      h("div", { class: "screen" }, stage.element, transport(clock, stage, gone), keyList(), told),
+      h("div", { class: "screen" }, stage.element, transport(clock, stage, gone), saving(run, clock, stage, alone, gone), keyList(), told),
       h("div", { class: "aside" }, panel(stage, film, all, gone), present(film, clock, gone)),
     ),
   );

@@ -11,9 +11,10 @@ import { edges, type Edge } from "./edge";
 import { outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
+import type { Pen } from "./pen";
 import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
-import { LayerScale } from "./scale";
+import { LayerScale, type Scale } from "./scale";
 import { resample, valueOfNearest, valueOn, type Patch } from "./resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
@@ -29,6 +30,19 @@ function haunts(film: Film): Box {
     }
   const margin = 12;
   return { left: box.left - margin, right: box.right + margin, bottom: box.bottom - margin, top: box.top + margin };
+}
+
+/** A picture of the stage as it is. */
+export interface View {
+  camera: Camera;
+  /** Pixels of the canvases in a pixel of the page. */
+  pixels: number;
+  matrix: HTMLCanvasElement;
+  top: HTMLCanvasElement;
+  layer: Layer;
+  scale: Scale;
+  time: number;
+  dark: boolean;
 }
 
 export class Stage {
@@ -214,6 +228,20 @@ export class Stage {
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     return { film, place, time, camera, tracks, shown, edge, spacing: geometry.spacing_um, arrows, usual, dark };
+  }
+
+  /** Paints at once and returns what has been painted; to be used before the browser goes on. */
+  view(): View {
+    this.paint();
+    const { camera, pixels, top, layer } = this;
+    const dark = isDark();
+    const time = this.clock.time;
+    return { camera, pixels, matrix: this.painter.canvas, top, layer, scale: this.scale().on(dark), time, dark };
+  }
+
+  /** What lies over the matrix, by another pen. */
+  drawOver(pen: Pen): void {
+    paintCell(pen, this.cellScene(this.place, isDark()));
   }
 
   private paint(): void {
