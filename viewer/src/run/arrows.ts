@@ -75,10 +75,10 @@ export function paintArrows(c: Pen, { film, place, camera, spacing, dark }: Scen
     const [sx, sy] = [camera.toScreenX(x), camera.toScreenY(y)];
     if (sx < -40 || sy < -40 || sx > camera.width + 40 || sy > camera.height + 40) continue;
     const [u, v] = kind === "velocity" ? velocityAt(film, ahead, i) : [x - X, y - Y];
-    if (Math.hypot(u, v) * unit >= 1.5) arrow(c, sx, sy, unit * u, -unit * v, 5);
+    if (Math.hypot(u, v) * unit >= 3) arrow(c, sx, sy, unit * u, -unit * v, 5);
   }
   const { line, edge } = ink(dark);
-  edged(c, line, edge, 1.2);
+  edged(c, line, edge, 1.3, [], 0.8);
 }
 
 export const tractionColour = (dark: boolean): string => (dark ? "#ffd84d" : "#b3003c");

@@ -37,12 +37,12 @@ export const ink = (dark: boolean): Ink =>
 
 export const labelFont = "600 14px system-ui, 'Segoe UI', Helvetica, Arial, sans-serif";
 
-/** Strokes the present path in a colour, with an edge of another. */
-export function edged(c: Pen, colour: string, edge: string, width: number, dash: number[] = []): void {
+/** Strokes the present path in a colour, with an edge of another, `rim` wide. */
+export function edged(c: Pen, colour: string, edge: string, width: number, dash: number[] = [], rim = 1): void {
   c.lineJoin = c.lineCap = "round";
   c.setLineDash([]);
   c.strokeStyle = edge;
-  c.lineWidth = width + 2;
+  c.lineWidth = width + 2 * rim;
   c.stroke();
   c.lineCap = dash.length > 0 ? "butt" : "round";
   c.setLineDash(dash);

@@ -10,7 +10,7 @@ const strip = 44;
 const ground = (dark: boolean): string => (dark ? "#14171a" : "#ffffff");
 
 /** @param y  its upper edge */
-function paintStrip(c: Pen, { camera, dark, layer, scale, time }: View, y: number): void {
+function paintStrip(c: Pen, { camera, dark, layer, scale, clamped, time }: View, y: number): void {
   c.part?.("legend");
   const { width } = camera;
   c.fillStyle = ground(dark);
@@ -21,13 +21,16 @@ function paintStrip(c: Pen, { camera, dark, layer, scale, time }: View, y: numbe
   const bar = Math.min(220, 0.34 * width);
   const left = width - bar - 24;
   const steps = 64;
+  // Between whole pixels, so that no seams are seen.
+  const edge = (i: number) => Math.round(left + (bar * i) / steps);
   for (let i = 0; i < steps; ++i) {
     c.fillStyle = css(mapped(scale.map, (i + 0.5) / steps));
-    c.fillRect(left + (bar * i) / steps, y + 8, bar / steps + 0.4, 11);
+    c.fillRect(edge(i), y + 8, edge(i + 1) - edge(i), 11);
   }
   c.fillStyle = ink(dark).line;
   c.font = "12px sans-serif";
-  const [low, high] = [readable(scale.low, 3), readable(scale.high, 3)];
+  const low = (clamped.low ? "\u2264 " : "") + readable(scale.low, 3);
+  const high = (clamped.high ? "\u2265 " : "") + readable(scale.high, 3);
   c.fillText(low, left, y + 34);
   c.fillText(high, left + bar - c.measureText(high).width, y + 34);
   const name = layer.name + (layer.unit ? ` [${layer.unit}]` : "");

@@ -75,8 +75,17 @@ function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
   );
 }
 
-/** @param alone  see `runView`   @param gone  when the player is taken away */
-export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, gone: AbortSignal): HTMLElement {
+export interface Role {
+  /** See `runView`. */
+  alone: boolean;
+  /** Has the controls of the clock. */
+  leads: boolean;
+  id: string;
+}
+
+/** @param gone  when the player is taken away */
+export function player(run: RunPage, film: Film, clock: Clock, role: Role, gone: AbortSignal): HTMLElement {
+  const { alone, leads, id } = role;
   const all = layers(film);
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
   const stage = new Stage(run, film, clock, all[0], usual(film, displacement), gone);
@@ -99,18 +108,18 @@ export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, g
   tell();
   const momentSaid = alone && followAddress(clock, stage, all, gone);
   // Someone who asked for stillness gets the whole story in one picture: the end.
-  if (wantsStillness() && !momentSaid) clock.set(clock.end);
+  if (wantsStillness() && !momentSaid && leads) clock.set(clock.end);
   else if (alone && !momentSaid)
     queueMicrotask(() => {
       if (!clock.playing && clock.time === 0) clock.toggle();
     });
   return h(
     "section",
-    { id: "player", "aria-label": "Player" },
+    { id, class: "run-player", "aria-label": `Player: ${run.title}` },
     h(
       "div",
       { class: "player" },
-      h("div", { class: "screen" }, stage.element, transport(clock, stage, gone), saving(run, clock, stage, alone, gone), keyList(), told),
+      h("div", { class: "screen" }, stage.element, transport(clock, stage, leads, gone), saving(run, clock, stage, alone, gone), keyList(), told),
       h("div", { class: "aside" }, panel(stage, film, all, gone), present(film, clock, gone)),
     ),
   );

@@ -41,6 +41,8 @@ export interface View {
   top: HTMLCanvasElement;
   layer: Layer;
   scale: Scale;
+  /** Ends of the scale beyond which there are values. */
+  clamped: { low: boolean; high: boolean };
   time: number;
   dark: boolean;
 }
@@ -236,7 +238,8 @@ export class Stage {
     const { camera, pixels, top, layer } = this;
     const dark = isDark();
     const time = this.clock.time;
-    return { camera, pixels, matrix: this.painter.canvas, top, layer, scale: this.scale().on(dark), time, dark };
+    const [scale, clamped] = [this.scale().on(dark), this.scale().clamped()];
+    return { camera, pixels, matrix: this.painter.canvas, top, layer, scale, clamped, time, dark };
   }
 
   /** What lies over the matrix, by another pen. */

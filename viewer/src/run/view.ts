@@ -37,24 +37,45 @@ export interface RunView {
   stop: () => void;
 }
 
-/** @param alone  the page shows this run and nothing else: it starts by itself, and keys act from anywhere */
-export function runView(run: RunPage, alone: boolean): RunView {
-  const clock = new Clock(run.t_end_s, run.frames?.times_s ?? run.tracks.t_s);
+const stops = (run: RunPage): number[] => run.frames?.times_s ?? run.tracks.t_s;
+
+/** One clock for several runs: it ends with the last of them, and steps by the frames of all. */
+export function commonClock(runs: RunPage[]): Clock {
+  const all = [...new Set(runs.flatMap(stops))].sort((a, b) => a - b);
+  return new Clock(Math.max(...runs.map((run) => run.t_end_s)), all);
+}
+
+export interface Company {
+  /** The time that all runs in view share. */
+  clock: Clock;
+  /** Which of them this is, from 0: the first one has the controls of the clock. */
+  place: number;
+}
+
+/**
+ * @param alone    the page shows this run and nothing else: it starts by itself, and keys act from anywhere
+ * @param company  it is looked at beside others
+ */
+export function runView(run: RunPage, alone: boolean, company?: Company): RunView {
+  const clock = company?.clock ?? commonClock([run]);
+  const leads = !company || company.place === 0;
+  /** Names of elements must differ on a page. */
+  const id = (name: string) => (leads ? name : `${name}-${company.place + 1}`);
   const gone = new AbortController();
   const stage = h(
     "div",
-    { id: "film" },
+    { id: id("film") },
     h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : ""),
   );
   const parts = [
     stage,
     section(
-      "path",
+      id("path"),
       "Path, speed and area",
       fitted((width, replaced) => plots(run.tracks, clock, width, replaced), gone.signal),
     ),
     section(
-      "protrusions",
+      id("protrusions"),
       "Protrusions",
       fitted((width, replaced) => timeline(run.protrusions, clock, width, replaced), gone.signal),
       h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
@@ -65,7 +86,7 @@ export function runView(run: RunPage, alone: boolean): RunView {
       if (gone.signal.aborted) return;
       stage.replaceChildren(
         made
-          ? player(run, made, clock, alone, gone.signal)
+          ? player(run, made, clock, { alone, leads, id: id("player") }, gone.signal)
           : h(
               "p",
               { class: "notice" },
