@@ -38,7 +38,9 @@ export function players(study: StudyPage, safe: (address: string | null) => stri
     const both = [chosen, second];
     const clock = commonClock(both.map((p) => p.run));
     views = both.map((p, k) => runView(p.run, false, { clock, place: k }));
-    link.replaceChildren();
+    link.replaceChildren(
+      h("p", { class: "note" }, "Limits of the colours and lengths of the arrows are those of each run: compare them by their scales."),
+    );
     place.replaceChildren(
       h(
         "div",
