@@ -175,8 +175,9 @@ test("plots fit the paper when it is printed", async () => {
     const all = () => [...document.querySelectorAll(".plot")].map((plot) => plot.clientWidth);
     const before = all();
     dispatchEvent(new Event("beforeprint"));
-    return { before, printed: all() };
+    return { before, printed: all(), signs: document.querySelector(".panel .signs")!.innerHTML };
   });
+  assert.ok(widths.signs.includes("#8b1a6b") && !widths.signs.includes("#d469b8"), "signs have the colours of a dark page");
   assert.equal(widths.printed.length, widths.before.length);
   assert.ok(Math.max(...widths.before) > 1000);
   assert.ok(Math.max(...widths.printed) <= 700, `${widths.printed}`);

@@ -1,5 +1,6 @@
 /** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
 import { h, onDarkMode } from "../dom";
+import { onPrint } from "../paper";
 import type { ArrowKind } from "./arrows";
 import { edgeChoice, edges } from "./edge";
 import type { Film } from "./frames";
@@ -114,6 +115,8 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
       legend,
     ),
   );
+  // On paper the signs have the colours of a light page.
+  onPrint(form, refresh, gone);
   form.addEventListener("submit", (event) => event.preventDefault());
   return form;
 }
