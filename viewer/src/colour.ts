@@ -46,6 +46,57 @@ export const gelOnDark: Rgb[] = [
   [138, 122, 88],
 ];
 
+/** Nuñez, Anderton and Renslow 2018: the same to people with and without red-green blindness. */
+const cividis: Rgb[] = [
+  [0, 32, 76],
+  [0, 52, 110],
+  [60, 74, 107],
+  [91, 95, 109],
+  [117, 117, 117],
+  [146, 140, 120],
+  [176, 165, 114],
+  [209, 191, 102],
+  [255, 233, 69],
+];
+const magma: Rgb[] = [
+  [0, 0, 4],
+  [24, 15, 62],
+  [69, 16, 119],
+  [114, 31, 129],
+  [159, 47, 127],
+  [205, 64, 113],
+  [241, 96, 93],
+  [253, 149, 103],
+  [254, 201, 141],
+  [252, 253, 191],
+];
+const grey: Rgb[] = [
+  [20, 20, 20],
+  [245, 245, 245],
+];
+/** Brewer's PRGn. */
+const purpleGreen: Rgb[] = [
+  [64, 0, 75],
+  [118, 42, 131],
+  [194, 165, 207],
+  [247, 247, 247],
+  [166, 219, 160],
+  [27, 120, 55],
+  [0, 68, 27],
+];
+
+/** Colour maps to choose from; all can be read with any kind of colour vision. */
+export const colourMaps = {
+  gel: { name: "gel", on: (dark: boolean): readonly Rgb[] => (dark ? gelOnDark : gelOnLight) },
+  viridis: { name: "viridis", on: (): readonly Rgb[] => viridis },
+  cividis: { name: "cividis", on: (): readonly Rgb[] => cividis },
+  magma: { name: "magma", on: (): readonly Rgb[] => magma },
+  grey: { name: "grey", on: (): readonly Rgb[] => grey },
+  blueWhiteOrange: { name: "blue\u2013white\u2013orange", on: (): readonly Rgb[] => blueWhiteOrange },
+  purpleGreen: { name: "purple\u2013white\u2013green", on: (): readonly Rgb[] => purpleGreen },
+} as const;
+export type MapKey = keyof typeof colourMaps;
+
 /** @param fraction  place on the map, clamped to [0, 1] */
 export function mapped(map: readonly Rgb[], fraction: number): Rgb {
   const place = Math.min(1, Math.max(0, fraction)) * (map.length - 1);

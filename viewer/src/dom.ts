@@ -68,8 +68,16 @@ export function fault(message: string): HTMLElement {
   return h("div", { class: "fault", role: "alert" }, h("h1", {}, "This page cannot be shown"), h("p", {}, message));
 }
 
-export function onDarkMode(listener: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", listener);
+/** @param gone  when the listener is no longer wanted */
+export function onDarkMode(listener: () => void, gone: AbortSignal): void {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", listener, { signal: gone });
+}
+
+/** Calls once it has a size, and whenever that changes. */
+export function onResize(element: Element, listener: () => void, gone: AbortSignal): void {
+  const observer = new ResizeObserver(listener);
+  observer.observe(element);
+  gone.addEventListener("abort", () => observer.disconnect());
 }
 
 export const isDark = (): boolean => !onPaper() && matchMedia("(prefers-color-scheme: dark)").matches;

@@ -15,9 +15,16 @@ function set(now: boolean): void {
   for (let i = 0; i < drawn.length; ++i) drawn[i].draw();
 }
 
-/** @param draw  at once, for the width that `element` has then; called before printing and again after it */
-export function onPrint(element: Element, draw: () => void): void {
-  drawn.push({ element, draw });
+/**
+ * @param draw  at once, for the width that `element` has then; called before printing and again after it
+ * @param gone  when it no longer is
+ */
+export function onPrint(element: Element, draw: () => void, gone?: AbortSignal): void {
+  const one = { element, draw };
+  drawn.push(one);
+  gone?.addEventListener("abort", () => {
+    drawn = drawn.filter((other) => other !== one);
+  });
   if (listening) return;
   listening = true;
   addEventListener("beforeprint", () => set(true));

@@ -87,3 +87,8 @@ export async function until(holds: () => Promise<boolean>, what: string, most = 
     if (await holds()) return;
   throw new Error(`not within ${most} ms: ${what}`);
 }
+
+/** Until what was asked for has been painted. */
+export async function settled(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}

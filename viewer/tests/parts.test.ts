@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { pretty, pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";
 import { Camera } from "../src/run/camera";
+import { Clock } from "../src/run/clock";
 import { placeAt } from "../src/run/frames";
 import { speeds } from "../src/run/plots";
 import { bars } from "../src/run/timeline";
@@ -34,6 +35,18 @@ test("place of a time among frames", () => {
   assert.deepEqual(placeAt([0, 300, 600], 450), { frame: 1, next: 2, fraction: 0.5 });
   assert.deepEqual(placeAt([0, 300, 600], 601), { frame: 2, next: 2, fraction: 0 });
   assert.deepEqual(placeAt([0], 7), { frame: 0, next: 0, fraction: 0 });
+});
+
+test("a clock forgets who is gone", () => {
+  const clock = new Clock(100, [0, 50, 100]);
+  const gone = new AbortController();
+  let told = 0;
+  clock.onChange(() => ++told, gone.signal);
+  clock.set(10);
+  gone.abort();
+  clock.set(20);
+  assert.equal(told, 1);
+  assert.equal(clock.listening, 0);
 });
 
 test("zoom keeps the point under the pointer", () => {

@@ -57,7 +57,7 @@ for (const card of [true, false]) {
     assert.equal(seen.size, 5);
     assert.ok(await page.getByText("Fibre von Mises [Pa]").isVisible());
     // What lies over the matrix is drawn the same way with either.
-    for (const overlay of card ? [] : ["cell", "protrusions", "adhesions", "path", "arrows"]) {
+    for (const overlay of card ? [] : ["traction", "cell", "protrusions", "adhesions", "path", "polarization", "arrows"]) {
       await page.locator(`input[name=${overlay}]`).click();
       const now = await picture(page);
       assert.ok(!seen.has(now), `${overlay} changes nothing`);
@@ -175,8 +175,9 @@ test("plots fit the paper when it is printed", async () => {
     const all = () => [...document.querySelectorAll(".plot")].map((plot) => plot.clientWidth);
     const before = all();
     dispatchEvent(new Event("beforeprint"));
-    return { before, printed: all() };
+    return { before, printed: all(), signs: document.querySelector(".panel .signs")!.innerHTML };
   });
+  assert.ok(widths.signs.includes("#8b1a6b") && !widths.signs.includes("#d469b8"), "signs have the colours of a dark page");
   assert.equal(widths.printed.length, widths.before.length);
   assert.ok(Math.max(...widths.before) > 1000);
   assert.ok(Math.max(...widths.printed) <= 700, `${widths.printed}`);

@@ -186,6 +186,64 @@ test("plays chosen runs, one at a time, when they are looked at", async () => {
   await page.context().close();
 });
 
+test("plays two runs beside each other on one clock", async () => {
+  const { page, errors } = await open(browser, "study", JSON.stringify(sampleStudy()));
+  await page.locator("#players .stage").waitFor({ state: "attached" });
+  await page.locator("select[name=beside]").selectOption("1");
+  await until(async () => (await page.locator("#players .stage").count()) === 2, "both are there");
+  await page.locator("#players .stage >> nth=0").scrollIntoViewIfNeeded();
+  assert.equal(await page.locator("#players .scrub").count(), 1, "one clock has one control");
+  await page.locator("#players .scrub").fill("3600");
+  assert.deepEqual(await page.locator("#players .stage .time").allTextContents(), ["1 h 00 min", "1 h 00 min"]);
+  // The layers of each are its own.
+  await page.locator("#players input[value=pressure] >> nth=1").check();
+  assert.ok(await page.locator("#players input[value=degradation] >> nth=0").isChecked());
+  const [a, b] = [await page.locator("#film").boundingBox(), await page.locator("#film-2").boundingBox()];
+  assert.ok(a && b && b.x > a.x + a.width - 1 && Math.abs(a.y - b.y) < 60, "not beside each other");
+  const ids = await page.evaluate(() => [...document.querySelectorAll("[id]")].map((e) => e.id));
+  assert.equal(new Set(ids).size, ids.length, "ids are not unique");
+  await page.locator("select[name=beside]").selectOption("");
+  await until(async () => (await page.locator("#players .stage").count()) === 1, "one is left");
+  assert.deepEqual(errors, []);
+  await page.context().close();
+  const phone = await open(browser, "study", JSON.stringify(sampleStudy()), { viewport: { width: 390, height: 844 } });
+  await phone.page.locator("select[name=beside]").selectOption("1");
+  await until(async () => (await phone.page.locator("#players .stage").count()) === 2, "both are there");
+  const wide = await phone.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  assert.ok(wide <= 0, `scrolls sideways by ${wide}`);
+  await phone.page.context().close();
+});
+
+test("a player that is closed listens no more", async () => {
+  const { page, errors } = await open(browser, "study", JSON.stringify(sampleStudy()));
+  await page.locator("#players .stage").waitFor({ state: "attached" });
+  await page.evaluate(() => {
+    const real = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => {
+      document.documentElement.dataset["asked"] = String(Number(document.documentElement.dataset["asked"] ?? 0) + 1);
+      return real(callback);
+    };
+  });
+  /** Pictures that are asked for when the colours of the page change. */
+  const asked = async (colorScheme: "dark" | "light") => {
+    await page.waitForTimeout(300);
+    await page.evaluate(() => delete document.documentElement.dataset["asked"]);
+    await page.emulateMedia({ colorScheme });
+    await page.waitForTimeout(300);
+    return page.evaluate(() => Number(document.documentElement.dataset["asked"] ?? 0));
+  };
+  const one = await asked("dark");
+  assert.ok(one > 0, "the player does not follow the colours of the page");
+  for (const choice of ["1", "0", "1", "0"]) {
+    await page.locator("#players select >> nth=0").selectOption(choice);
+    await page.waitForTimeout(50);
+    await page.locator("#players .stage").waitFor({ state: "attached" });
+  }
+  assert.equal(await asked("light"), one);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("a study with one axis, or with nothing done yet", async () => {
   const study = sampleStudy();
   const one = {

@@ -48,6 +48,14 @@ export class Camera {
     return 0.5 * this.height - this.scale * (y - this.y);
   }
 
+  fromScreenX(sx: number): number {
+    return this.x + (sx - 0.5 * this.width) / this.scale;
+  }
+
+  fromScreenY(sy: number): number {
+    return this.y - (sy - 0.5 * this.height) / this.scale;
+  }
+
   pan(dx: number, dy: number): void {
     this.x -= dx / this.scale;
     this.y += dy / this.scale;

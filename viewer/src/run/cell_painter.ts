@@ -3,10 +3,23 @@ import { frontColour, phaseColours, phaseColoursOnDark, rearColour } from "../co
 import type { FrameProtrusion, Tracks } from "../contract";
 import { roundStep } from "../numbers";
 import { valueAt } from "../unpack";
+import {
+  paintArrowKeys,
+  paintArrows,
+  paintPolarization,
+  paintTraction,
+  pixelsPerForce,
+  pixelsPerUnit,
+  tractionColour,
+  type ArrowKey,
+  type ArrowKind,
+  type Usual,
+} from "./arrows";
 import type { Camera } from "./camera";
 import { paintEdge, type Edge } from "./edge";
-import { between, outlineAt, type Film, type Place } from "./frames";
+import { outlineAt, type Film, type Place } from "./frames";
 import type { Shown } from "./layers";
+import { edged, ink, labelFont, type Pen } from "./pen";
 
 export interface CellScene {
   film: Film;
@@ -17,26 +30,9 @@ export interface CellScene {
   shown: Shown;
   edge: Edge;
   spacing: number;
-  /** Times the displacement that an arrow is long. */
-  arrowScale: number;
+  arrows: ArrowKind;
+  usual: Usual;
   dark: boolean;
-}
-
-type Context = CanvasRenderingContext2D;
-
-/** A line with a light (or dark) edge, so that it is seen on any ground. */
-function edged(c: Context, colour: string, edge: string, width: number, dash: number[] = []): void {
-  c.lineJoin = c.lineCap = "round";
-  c.setLineDash([]);
-  c.strokeStyle = edge;
-  c.lineWidth = width + 2;
-  c.stroke();
-  c.lineCap = dash.length > 0 ? "butt" : "round";
-  c.setLineDash(dash);
-  c.strokeStyle = colour;
-  c.lineWidth = width;
-  c.stroke();
-  c.setLineDash([]);
 }
 
 /** Runs of entries that fulfil a condition around a ring, each as indices in order. */
@@ -55,7 +51,7 @@ function runs(n: number, has: (i: number) => boolean): number[][] {
   return out;
 }
 
-function trace(c: Context, camera: Camera, outline: Float32Array, indices: Iterable<number>): void {
+function trace(c: Pen, camera: Camera, outline: Float32Array, indices: Iterable<number>): void {
   let first = true;
   for (const i of indices) {
     const [x, y] = [camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1])];
@@ -65,7 +61,7 @@ function trace(c: Context, camera: Camera, outline: Float32Array, indices: Itera
   }
 }
 
-function paintBody(c: Context, { film, place, camera }: CellScene, outline: Float32Array): void {
+function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32Array): void {
   const n = film.outlinePoints;
   const all = Array.from({ length: n }, (_, i) => i);
   c.save();
@@ -85,7 +81,7 @@ function paintBody(c: Context, { film, place, camera }: CellScene, outline: Floa
   c.restore();
 }
 
-function paintProtrusion(c: Context, scene: CellScene, outline: Float32Array, p: FrameProtrusion, slot: number): void {
+function paintProtrusion(c: Pen, scene: CellScene, outline: Float32Array, p: FrameProtrusion, slot: number): void {
   const { film, place, camera, dark } = scene;
   const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
   for (const run of runs(film.outlinePoints, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
@@ -101,7 +97,7 @@ function paintProtrusion(c: Context, scene: CellScene, outline: Float32Array, p:
   }
 }
 
-function paintAdhesion(c: Context, { camera, dark }: CellScene, outline: Float32Array, p: FrameProtrusion): void {
+function paintAdhesion(c: Pen, { camera, dark }: CellScene, outline: Float32Array, p: FrameProtrusion): void {
   if (!p.anchor) return;
   const [ax, ay] = [camera.toScreenX(p.anchor[0]), camera.toScreenY(p.anchor[1])];
   const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
@@ -119,7 +115,7 @@ function paintAdhesion(c: Context, { camera, dark }: CellScene, outline: Float32
   c.stroke();
 }
 
-function paintPath(c: Context, { camera, tracks, time, dark }: CellScene): void {
+function paintPath(c: Pen, { camera, tracks, time, dark }: CellScene): void {
   c.beginPath();
   for (let i = 0; i < tracks.t_s.length && tracks.t_s[i] <= time; ++i)
     c.lineTo(camera.toScreenX(tracks.x_um[i]), camera.toScreenY(tracks.y_um[i]));
@@ -134,40 +130,13 @@ function paintPath(c: Context, { camera, tracks, time, dark }: CellScene): void 
   c.stroke();
 }
 
-/** Arrows at every so many rows of the lattice, so that they stand apart at any zoom. */
-function paintArrows(c: Context, { film, place, camera, spacing, arrowScale, dark }: CellScene): void {
-  const every = Math.max(1, Math.ceil(15 / (spacing * camera.scale)));
-  const onRow = (X: number) => Math.abs(X / spacing - every * Math.round(X / (spacing * every))) < 0.4;
-  c.strokeStyle = dark ? "#ffffff" : "#1f2328";
-  c.lineWidth = 1.1;
-  c.lineCap = "round";
-  c.beginPath();
-  for (let i = 0; i < film.particles; ++i) {
-    const [X, Y] = [valueAt(film.reference, 0, 2 * i), valueAt(film.reference, 0, 2 * i + 1)];
-    if (!onRow(X) || !onRow(Y) || valueAt(film.f, place.frame, i) < 0.5) continue;
-    const [x, y] = [between(film.x, place, 2 * i), between(film.x, place, 2 * i + 1)];
-    const [dx, dy] = [arrowScale * (x - X) * camera.scale, -arrowScale * (y - Y) * camera.scale];
-    const length = Math.hypot(dx, dy);
-    if (length < 1.5) continue;
-    const [sx, sy] = [camera.toScreenX(x), camera.toScreenY(y)];
-    if (sx < -40 || sy < -40 || sx > camera.width + 40 || sy > camera.height + 40) continue;
-    const head = Math.min(5, 0.4 * length) / length;
-    c.moveTo(sx, sy);
-    c.lineTo(sx + dx, sy + dy);
-    c.moveTo(sx + dx - head * (dx + 0.6 * dy), sy + dy - head * (dy - 0.6 * dx));
-    c.lineTo(sx + dx, sy + dy);
-    c.lineTo(sx + dx - head * (dx - 0.6 * dy), sy + dy - head * (dy + 0.6 * dx));
-  }
-  c.stroke();
-}
-
-function paintScaleBar(c: Context, { camera, dark }: CellScene): void {
+function paintScaleBar(c: Pen, { camera, dark }: CellScene): void {
   const most = (0.3 * camera.width) / camera.scale;
   let length = roundStep(0.4 * most);
   if (length > most) length *= 0.4;
   const [x, y, w] = [14, camera.height - 18, length * camera.scale];
   const text = `${Number(length.toPrecision(3))} \u00b5m`;
-  c.font = "600 14px system-ui, 'Segoe UI', Helvetica, Arial, sans-serif";
+  c.font = labelFont;
   c.fillStyle = dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
   c.fillRect(x - 7, y - 9, w + c.measureText(text).width + 23, 22);
   c.fillStyle = dark ? "#f0f3f6" : "#1f2328";
@@ -175,21 +144,41 @@ function paintScaleBar(c: Context, { camera, dark }: CellScene): void {
   c.fillText(text, x + w + 8, y + 7);
 }
 
-/** @param pixels  pixels of the canvas in a pixel of the page */
-export function paintCell(canvas: HTMLCanvasElement, scene: CellScene, pixels: number): void {
-  const c = canvas.getContext("2d");
-  if (!c) return;
-  const { film, place, camera, shown } = scene;
-  c.setTransform(pixels, 0, 0, pixels, 0, 0);
-  c.clearRect(0, 0, camera.width, camera.height);
+/** Keys of the arrows that are shown. */
+function keys({ shown, arrows, usual, camera, dark }: CellScene): ArrowKey[] {
+  const out: ArrowKey[] = [];
+  if (shown.traction && usual.force > 0)
+    out.push({ colour: tractionColour(dark), width: 3, unit: pixelsPerForce(usual), name: "nN traction" });
+  if (shown.arrows) {
+    const name = arrows === "velocity" ? "\u00b5m/h" : "\u00b5m displacement";
+    out.push({ colour: ink(dark).line, width: 1.4, unit: pixelsPerUnit(arrows, usual, camera), name });
+  }
+  return out;
+}
+
+export function paintCell(c: Pen, scene: CellScene): void {
+  const { film, place, camera, shown, usual, arrows, dark } = scene;
   const outline = outlineAt(film, place);
-  if (shown.arrows) paintArrows(c, scene);
-  if (shown.cell) paintBody(c, scene, outline);
   const alive = film.protrusions[place.frame];
+  const part = (name: string) => c.part?.(name);
+  part("arrows");
+  if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
+  part("cell");
+  if (shown.cell) paintBody(c, scene, outline);
+  part("protrusions");
   if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
+  part("edge");
   // Over the protrusions: whoever chose a colour for the edge wants to see it there above all.
   if (shown.cell) paintEdge(c, camera, outline, scene.edge, place);
+  part("adhesions");
   if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
+  part("path");
   if (shown.path) paintPath(c, scene);
+  part("polarization");
+  if (shown.polarization) paintPolarization(c, camera, scene.tracks, scene.time, dark);
+  part("traction");
+  if (shown.traction) paintTraction(c, scene, outline, pixelsPerForce(usual));
+  part("scales");
   paintScaleBar(c, scene);
+  paintArrowKeys(c, camera, keys(scene), dark);
 }

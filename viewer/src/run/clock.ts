@@ -5,7 +5,7 @@ export class Clock {
   playing = false;
   /** Model seconds in a second of watching. */
   speed = 1200;
-  private listeners: (() => void)[] = [];
+  private readonly listeners = new Set<() => void>();
   private last = 0;
 
   constructor(
@@ -13,8 +13,14 @@ export class Clock {
     readonly stops: number[],
   ) {}
 
-  onChange(listener: () => void): void {
-    this.listeners.push(listener);
+  /** @param gone  when the listener is no longer wanted */
+  onChange(listener: () => void, gone: AbortSignal): void {
+    this.listeners.add(listener);
+    gone.addEventListener("abort", () => this.listeners.delete(listener));
+  }
+
+  get listening(): number {
+    return this.listeners.size;
   }
 
   private tell(): void {

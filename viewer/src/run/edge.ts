@@ -5,6 +5,7 @@ import { readable } from "../numbers";
 import type { Field } from "../unpack";
 import type { Camera } from "./camera";
 import { between, type Film, type Place } from "./frames";
+import type { Pen } from "./pen";
 
 export interface Edge {
   key: string;
@@ -35,7 +36,7 @@ export const edges = (film: Film): Edge[] => [
 const table = lookUp(viridis);
 
 export function paintEdge(
-  c: CanvasRenderingContext2D,
+  c: Pen,
   camera: Camera,
   outline: Float32Array,
   edge: Edge,

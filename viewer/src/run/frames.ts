@@ -16,6 +16,9 @@ export interface Film {
   outlinePoints: number;
 }
 
+/** Below this f_degr a particle counts as fluid where only the solid has a value. */
+export const solidFrom = 0.05;
+
 /** Between frame `frame` and the next one, `fraction` of the way. */
 export interface Place {
   frame: number;

@@ -1,9 +1,39 @@
 /** Keys of the player. Where they act from anywhere on the page, they leave controls their own keys. */
 import type { Clock } from "./clock";
+import { h } from "../dom";
+import type { Layer } from "./layers";
+import type { Probe } from "./probe";
 import type { Stage } from "./stage";
 
+const help: [string, string][] = [
+  ["Space", "play or pause"],
+  ["\u2190 \u2192", "stored frame before or after"],
+  ["Home, End", "start or end, on the picture or the time bar"],
+  ["+ \u2212", "zoom"],
+  ["Shift + arrows", "move the view"],
+  ["0, W", "first view, whole matrix"],
+  ["F", "follow the cell"],
+  ["L", "next layer (Shift + L: the one before)"],
+  ["V", "value in the middle of the view"],
+];
+
+export const keyList = (): HTMLElement =>
+  h(
+    "details",
+    { class: "keys" },
+    h("summary", {}, "Keys"),
+    h("dl", {}, ...help.map(([key, what]) => h("div", {}, h("dt", {}, h("kbd", {}, key)), h("dd", {}, what)))),
+  );
+
 /** @param from  where keys are listened to   @param gone  when they no longer are */
-export function attachKeys(clock: Clock, stage: Stage, from: Document | HTMLElement, gone: AbortSignal): void {
+export function attachKeys(
+  clock: Clock,
+  stage: Stage,
+  probe: Probe,
+  all: Layer[],
+  from: Document | HTMLElement,
+  gone: AbortSignal,
+): void {
   const actions: Record<string, () => void> = {
     " ": () => clock.toggle(),
     ArrowRight: () => clock.step(1),
@@ -15,6 +45,22 @@ export function attachKeys(clock: Clock, stage: Stage, from: Document | HTMLElem
     "-": () => stage.zoom(0.8),
     f: () => stage.setFollow(!stage.follow),
     "0": () => stage.reset(),
+    w: () => stage.showWhole(),
+    v: () => probe.toggle(),
+    l: () => nextLayer(1),
+    L: () => nextLayer(-1),
+  };
+  const step = 24;
+  /** With the shift key. */
+  const shifted: Record<string, () => void> = {
+    ArrowRight: () => stage.pan(-step, 0),
+    ArrowLeft: () => stage.pan(step, 0),
+    ArrowUp: () => stage.pan(0, step),
+    ArrowDown: () => stage.pan(0, -step),
+  };
+  const nextLayer = (by: 1 | -1) => {
+    const i = all.indexOf(stage.layer);
+    stage.choose(all[(i + by + all.length) % all.length]);
   };
   const pressed = (event: Event) => {
     if (!(event instanceof KeyboardEvent)) return;
@@ -25,10 +71,12 @@ export function attachKeys(clock: Clock, stage: Stage, from: Document | HTMLElem
     // A focused button takes the space bar, a choice takes the arrows, a page is scrolled by Home and End.
     if (!inPlayer && target?.closest("button, input, select, textarea, summary, a, [tabindex]")) return;
     if ((event.key === "Home" || event.key === "End") && target !== stage.element && !scrubber) return;
-    const act = actions[event.key];
+    const act = (event.shiftKey && !scrubber ? shifted[event.key] : undefined) ?? actions[event.key];
     if (!act) return;
     event.preventDefault();
     act();
+    // The picture first, then what is said about it.
+    requestAnimationFrame(() => requestAnimationFrame(() => probe.say()));
   };
   from.addEventListener("keydown", pressed, { signal: gone });
 }

@@ -1,7 +1,7 @@
 /** What the matrix can be coloured by: one entry a quantity, with its colours, limits and legend. */
-import { blueWhiteOrange, gelOnDark, gelOnLight, viridis, type Rgb } from "../colour";
-import type { Field } from "../unpack";
-import { usualDisplacement, type Film } from "./frames";
+import type { MapKey } from "../colour";
+import { valueAt, type Field } from "../unpack";
+import { solidFrom, usualDisplacement, type Film } from "./frames";
 
 export interface Layer {
   key: string;
@@ -14,16 +14,21 @@ export interface Layer {
   field: Field | null;
   low: number;
   high: number;
-  map(dark: boolean): readonly Rgb[];
+  /** Colour maps that suit it; the first is taken until another is chosen. */
+  maps: readonly MapKey[];
+  /** The ends at which the program may have cut values off when it packed them. */
+  cut: { low: boolean; high: boolean };
   /** Fluid has no strain and so none of these values: it is drawn as ground. */
   solidOnly: boolean;
 }
+
+const sequential: MapKey[] = ["viridis", "cividis", "magma", "grey"];
 
 const limits = (field: Field): [number, number] => [field.offset, field.offset + 255 * field.scale];
 
 function stress(key: string, name: string, note: string, field: Field): Layer {
   const [low, high] = limits(field);
-  return { key, name, unit: "Pa", note, field, low, high, map: () => viridis, solidOnly: true };
+  return { key, name, unit: "Pa", note, field, low, high, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
 }
 
 export function layers(film: Film): Layer[] {
@@ -38,7 +43,8 @@ export function layers(film: Film): Layer[] {
       field: film.f,
       low: 0,
       high: 1,
-      map: (dark) => (dark ? gelOnDark : gelOnLight),
+      maps: ["gel", ...sequential],
+      cut: { low: false, high: false },
       solidOnly: false,
     },
     {
@@ -49,7 +55,8 @@ export function layers(film: Film): Layer[] {
       field: null,
       low: 0,
       high: usualDisplacement(film),
-      map: () => viridis,
+      maps: sequential,
+      cut: { low: false, high: false },
       solidOnly: true,
     },
     {
@@ -61,7 +68,8 @@ export function layers(film: Film): Layer[] {
       field: film.pressure,
       low: -largest,
       high: largest,
-      map: () => blueWhiteOrange,
+      maps: ["blueWhiteOrange", "purpleGreen", ...sequential],
+      cut: { low: true, high: true },
       solidOnly: false,
     },
     stress("von_mises", "Von Mises", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
@@ -78,12 +86,36 @@ export function layers(film: Film): Layer[] {
   return out;
 }
 
+/** Smallest and largest value over the whole run, as far as it was stored. */
+export function extremes(film: Film, layer: Layer): { low: number; high: number } {
+  if (layer.field) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const q of layer.field.q) {
+      if (q < low) low = q;
+      if (q > high) high = q;
+    }
+    const { offset, scale } = layer.field;
+    return { low: offset + scale * low, high: offset + scale * high };
+  }
+  let high = 0;
+  for (let frame = 0; frame < film.times.length; ++frame)
+    for (let i = 0; i < film.particles; ++i) {
+      if (valueAt(film.f, frame, i) < solidFrom) continue;
+      const dx = valueAt(film.x, frame, 2 * i) - valueAt(film.reference, 0, 2 * i);
+      const dy = valueAt(film.x, frame, 2 * i + 1) - valueAt(film.reference, 0, 2 * i + 1);
+      high = Math.max(high, dx * dx + dy * dy);
+    }
+  return { low: 0, high: Math.sqrt(high) };
+}
+
 /** What is drawn over the matrix. */
 export const overlays = [
   { key: "cell", name: "Cell", on: true },
   { key: "protrusions", name: "Protrusions", on: true },
   { key: "adhesions", name: "Adhesions", on: true },
   { key: "path", name: "Path so far", on: true },
+  { key: "traction", name: "Traction", on: true },
+  { key: "polarization", name: "Polarization", on: false },
   { key: "arrows", name: "Arrows", on: false },
 ] as const;
 export type OverlayKey = (typeof overlays)[number]["key"];

@@ -12,23 +12,40 @@ import {
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { readable } from "../numbers";
+import { tractionColour } from "./arrows";
 import type { Layer } from "./layers";
+import type { LayerScale } from "./scale";
 
-/** The colour bar of a layer, with low, middle and high value. */
-export function colourBar(layer: Layer): HTMLElement {
+/** The colour bar of a layer, with low, middle and high value; an arrow at an end where values lie beyond it. */
+export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
   const dark = isDark();
-  const value = (share: number) => readable(layer.low + share * (layer.high - layer.low), 3);
+  const beyond = scale.clamped();
+  const value = (share: number) => readable(scale.low + share * (scale.high - scale.low), 3);
   const ground = css((dark ? gelOnDark : gelOnLight)[0]);
+  const ends = `${beyond.low ? " more-low" : ""}${beyond.high ? " more-high" : ""}`;
   return h(
     "div",
     { class: "legend-layer" },
     h("p", { class: "legend-title" }, layer.name + (layer.unit ? ` [${layer.unit}]` : "")),
-    h("div", { class: "bar", style: `background:${gradient(layer.map(dark))}` }),
-    h("div", { class: "bar-numbers" }, h("span", {}, value(0)), h("span", {}, value(0.5)), h("span", {}, value(1))),
+    h("div", { class: `bar${ends}`, style: `background:${gradient(scale.on(dark).map)}` }),
+    h(
+      "div",
+      { class: "bar-numbers" },
+      h("span", {}, (beyond.low ? "\u2264 " : "") + value(0)),
+      h("span", {}, value(0.5)),
+      h("span", {}, (beyond.high ? "\u2265 " : "") + value(1)),
+    ),
     layer.ends
       ? h("div", { class: "bar-numbers words" }, h("span", {}, layer.ends[0]), h("span", {}, layer.ends[1]))
       : null,
     h("p", { class: "note" }, layer.note),
+    beyond.low || beyond.high
+      ? h(
+          "p",
+          { class: "note" },
+          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.edited ? " and are hatched" : ""}.`,
+        )
+      : null,
     layer.solidOnly
       ? h("p", { class: "note sign" }, h("span", { class: "swatch", style: `background:${ground}` }), "fluid: no value")
       : null,
@@ -75,6 +92,16 @@ export function signs(): HTMLElement {
         s("circle", { cx: 5, cy: 7, r: 3.4, fill: dark ? "#14171a" : "#fff", stroke: line, "stroke-width": 1.6 }),
       ),
       "path of the centre",
+    ),
+    entry(
+      sign(
+        s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),
+      ),
+      "traction: pull of an adhesion on the matrix",
+    ),
+    entry(
+      sign(s("path", { d: "M2 7h26m-9 -5.5l9 5.5l-9 5.5", stroke: line, "stroke-width": 3.2, fill: "none" })),
+      "polarization: direction of the front",
     ),
   );
 }

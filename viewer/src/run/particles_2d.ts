@@ -1,17 +1,25 @@
 /** The matrix on a plain canvas: slower than the card, the same picture. */
 import { css, gelOnDark, gelOnLight, lookUp, type Rgb } from "../colour";
-import { between, type Film } from "./frames";
-import { fluidSize, intactSize, solidFrom, type ParticlePainter, type ParticleScene } from "./particles";
+import { between, solidFrom, type Film } from "./frames";
+import { fluidSize, intactSize, type ParticlePainter, type ParticleScene } from "./particle_scene";
+import { particleValue } from "./resample";
+import { smoothPainter } from "./smooth_2d";
 
 export function plainPainter(canvas: HTMLCanvasElement, film: Film, spacing: number): ParticlePainter {
   const context = canvas.getContext("2d");
   if (!context) throw new Error("this browser can draw neither with WebGL nor on a canvas");
+  const smooth = smoothPainter(context);
 
-  const paint = ({ place, layer, camera, dark }: ParticleScene): void => {
-    const pixels = canvas.width / camera.width;
+  const paint = (scene: ParticleScene): void => {
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    if (scene.patch) smooth(scene, scene.patch);
+    else paintSquares(scene);
+  };
+
+  const paintSquares = ({ place, layer, scale, camera, dark, pixels }: ParticleScene): void => {
     context.setTransform(pixels, 0, 0, pixels, 0, 0);
-    context.clearRect(0, 0, camera.width, camera.height);
-    const table = lookUp(layer.map(dark));
+    const table = lookUp(scale.map);
     const colours = Array.from({ length: 256 }, (_, i) =>
       css([table[4 * i], table[4 * i + 1], table[4 * i + 2]] as Rgb),
     );
@@ -32,17 +40,11 @@ export function plainPainter(canvas: HTMLCanvasElement, film: Film, spacing: num
       const side = spacingPixels * (fluidSize + f * (intact - fluidSize));
       if (layer.solidOnly && f < solidFrom) context.fillStyle = ground;
       else {
-        const value = layer.field
-          ? between(layer.field, place, i)
-          : Math.hypot(
-              x - between(film.reference, { frame: 0, next: 0, fraction: 0 }, 2 * i),
-              y - between(film.reference, { frame: 0, next: 0, fraction: 0 }, 2 * i + 1),
-            );
-        const fraction = (value - layer.low) / (layer.high - layer.low);
+        const fraction = (particleValue(film, layer, place, i, x, y) - scale.low) / (scale.high - scale.low);
         context.fillStyle = colours[Math.round(255 * Math.min(1, Math.max(0, fraction)))];
       }
       context.fillRect(sx - 0.5 * side, sy - 0.5 * side, side, side);
     }
   };
-  return { canvas, kind: "2d", paint };
+  return { canvas, kind: "2d", paint, close: () => undefined };
 }

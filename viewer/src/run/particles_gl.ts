@@ -4,8 +4,10 @@
  */
 import { gelOnDark, gelOnLight, lookUp } from "../colour";
 import type { Field } from "../unpack";
-import type { Film } from "./frames";
-import { fluidSize, intactSize, solidFrom, type ParticlePainter, type ParticleScene } from "./particles";
+import { solidFrom, type Film } from "./frames";
+import { isSoftware, program, texture } from "./gl";
+import { fluidSize, intactSize, type ParticlePainter, type ParticleScene } from "./particle_scene";
+import { smoothOnCard } from "./smooth_gl";
 
 const vertexSource = `#version 300 es
 layout(location = 0) in vec2 corner;
@@ -43,29 +45,6 @@ void main() {
   colour = solid < solidFrom ? vec4(ground, 1.0) : vec4(texture(colours, vec2(clamp(place, 0.002, 0.998), 0.5)).rgb, 1.0);
 }`;
 
-/** Whether the processor plays the card. Some browsers do not count that as the caveat they are asked about. */
-function isSoftware(gl: WebGL2RenderingContext): boolean {
-  const info = gl.getExtension("WEBGL_debug_renderer_info");
-  return info !== null && /swiftshader|llvmpipe|software/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)));
-}
-
-function program(gl: WebGL2RenderingContext): WebGLProgram | null {
-  const made = gl.createProgram();
-  for (const [type, source] of [
-    [gl.VERTEX_SHADER, vertexSource],
-    [gl.FRAGMENT_SHADER, fragmentSource],
-  ] as const) {
-    const shader = gl.createShader(type);
-    if (!made || !shader) return null;
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    gl.attachShader(made, shader);
-  }
-  if (!made) return null;
-  gl.linkProgram(made);
-  return gl.getProgramParameter(made, gl.LINK_STATUS) ? made : null;
-}
-
 function upload(gl: WebGL2RenderingContext, data: ArrayBufferView): WebGLBuffer | null {
   const buffer = gl.createBuffer();
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
@@ -83,29 +62,14 @@ export function cardPainter(
 ): ParticlePainter | null {
   const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, failIfMajorPerformanceCaveat: !anyhow });
   if (!gl || (!anyhow && isSoftware(gl))) return null;
-  const used = program(gl);
-  if (!used) return null;
-  canvas.addEventListener("webglcontextlost", lost, { once: true });
-  gl.useProgram(used);
-  const at = (name: string) => gl.getUniformLocation(used, name);
-  const uniforms = Object.fromEntries(
-    [
-      "xMap",
-      "XMap",
-      "fMap",
-      "vMap",
-      "fraction",
-      "spacing",
-      "intact",
-      "fluid",
-      "centre",
-      "toClip",
-      "limits",
-      "displacement",
-      "ground",
-      "solidFrom",
-    ].map((name) => [name, at(name)]),
-  );
+  const squares = program(gl, vertexSource, fragmentSource);
+  const smooth = smoothOnCard(gl, 0, 1);
+  if (!squares || !smooth) return null;
+  const { used, uniforms } = squares;
+  const closed = new AbortController();
+  canvas.addEventListener("webglcontextlost", lost, { once: true, signal: closed.signal });
+  const attributes = gl.createVertexArray();
+  gl.bindVertexArray(attributes);
 
   const buffers = new Map<Field, WebGLBuffer | null>();
   const attribute = (location: number, field: Field, frame: number): void => {
@@ -127,14 +91,22 @@ export function cardPainter(
   upload(gl, new Float32Array([-0.5, -0.5, 0.5, -0.5, -0.5, 0.5, 0.5, 0.5]));
   gl.enableVertexAttribArray(0);
   gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  texture(gl, 1, gl.NEAREST);
+  texture(gl, 0, gl.LINEAR);
 
-  const paint = ({ place, layer, camera, dark }: ParticleScene): void => {
+  const paint = (scene: ParticleScene): void => {
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, lookUp(scene.scale.map));
+    if (scene.patch) smooth(scene, scene.patch);
+    else paintSquares(scene);
+  };
+
+  const paintSquares = ({ place, layer, scale, camera, dark }: ParticleScene): void => {
+    gl.useProgram(used);
+    gl.bindVertexArray(attributes);
     const value = layer.field ?? film.f;
     for (const [location, field, frame] of [
       [1, film.x, place.frame],
@@ -153,7 +125,6 @@ export function cardPainter(
       ["vMap", value],
     ] as const)
       gl.uniform2f(uniforms[name], field.scale, field.offset);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, lookUp(layer.map(dark)));
     const ground = (dark ? gelOnDark : gelOnLight)[0];
     gl.uniform3f(uniforms["ground"], ground[0] / 255, ground[1] / 255, ground[2] / 255);
     gl.uniform1f(uniforms["solidFrom"], layer.solidOnly ? solidFrom : -1);
@@ -163,9 +134,14 @@ export function cardPainter(
     gl.uniform1f(uniforms["fluid"], fluidSize);
     gl.uniform2f(uniforms["centre"], camera.x, camera.y);
     gl.uniform2f(uniforms["toClip"], (2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height);
-    gl.uniform2f(uniforms["limits"], layer.low, layer.high);
+    gl.uniform2f(uniforms["limits"], scale.low, scale.high);
     gl.uniform1i(uniforms["displacement"], layer.field ? 0 : 1);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, film.particles);
   };
-  return { canvas, kind: "webgl2", paint };
+  const close = (): void => {
+    closed.abort();
+    // A browser has few contexts to give; one that is no longer seen must not wait for the garbage collector.
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+  };
+  return { canvas, kind: "webgl2", paint, close };
 }

@@ -1,14 +1,18 @@
 /** The player: stage, transport, choice of layers, legend, and what is true at the time shown. */
 import type { RunPage } from "../contract";
 import { phaseNames } from "../contract";
-import { h, onDarkMode, wantsStillness } from "../dom";
+import { h, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
+import { usual } from "./arrows";
 import type { Clock } from "./clock";
-import { edgeChoice, edges } from "./edge";
+import { description } from "./describe";
 import { placeAt, type Film } from "./frames";
-import { attachKeys } from "./keys";
-import { layers, overlays } from "./layers";
-import { colourBar, signs } from "./legend";
+import { attachKeys, keyList } from "./keys";
+import { followAddress } from "./link";
+import { layers } from "./layers";
+import { panel } from "./panel";
+import { Probe } from "./probe";
+import { saving } from "./saving";
 import { Stage } from "./stage";
 import { transport } from "./transport";
 
@@ -28,64 +32,8 @@ function viewButtons(stage: Stage): HTMLElement {
   );
 }
 
-/** Radios for the matrix, boxes for what lies over it, and the legend of both. */
-function panel(stage: Stage, film: Film, all: ReturnType<typeof layers>): HTMLElement {
-  const bar = h("div", {});
-  const legend = h("div", {});
-  const arrowNote = h("p", { class: "note", "aria-live": "polite" });
-  const refresh = () => {
-    bar.replaceChildren(colourBar(stage.layer));
-    legend.replaceChildren(signs());
-  };
-  const refreshArrows = () => {
-    const times = stage.arrowScale();
-    arrowNote.hidden = !stage.shown.arrows;
-    arrowNote.textContent =
-      times === 1 ? "Arrows: displacement, at true length." : `Arrows: displacement, drawn ${times} times as long.`;
-  };
-  const radios = all.map((layer) => {
-    const input = h("input", { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer });
-    input.addEventListener("change", () => {
-      stage.layer = layer;
-      refresh();
-      stage.draw();
-    });
-    return h("label", {}, input, layer.name);
-  });
-  const boxes = overlays.map((overlay) => {
-    const input = h("input", { type: "checkbox", name: overlay.key, checked: overlay.on });
-    input.addEventListener("change", () => {
-      stage.shown[overlay.key] = input.checked;
-      refreshArrows();
-      stage.draw();
-    });
-    return h("label", {}, input, overlay.name);
-  });
-  onDarkMode(refresh);
-  stage.onView(refreshArrows);
-  refresh();
-  refreshArrows();
-  return h(
-    "div",
-    { class: "panel" },
-    h("fieldset", {}, h("legend", {}, "Colour the matrix by"), h("div", { class: "choices" }, ...radios), bar),
-    h(
-      "fieldset",
-      {},
-      h("legend", {}, "Draw"),
-      h("div", { class: "choices" }, ...boxes),
-      edgeChoice(edges(film), (edge) => {
-        stage.edge = edge;
-        stage.draw();
-      }),
-      arrowNote,
-      legend,
-    ),
-  );
-}
-
 /** Protrusions alive at the time shown. */
-function present(film: Film, clock: Clock): HTMLElement {
+function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
   const body = h("tbody", {});
   let shown = -1;
   const update = () => {
@@ -103,7 +51,7 @@ function present(film: Film, clock: Clock): HTMLElement {
     );
     body.replaceChildren(...(rows.length > 0 ? rows : [h("tr", {}, h("td", { colspan: 3 }, "none"))]));
   };
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   return h(
     "div",
@@ -127,33 +75,52 @@ function present(film: Film, clock: Clock): HTMLElement {
   );
 }
 
-/** @param alone  see `runView`   @param gone  when the player is taken away */
-export function player(run: RunPage, film: Film, clock: Clock, alone: boolean, gone: AbortSignal): HTMLElement {
+export interface Role {
+  /** See `runView`. */
+  alone: boolean;
+  /** Has the controls of the clock. */
+  leads: boolean;
+  id: string;
+}
+
+/** @param gone  when the player is taken away */
+export function player(run: RunPage, film: Film, clock: Clock, role: Role, gone: AbortSignal): HTMLElement {
+  const { alone, leads, id } = role;
   const all = layers(film);
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
-  const stage = new Stage(run, film, clock, all[0], displacement);
+  const stage = new Stage(run, film, clock, all[0], usual(film, displacement), gone);
   const time = h("output", { class: "time" });
   const showTime = () => {
     time.textContent = timeText(clock.time);
   };
-  clock.onChange(showTime);
+  clock.onChange(showTime, gone);
   showTime();
   stage.element.append(time, viewButtons(stage));
-  attachKeys(clock, stage, alone ? document : stage.element, gone);
+  const probe = new Probe(stage);
+  attachKeys(clock, stage, probe, all, alone ? document : stage.element, gone);
+  const told = h("p", { class: "unseen", role: "status" });
+  const tell = () => {
+    // While it plays, a reader of the screen would never come to an end.
+    if (!clock.playing) told.textContent = description(film, run.tracks, stage.layer, clock.time);
+  };
+  clock.onChange(tell, gone);
+  stage.onLayer(tell);
+  tell();
+  const momentSaid = alone && followAddress(clock, stage, all, gone);
   // Someone who asked for stillness gets the whole story in one picture: the end.
-  if (wantsStillness()) clock.set(clock.end);
-  else if (alone)
+  if (wantsStillness() && !momentSaid && leads) clock.set(clock.end);
+  else if (alone && !momentSaid)
     queueMicrotask(() => {
       if (!clock.playing && clock.time === 0) clock.toggle();
     });
   return h(
     "section",
-    { id: "player", "aria-label": "Player" },
+    { id, class: "run-player", "aria-label": `Player: ${run.title}` },
     h(
       "div",
       { class: "player" },
-      h("div", { class: "screen" }, stage.element, transport(clock, stage)),
-      h("div", { class: "aside" }, panel(stage, film, all), present(film, clock)),
+      h("div", { class: "screen" }, stage.element, transport(clock, stage, leads, gone), saving(run, clock, stage, alone, gone), keyList(), told),
+      h("div", { class: "aside" }, panel(stage, film, all, gone), present(film, clock, gone)),
     ),
   );
 }

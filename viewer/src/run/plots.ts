@@ -94,6 +94,7 @@ function overTime(
   values: number[],
   label: string,
   fromZero: boolean,
+  gone: AbortSignal,
 ): SVGSVGElement {
   const high = Math.max(...values, fromZero ? 1e-9 : -Infinity);
   const low = fromZero ? 0 : Math.min(...values);
@@ -123,7 +124,7 @@ function overTime(
     words.setAttribute("x", String(at + (leftward ? -7 : 7)));
     words.setAttribute("text-anchor", leftward ? "end" : "start");
   };
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   onPick(made, (x) => clock.jump(3600 * made.toX(x)));
   return made.svg;
@@ -151,7 +152,7 @@ export function speeds(tracks: Tracks): { t: number[]; v: number[] } {
 }
 
 /** The path with both axes to the same scale; the part so far is strong, the rest faint. */
-function path(clock: Clock, width: number, tracks: Tracks): SVGSVGElement {
+function path(clock: Clock, width: number, tracks: Tracks, gone: AbortSignal): SVGSVGElement {
   const height = Math.min(width, 430);
   const [xs, ys] = [tracks.x_um, tracks.y_um];
   const centre = (v: number[]) => 0.5 * (Math.max(...v) + Math.min(...v));
@@ -186,7 +187,7 @@ function path(clock: Clock, width: number, tracks: Tracks): SVGSVGElement {
     here.setAttribute("cx", String(made.x(xs[i])));
     here.setAttribute("cy", String(made.y(ys[i])));
   };
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   onPick(made, (px, py) => {
     const away = xs.map((x, i) => Math.hypot(made.x(x) - px, made.y(ys[i]) - py));
@@ -197,7 +198,8 @@ function path(clock: Clock, width: number, tracks: Tracks): SVGSVGElement {
 
 const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
 
-export function plots(tracks: Tracks, clock: Clock, width: number): HTMLElement {
+/** @param gone  when these plots are taken away */
+export function plots(tracks: Tracks, clock: Clock, width: number, gone: AbortSignal): HTMLElement {
   if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
   const speed = speeds(tracks);
   const column = width > 800 ? Math.floor((width - 32) / 2) : width;
@@ -205,18 +207,18 @@ export function plots(tracks: Tracks, clock: Clock, width: number): HTMLElement 
     "div",
     { class: "plots", style: `--first:${palette[0]}` },
     figure(
-      path(clock, column, tracks),
+      path(clock, column, tracks, gone),
       "Path of the centre of mass. The ring is the start, the dot the time of the player.",
     ),
     h(
       "div",
       {},
       figure(
-        overTime(clock, column, speed.t, speed.v, "speed [\u00b5m/h]", true),
+        overTime(clock, column, speed.t, speed.v, "speed [\u00b5m/h]", true, gone),
         "Speed: displacement over ten minutes.",
       ),
       figure(
-        overTime(clock, column, tracks.t_s, tracks.area_um2, "area [\u00b5m\u00b2]", false),
+        overTime(clock, column, tracks.t_s, tracks.area_um2, "area [\u00b5m\u00b2]", false, gone),
         "Area inside the cortex.",
       ),
     ),

@@ -1,17 +1,21 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
-import { h, isDark, onDarkMode } from "../dom";
-import { roundStep } from "../numbers";
+import { h, isDark, onDarkMode, onResize } from "../dom";
 import { onPaper, onPrint } from "../paper";
 import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
-import { paintCell } from "./cell_painter";
+import { displacementScale, type ArrowKind, type Usual } from "./arrows";
+import { paintCell, type CellScene } from "./cell_painter";
 import type { Clock } from "./clock";
 import { edges, type Edge } from "./edge";
-import { outlineAt, placeAt, type Film } from "./frames";
+import { outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type Shown } from "./layers";
+import type { Pen } from "./pen";
+import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
+import { LayerScale, type Scale } from "./scale";
+import { resample, valueOfNearest, valueOn, type Patch } from "./resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
 function haunts(film: Film): Box {
@@ -28,25 +32,49 @@ function haunts(film: Film): Box {
   return { left: box.left - margin, right: box.right + margin, bottom: box.bottom - margin, top: box.top + margin };
 }
 
+/** A picture of the stage as it is. */
+export interface View {
+  camera: Camera;
+  /** Pixels of the canvases in a pixel of the page. */
+  pixels: number;
+  matrix: HTMLCanvasElement;
+  top: HTMLCanvasElement;
+  layer: Layer;
+  scale: Scale;
+  /** Ends of the scale beyond which there are values. */
+  clamped: { low: boolean; high: boolean };
+  time: number;
+  dark: boolean;
+}
+
 export class Stage {
   readonly element: HTMLElement;
   readonly shown = Object.fromEntries(overlays.map((o) => [o.key, o.on])) as Shown;
   readonly camera: Camera;
   follow = false;
   edge: Edge;
+  /** The matrix as a field between the particles, not as the particles themselves. */
+  smooth = true;
+  arrows: ArrowKind = "displacement";
   private queued = false;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
-  private painter;
+  private painter: ParticlePainter;
   private pixels = 1;
+  private place: Place = { frame: 0, next: 0, fraction: 0 };
+  private patch: Patch | null = null;
   private viewListeners: (() => void)[] = [];
+  private paintListeners: (() => void)[] = [];
+  private layerListeners: (() => void)[] = [];
+  private readonly scales = new Map<Layer, LayerScale>();
 
   constructor(
     private readonly run: RunPage,
     private readonly film: Film,
     private readonly clock: Clock,
     public layer: Layer,
-    private readonly displacementLimit: number,
+    private readonly usual: Usual,
+    gone: AbortSignal,
   ) {
     const bottom = h("canvas", { class: "matrix" });
     this.element = h(
@@ -54,9 +82,8 @@ export class Stage {
       {
         class: "stage",
         tabindex: 0,
-        role: "img",
-        "aria-label":
-          "The cell in the matrix. Space plays, arrow keys step, plus and minus zoom, F follows the cell, 0 shows it all.",
+        role: "group",
+        "aria-label": "The cell in the matrix. Keys are listed below it.",
       },
       bottom,
       this.top,
@@ -75,25 +102,63 @@ export class Stage {
       if (panned) this.follow = false;
       this.viewChanged();
     });
-    clock.onChange(() => this.draw());
-    onDarkMode(() => this.draw());
-    onPrint(this.element, () => {
+    clock.onChange(() => this.draw(), gone);
+    onDarkMode(() => this.draw(), gone);
+    gone.addEventListener("abort", () => this.painter.close());
+    const printed = () => {
       this.fit();
       this.paint();
       if (onPaper()) this.layMatrixUnderCell();
-    });
+    };
+    onPrint(this.element, printed, gone);
     let first = true;
-    new ResizeObserver(() => {
+    const resized = () => {
       this.fit();
       if (first) this.camera.show(this.home);
       first = false;
       this.viewChanged();
-    }).observe(this.element);
+    };
+    onResize(this.element, resized, gone);
   }
 
   /** For what shows the state of the view: the follow switch, the length of arrows in the legend. */
   onView(listener: () => void): void {
     this.viewListeners.push(listener);
+  }
+
+  /** For what shows the layer. */
+  onLayer(listener: () => void): void {
+    this.layerListeners.push(listener);
+  }
+
+  choose(layer: Layer): void {
+    this.layer = layer;
+    for (const listener of this.layerListeners) listener();
+    this.draw();
+  }
+
+  /** Of the layer that is shown. */
+  scale(): LayerScale {
+    let scale = this.scales.get(this.layer);
+    if (!scale) this.scales.set(this.layer, (scale = new LayerScale(this.layer, this.film)));
+    return scale;
+  }
+
+  /** For what goes with each picture. */
+  onPaint(listener: () => void): void {
+    this.paintListeners.push(listener);
+  }
+
+  /** Of the layer shown, at a point [um]: null without matrix, NaN in fluid that has no value. */
+  valueAt(x: number, y: number): number | null {
+    if (this.patch) return valueOn(this.patch, x, y);
+    return valueOfNearest(this.film, this.layer, this.place, x, y, this.run.geometry.spacing_um);
+  }
+
+  pan(dx: number, dy: number): void {
+    this.follow = false;
+    this.camera.pan(dx, dy);
+    this.viewChanged();
   }
 
   viewChanged(): void {
@@ -126,9 +191,9 @@ export class Stage {
     this.viewChanged();
   }
 
-  /** Times their true length that arrows are drawn: a round number that makes the largest about 32 pixels long. */
+  /** Times their true length that displacements are drawn. */
   arrowScale(): number {
-    return Math.max(1, roundStep((0.6 * 32) / (this.displacementLimit * this.camera.scale)));
+    return displacementScale(this.usual.displacement, this.camera);
   }
 
   private fit(): void {
@@ -160,9 +225,31 @@ export class Stage {
     c.globalCompositeOperation = "source-over";
   }
 
+  private cellScene(place: Place, dark: boolean): CellScene {
+    const { film, camera, shown, edge, arrows, usual } = this;
+    const { tracks, geometry } = this.run;
+    const time = this.clock.time;
+    return { film, place, time, camera, tracks, shown, edge, spacing: geometry.spacing_um, arrows, usual, dark };
+  }
+
+  /** Paints at once and returns what has been painted; to be used before the browser goes on. */
+  view(): View {
+    this.paint();
+    const { camera, pixels, top, layer } = this;
+    const dark = isDark();
+    const time = this.clock.time;
+    const [scale, clamped] = [this.scale().on(dark), this.scale().clamped()];
+    return { camera, pixels, matrix: this.painter.canvas, top, layer, scale, clamped, time, dark };
+  }
+
+  /** What lies over the matrix, by another pen. */
+  drawOver(pen: Pen): void {
+    paintCell(pen, this.cellScene(this.place, isDark()));
+  }
+
   private paint(): void {
     const { film, camera, clock } = this;
-    const place = placeAt(film.times, clock.time);
+    const place = (this.place = placeAt(film.times, clock.time));
     if (this.follow) {
       const outline = outlineAt(film, place);
       camera.x = camera.y = 0;
@@ -172,22 +259,15 @@ export class Stage {
       }
     }
     const dark = isDark();
-    this.painter.paint({ place, layer: this.layer, camera, dark });
-    paintCell(
-      this.top,
-      {
-        film,
-        place,
-        time: clock.time,
-        camera,
-        tracks: this.run.tracks,
-        shown: this.shown,
-        edge: this.edge,
-        spacing: this.run.geometry.spacing_um,
-        arrowScale: this.arrowScale(),
-        dark,
-      },
-      this.pixels,
-    );
+    const { layer } = this;
+    const scale = this.scale().on(dark);
+    this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um) : null;
+    this.painter.paint({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
+    const c = this.top.getContext("2d");
+    if (!c) return;
+    c.setTransform(this.pixels, 0, 0, this.pixels, 0, 0);
+    c.clearRect(0, 0, camera.width, camera.height);
+    paintCell(c, this.cellScene(place, dark));
+    for (const listener of this.paintListeners) listener();
   }
 }

@@ -51,7 +51,8 @@ function remark(row: ProtrusionRow, wide: boolean): string {
   return parts.join(wide ? ", " : " ");
 }
 
-export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HTMLElement {
+/** @param gone  when this timeline is taken away */
+export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gone: AbortSignal): HTMLElement {
   if (rows.length === 0) return h("p", {}, "No protrusion was initiated.");
   const [pitch, top, bottom] = [22, 22, 40];
   const height = top + bottom + pitch * rows.length;
@@ -108,7 +109,7 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number): HT
   const cursor = s("path", { class: "cursor" });
   made.svg.append(cursor, remarks);
   const update = () => cursor.setAttribute("d", `M${made.x(clock.time / 3600)} ${top}V${height - bottom}`);
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   onPick(made, (x) => clock.jump(3600 * made.toX(x)));
   const legend = h(

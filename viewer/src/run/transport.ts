@@ -7,7 +7,19 @@ import type { Stage } from "./stage";
 /** Model minutes a second. */
 const speeds = [5, 10, 20, 40, 80];
 
-export function transport(clock: Clock, stage: Stage): HTMLElement {
+/** Keeps the view on the cell. */
+function followBox(stage: Stage): HTMLElement {
+  const follow = h("input", { type: "checkbox", name: "follow" });
+  follow.addEventListener("change", () => stage.setFollow(follow.checked));
+  stage.onView(() => {
+    follow.checked = stage.follow;
+  });
+  return h("label", {}, follow, "Follow the cell");
+}
+
+/** @param leads  whether the clock is driven from here */
+export function transport(clock: Clock, stage: Stage, leads: boolean, gone: AbortSignal): HTMLElement {
+  if (!leads) return h("div", { class: "transport" }, followBox(stage));
   const play = h("button", { type: "button", class: "play" });
   play.addEventListener("click", () => clock.toggle());
   const scrub = h("input", { type: "range", class: "scrub", min: 0, max: clock.end, step: 1, "aria-label": "Time" });
@@ -20,11 +32,6 @@ export function transport(clock: Clock, stage: Stage): HTMLElement {
   speed.addEventListener("change", () => {
     clock.speed = Number(speed.value);
   });
-  const follow = h("input", { type: "checkbox", name: "follow" });
-  follow.addEventListener("change", () => stage.setFollow(follow.checked));
-  stage.onView(() => {
-    follow.checked = stage.follow;
-  });
   const times = h("span", { class: "times" });
   const update = () => {
     play.textContent = clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
@@ -34,7 +41,7 @@ export function transport(clock: Clock, stage: Stage): HTMLElement {
     scrub.setAttribute("aria-valuetext", timeText(clock.time));
     times.textContent = `${timeText(60 * Math.floor(clock.time / 60))} of ${timeText(clock.end)}`;
   };
-  clock.onChange(update);
+  clock.onChange(update, gone);
   update();
   return h(
     "div",
@@ -43,6 +50,6 @@ export function transport(clock: Clock, stage: Stage): HTMLElement {
     scrub,
     times,
     h("label", {}, "Speed ", speed),
-    h("label", {}, follow, "Follow the cell"),
+    followBox(stage),
   );
 }

@@ -1,6 +1,6 @@
 /** What a run is looked at with: player, path and protrusions, all at the same time. */
 import type { RunPage } from "../contract";
-import { h, section } from "../dom";
+import { h, onResize, section } from "../dom";
 import { onPrint } from "../paper";
 import { Clock } from "./clock";
 import { film } from "./frames";
@@ -10,17 +10,21 @@ import "./run.css";
 import { protrusionTable, timeline } from "./timeline";
 
 /** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them again. */
-function fitted(make: (width: number) => HTMLElement): HTMLElement {
+function fitted(make: (width: number, gone: AbortSignal) => HTMLElement, gone: AbortSignal): HTMLElement {
   const holder = h("div", { class: "fitted" });
   let drawn = 0;
+  let replaced = new AbortController();
+  gone.addEventListener("abort", () => replaced.abort());
   const draw = () => {
     const width = Math.floor(holder.clientWidth);
     if (width === drawn || width === 0) return;
     drawn = width;
-    holder.replaceChildren(make(width));
+    replaced.abort();
+    replaced = new AbortController();
+    holder.replaceChildren(make(width, replaced.signal));
   };
-  new ResizeObserver(draw).observe(holder);
-  onPrint(holder, draw);
+  onResize(holder, draw, gone);
+  onPrint(holder, draw, gone);
   return holder;
 }
 
@@ -33,34 +37,56 @@ export interface RunView {
   stop: () => void;
 }
 
-/** @param alone  the page shows this run and nothing else: it starts by itself, and keys act from anywhere */
-export function runView(run: RunPage, alone: boolean): RunView {
-  const clock = new Clock(run.t_end_s, run.frames?.times_s ?? run.tracks.t_s);
+const stops = (run: RunPage): number[] => run.frames?.times_s ?? run.tracks.t_s;
+
+/** One clock for several runs: it ends with the last of them, and steps by the frames of all. */
+export function commonClock(runs: RunPage[]): Clock {
+  const all = [...new Set(runs.flatMap(stops))].sort((a, b) => a - b);
+  return new Clock(Math.max(...runs.map((run) => run.t_end_s)), all);
+}
+
+export interface Company {
+  /** The time that all runs in view share. */
+  clock: Clock;
+  /** Which of them this is, from 0: the first one has the controls of the clock. */
+  place: number;
+}
+
+/**
+ * @param alone    the page shows this run and nothing else: it starts by itself, and keys act from anywhere
+ * @param company  it is looked at beside others
+ */
+export function runView(run: RunPage, alone: boolean, company?: Company): RunView {
+  const clock = company?.clock ?? commonClock([run]);
+  const leads = !company || company.place === 0;
+  /** Names of elements must differ on a page. */
+  const id = (name: string) => (leads ? name : `${name}-${company.place + 1}`);
   const gone = new AbortController();
   const stage = h(
     "div",
-    { id: "film" },
+    { id: id("film") },
     h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : ""),
   );
   const parts = [
     stage,
     section(
-      "path",
+      id("path"),
       "Path, speed and area",
-      fitted((width) => plots(run.tracks, clock, width)),
+      fitted((width, replaced) => plots(run.tracks, clock, width, replaced), gone.signal),
     ),
     section(
-      "protrusions",
+      id("protrusions"),
       "Protrusions",
-      fitted((width) => timeline(run.protrusions, clock, width)),
+      fitted((width, replaced) => timeline(run.protrusions, clock, width, replaced), gone.signal),
       h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
     ),
   ];
   const ready = film(run)
     .then((made) => {
+      if (gone.signal.aborted) return;
       stage.replaceChildren(
         made
-          ? player(run, made, clock, alone, gone.signal)
+          ? player(run, made, clock, { alone, leads, id: id("player") }, gone.signal)
           : h(
               "p",
               { class: "notice" },

@@ -91,9 +91,11 @@ export function figure(
     },
     { rootMargin: "600px" },
   ).observe(plot);
+  const replaced = new AbortController();
   onDarkMode(() => {
-    if (seen) draw();
-  });
+    if (!plot.isConnected) replaced.abort();
+    else if (seen) draw();
+  }, replaced.signal);
   onPrint(plot, () => {
     seen = true;
     draw();

@@ -1,32 +1,58 @@
-/** Chosen runs of a study: one at a time, with player, path and protrusions. */
+/** Chosen runs of a study: one, or two beside each other on one clock, with player, path and protrusions. */
 import type { StudyPage, StudyPlayer } from "../contract";
 import { h, section } from "../dom";
 import { pretty } from "../numbers";
 import { onPrint } from "../paper";
-import { runView, type RunView } from "../run/view";
+import { commonClock, runView, type RunView } from "../run/view";
 
 /** Unpacked when it comes near the window, or when the browser has nothing else to do, so that it can be printed. */
 export function players(study: StudyPage, safe: (address: string | null) => string | null): HTMLElement | null {
   const all = study.players ?? [];
   if (all.length === 0) return null;
-  const choice = h("select", { "aria-label": "Run" }, ...all.map((p, i) => h("option", { value: i }, p.label)));
+  const options = () => all.map((p, i) => h("option", { value: i }, p.label));
+  const choice = h("select", { "aria-label": "Run" }, ...options());
+  const other = h("select", { name: "beside" }, h("option", { value: "" }, "none"), ...options());
   const place = h("div", { class: "chosen-run" });
-  const link = h("p", { class: "note" });
-  let view: RunView | null = null;
-  const show = (chosen: StudyPlayer) => {
-    view?.stop();
-    view = runView(chosen.run, false);
+  const link = h("div", {});
+  let views: RunView[] = [];
+  const about = (chosen: StudyPlayer) => {
     const report = safe(study.runs.find((run) => run.id === chosen.id)?.report ?? null);
-    link.replaceChildren(
+    return h(
+      "p",
+      { class: "note" },
       `${chosen.run.title}. ${chosen.run.status} ${pretty(chosen.run.summary)} `,
       report ? h("a", { href: report }, "All about this run") : "",
     );
-    place.replaceChildren(...view.parts);
-    place.dataset["run"] = chosen.id;
   };
-  choice.addEventListener("change", () => show(all[Number(choice.value)]));
+  const show = () => {
+    for (const view of views) view.stop();
+    const chosen = all[Number(choice.value)];
+    const second = other.value === "" ? null : all[Number(other.value)];
+    place.dataset["run"] = chosen.id;
+    if (!second) {
+      views = [runView(chosen.run, false)];
+      link.replaceChildren(about(chosen));
+      place.replaceChildren(...views[0].parts);
+      return;
+    }
+    const both = [chosen, second];
+    const clock = commonClock(both.map((p) => p.run));
+    views = both.map((p, k) => runView(p.run, false, { clock, place: k }));
+    link.replaceChildren(
+      h("p", { class: "note" }, "Limits of the colours and lengths of the arrows are those of each run: compare them by their scales."),
+    );
+    place.replaceChildren(
+      h(
+        "div",
+        { class: "beside" },
+        ...views.map((view, k) => h("div", {}, h("h3", {}, both[k].label), about(both[k]), ...view.parts)),
+      ),
+    );
+  };
+  choice.addEventListener("change", show);
+  other.addEventListener("change", show);
   const first = () => {
-    if (!view) show(all[Number(choice.value)]);
+    if (views.length === 0) show();
   };
   new IntersectionObserver(
     (entries, observer) => {
@@ -39,5 +65,12 @@ export function players(study: StudyPage, safe: (address: string | null) => stri
   onPrint(place, first);
   if ("requestIdleCallback" in window) requestIdleCallback(first);
   else setTimeout(first, 1000);
-  return section("players", "Chosen runs", h("label", { class: "choice" }, "Show: ", choice), link, place);
+  return section(
+    "players",
+    "Chosen runs",
+    h("label", { class: "choice" }, "Show: ", choice),
+    all.length > 1 ? h("label", { class: "choice" }, " Beside it, on the same clock: ", other) : null,
+    link,
+    place,
+  );
 }

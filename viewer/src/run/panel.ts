@@ -1,0 +1,122 @@
+/** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
+import { h, onDarkMode } from "../dom";
+import { onPrint } from "../paper";
+import type { ArrowKind } from "./arrows";
+import { edgeChoice, edges } from "./edge";
+import type { Film } from "./frames";
+import { overlays, type Layer } from "./layers";
+import { colourBar, signs } from "./legend";
+import { scaleControls } from "./scale_controls";
+import type { Stage } from "./stage";
+
+/** The matrix as a field, or as the particles that it is computed by. */
+function styleChoice(stage: Stage): HTMLElement {
+  const radio = (value: string, name: string, smooth: boolean) => {
+    const input = h("input", { type: "radio", name: "style", value, checked: stage.smooth === smooth });
+    input.addEventListener("change", () => {
+      stage.smooth = smooth;
+      stage.draw();
+    });
+    return h("label", {}, input, name);
+  };
+  return h(
+    "div",
+    { class: "choices style", role: "group", "aria-label": "Draw the matrix as" },
+    radio("smooth", "Smooth field", true),
+    radio("particles", "Particles", false),
+  );
+}
+
+/** A form, so that its radios are a group of their own where a page has several players. */
+export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal): HTMLElement {
+  const bar = h("div", {});
+  const controls = h("div", {});
+  const legend = h("div", {});
+  const arrowNote = h("p", { class: "note", "aria-live": "polite" });
+  const arrows = h(
+    "select",
+    { name: "arrow-kind" },
+    h("option", { value: "displacement" }, "displacement"),
+    h("option", { value: "velocity" }, "velocity"),
+  );
+  const arrowChoice = h("div", { class: "edge" }, h("label", {}, "Arrows show: ", arrows), arrowNote);
+  const refreshBar = () => bar.replaceChildren(colourBar(stage.layer, stage.scale()));
+  const refresh = () => {
+    refreshBar();
+    legend.replaceChildren(signs());
+  };
+  const chosen = () => {
+    refreshBar();
+    controls.replaceChildren(
+      scaleControls(stage.layer, stage.scale(), () => {
+        refreshBar();
+        stage.draw();
+      }),
+    );
+  };
+  const refreshArrows = () => {
+    const times = stage.arrowScale();
+    arrowChoice.hidden = !stage.shown.arrows;
+    arrowNote.textContent =
+      stage.arrows === "velocity"
+        ? "Mean velocity of the matrix between two stored frames."
+        : `Since the start, ${times === 1 ? "at true length" : `drawn ${times} times as long`}.`;
+  };
+  arrows.addEventListener("change", () => {
+    stage.arrows = arrows.value as ArrowKind;
+    refreshArrows();
+    stage.draw();
+  });
+  const radios = all.map((layer) => {
+    const input = h("input", { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer });
+    input.addEventListener("change", () => stage.choose(layer));
+    stage.onLayer(() => {
+      input.checked = layer === stage.layer;
+    });
+    return h("label", {}, input, layer.name);
+  });
+  const boxes = overlays.map((overlay) => {
+    const input = h("input", { type: "checkbox", name: overlay.key, checked: overlay.on });
+    input.addEventListener("change", () => {
+      stage.shown[overlay.key] = input.checked;
+      refreshArrows();
+      stage.draw();
+    });
+    return h("label", {}, input, overlay.name);
+  });
+  stage.onLayer(chosen);
+  onDarkMode(refresh, gone);
+  stage.onView(refreshArrows);
+  chosen();
+  refresh();
+  refreshArrows();
+  const form = h(
+    "form",
+    { class: "panel" },
+    h(
+      "fieldset",
+      {},
+      h("legend", {}, "Colour the matrix by"),
+      h("div", { class: "choices" }, ...radios),
+      styleChoice(stage),
+      bar,
+      controls,
+    ),
+    h(
+      "fieldset",
+      {},
+      h("legend", {}, "Draw"),
+      h("div", { class: "choices" }, ...boxes),
+      edgeChoice(edges(film), (edge) => {
+        stage.edge = edge;
+        stage.draw();
+      }),
+      arrowChoice,
+      legend,
+    ),
+  );
+  // On paper the signs have the colours of a light page.
+  onPrint(form, refresh, gone);
+  form.addEventListener("submit", (event) => event.preventDefault());
+  return form;
+}

@@ -1,0 +1,113 @@
+/** Taking a view away: an address of a moment, PNG, SVG, and a film. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { sampleRun } from "../sample/run";
+import { momentHash, momentOf, momentTime } from "../src/run/moment";
+import { fileName } from "../src/run/saving";
+import { launch, open, until } from "./browser";
+
+const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
+const time = (page: Page) => page.locator(".stage .time").textContent();
+
+test("a moment is written and read again", () => {
+  assert.equal(momentTime(11520), "3h12m");
+  assert.equal(momentTime(0), "0m");
+  for (const t of [0, 59, 60, 3600, 11520, 11525])
+    assert.deepEqual(momentOf(momentHash(t, "pressure")), { time: t, layer: "pressure" });
+  assert.equal(momentOf("#t=1.5h").time, 5400);
+  assert.equal(momentOf("#t=90").time, 90);
+  for (const hash of ["", "#players", "#t=", "#t=abc", "#t=3x"]) assert.equal(momentOf(hash).time, null, hash);
+  assert.equal(fileName("cell: E = 200 Pa, seed 1", "pressure", 720, "png"), "cell-E-200-Pa-seed-1-pressure-12m.png");
+});
+
+test("an address names a moment and a layer, follows the player, and is copied", async () => {
+  const browser = await launch(false);
+  const { page, errors } = await open(browser, "run", JSON.stringify(run), { reducedMotion: "no-preference" }, "#t=1h05m&layer=pressure");
+  assert.equal(await time(page), "1 h 05 min");
+  await page.waitForTimeout(200);
+  assert.equal(await time(page), "1 h 05 min", "it stays there");
+  assert.ok(await page.locator("input[value=pressure]").isChecked());
+  await page.locator(".scrub").fill("600");
+  await until(async () => page.url().endsWith("#t=10m&layer=pressure"), "the address follows");
+  await page.locator("input[value=von_mises]").check();
+  await until(async () => page.url().endsWith("#t=10m&layer=von_mises"), "the layer too");
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByText("Link copied.").waitFor();
+  await page.evaluate(() => {
+    location.hash = "#t=30m&layer=nonsense";
+  });
+  await until(async () => (await time(page)) === "30 min", "an address typed in is obeyed");
+  assert.ok(await page.locator("input[value=von_mises]").isChecked());
+  assert.deepEqual(errors, []);
+  await browser.close();
+});
+
+test("pictures are saved as pixels and as vectors", async () => {
+  for (const card of [false, true]) {
+    const browser = await launch(card);
+    const { page, errors, requests } = await open(browser, "run", JSON.stringify(run), {}, card ? "?draw=webgl" : "");
+    await page.locator(".scrub").fill("3900");
+    await page.locator("input[name=arrows]").check();
+    const saved = async (name: string) => {
+      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name }).click()]);
+      return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+    };
+    const png = await saved("Save PNG");
+    assert.equal(png.name, "sample-E-100-Pa-seed-1-degradation-1h5m.png");
+    assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
+    const svg = await saved("Save SVG");
+    const seen = await page.evaluate(async (text) => {
+      const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
+      const image = new Image();
+      image.src = parsed.querySelector("image")!.getAttribute("href")!;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      [canvas.width, canvas.height] = [image.width, image.height];
+      const context = canvas.getContext("2d")!;
+      context.drawImage(image, 0, 0);
+      return {
+        fault: parsed.querySelector("parsererror")?.textContent ?? null,
+        parts: [...parsed.querySelectorAll("g[id]")].map((g) => g.id),
+        paths: Object.fromEntries([...parsed.querySelectorAll("g[id]")].map((g) => [g.id, g.querySelectorAll("path").length])),
+        texts: [...parsed.querySelectorAll("text")].map((t) => t.textContent),
+        middle: context.getImageData(10, image.height >> 1, 1, 1).data[3],
+        width: image.width,
+      };
+    }, svg.bytes.toString());
+    assert.equal(seen.fault, null);
+    for (const part of ["arrows", "cell", "protrusions", "adhesions", "path", "traction", "scales", "legend"])
+      assert.ok(seen.parts.includes(part), part);
+    for (const part of ["arrows", "cell", "protrusions", "path", "traction"]) assert.ok(seen.paths[part] > 0, part);
+    assert.ok(seen.texts.includes("1 h 05 min") && seen.texts.includes("Degradation"), seen.texts.join());
+    assert.equal(seen.middle, 255, "the matrix is not in the picture");
+    assert.deepEqual(errors, []);
+    assert.deepEqual(requests, []);
+    await browser.close();
+  }
+});
+
+test("a film is recorded where the browser can, and the button is not there where it cannot", async () => {
+  const browser = await launch(false);
+  const short = JSON.stringify(sampleRun({ radius: 40, interval: 600, end: 2400 }));
+  const { page, errors } = await open(browser, "run", short);
+  const button = page.getByRole("button", { name: "Record WebM" });
+  if (await page.evaluate(() => typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported("video/webm"))) {
+    const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+    const bytes = readFileSync(await download.path());
+    assert.ok(bytes.length > 2000, `${bytes.length} bytes`);
+    assert.equal(bytes.subarray(0, 4).toString("hex"), "1a45dfa3", "not Matroska");
+    await button.waitFor();
+  }
+  assert.deepEqual(errors, []);
+  const bare = await browser.newContext();
+  await bare.addInitScript(() => {
+    Reflect.deleteProperty(window, "MediaRecorder");
+  });
+  const other = await bare.newPage();
+  await other.goto(page.url());
+  await other.waitForSelector("html[data-ready=true]");
+  assert.equal(await other.getByRole("button", { name: "Record WebM" }).count(), 0);
+  await browser.close();
+});

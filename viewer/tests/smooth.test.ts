@@ -1,0 +1,113 @@
+/** The interpolated matrix: it says what the particles say, and looks the same on the card and on a plain canvas. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { sampleRun } from "../sample/run";
+import type { Film } from "../src/run/frames";
+import { Camera } from "../src/run/camera";
+import type { Layer } from "../src/run/layers";
+import { resample, valueOn } from "../src/run/resample";
+import type { Field } from "../src/unpack";
+import { launch, open } from "./browser";
+
+const spacing = 2;
+const field = (values: number[], components: number, scale: number): Field => ({
+  q: Int16Array.from(values, (v) => Math.round(v / scale)),
+  frames: 1,
+  stride: values.length,
+  components,
+  scale,
+  offset: 0,
+});
+
+/** A square lattice with a value at each particle. */
+function lattice(value: (x: number, y: number) => number, solid: (x: number, y: number) => boolean) {
+  const places: number[] = [];
+  for (let i = -20; i <= 20; ++i) for (let j = -20; j <= 20; ++j) places.push(spacing * i, spacing * j);
+  const all = Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i], places[2 * i + 1]] as const);
+  const x = field(places, 2, 0.005);
+  const f = field(all.map(([a, b]) => (solid(a, b) ? 1 : 0)), 1, 1 / 255);
+  const film = { x, reference: x, f, particles: all.length } as unknown as Film;
+  const layer = { field: field(all.map(([a, b]) => value(a, b)), 1, 0.001), solidOnly: true } as unknown as Layer;
+  const camera = new Camera({ left: -40, right: 40, bottom: -40, top: 40 });
+  camera.resize(600, 600);
+  camera.showWhole();
+  return resample(film, layer, { frame: 0, next: 0, fraction: 0 }, camera, spacing);
+}
+
+test("a linear field is interpolated as it is, and the solid alone makes the value", () => {
+  const patch = lattice((x, y) => 3 + 0.2 * x - 0.1 * y + (x < 0 ? 1000 : 0), (x) => x >= 0);
+  for (const [x, y] of [[9, 0], [10.3, -7.7], [20, 15.1], [33.3, 3.3]])
+    assert.ok(Math.abs(valueOn(patch, x, y)! - (3 + 0.2 * x - 0.1 * y)) < 0.01, `at ${x}, ${y}`);
+  assert.ok(Number.isNaN(valueOn(patch, -20, 3)), "fluid has a value");
+  assert.equal(valueOn(patch, 46, 0), null, "there is matrix where there is none");
+});
+
+/** What is painted of the matrix, on the ground of the page. */
+async function matrix(page: Page): Promise<string> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return (await page.locator(".stage").screenshot()).toString("base64");
+}
+
+/** How far two pictures are apart, and in how many places the second leaps from pixel to pixel; computed in a page. */
+function compared(page: Page, one: string, other: string): Promise<{ mean: number; share: number; leaps: number }> {
+  return page.evaluate(
+    async ([a, b]) => {
+      const pixels = async (data: string) => {
+        const image = new Image();
+        image.src = `data:image/png;base64,${data}`;
+        await image.decode();
+        const canvas = document.createElement("canvas");
+        [canvas.width, canvas.height] = [image.width, image.height];
+        const context = canvas.getContext("2d")!;
+        context.drawImage(image, 0, 0);
+        return context.getImageData(0, 0, image.width, image.height);
+      };
+      const [first, second] = [await pixels(a), await pixels(b)];
+      if (first.data.length !== second.data.length) throw new Error("pictures of different size");
+      let [sum, far, leaps] = [0, 0, 0];
+      for (let i = 0; i < first.data.length; ++i) {
+        const away = Math.abs(first.data[i] - second.data[i]);
+        sum += away;
+        if (away > 24) ++far;
+      }
+      for (let y = 150; y < second.height - 60; ++y)
+        for (let x = 20; x < second.width - 80; ++x) {
+          const k = 4 * (y * second.width + x);
+          if (Math.abs(second.data[k] - second.data[k + 4]) > 12) ++leaps;
+        }
+      return { mean: sum / first.data.length, share: far / first.data.length, leaps };
+    },
+    [one, other],
+  );
+}
+
+async function prepared(browser: Browser, query: string, run: string): Promise<Page> {
+  const { page } = await open(browser, "run", run, { viewport: { width: 800, height: 560 } }, query);
+  await page.locator(".scrub").fill("3900");
+  for (const overlay of ["cell", "protrusions", "adhesions", "path"])
+    await page.locator(`input[name=${overlay}]`).uncheck();
+  return page;
+}
+
+test("card and plain canvas show the same colours, without tiles, for every layer", async () => {
+  const run = JSON.stringify(sampleRun({ radius: 60, interval: 600, end: 7200 }));
+  const [card, plain] = [await launch(true), await launch(false)];
+  const [a, b] = [await prepared(card, "?draw=webgl", run), await prepared(plain, "?draw=2d", run)];
+  assert.equal(await a.locator(".stage").getAttribute("data-painter"), "webgl2");
+  assert.ok(await b.locator("input[value=smooth]").isChecked(), "smooth is what is seen first");
+  for (const layer of ["degradation", "displacement", "pressure", "von_mises"]) {
+    for (const page of [a, b]) await page.locator(`input[value=${layer}]`).check();
+    const { mean, share } = await compared(b, await matrix(a), await matrix(b));
+    console.log(`# ${layer}: mean difference ${mean.toFixed(2)} of 255, ${(100 * share).toFixed(2)} % differ by more than 24`);
+    assert.ok(mean < 1.5 && share < 0.015, `${layer}: ${mean}, ${share}`);
+  }
+  // Far fewer leaps of colour than particles with gaps between them have.
+  await b.locator("input[value=degradation]").check();
+  const field = await matrix(b);
+  await b.locator("input[value=particles]").check();
+  const [smooth, tiles] = [await compared(b, field, field), await compared(b, field, await matrix(b))];
+  assert.ok(smooth.leaps < 0.1 * tiles.leaps, `${smooth.leaps} leaps in the field, ${tiles.leaps} in the particles`);
+  await card.close();
+  await plain.close();
+});

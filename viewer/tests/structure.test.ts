@@ -1,0 +1,39 @@
+/** The shape of the source: files import each other one way, and stay short. */
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+import { test } from "node:test";
+
+const files = (folder: string): string[] =>
+  readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
+    entry.isDirectory() ? files(join(folder, entry.name)) : /\.ts$/.test(entry.name) ? [join(folder, entry.name)] : [],
+  );
+
+/** Types included: who needs another's types cannot be read without it. */
+function imports(file: string): string[] {
+  const text = readFileSync(file, "utf8");
+  return [...text.matchAll(/^(?:import|export)\b[^;]*?from "(\.[^"]+)"/gms)].map((found) =>
+    join(dirname(file), `${found[1]}.ts`),
+  );
+}
+
+test("no file imports itself by way of others", () => {
+  const all = new Map(files("src").map((file) => [file, imports(file)]));
+  assert.ok(all.size > 30 && [...all.values()].flat().length > 80, "the pattern misses imports");
+  const finished = new Set<string>();
+  const visit = (file: string, trail: string[]): void => {
+    assert.ok(!trail.includes(file), [...trail, file].map((one) => relative("src", one)).join(" -> "));
+    if (finished.has(file)) return;
+    for (const next of all.get(file) ?? []) visit(next, [...trail, file]);
+    finished.add(file);
+  };
+  for (const file of all.keys()) visit(file, []);
+});
+
+test("files are short enough to be read", () => {
+  for (const file of files("src")) {
+    if (file.endsWith("contract.ts")) continue; // the whole data contract, on purpose in one place
+    const lines = readFileSync(file, "utf8").split("\n").length;
+    assert.ok(lines <= 350, `${file} has ${lines} lines`);
+  }
+});
