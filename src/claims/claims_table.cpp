@@ -15,7 +15,9 @@ std::string to_string(RowKind kind) {
   return kind == RowKind::calibration ? "calibration" : kind == RowKind::predicted ? "predicted" : "verification";
 }
 
-std::string why_not(const Finding& finding) { return fmt::format("{}", fmt::join(finding.unmet, "; ")); }
+std::string why_not(const Finding& finding) {
+  return fmt::format("{}{}", finding.verdict == Verdict::does_not_hold ? "not met: " : "", fmt::join(finding.unmet, "; "));
+}
 
 std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
