@@ -5,7 +5,9 @@ import { sampleRun } from "../sample/run";
 import { paintArrows, paintPolarization, paintTraction, pixelsPerForce, usual } from "../src/run/arrows";
 import { Camera } from "../src/run/camera";
 import { film, outlineAt, placeAt } from "../src/run/frames";
+import { layers } from "../src/run/layers";
 import type { Pen } from "../src/run/pen";
+import { isDarkGround, LayerScale } from "../src/run/scale";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
 
@@ -41,7 +43,7 @@ camera.resize(600, 600);
 camera.showWhole();
 const frame = made.protrusions.findIndex((all) => all.filter((p) => p.force_nN > 0).length > 0);
 const place = placeAt(made.times, made.times[frame]);
-const scene = { film: made, place, camera, spacing: 2, dark: false };
+const scene = { film: made, place, camera, spacing: 2, dark: false, darkGround: false };
 
 test("traction points from the anchor to the tip, as long as its force", () => {
   const from = usual(made, 1);
@@ -61,6 +63,18 @@ test("traction points from the anchor to the tip, as long as its force", () => {
   assert.equal(new Set(strokes).size, 2, "a line and its edge");
 });
 
+test("arrows are light on dark layers and dark on light ones, whatever the page", () => {
+  const all = layers(made);
+  for (const dark of [false, true]) {
+    const ground = (key: string): boolean => {
+      const layer = all.find((one) => one.key === key)!;
+      return isDarkGround(layer, new LayerScale(layer, made).on(dark));
+    };
+    assert.ok(!ground("pressure") && ground("von_mises") && ground("displacement"));
+    assert.equal(ground("degradation"), dark);
+  }
+});
+
 test("polarization has its angle, and none before the first protrusion", () => {
   const tracks = { ...run.tracks, polarization_rad: run.tracks.t_s.map((t) => (t < 1000 ? null : 0.5)) };
   const before = recorder();
@@ -76,9 +90,9 @@ test("displacement and velocity are drawn with an edge, and velocity not before 
   for (const dark of [false, true])
     for (const kind of ["displacement", "velocity"] as const) {
       const { pen, shafts, strokes } = recorder();
-      paintArrows(pen, { ...scene, dark }, kind, 20);
+      paintArrows(pen, { ...scene, darkGround: dark }, kind, 20);
       assert.ok(shafts.length > 5, kind);
-      assert.equal(new Set(strokes).size, 2);
+      assert.deepEqual(strokes, dark ? ["#14171a", "#ffffff"] : ["#ffffff", "#1f2328"], "edge, then line");
     }
   const { pen, shafts } = recorder();
   paintArrows(pen, { ...scene, place: { frame: 0, next: 0, fraction: 0 } }, "velocity", 20);

@@ -102,6 +102,19 @@ test("card and plain canvas show the same colours, without tiles, for every laye
     console.log(`# ${layer}: mean difference ${mean.toFixed(2)} of 255, ${(100 * share).toFixed(2)} % differ by more than 24`);
     assert.ok(mean < 1.5 && share < 0.015, `${layer}: ${mean}, ${share}`);
   }
+  // So do hatched areas beyond limits set by hand, another colour map, and the particles.
+  for (const page of [a, b]) {
+    await page.locator("input[name=high]").fill("20");
+    await page.locator("input[name=high]").press("Enter");
+    await page.locator("select[name=map]").selectOption("magma");
+  }
+  const hatched = await compared(b, await matrix(a), await matrix(b));
+  for (const page of [a, b]) await page.locator("input[value=particles]").check();
+  const squares = await compared(b, await matrix(a), await matrix(b));
+  console.log(`# hatched: mean difference ${hatched.mean.toFixed(2)}; particles: mean difference ${squares.mean.toFixed(2)}`);
+  assert.ok(hatched.mean < 2, `hatched: ${hatched.mean}`);
+  assert.ok(squares.mean < 2, `particles: ${squares.mean}`);
+  await b.locator("input[value=smooth]").check();
   // Far fewer leaps of colour than particles with gaps between them have.
   await b.locator("input[value=degradation]").check();
   const field = await matrix(b);

@@ -58,10 +58,12 @@ interface Scene {
   camera: Camera;
   spacing: number;
   dark: boolean;
+  /** The layer under the arrows is dark. */
+  darkGround: boolean;
 }
 
 /** At every so many rows of the lattice, so that arrows stand apart at any zoom. */
-export function paintArrows(c: Pen, { film, place, camera, spacing, dark }: Scene, kind: ArrowKind, unit: number): void {
+export function paintArrows(c: Pen, { film, place, camera, spacing, darkGround }: Scene, kind: ArrowKind, unit: number): void {
   const every = Math.max(1, Math.ceil(15 / (spacing * camera.scale)));
   const onRow = (X: number) => Math.abs(X / spacing - every * Math.round(X / (spacing * every))) < 0.4;
   // A velocity belongs to the span between two frames.
@@ -77,7 +79,7 @@ export function paintArrows(c: Pen, { film, place, camera, spacing, dark }: Scen
     const [u, v] = kind === "velocity" ? velocityAt(film, ahead, i) : [x - X, y - Y];
     if (Math.hypot(u, v) * unit >= 3) arrow(c, sx, sy, unit * u, -unit * v, 5);
   }
-  const { line, edge } = ink(dark);
+  const { line, edge } = ink(darkGround);
   edged(c, line, edge, 1.3, [], 0.8);
 }
 
@@ -87,7 +89,7 @@ const longest = 60;
 export const pixelsPerForce = (from: Usual): number => (from.force > 0 ? longest / from.force : 0);
 
 /** Pull of each adhesion on the matrix: from its anchor towards the tip of its protrusion. */
-export function paintTraction(c: Pen, { film, place, camera, dark }: Scene, outline: Float32Array, unit: number): void {
+export function paintTraction(c: Pen, { film, place, camera, dark }: Omit<Scene, "darkGround">, outline: Float32Array, unit: number): void {
   for (const p of film.protrusions[place.frame]) {
     if (!p.anchor || p.force_nN <= 0) continue;
     const [dx, dy] = [outline[2 * p.centre] - p.anchor[0], outline[2 * p.centre + 1] - p.anchor[1]];
@@ -115,6 +117,7 @@ export function paintPolarization(c: Pen, camera: Camera, tracks: Tracks, time: 
 
 export interface ArrowKey {
   colour: string;
+  edge: string;
   width: number;
   /** Pixels of one unit. */
   unit: number;
@@ -123,7 +126,7 @@ export interface ArrowKey {
 
 /** An arrow of round length with its number for each kind drawn, one above the other at the lower right. */
 export function paintArrowKeys(c: Pen, camera: Camera, keys: ArrowKey[], dark: boolean): void {
-  const { line, edge } = ink(dark);
+  const { line } = ink(dark);
   keys.forEach((key, k) => {
     const value = roundStep(16 / key.unit);
     const text = `${Number(value.toPrecision(3))} ${key.name}`;
@@ -134,7 +137,7 @@ export function paintArrowKeys(c: Pen, camera: Camera, keys: ArrowKey[], dark: b
     c.fillRect(x - 8, y - 11, length + wide + 24, 24);
     c.beginPath();
     arrow(c, x, y, length, 0, 9);
-    edged(c, key.colour, edge, key.width);
+    edged(c, key.colour, key.edge, key.width);
     c.fillStyle = line;
     c.fillText(text, x + length + 8, y + 5);
   });

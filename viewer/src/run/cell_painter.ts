@@ -33,6 +33,8 @@ export interface CellScene {
   arrows: ArrowKind;
   usual: Usual;
   dark: boolean;
+  /** The layer under the arrows is dark. */
+  darkGround: boolean;
 }
 
 /** Runs of entries that fulfil a condition around a ring, each as indices in order. */
@@ -145,13 +147,14 @@ function paintScaleBar(c: Pen, { camera, dark }: CellScene): void {
 }
 
 /** Keys of the arrows that are shown. */
-function keys({ shown, arrows, usual, camera, dark }: CellScene): ArrowKey[] {
+function keys({ shown, arrows, usual, camera, dark, darkGround }: CellScene): ArrowKey[] {
   const out: ArrowKey[] = [];
   if (shown.traction && usual.force > 0)
-    out.push({ colour: tractionColour(dark), width: 3, unit: pixelsPerForce(usual), name: "nN traction" });
+    out.push({ colour: tractionColour(dark), edge: ink(dark).edge, width: 3, unit: pixelsPerForce(usual), name: "nN traction" });
   if (shown.arrows) {
     const name = arrows === "velocity" ? "\u00b5m/h" : "\u00b5m displacement";
-    out.push({ colour: ink(dark).line, width: 1.4, unit: pixelsPerUnit(arrows, usual, camera), name });
+    const { line, edge } = ink(darkGround);
+    out.push({ colour: line, edge, width: 1.4, unit: pixelsPerUnit(arrows, usual, camera), name });
   }
   return out;
 }

@@ -14,6 +14,8 @@ export interface Layer {
   field: Field | null;
   low: number;
   high: number;
+  /** Of the matrix as it was at the start: what most of the picture shows. */
+  rest: number;
   /** Colour maps that suit it; the first is taken until another is chosen. */
   maps: readonly MapKey[];
   /** The ends at which the program may have cut values off when it packed them. */
@@ -28,7 +30,7 @@ const limits = (field: Field): [number, number] => [field.offset, field.offset +
 
 function stress(key: string, name: string, note: string, field: Field): Layer {
   const [low, high] = limits(field);
-  return { key, name, unit: "Pa", note, field, low, high, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
+  return { key, name, unit: "Pa", note, field, low, high, rest: 0, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
 }
 
 export function layers(film: Film): Layer[] {
@@ -43,6 +45,7 @@ export function layers(film: Film): Layer[] {
       field: film.f,
       low: 0,
       high: 1,
+      rest: 1,
       maps: ["gel", ...sequential],
       cut: { low: false, high: false },
       solidOnly: false,
@@ -55,6 +58,7 @@ export function layers(film: Film): Layer[] {
       field: null,
       low: 0,
       high: usualDisplacement(film),
+      rest: 0,
       maps: sequential,
       cut: { low: false, high: false },
       solidOnly: true,
@@ -68,6 +72,7 @@ export function layers(film: Film): Layer[] {
       field: film.pressure,
       low: -largest,
       high: largest,
+      rest: 0,
       maps: ["blueWhiteOrange", "purpleGreen", ...sequential],
       cut: { low: true, high: true },
       solidOnly: false,

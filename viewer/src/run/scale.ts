@@ -1,5 +1,5 @@
 /** From a value to a colour: the limits and the colour map with which a layer is drawn. */
-import { colourMaps, type MapKey, type Rgb } from "../colour";
+import { colourMaps, mapped, type MapKey, type Rgb } from "../colour";
 import { extremes, type Layer } from "./layers";
 import type { Film } from "./frames";
 
@@ -57,6 +57,11 @@ export class LayerScale {
   on(dark: boolean): Scale {
     return { low: this.low, high: this.high, map: colourMaps[this.map].on(dark), hatched: this.edited };
   }
+}
+
+/** Whether most of a layer is dark, so that what is drawn on it should be light. */
+export function isDarkGround(layer: Layer, { map, low, high }: Scale): boolean {
+  return !isBright(...mapped(map, (layer.rest - low) / (high - low)));
 }
 
 /** Hatching: stripes across the picture, in pixels of the page. */

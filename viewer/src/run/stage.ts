@@ -14,7 +14,7 @@ import { overlays, type Layer, type Shown } from "./layers";
 import type { Pen } from "./pen";
 import type { ParticlePainter } from "./particle_scene";
 import { particlePainter, plainInstead } from "./particles";
-import { LayerScale, type Scale } from "./scale";
+import { isDarkGround, LayerScale, type Scale } from "./scale";
 import { resample, valueOfNearest, valueOn, type Patch } from "./resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
@@ -229,7 +229,8 @@ export class Stage {
     const { film, camera, shown, edge, arrows, usual } = this;
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
-    return { film, place, time, camera, tracks, shown, edge, spacing: geometry.spacing_um, arrows, usual, dark };
+    const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
+    return { film, place, time, camera, tracks, shown, edge, spacing, arrows, usual, dark, darkGround };
   }
 
   /** Paints at once and returns what has been painted; to be used before the browser goes on. */
