@@ -185,8 +185,8 @@ std::string parameters_markdown() {
       "JSON "
       "schema is that completes and checks it. `matrigrate new FILE` names `scenario.schema.json` and writes it beside "
       "the "
-      "file; `matrigrate new FILE --schema PATH` names another one and writes none. Those in `scenarios/` name "
-      "`docs/scenario.schema.json`. The line changes no result.\n";
+      "file; `matrigrate new FILE --schema PATH` names another one and writes none. `scenarios/baseline.toml` "
+      "names `docs/scenario.schema.json`. The line changes no result.\n";
   for_each_section(
       [&](const Section& s) {
         text += fmt::format("\n## [{}] {}\n\n| key | default | allowed | symbol | meaning | source of the default |\n"

@@ -72,7 +72,10 @@ def settings(rows, seed):
 
 def run(options, rows, seed):
     preset, sets = settings(rows, seed)
-    command = [options.program, "run", f"scenarios/{preset}.toml", "-o", str(options.folder / f"run-{seed}"), "--quiet",
+    scenario = options.folder / f"{preset}.toml"
+    if not scenario.exists():
+        subprocess.run([options.program, "new", scenario, "--preset", preset], check=True, stdout=subprocess.DEVNULL)
+    command = [options.program, "run", str(scenario), "-o", str(options.folder / f"run-{seed}"), "--quiet",
                "--hours", str(options.hours), "--seed", str(seed)]
     for setting in sets:
         command += ["--set", setting]
