@@ -16,7 +16,8 @@ std::string to_string(RowKind kind) {
 }
 
 std::string why_not(const Finding& finding) {
-  return fmt::format("{}{}", finding.verdict == Verdict::does_not_hold ? "not met: " : "", fmt::join(finding.unmet, "; "));
+  return fmt::format("{}{}", finding.verdict == Verdict::does_not_hold ? "not met: " : "",
+                     fmt::join(finding.unmet, "; "));
 }
 
 std::string bottom_line(const std::vector<JudgedClaim>& claims) {

@@ -167,9 +167,8 @@ TEST(Claims, TableSaysWhyNot) {
   const JudgedClaim no{"A1", "f_mat rises and does not", "1 to 2", judge.finding(), {}};
   const JudgedClaim yes{"B1", "f_mat rises", "", Judge(e).differs(a, b, f, Sign::up).finding(), {}};
   EXPECT_EQ(no.finding.brief, "f_mat 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
-  EXPECT_EQ(
-      why_not(no.finding),
-      "not met: f_mat at n_prot 2 not significantly different from that at n_prot 1 (difference 1 [0.777, 1.22], p 3.4e-05)");
+  EXPECT_EQ(why_not(no.finding), "not met: f_mat at n_prot 2 not significantly different from that at n_prot 1 "
+                                 "(difference 1 [0.777, 1.22], p 3.4e-05)");
   EXPECT_EQ(why_not(yes.finding), "");
   EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted");
   const std::string table = markdown_table({no, yes});
