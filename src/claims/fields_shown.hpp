@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// Whether runs show their fields of displacement and von Mises stress over all their time (S1 to S4 Videos of Heck et
-/// al. 2020). Test: tests/unit/study/fields_shown_test.cpp
+/// al. 2020). Test: tests/unit/claims/fields_shown_test.cpp
 namespace matrigrate::study {
 
 /// The header of a table of frames: t_s, particles, defined, largest_displacement_um, largest_von_mises_Pa, point.

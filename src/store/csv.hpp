@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Reading of CSV as this program writes it (csv_line, csv_text, to_csv). Test: tests/unit/io/csv_test.cpp
+/// Reading of CSV as this program writes it (csv_line, csv_text, to_csv). Test: tests/unit/store/csv_test.cpp
 namespace matrigrate::io {
 
 /// A table of text: a header, and rows as long as it.

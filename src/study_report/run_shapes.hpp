@@ -10,7 +10,7 @@
 
 /// Cells and matrix of the runs of a study as small tables, and the figures drawn from these alone: shapes at the end,
 /// both ways to take the centre of a cell, the stress of the fibres around a cell.
-/// Test: tests/unit/study/run_shapes_test.cpp
+/// Test: tests/unit/study_report/run_shapes_test.cpp
 namespace matrigrate::study {
 
 /// shapes.csv: replicate, x_um, y_um, point; every second particle of the cortex where a run ended, the first three

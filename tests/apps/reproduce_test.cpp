@@ -23,7 +23,8 @@ TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
   for (const char* name : {"claims.csv", "claims-A.csv", "report-A.html", "stiffness.svg", "stiffness-paths.svg"})
     EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
   EXPECT_FALSE(exists("reproduce/stiffness")) << "no study is run";
-  EXPECT_TRUE(contains(file("reproduce/claims.csv"), "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,caveat\n"));
+  EXPECT_TRUE(contains(file("reproduce/claims.csv"),
+                       "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,caveat\n"));
 }
 
 TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
