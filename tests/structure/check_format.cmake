@@ -12,7 +12,7 @@ if(NOT version MATCHES "version ${wanted}\\.")
   return()
 endif()
 file(GLOB_RECURSE sources ${SOURCE_DIR}/src/*.?pp ${SOURCE_DIR}/apps/*.?pp ${SOURCE_DIR}/tests/*.?pp
-     ${SOURCE_DIR}/benchmarks/*.?pp)
+     ${SOURCE_DIR}/benchmarks/*.?pp ${SOURCE_DIR}/examples/*.?pp)
 if(NOT sources)
   message(FATAL_ERROR "no sources below ${SOURCE_DIR}")
 endif()

@@ -62,7 +62,8 @@ std::string folder_of(const std::string& path) { return path.substr(0, path.rfin
 /// The paths in a line that are in no folder where the page or source may mean them.
 std::vector<std::string> missing(const std::string& line, const std::string& own_folder, const Tree& tree) {
   static const std::regex word(R"([\w.*/+-]*[\w*/])");
-  static const std::regex ours(R"((?:src|apps|tests|docs|tools|cmake|scenarios|studies|benchmarks|viewer)/.*)");
+  static const std::regex ours(
+      R"((?:src|apps|tests|docs|tools|cmake|scenarios|studies|benchmarks|examples|viewer)/.*)");
   static const std::regex source(R"(.*[\w*]\.(?:hpp|cpp|ts|cmake|sh|md))");
   std::vector<std::string> found;
   static const std::regex address(R"(\w+://\S+)");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -34,7 +35,7 @@ TEST(Documents, NameFilesThatExist) {
 
 TEST(Documents, CommentsNameFilesThatExist) {
   const Tree files = tree(root);
-  for (const char* folder : {"src", "apps", "benchmarks", "tests"})
+  for (const char* folder : {"src", "apps", "benchmarks", "examples", "tests"})
     for (Source source : sources(root / folder)) {
       source.path = std::string(folder) + '/' + source.path;
       if (source.path != "tests/structure/documents_test.cpp") expect_none(missing_files_in_comments(source, files));
@@ -74,6 +75,16 @@ TEST(Documents, GiveCommandsThatExist) {
   for (const Source& source : sources(root / "apps")) known.merge(declared_commands(source.text));
   ASSERT_TRUE(known.contains("study") && known.contains("--output"));
   for (const Document& page : documents(root, tree(root))) expect_none(unknown_commands(page, known));
+}
+
+TEST(Documents, ExamplesAreShortAndListed) {
+  const std::string page = text_of("examples/README.md");
+  for (const Source& source : sources(root / "examples")) {
+    EXPECT_LE(std::ranges::count(source.text, '\n'), 80) << source.path;
+    EXPECT_NE(page.find('`' + source.path + '`'), std::string::npos) << source.path;
+    for (const char* part : {"/// What ", "/// Equation ", "/// Check ", "/// Libraries "})
+      EXPECT_NE(source.text.find(part), std::string::npos) << source.path << ": " << part;
+  }
 }
 
 TEST(Documents, NoticesAreOfTheVersionThatReportsCarry) {

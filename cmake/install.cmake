@@ -1,0 +1,33 @@
+# What `cmake --install` puts below its prefix: program, libraries, headers, what find_package(Matrigrate) needs,
+# scenarios and studies, completions, manual page, licence. Headers keep their folders below include/matrigrate/, which
+# is an include directory of every target: #include "simulation/advance.hpp" is right in the tree and outside of it.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Matrigrate)
+set(data ${CMAKE_INSTALL_DATADIR}/matrigrate)
+
+get_property(libraries GLOBAL PROPERTY MATRIGRATE_LIBRARIES)
+install(TARGETS matrigrate)
+install(TARGETS ${libraries} EXPORT MatrigrateTargets
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/matrigrate)
+install(EXPORT MatrigrateTargets NAMESPACE Matrigrate:: DESTINATION ${package})
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/MatrigrateConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/package/MatrigrateConfig.cmake
+                              INSTALL_DESTINATION ${package} PATH_VARS data)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/MatrigrateConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/package/MatrigrateConfig.cmake
+              ${PROJECT_BINARY_DIR}/package/MatrigrateConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/plain_libraries.cmake
+        DESTINATION ${package})
+
+install(DIRECTORY scenarios studies DESTINATION ${data} FILES_MATCHING PATTERN *.toml)
+install(FILES docs/scenario.schema.json DESTINATION ${data}/docs) # where the scenarios look for it
+install(FILES LICENSE NOTICES DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES man/matrigrate.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES completions/matrigrate.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME matrigrate)
+install(FILES completions/_matrigrate DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES completions/matrigrate.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)

@@ -1,0 +1,49 @@
+/// What      A single protrusion grows into the matrix, with a picture of the cell at the end if a file is named:
+///           03_one_protrusion cell.svg
+/// Equation  Eqs. (1) and (2) of Heck et al. 2020 with the growth force F_prot; the tip degrades what is ahead of it.
+/// Check     After T_prot = 400 s it has the length that the paper names, 25 to 30 um.
+/// Libraries Matrigrate::simulation, Matrigrate::draw (the picture)
+#include "base/file.hpp"
+#include "cell/geometry.hpp"
+#include "draw/cell_picture.hpp"
+#include "observe/cell_scene.hpp"
+#include "protrusion/growth.hpp"
+#include "protrusion/initiation.hpp"
+#include "simulation/march.hpp"
+#include "simulation/start.hpp"
+
+#include <fmt/format.h>
+
+using namespace matrigrate;
+
+int main(int argc, char** argv) {
+  // A cell off the centre of a small disc, so that the tip stays clear of the rim. No protrusion begins by itself.
+  Parameters p;
+  p.ecm.radius = 70.0;
+  p.cell.start_x = -20.0;
+  p.protrusion.initiation_rate = 0.0;
+  p.run.integrator = Integrator::adaptive;
+  p.run.time_step = usual_time_step(p.run.integrator);
+
+  // Particle 0 stands at angle 0: the protrusion grows along x, away from the centre of mass.
+  State s = initial_state(p);
+  constexpr std::size_t centre = 0;
+  begin_protrusion(s, centre, centroid(s.cortex), p.protrusion);
+  Workspace w(s, p);
+
+  fmt::print("time [s]  length [um]\n");
+  for (double t = 50.0; t < p.protrusion.growth_time; t += 50.0) {
+    march(s, p, w, t);
+    fmt::print("{:8.0f}  {:.2f}\n", s.t, protrusion_length(s.cortex, centre, p.protrusion));
+  }
+
+  // Growth ends by itself: the tip adheres, and the record has the length at that moment.
+  march(s, p, w, p.protrusion.growth_time + 10.0);
+  const Protrusion& grown = s.protrusions.at(0);
+  fmt::print("{} since {:.1f} s, l_prot = {:.2f} um\n", name(grown.phase), grown.since, grown.record.length);
+  if (argc > 1) {
+    const io::CellScene scene = io::cell_scene(s, p, {});
+    write_file(argv[1], io::cell_picture(scene, io::surroundings({&scene, 1}, 10.0)));
+  }
+  return grown.record.length > 25.0 && grown.record.length < 30.0 ? 0 : 1;
+}
