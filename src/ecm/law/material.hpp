@@ -42,8 +42,7 @@ template <class Real>
 inline double density_rate(double rho, const Mat2& L) { return density_rate(rho, components(L)); }
 
 /// Rate of the deviatoric stress, Jaumann rate of Hooke's law: 2 G (D - tr D/3 I) + W S - S W, with D and W the
-/// symmetric and skew parts of L. Objective: a rigid rotation
-/// turns the stress and creates none.
+/// symmetric and skew parts of L. Objective: a rigid rotation turns the stress and creates none.
 /// @param S  deviatoric stress, in-plane part [kPa]   @param L  velocity gradient [1/s]   @return [kPa/s]
 template <class Real>
 [[gnu::always_inline]] inline TensorOf<Real> jaumann_rate(const TensorOf<Real>& S, const TensorOf<Real>& L, double G) {

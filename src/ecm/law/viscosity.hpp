@@ -11,8 +11,8 @@ namespace matrigrate {
 /// The force on i is -G_ij (v_i - v_j): the weakly Laplacian form mu lap(v) of Morris et al. 1997. It acts along the
 /// velocity difference. So it conserves linear momentum exactly, and resists the rotation of a finite body.
 /// @param r2       |x_ij|^2 [um^2]   @param W_slope  kernel.W_slope(|x_ij|) [1/um^4], <= 0
-/// @param V        volume of either particle per depth [um^2]   @param mu  viscosity [nN s/um^2]   @param t_z  depth
-/// [um]
+/// @param V        volume of either particle per depth [um^2]
+/// @param mu       viscosity [nN s/um^2]   @param t_z  depth [um]   @param h  smoothing length [um]
 /// @return         [nN s/um]
 inline double pair_drag(double r2, double W_slope, double V, double mu, double t_z, double h) {
   return t_z * V * V * 2.0 * mu * (-W_slope) * r2 / (r2 + 0.01 * h * h);
