@@ -8,12 +8,12 @@
 
 namespace matrigrate {
 
-/// For each particle i the particles j != i that it meets, in ascending order (compressed rows). A list is symmetric: j
-/// is listed by i exactly if i is listed by j. Data of the pair (i, j) is kept in arrays that run beside `index`.
+/// Neighbour list in compressed rows: for each particle i its neighbours j != i, in ascending order. The list is
+/// symmetric: it contains (i, j) if and only if it contains (j, i). Pair data is stored in arrays parallel to `index`.
 struct Adjacency {
   std::vector<std::uint32_t> first; ///< row i is index[first[i]] .. index[first[i + 1] - 1]; n + 1 entries
   std::vector<std::uint32_t> index;
-  std::vector<std::uint32_t> count; ///< where rows have room to grow: how much of each is used; empty: all of it
+  std::vector<std::uint32_t> count; ///< used entries of each row, if rows have spare capacity; empty: all entries
 
   std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
   std::size_t pairs() const {

@@ -7,7 +7,7 @@
 /// The ways in which a call may fail, one type per exit code of the program (the table of exit codes is in README.md).
 namespace matrigrate {
 
-/// What is wrong with one place of an input file. Printed as `file:line:column: key: message`.
+/// A fault at one place of an input file. Printed as `file:line:column: key: message`.
 struct Fault {
   std::string file;    ///< path as the user gave it, or "--set" for the command line
   int line = 0;        ///< 1-based; 0 where the place has no line
@@ -16,7 +16,7 @@ struct Fault {
   std::string message; ///< what is wrong, what is allowed, the nearest name
 };
 
-/// `file:line:column: key: message`, leaving out what is unknown.
+/// `file:line:column: key: message`, without unknown parts.
 std::string to_string(const Fault& fault);
 
 /// The configuration is wrong: all of its faults at once. Exit code 3.
@@ -29,7 +29,8 @@ private:
   std::vector<Fault> m_faults;
 };
 
-/// The computation cannot go on: a step limit broken, a solver that does not converge, a value not finite. Exit code 4.
+/// The computation cannot continue: a step limit broken, a solver that does not converge, a value not finite. Exit
+/// code 4.
 class NumericalFailure : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

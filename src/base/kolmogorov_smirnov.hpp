@@ -7,8 +7,8 @@
 /// Whether a sample follows a distribution. Test: tests/unit/base/random_test.cpp
 namespace matrigrate {
 
-/// Kolmogorov-Smirnov statistic D sqrt(n) of a sample against the distribution function `cdf`: above 1.63 in one of a
-/// hundred samples that follow it.
+/// Kolmogorov-Smirnov statistic D sqrt(n) of a sample against the distribution function `cdf`. Its critical value at
+/// the 1 % level is 1.63.
 template <class Distribution>
 double kolmogorov_smirnov(std::vector<double> sample, const Distribution& cdf) {
   std::sort(sample.begin(), sample.end());

@@ -18,7 +18,7 @@ using HalfFloats = float __attribute__((vector_size(pack_bytes / 2)));
 template <class Pack>
 inline constexpr std::size_t pack_size = sizeof(Pack) / sizeof(Pack{}[0]);
 
-/// Reads the pack that begins at p, wherever that is.
+/// Reads the pack that begins at p (no alignment needed).
 template <class Pack, class Number>
 [[gnu::always_inline]] inline void load(const Number* p, Pack& a) {
   static_assert(sizeof(a[0]) == sizeof(Number));
@@ -37,7 +37,7 @@ template <class Pack, class Number>
   for (std::size_t l = 0; l < pack_size<Pack>; ++l) a[l] = value;
 }
 
-/// Whether a number of a has a bit set: is anything but 0.
+/// Whether any number of a has a bit set (is not +0).
 template <class Pack>
 [[gnu::always_inline]] inline bool any(const Pack& a) {
   std::uint64_t bits[sizeof a / sizeof(std::uint64_t)];

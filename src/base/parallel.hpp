@@ -15,25 +15,25 @@ namespace matrigrate {
 
 inline constexpr std::size_t parallel_block = 512;
 
-/// Tells ThreadSanitizer, where the program is built with it, what it cannot see in the library of threads: what stands
-/// before a loop happens before its bodies, and these before what follows. Bodies are left without an order.
+/// ThreadSanitizer annotations for oneTBB loops, without effect in other builds: code before the loop happens-before
+/// every body, and every body happens-before code after the loop. Bodies stay unordered among each other.
 class LoopOrder {
 public:
   LoopOrder();
   LoopOrder(const LoopOrder&) = delete;
   LoopOrder& operator=(const LoopOrder&) = delete;
   ~LoopOrder();
-  void enter() const; ///< begins some bodies
-  void leave() const; ///< ends them
+  void enter() const; ///< before a group of bodies
+  void leave() const; ///< after it
 
 private:
-  char m_before = 0, m_after = 0; // their addresses are what the order hangs on
+  char m_before = 0, m_after = 0; // their addresses identify the two synchronisations
 };
 
-/// Whether there is but one thread to work with.
+/// Whether the program runs single-threaded.
 inline bool alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1; }
 
-/// Calls body(k) for every k in [0, n), in any order, each as a piece of work of its own.
+/// Calls body(k) for every k in [0, n), in any order, each as a separate task.
 template <class Body>
 void parallel_parts(std::size_t n, const Body& body) {
   if (alone()) {
@@ -49,7 +49,7 @@ void parallel_parts(std::size_t n, const Body& body) {
 }
 
 /// Calls body(i) for every i in [0, n), in any order.
-/// @param grain  a thread takes about so many at least
+/// @param grain  approximate minimum number of indices per task
 template <class Body>
 void parallel_for(std::size_t n, const Body& body, std::size_t grain = parallel_block) {
   if (alone()) {

@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
-/// Counter-based random numbers (Salmon et al. 2011, Philox4x32-10): a draw is a pure function of what it is for, so it
-/// depends neither on the order of draws, nor on threads, nor on restarts. Test: tests/unit/base/random_test.cpp
+/// Counter-based random numbers (Salmon et al. 2011, Philox4x32-10): a draw is a pure function of seed, purpose,
+/// step and entity. It depends neither on the order of draws, nor on threads, nor on restarts. Test:
+/// tests/unit/base/random_test.cpp
 namespace matrigrate {
 
-/// What a number is drawn for; each purpose has its own stream.
+/// Purpose of a draw; each has its own stream.
 enum class Purpose : std::uint32_t { initiation = 1, disassembly = 2, sampling = 3, test = 99 };
 
 /// Uniform draw in (0, 1), never 0 or 1.

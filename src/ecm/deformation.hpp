@@ -16,7 +16,8 @@ Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t
 /// Its rate, from the velocities of `ecm` [1/s].
 Mat2 deformation_rate(const EcmState& ecm, const Reference& ref, std::size_t i);
 
-/// The same for the particles of a row and any field a: displacements give F - I, velocities dF/dt; 0 in the fluid.
+/// The same for the particles of a row and any vector field a: displacements give F - I, velocities give dF/dt. 0 in
+/// the fluid.
 /// @param fa   f_j a_j of all particles
 /// @param own  own(i) is a_i
 template <class Own>

@@ -18,8 +18,8 @@ public:
   /// @param X  reference positions [um]   @param spacing  of the lattice [um]
   DragTiles(std::span<const Vec2> X, double spacing);
 
-  /// Sets x_drag, the positions at which the drag was last taken, to x for all particles of a tile in which one has
-  /// moved further than `lag` [um] since; everywhere if x_drag has another size than x.
+  /// Sets x_drag, the positions at which the drag coefficients were last evaluated, to x in every tile in which a
+  /// particle has moved further than `lag` [um] since; everywhere if x_drag has another size than x.
   void refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const;
 
 private:
@@ -28,20 +28,20 @@ private:
   std::vector<std::uint32_t> m_particle;
 };
 
-/// All that is kept between steps for the drag of the matrix. It follows from the state alone: a new one makes the same
+/// Data kept between steps for the drag of the matrix. It is derived from the state alone: a new cache gives the same
 /// bits. Test: tests/unit/ecm/drag_cache_test.cpp
 class DragCache {
 public:
   DragCache(const EcmState& ecm, const EcmParameters& p) : m_tiles(ecm.X, p.particle_spacing) {}
 
-  /// Fills A as assemble_viscosity() does, with the drag at positions that are `lag` at most behind those of `ecm`.
-  /// @param neighbours  valid for `ecm`; the same object in each call
-  /// @param x_drag      positions at which the drag was taken in the last step; empty: none [um]
-  /// @param A           that of the call before, if there was one
+  /// Fills A as assemble_viscosity() does, with the drag evaluated at positions at most `lag` away from those of `ecm`.
+  /// @param neighbours  valid for `ecm`; the same object in every call
+  /// @param x_drag      positions at which the drag was evaluated in the last step; empty: none [um]
+  /// @param A           the system of the previous call, if any
   void assemble(const EcmState& ecm, const EcmParameters& p, const VerletList& neighbours, std::span<const Vec2> x_drag,
                 double lag, double theta, DragSystem& A);
 
-  /// Positions at which assemble() took the drag [um].
+  /// Positions at which assemble() evaluated the drag [um].
   const std::vector<Vec2>& x_drag() const { return m_x_drag; }
 
 private:

@@ -13,12 +13,12 @@
 /// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/fibres_test.cpp
 namespace matrigrate {
 
-/// Whether a fibre joins neighbours that lie X apart in the reference configuration: all of them, or of a uniaxial
-/// matrix those within half_angle_deg of the direction, boundary included.
+/// Whether a fibre joins reference neighbours with separation X: always, or in a uniaxial matrix if X is within
+/// half_angle_deg of the direction, boundary included.
 bool joined(const Vec2& X, const FibreParameters& p);
 
-/// Who is joined to whom by a fibre, for ever: reference neighbours. Weights, Eq. (4): w_ij = (W_ij/S_i + W_ij/S_j)/2,
-/// S_i the sum of W over i itself and all its neighbours [-].
+/// Pairs of reference neighbours that are permanently joined by a fibre. Weights, Eq. (4): w_ij = (W_ij/S_i +
+/// W_ij/S_j)/2, S_i the sum of W over i itself and all its neighbours [-].
 class FibreNetwork {
 public:
   FibreNetwork() = default; ///< no fibres
@@ -39,8 +39,8 @@ private:
 
 /// Adds the forces of the fibres [nN]. On particle i
 ///   -t_z sum_j f_i f_j w_ij T(eps_ij) |X_ij| n,   eps_ij = |x_ij|/|X_ij| - 1,
-/// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). Slopes beyond k_0 enter the drag as
-/// well, times dt, so that stiffening does not shorten the step.
+/// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). The slope in excess of k_0 also
+/// enters the drag, times dt, so that stiffening does not reduce the stable step.
 /// @param force  of all nodes   @param A  the drag system after assemble_viscosity(); rows that change are marked there
 void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
                       const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A);

@@ -12,23 +12,23 @@
 
 namespace matrigrate {
 
-/// The reference configuration of the solid: who neighbours whom for ever, kernel values there, and the gradient
-/// correction (MODEL.md, D4). Derived from X and f_degr alone. Test: tests/unit/ecm/reference_test.cpp
+/// The reference configuration of the solid (total-Lagrangian SPH): permanent neighbours, kernel values, and the
+/// gradient correction (MODEL.md, D4). Derived from X and f_degr alone. Test: tests/unit/ecm/reference_test.cpp
 ///
 /// Support tensor     A_i = sum_j V_0 f_j (X_j - X_i) (x) grad_0 W_ij      (about the identity in intact matrix)
 /// Correction         B_i = A_i^-1, eigenvalues of A_i below support_floor raised to it
-/// Clamped particles  B_i of a full lattice: the clamp goes on beyond the last row as a rigid, intact body.
-/// A body's own edge is no damage: both thresholds are taken relative to the smallest eigenvalue of the intact A_i,
-/// where that is below 1.
+/// Clamped particles  B_i of a full lattice: the clamp continues beyond the last row as a rigid, intact body.
+/// The edge of a body is not damage: where the smallest eigenvalue of the intact A_i is below 1, both thresholds are
+/// relative to it.
 class Reference {
 public:
   Reference(const EcmState& ecm, const EcmParameters& p);
 
-  /// Brings A, B and the moments up to date with f_degr; only neighbours of particles whose f changed are touched.
+  /// Updates A, B and the moments to f_degr; recomputes only the neighbours of particles whose f changed.
   void update(const EcmState& ecm);
 
   const Adjacency& pairs() const { return m_pairs; }
-  /// Calls body(terms) for every row of particles: what their sums over neighbours go over.
+  /// Calls body(terms) for every row of particles, with the terms of its sums over neighbours.
   template <class Body>
   void each_row(const Body& body) const {
     constexpr std::size_t grain = 8;
@@ -41,12 +41,12 @@ public:
   double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; } ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
   const Mat2& B(std::size_t i) const { return m_B[i]; }              ///< gradient correction [-]
 
-  /// Sums over the neighbours of particle i as degraded as they are.
+  /// Sums over the neighbours of particle i at their current degradation.
   const DegradationMoments& moments(std::size_t i) const { return m_moments[i]; }
 
   /// Whether B and the moments of particle i are those of an intact lattice: multiples of the identity, or 0.
   bool whole(std::size_t i) const { return m_whole[i] != 0; }
-  /// Whether particle i is intact, and all its neighbours are there and intact.
+  /// Whether particle i is intact, and all lattice neighbours exist and are intact.
   bool plain(const EcmState& ecm, std::size_t i) const { return whole(i) && ecm.f[i] == 1.0; }
   double lattice_correction() const { return m_B_lattice(0, 0); }
   const DegradationMoments& lattice_moments() const { return m_lattice_moments; }

@@ -11,9 +11,9 @@
 /// Sums over reference neighbours for many particles at once. Test: tests/unit/ecm/rows_test.cpp
 namespace matrigrate {
 
-/// A run of consecutive particles that share one stencil of neighbours: partner k has the same offset in the list of
-/// particles and the same separation for all of them. On a lattice these are its rows. Ragged rows gather the particles
-/// at the edge of a body: partners that some of them lack are masked.
+/// A run of consecutive particles that share one neighbour stencil: partner k has the same index offset and the same
+/// separation for all of them. On a lattice, runs are its rows. Ragged rows collect particles at the edge of a body;
+/// missing partners are masked.
 struct ParticleRow {
   static constexpr std::size_t longest = 128;
 
@@ -24,7 +24,7 @@ struct ParticleRow {
   bool ragged = false;
 };
 
-/// A partner of the particles of a row.
+/// One entry of the stencil of a row.
 struct RowPartner {
   std::ptrdiff_t distance; ///< partner minus particle
   double half_X, half_Y;   ///< X_ij/2 = (X_i - X_j)/2 [um]
@@ -32,22 +32,22 @@ struct RowPartner {
   double w, w_X, w_Y;      ///< w_ij = W_0,ij/|X_ij|^2 [1/um^4], w_ij X_ij [1/um^3]
 };
 
-/// What the sums of a row go over.
+/// A row with its stencil: the terms of its sums.
 struct RowTerms {
   ParticleRow row;
   std::span<const RowPartner> partners;
-  const double* has; ///< of a ragged row: `lanes` numbers a partner, 1 for the particles that have it, else 0
+  const double* has; ///< mask of a ragged row: `lanes` numbers per partner, 1 for the particles that have it, else 0
 };
 
-/// All particles, cut into rows in their order.
+/// All particles, divided into rows in index order.
 class ParticleRows {
 public:
-  /// Particles whose sums are made at once, in registers.
+  /// Number of particles whose sums are computed together in SIMD registers.
   static constexpr std::size_t lanes = 8;
 
   ParticleRows() = default;
 
-  /// @param X_ij    reference separations beside pairs.index [um]
+  /// @param X_ij    reference separations, parallel to pairs.index [um]
   /// @param grad_W  gradients there [1/um^3]   @param w  W_0,ij/|X_ij|^2 there [1/um^4]
   ParticleRows(const Adjacency& pairs, std::span<const Vec2> X_ij, std::span<const Vec2> grad_W,
                std::span<const double> w);
@@ -67,7 +67,7 @@ private:
   std::vector<double> m_has;
 };
 
-/// One number a particle, framed by zeros: `lanes` of them may be read from any particle on, and before it.
+/// One number per particle, padded with zeros: `lanes` numbers may be read from, and before, any particle.
 class Plane {
 public:
   void resize(std::size_t n) { m_values.resize(n + 2 * ParticleRows::lanes); }
@@ -97,7 +97,7 @@ struct TensorPlanes {
   Mat2 operator[](std::size_t i) const { return (Mat2() << xx[i], xy[i], yx[i], yy[i]).finished(); }
 };
 
-/// Results for the particles of a row, in their order.
+/// Results for the particles of a row, in index order.
 struct RowVectors {
   double x[ParticleRow::longest], y[ParticleRow::longest];
 
@@ -111,11 +111,11 @@ struct RowTensors {
   void set(std::size_t t, const Mat2& A) { xx[t] = A(0, 0), xy[t] = A(0, 1), yx[t] = A(1, 0), yy[t] = A(1, 1); }
 };
 
-/// Multiplies the first n of them by a number.
+/// Multiplies the first n tensors by a number.
 void scale(double by, std::size_t n, RowTensors& A);
 
-/// Sums that depend on the degradation of the neighbours alone: the same field times these is what a particle's own
-/// value adds to the sums below.
+/// Sums that depend only on the degradation of the neighbours. A particle's own value times these sums is its
+/// contribution to the sums below.
 struct DegradationMoments {
   Vec2 grad_W = Vec2::Zero(); ///< sum_j f_j grad_0 W_ij
   double w = 0.0;             ///< sum_j f_j w_ij, w_ij = W_0,ij/|X_ij|^2
@@ -126,7 +126,7 @@ struct DegradationMoments {
 /// sum_j a_j (x) grad_0 W_ij.
 void sum_gradient(const RowTerms& terms, const VectorPlanes& a, RowTensors& sum);
 
-/// Sums of w_ij (H_j X_ij/2 + u_j): what hourglass forces need, and (x) X_ij what their moment needs.
+/// Sums of w_ij (H_j X_ij/2 + u_j), for the hourglass forces, and of the same (x) X_ij, for their moment.
 void sum_hourglass(const RowTerms& terms, const VectorPlanes& u, const TensorPlanes& H, RowTensors& moment,
                    RowVectors& force);
 

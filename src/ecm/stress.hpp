@@ -12,7 +12,8 @@
 /// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test: tests/unit/ecm/stress_test.cpp
 namespace matrigrate {
 
-/// Deviation of a pair from the deformation around it, e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every linear field.
+/// Deviation of a pair from the local deformation (hourglass error), e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every
+/// linear field.
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
                      std::uint32_t k);
 
@@ -20,9 +21,9 @@ Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vecto
 /// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2. The forces below contain exactly its negative gradient.
 double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F);
 
-/// Workspace of the sums over neighbours: fields component by component, times f_degr.
+/// Workspace of the sums over neighbours; structures of arrays, times f_degr where stated.
 struct SolidFields {
-  std::vector<double> f{};       ///< degradation for which the fields hold; empty: for none [-]
+  std::vector<double> f{};       ///< degradation for which the fields are valid; empty: none [-]
   VectorPlanes fu{};             ///< displacement times f [um]
   TensorPlanes H{};              ///< deformation gradient less the identity, F - I [-]
   VectorPlanes hourglass{};      ///< sums of sum_hourglass() [1/um^3]
@@ -38,38 +39,38 @@ struct SolidFields {
   }
 };
 
-/// Fields of n particles that have not moved.
+/// Fields of n undeformed particles.
 SolidFields undeformed(std::size_t n);
 
-/// Brings f, fu, H and F_partial up to date with `ecm`: only around particles of which f or the displacement differs
-/// from what they hold. They have the same bits as if all were computed.
+/// Updates f, fu, H and F_partial to `ecm`, only around particles whose f or displacement has changed. The result has
+/// the same bits as a full recomputation.
 void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& solid);
 
 /// Adds the elastic forces to `force` [nN]. On particle i
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
-/// where P_i contains, beside J sigma F^-T, the stress that is conjugate to e_ij through F_i. Pair terms are
+/// where P_i contains J sigma F^-T and the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// @param solid  brought up to date here
+/// @param solid  updated here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);
 
-/// Limits that were enforced in an update; both should stay 0 in a healthy run.
+/// Particles at a density bound after an update; both should stay 0 in a healthy run.
 struct DensityBounds {
   std::size_t below = 0; ///< particles held at density_min
   std::size_t above = 0; ///< particles held at density_max
 };
 
-/// Advances density and deviatoric stress of the solid by a step of dt that has led to the positions of `ecm` (explicit
-/// Euler), with L = (F_new - F)/dt F^-1 over reference neighbours.
-/// @param solid  at the start of the step, for the degradation of `ecm`; f, fu, H and F_partial at its end are left
-/// there
+/// Advances density and deviatoric stress of the solid over the step of dt that ended at the positions of `ecm`
+/// (explicit Euler), with L = (F_new - F)/dt F^-1 over reference neighbours.
+/// @param solid  in: fields at the start of the step, for the degradation of `ecm`; out: f, fu, H and F_partial at its
+/// end
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt);
 
 /// Advances density and deviatoric stress of one particle by dt under the velocity gradient L [1/s], explicit Euler.
 void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt);
 
-/// Counts the particles whose density stands at a bound.
+/// Counts the particles whose density is at a bound.
 DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p);
 
 } // namespace matrigrate

@@ -7,8 +7,8 @@
 
 #include <span>
 
-/// The solid's stress over current neighbours, as in most of the SPH literature (Gray et al. 2001). Kept for
-/// comparison: under a pulling load it tears the gel apart numerically (`validate tearing`). Test:
+/// Stress of the solid over current neighbours (updated-Lagrangian SPH), as in most of the SPH literature (Gray et al.
+/// 2001). For comparison only: under a pulling load the gel tears numerically (`validate tearing`). Test:
 /// tests/unit/ecm/updated_lagrangian_test.cpp
 namespace matrigrate {
 

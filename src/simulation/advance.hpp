@@ -5,21 +5,21 @@
 
 #include <optional>
 
-/// One step in time. The order of its lines is a modelling decision: MODEL.md, "Order of a step".
+/// One time step. Its order of operations is a modelling decision: MODEL.md, "Order of a step".
 /// Test: tests/physics/advance_test.cpp, tests/physics/migration_test.cpp
 namespace matrigrate {
 
-/// Advances the state by dt, unless that would break a bound.
+/// Advances the state by dt, unless the step would break a bound.
 /// @param dt     at most run.time_step, the longest step of the run [s]
 /// @param loads  forces from outside the model
-/// @return the bound that the step would break: the state is then, bit by bit, that before the step
-/// @throws NumericalFailure if the drag system cannot be solved: the state is then that before the step, too; or if the
-///         cell has reached the rim: the state is then that after the step
+/// @return the bound that the step would break; the state is then unchanged, bit for bit
+/// @throws NumericalFailure if the drag system cannot be solved (the state is then unchanged), or if the cell has
+///         reached the rim (the state is then that after the step)
 [[nodiscard]] std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w,
                                                  const Loads& loads, const StepBounds& bounds);
 
-/// The same where the step must be taken: a particle may move by half a spacing.
-/// @throws NumericalFailure also if one would move further; the state is then that before the step
+/// The same without alternative: a particle may move by up to half a spacing.
+/// @throws NumericalFailure also if one would move further; the state is then unchanged
 void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads = {});
 
 } // namespace matrigrate

@@ -2,13 +2,13 @@
 
 #include "simulation/workspace.hpp"
 
-/// What happens to cell and matrix at the end of a step of dt [s], after they have moved. Test:
+/// Events at the end of a step of dt [s], after the motion of cell and matrix. Test:
 /// tests/physics/migration_test.cpp
 namespace matrigrate {
 
-/// Degradation around tips, protrusions and body, of the particles that were near at the start of the step; solid deep
-/// inside the cell becomes fluid (contact/degrade). Tips act from where they are in the middle of the step: at its end
-/// they would run ahead of their own degradation, the more the longer the step.
+/// Degradation around tips, protrusions and body, among the particles near the cell at the start of the step. Solid
+/// particles deep inside the cell become fluid (contact/degrade). Tips act from their positions in the middle of the
+/// step (MODEL.md, D15).
 void degrade_around_cell(State& s, const Parameters& p, double dt, Workspace& w);
 
 /// Deflection, transitions, polarization, initiation, and the ratchet of rest lengths (protrusion, cell/rest_length).

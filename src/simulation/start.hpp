@@ -5,7 +5,7 @@
 
 namespace matrigrate {
 
-/// The start of a migration: the disc of matrix with a hole of fluid, and the round cell in it, all at rest.
+/// Initial state of a migration, at rest: the disc of matrix with a hole of fluid, and the round cell in it.
 State initial_state(const Parameters& p);
 
 } // namespace matrigrate

@@ -4,11 +4,11 @@
 
 #include <span>
 
-/// What parameters must fulfil, besides rules(), for a run to start: a time step that is stable, and fibres that lie on
-/// bonds of the lattice. Test: tests/unit/simulation/start_rules_test.cpp
+/// Conditions on the parameters, besides rules(), for a run to start: a stable time step, and fibres that match bonds
+/// of the lattice. Test: tests/unit/simulation/start_rules_test.cpp
 namespace matrigrate {
 
-/// Each takes some 10 ms.
+/// Each check needs about 10 ms.
 std::span<const Rule> start_rules();
 
 } // namespace matrigrate

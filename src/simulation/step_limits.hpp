@@ -4,7 +4,8 @@
 
 #include <string>
 
-/// How large an explicit step may be, and what a longer one leaves open. Test:
+/// Stability limits of the time step (explicit Euler, the counterpart of a CFL condition), and bounds of the adaptive
+/// integrator. Test:
 /// tests/unit/simulation/step_limits_test.cpp, tests/physics/advance_test.cpp; measured by `validate step-limit`.
 namespace matrigrate {
 
@@ -14,7 +15,7 @@ struct StepLimits {
   double fluid_s;   ///< set by K of the compressed fluid against mu [s]
 
   double smallest() const { return elastic_s < fluid_s ? elastic_s : fluid_s; }
-  std::string binding() const; ///< which one is the smallest, in words
+  std::string binding() const; ///< which of them is the smaller, in words
 };
 
 /// Von Neumann analysis of the discrete operators on an intact lattice. A plane wave of wave vector k decays at the
@@ -26,48 +27,47 @@ struct StepLimits {
 /// d(k).
 StepLimits step_limits(const Parameters& p);
 
-/// The adaptive integrator lets the matrix resist a change of its velocities with theta times its own drag, so that the
-/// explicit forces bear longer steps: a mode of rate lambda then obeys
+/// The adaptive integrator adds a drag on changes of the matrix's velocities, theta times its own drag, so that longer
+/// steps are stable. A mode of rate lambda then obeys
 ///   (1 + theta) z^2 - (1 + 2 theta - dt lambda) z + theta = 0,
-/// which is stable for dt lambda < 2 + 4 theta. Of first order in dt, like the step itself; nothing changes at a
+/// which is stable for dt lambda < 2 + 4 theta. The term is of first order in dt, like the step itself, and vanishes at
 /// constant velocity (MODEL.md, D29).
-/// @return theta = max(0, dt/(2 dt_0) - 0.4) with 1/dt_0 = 1/elastic_s + 1/fluid_s, a tenth more than stability asks
-/// for;
-///         0 for the reference integrator
+/// @return theta = max(0, dt/(2 dt_0) - 0.4) with 1/dt_0 = 1/elastic_s + 1/fluid_s, 0.1 more than stability requires; 0
+///         for the reference integrator
 double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits);
 
-/// How far a step of the adaptive integrator may move a particle, about what the recoil of a released protrusion moves
-/// it in the paper's 0.4 s [particle spacings].
+/// Maximum displacement of a particle per step of the adaptive integrator, about that by the recoil of a released
+/// protrusion in the paper's 0.4 s [particle spacings].
 inline constexpr double usual_move = 0.2;
 
-/// Relative residual at which a step's system counts as solved: solver.tolerance, and a hundred times it where the
-/// adaptive integrator uses multigrid, whose error stays a hundred times below that of its steps (MODEL.md, D29) [-].
+/// Relative residual at which a step's system counts as solved [-]: solver.tolerance, or 100 solver.tolerance for the
+/// adaptive integrator with multigrid, whose error is then still a hundred times below that of the steps (MODEL.md,
+/// D29).
 double solver_tolerance(const Parameters& p);
 
-/// How far a particle may move before its drag is taken anew: ecm.drag_lag, with the adaptive integrator as many times
-/// as its step dt is longer than the paper's 0.4 s (MODEL.md, D30) [um].
+/// Displacement after which drag coefficients are recomputed [um]: ecm.drag_lag, with the adaptive integrator times
+/// dt / 0.4 s for steps longer than the paper's 0.4 s (MODEL.md, D30).
 double drag_lag(const Parameters& p, double dt);
 
-/// How often the adaptive integrator halves a step, at most.
+/// Maximum number of halvings of a step by the adaptive integrator.
 inline constexpr int max_halvings = 7;
 
-/// The shortest step that p.run.integrator takes [s].
+/// The shortest step of p.run.integrator [s].
 double shortest_step(const Parameters& p);
 
-/// The largest step that p.run.integrator takes; the adaptive one takes shorter ones than run.time_step where it has to
-/// [s].
+/// The largest permitted step of p.run.integrator [s].
 double largest_step(const Parameters& p, const StepLimits& limits);
 
-/// run.time_step, halved until it is stable, as the longest steps of a run are [s].
+/// The longest step of a run: run.time_step, halved until it is stable [s].
 double longest_step(const Parameters& p, const StepLimits& limits);
 
-/// A step of two digits that is no longer than this one [s].
+/// `step`, rounded down to two significant digits [s].
 double rounded_down(double step);
 
-/// Why run.time_step is too long, and a value that is not; empty if it is not too long, or if halves of it are not.
+/// Why run.time_step is too long, with a stable value; empty if it, or a halved step of the integrator, is stable.
 std::string fault_of_step(const Parameters& p, const StepLimits& limits);
 
-/// @throws NumericalFailure if run.time_step is too long, with a value that is not
+/// @throws NumericalFailure if run.time_step is too long, with a stable value
 void require_stable_step(const Parameters& p);
 
 /// The limits in one sentence.

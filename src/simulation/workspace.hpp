@@ -21,26 +21,26 @@
 
 namespace matrigrate {
 
-/// What went on in the last step, and counts since the start. Never read by the physics.
+/// Diagnostics of the last step, and counts since the start. Never read by the physics.
 struct StepHealth {
   SolveReport solve;
   std::size_t density_bounds = 0; ///< particles at a density bound after the last step
-  std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
+  std::size_t orphans = 0;        ///< particles fluidized because of lost support since the start
   std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
   std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
-  std::size_t list_builds = 0;    ///< times that neighbours were listed anew since the start, here or everywhere
+  std::size_t list_builds = 0;    ///< updates of the neighbour list since the start, local or global
 };
 
-/// The cell at x(t), as far as it is derived from State: its shape, its protrusions, and whom it meets.
+/// Quantities of the cell at x(t) derived from State: shape, protrusions, nearby particles.
 struct CellShape {
   Membership membership;
   std::vector<Vec2> normals;                ///< outward unit normals of the cortex particles
   std::optional<SegmentGrid> grid;          ///< segments within the support of the kernel
   std::vector<NearbyParticle> nearby;       ///< solid particles within the support of the kernel
-  std::vector<PointWeights> anchor_weights; ///< beside State::protrusions
+  std::vector<PointWeights> anchor_weights; ///< parallel to State::protrusions
 };
 
-/// Everything that can be thrown away: derived from State and Parameters, rebuilt at will.
+/// Everything that is derived from State and Parameters and can be rebuilt at any time.
 struct Workspace {
   /// For steps of at most run.time_step.
   Workspace(const State& s, const Parameters& p);
@@ -51,11 +51,11 @@ struct Workspace {
   DragCache drag_cache; ///< of the matrix
   CellShape cell;
   DragSystem drag;
-  std::vector<Vec2> force;         ///< all but drag, on all nodes, clamped ones included [nN]
-  Vec2 outer_force = Vec2::Zero(); ///< their part from outside: growth, and loads [nN]
+  std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
+  Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
   StepLimits limits;               ///< of the explicit step
-  double theta = 0.0;              ///< of this step, against changes of velocity; see step_limits.hpp [-]
+  double theta = 0.0;              ///< relaxation_theta() of this step [-]
   std::unique_ptr<DragSolver> solver;
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]

@@ -13,18 +13,18 @@
 
 namespace matrigrate {
 
-/// Smooth velocity fields of the matrix: bilinear on square grids, each twice as coarse as the one before. Their
-/// operators are the Galerkin products P^T A P of a reference system, made once, and P^T E P of the present links
-/// (LumpedLinks). Fields are smooth over where the nodes were in the reference: they move with the matrix. So a
-/// correction depends on the present system and on the reference alone, on no earlier step.
-/// Test: tests/unit/solve/multigrid_test.cpp
+/// Coarse levels of the geometric multigrid preconditioner: bilinear velocity fields of the matrix on square grids,
+/// each twice as coarse as the previous one. Their operators are the Galerkin products P^T A P of a reference system,
+/// computed once, and P^T E P of the current links (LumpedLinks). Grids live in the reference configuration, so their
+/// fields move with the matrix. A correction depends on the current system and the reference only, not on earlier
+/// steps. Test: tests/unit/solve/multigrid_test.cpp
 class CoarseLevels {
 public:
-  /// @param reference  a system at rest with its positions; its terms are ignored
+  /// @param reference  the undeformed system with its positions; its terms are ignored
   /// @param spacing    of the finest grid [um], > 0
   CoarseLevels(const DragSystem& reference, double spacing);
 
-  /// Takes the links of A; a system that has not the nodes of the reference is left without corrections.
+  /// Adopts the links of A. If A has other nodes than the reference, there are no coarse corrections.
   /// @param elimination  factorised for A
   void take_links(const DragSystem& A, const Elimination& elimination);
 
@@ -33,10 +33,10 @@ public:
 
 private:
   struct Level {
-    Interpolation P;                                     ///< to the level before, of the first one to the nodes
-    Grid at_links;                                       ///< its points around the linked nodes
-    RowBlocks pairs;                                     ///< of the reference, beside its diagonal
-    Field diagonal, inverse_diagonal, smoother, b, x, r; ///< the smoother knows the links
+    Interpolation P; ///< prolongation to the next finer level; of the first level: to the nodes
+    Grid at_links;   ///< this level's points around the linked nodes
+    RowBlocks pairs; ///< off-diagonal part of the reference operator
+    Field diagonal, inverse_diagonal, smoother, b, x, r; ///< the smoother includes the links
   };
   void cycle(std::size_t level);
   void residual(Level& level);

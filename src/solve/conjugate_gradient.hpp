@@ -7,12 +7,12 @@
 namespace matrigrate {
 
 /// Conjugate gradients with the 2x2 diagonal blocks as preconditioner (Hestenes and Stiefel 1952).
-/// Simple on purpose: the oracle that every faster solver is held against. Test:
+/// Simple on purpose: the reference solver that faster ones are tested against. Test:
 /// tests/unit/solve/conjugate_gradient_test.cpp
 class ConjugateGradient final : public DragSolver {
 public:
   /// @param tolerance       relative residual at which to stop [-], > 0
-  /// @param max_iterations  after which to give up
+  /// @param max_iterations  maximum number of iterations
   ConjugateGradient(double tolerance, int max_iterations) : m_tolerance(tolerance), m_max_iterations(max_iterations) {}
 
   SolveReport solve(const DragSystem& A, std::span<Vec2> v) override;

@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-/// The velocities that balance all forces. This folder knows neither cells nor gels.
+/// The linear system for the velocities that balance all forces. This folder has no physics of cells or gels.
 namespace matrigrate {
 
-/// A list of quadratic terms c_m |sum_k w_mk . v_k|^2 / 2 of the dissipation, each over a few nodes k: a coefficient
-/// c_m >= 0 [nN s/um] and weights w_mk, scalars (both components alike) or vectors (along a direction). Each adds the
-/// positive semidefinite matrix c_m w_m w_m^T.
+/// Quadratic terms c_m |sum_k w_mk . v_k|^2 / 2 of the dissipation, each over a few nodes k: a coefficient c_m >= 0
+/// [nN s/um] and weights w_mk, scalars (isotropic) or vectors (along a direction). Each term adds the positive
+/// semidefinite rank-one matrix c_m w_m w_m^T (scalar weights: one per component).
 template <class Weight>
 struct DragTerms {
-  std::vector<double> c;               ///< one a term [nN s/um]
+  std::vector<double> c;               ///< one per term [nN s/um]
   std::vector<std::uint32_t> first{0}; ///< term m has the entries first[m] .. first[m + 1] - 1
   std::vector<std::uint32_t> node;
   std::vector<Weight> weight; ///< [-]
@@ -50,19 +50,19 @@ struct DragTerms {
 /// The equation solved in every step (Heck et al. 2020, Eqs. 1-2, without inertia):
 ///   A v = F,   A = (D - G) (x) I_2 + sum over links and directed terms,
 /// with pairwise drag coefficients G_ij = G_ji >= 0 [nN s/um] between the first pairs.size() nodes (the matrix), and
-/// a diagonal D for all nodes: D_ii = sum_j G_ij + own drag. The nodes after them (those of the cell) are coupled by
-/// terms alone. A node whose velocity is prescribed has the row D_ii = 1, no coupling, no place in any term, and its
-/// velocity as F; its drag on others stands in their F and D_ii. A is symmetric, and positive definite as soon as each
+/// a diagonal D for all nodes: D_ii = sum_j G_ij + own drag. The following nodes (the cell) are coupled by terms only.
+/// A node with a prescribed velocity (Dirichlet condition) has D_ii = 1, its velocity as F, no coupling and no entry in
+/// any term; its drag on other nodes is included in their F and D_ii. A is symmetric. It is positive definite if every
 /// group of coupled nodes has a prescribed velocity or own drag.
 struct DragSystem {
   RowBlocks pairs;                      ///< G_ij of the matrix [nN s/um]; 0 where either node is prescribed
   std::vector<std::uint8_t> prescribed; ///< 1 for each node of the matrix whose velocity is prescribed
-  std::vector<double> diagonal;         ///< D_ii > 0, one a node; terms not included [nN s/um]
-  std::vector<std::uint8_t> touched; ///< 1 for each row of the matrix that more than the drag of its pairs was added to
-  DragTerms<double> links;           ///< terms that treat both components alike
-  DragTerms<Vec2> directed;          ///< terms along a direction
-  std::vector<Vec2> position;        ///< of the nodes of the matrix, for solvers that are made for this system [um]
-  std::vector<Vec2> F;               ///< right-hand side [nN]
+  std::vector<double> diagonal;         ///< D_ii > 0, one per node, without the terms [nN s/um]
+  std::vector<std::uint8_t> touched;    ///< 1 for each row of the matrix with more than the drag of its pairs
+  DragTerms<double> links;              ///< isotropic terms (the same for both components)
+  DragTerms<Vec2> directed;             ///< terms along a direction
+  std::vector<Vec2> position;           ///< of the nodes of the matrix; needed to construct a multigrid solver [um]
+  std::vector<Vec2> F;                  ///< right-hand side [nN]
 
   std::size_t size() const { return diagonal.size(); }
 };
@@ -70,7 +70,7 @@ struct DragSystem {
 /// y = A x.
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
 
-/// Velocities or forces of all nodes: those of the matrix as a field, those of the cell as they are.
+/// Velocities or forces of all nodes: a field for the matrix, plain vectors for the cell.
 struct NodeVectors {
   DoubleField matrix;
   std::vector<Vec2> cell_dofs;
@@ -82,14 +82,14 @@ struct NodeVectors {
   void add(std::size_t k, const Vec2& a);
 };
 
-/// The same numbers.   @param matrix  how many nodes come first
+/// Converts between a plain array and NodeVectors.   @param matrix  number of nodes of the matrix
 void split(std::span<const Vec2> a, std::size_t matrix, NodeVectors& b);
 void join(const NodeVectors& a, std::span<Vec2> b);
 
 /// r = F - A x for any F.
 void residual(const DragSystem& A, const NodeVectors& F, const NodeVectors& x, NodeVectors& r);
 
-/// Workspace of the next one.
+/// Workspace of the next function.
 struct ResidualFields {
   NodeVectors b, x, r;
 };
@@ -99,14 +99,14 @@ void residual(const DragSystem& A, std::span<const Vec2> F, std::span<const Vec2
 /// The 2x2 blocks on the diagonal of A, terms included [nN s/um].
 void diagonal_blocks(const DragSystem& A, std::vector<Mat2>& blocks);
 
-/// How a solve went.
+/// Outcome of a solve.
 struct SolveReport {
   int iterations = 0;
   double residual = 0.0; ///< |F - A v| / |F|, 2-norm over both components [-]
   bool converged = false;
 };
 
-/// Anything that solves the drag system.
+/// Interface of all solvers of the drag system.
 class DragSolver {
 public:
   virtual ~DragSolver() = default;

@@ -12,30 +12,30 @@
 
 namespace matrigrate {
 
-/// Schur complement on the matrix: the degrees of freedom of the cell are eliminated exactly. With m the matrix and c
-/// the cell,
+/// Schur complement on the matrix: the degrees of freedom of the cell are eliminated exactly. With m for the matrix and
+/// c for the cell,
 ///   S = A_mm - A_mc A_cc^-1 A_cm,   S v_m = F_m - A_mc A_cc^-1 F_c,   v_c = A_cc^-1 (F_c - A_cm v_m).
-/// S differs from the pair drag of the matrix at few nodes, and by no more than the diagonal of the terms there:
-/// however stiff the cell is, a solver of S does not notice. Terms over very many nodes count as updates of rank one of
-/// A_cc (Sherman and Morrison 1950). Test: tests/unit/solve/elimination_test.cpp
+/// S differs from the pair drag of the matrix at few nodes only, by at most the diagonal of the terms there. So the
+/// stiffness of the cell does not degrade the conditioning of S. Terms over very many nodes are treated as rank-one
+/// updates of A_cc (Sherman and Morrison 1950). Test: tests/unit/solve/elimination_test.cpp
 class Elimination {
 public:
   /// Sorts the terms of A and factorises A_cc.
   void factorise(const DragSystem& A);
 
-  /// D and the links' share of the diagonal of A_mm [nN s/um].
+  /// The part of the diagonal of A_mm that comes from D and the links [nN s/um].
   std::span<const double> diagonal() const { return m_diagonal; }
 
-  /// For each row of A_mm a bound from above of diagonal() and what all other terms can add [nN s/um].
+  /// Upper bound, per row of A_mm, of diagonal() plus the contribution of all other terms [nN s/um].
   std::span<const double> bound() const { return m_bound; }
 
-  /// The links for smooth fields.   @param X  where these see the nodes of the matrix [um]
+  /// The links as seen by smooth fields, for the coarse grids.   @param X  reference positions of the nodes [um]
   void lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks& links) const;
 
   /// y += factor (S - diagonal() + G) x.
   void add_product(float factor, const Field& x, Field& y);
 
-  /// From a right-hand side r of A that of S, in part m: r_m := r_m - A_mc A_cc^-1 r_c.
+  /// Reduces a right-hand side r of A to that of S, in its matrix part: r_m := r_m - A_mc A_cc^-1 r_c.
   void reduce(NodeVectors& r);
 
   /// v_c := A_cc^-1 (r_c - A_cm v_m).   @param v_c  of the nodes of the cell
@@ -47,12 +47,12 @@ private:
     std::uint32_t column;
     Mat2 value;
   };
-  /// All links of a matrix node: it meets node k of the cell with the drag -(A_mc)_k.
+  /// All links of a matrix node: its coupling with node k of the cell is the drag -(A_mc)_k.
   struct Linked {
     std::uint32_t node;
     std::vector<std::pair<std::uint32_t, double>> drag;
   };
-  /// A term c w w^T of A_cc kept apart: w, A_cc^-1 w without it, and c / (1 + c w . A_cc^-1 w).
+  /// A rank-one update c w w^T of A_cc: w, A_cc^-1 w without the update, and c / (1 + c w . A_cc^-1 w).
   struct Update {
     Eigen::VectorXd w, solved;
     double factor;
@@ -79,8 +79,8 @@ private:
   std::vector<double> m_sums;            // of m_mixed, over its matrix nodes
   std::vector<Update> m_updates;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper> m_factor;
-  Eigen::SparseMatrix<double> m_pattern; // of A_cc for which m_factor is ordered
-  Eigen::VectorXd m_t;                   // nodes of the cell, x and y in turn
+  Eigen::SparseMatrix<double> m_pattern; // sparsity pattern of A_cc for which m_factor was analysed
+  Eigen::VectorXd m_t;                   // nodes of the cell, x and y interleaved
 };
 
 } // namespace matrigrate

@@ -10,8 +10,8 @@
 
 namespace matrigrate {
 
-/// Velocities or forces, all x components before all y components, each framed by zeros: a row of `lanes` numbers may
-/// be read from anywhere, and loops over whole fields need no special cases.
+/// Velocities or forces as a structure of arrays: all x components before all y components, both padded with zeros. So
+/// `lanes` numbers may be read from any position, and loops over whole fields need no special cases.
 template <class Number>
 class FieldOf {
 public:
@@ -29,7 +29,7 @@ public:
   const Number* x() const { return m_values.data() + lanes; }
   const Number* y() const { return m_values.data() + m_stride + lanes; }
 
-  /// All values, frames included; fields of one size match value by value.
+  /// All values, including the padding; fields of equal size correspond value by value.
   std::vector<Number>& values() { return m_values; }
   const std::vector<Number>& values() const { return m_values; }
   void set_zero() { std::fill(m_values.begin(), m_values.end(), Number(0)); }

@@ -12,11 +12,11 @@
 
 namespace matrigrate {
 
-/// A square grid of points, and bilinear interpolation from it to nodes wherever they are: the matrix P. Points can be
-/// left out; they count as zero. Test: tests/unit/solve/multigrid_test.cpp
+/// A square grid of points with bilinear interpolation to nodes at arbitrary positions: the prolongation matrix P.
+/// Points can be removed; a removed point has the value zero. Test: tests/unit/solve/multigrid_test.cpp
 class Grid {
 public:
-  /// The four points around a node and their weights; 0 for those left out.
+  /// The four points around a node and their weights; 0 for removed points.
   struct Around {
     std::array<std::uint32_t, 4> point{};
     std::array<float, 4> weight{};
@@ -30,19 +30,19 @@ public:
   /// A grid of twice the spacing over the same area.
   Grid coarser() const;
 
-  /// The same points, not located at any nodes.
+  /// The same points, without interpolation to nodes.
   Grid without_nodes() const;
 
   std::size_t size() const { return m_points; }
   double spacing() const { return m_spacing; }
 
-  /// Positions of the points that count [um].
+  /// Positions of the points that were not removed [um].
   std::vector<Vec2> points() const;
 
-  /// Leaves out the points for which keep is 0 and numbers the others anew, in their order.
+  /// Removes the points with keep = 0 and renumbers the others in order.
   void leave_out(std::span<const std::uint8_t> keep);
 
-  /// Interpolation to nodes at x, except those with free = 0: their rows of P are zero.
+  /// Sets the interpolation to nodes at x. Nodes with free = 0 have a zero row in P.
   void locate(std::span<const Vec2> x, std::span<const std::uint8_t> free);
 
   const Around& around(std::size_t node) const { return m_around[node]; }
@@ -63,7 +63,7 @@ private:
   double m_spacing = 0.0;
   Vec2 m_low = Vec2::Zero();
   std::size_t m_columns = 0, m_rows = 0, m_points = 0;
-  std::vector<std::int32_t> m_number; // of a point; -1 where it is left out
+  std::vector<std::int32_t> m_number; // of a point; -1 if it was removed
   std::vector<Around> m_around;       // of the nodes
 };
 

@@ -12,8 +12,8 @@
 
 namespace matrigrate {
 
-/// What the links do to smooth fields of the matrix if each node a of the cell moves with the mean of its partners,
-/// held back by its own drag alone:
+/// Coarse-grid approximation of the links: each node a of the cell moves with the mean of its linked matrix nodes and
+/// is resisted only by its own drag. Its effect on smooth fields of the matrix is
 ///   E = diag(g_k) - sum over a of g_a g_a^T / T_a,   g_k = sum_a g_ka,   T_a = own drag + sum_k g_ka.
 /// E is positive semidefinite. On a grid it is P^T E P.
 /// Test: tests/unit/solve/lumped_links_test.cpp
@@ -25,7 +25,7 @@ public:
   /// The links of a node of the matrix at x: nodes of the cell and drags; only drags above 0 count.
   void add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags);
 
-  /// To be called after the last add().
+  /// Call after the last add().
   void close();
 
   std::size_t size() const { return m_x.size(); }
@@ -43,8 +43,8 @@ private:
   std::vector<float> m_g;
   std::vector<std::uint32_t> m_first, m_cell_dofs;
   std::vector<float> m_drag;
-  std::vector<float> m_T;   // then 1 / T
-  std::vector<float> m_sum; // of the nodes of the cell, x and y in turn
+  std::vector<float> m_T;   // after close(): 1 / T
+  std::vector<float> m_sum; // of the nodes of the cell, x and y interleaved
 };
 
 } // namespace matrigrate

@@ -9,18 +9,18 @@
 
 namespace matrigrate {
 
-/// Conjugate gradients preconditioned by one V-cycle of geometric multigrid (Brandt 1977), for the matrix alone: the
-/// nodes of the cell are eliminated. Corrections are computed in single precision, residuals in double. Where a
-/// correction in single precision reduces the residual by at most 1e4, the residual of its recurrence is used instead
-/// of one recomputed in double precision (they agree within 2 %). Keeps nothing from one solve to the next: a solve
-/// depends on the reference, A and the first guess alone, and has the same bits for any number of threads. Test:
+/// Conjugate gradients, preconditioned by one V-cycle of geometric multigrid (Brandt 1977), on the matrix alone: the
+/// degrees of freedom of the cell are eliminated (Schur complement). Mixed precision: corrections in single, residuals
+/// in double. If a single-precision correction reduces the residual by at most 1e4, the residual of the CG recurrence
+/// is used instead of one recomputed in double precision (they agree within 2 %). A solve depends on the reference, A
+/// and the first guess only, not on earlier solves, and has the same bits for any number of threads. Test:
 /// tests/unit/solve/multigrid_test.cpp
 class Multigrid final : public DragSolver {
 public:
-  /// @param reference       the system at rest with its positions; its terms are ignored
+  /// @param reference       the undeformed system with its positions; its terms are ignored
   /// @param spacing         of the particles [um], > 0
   /// @param tolerance       relative residual at which to stop [-], > 0
-  /// @param max_iterations  after which to give up
+  /// @param max_iterations  maximum number of iterations
   Multigrid(const DragSystem& reference, double spacing, double tolerance, int max_iterations)
       : m_tolerance(tolerance), m_max_iterations(max_iterations), m_coarse(reference, 2.0 * spacing) {}
 
@@ -42,7 +42,7 @@ private:
   NodeVectors m_F, m_v, m_residual;
   std::vector<Vec2> m_cell_dofs; ///< correction of the nodes of the cell
   Field m_diagonal, m_smoother, m_x, m_r, m_z, m_p,
-      m_q; // of the correction: solution, residual, the same preconditioned, direction
+      m_q; // of the correction: solution, residual, preconditioned residual, search direction, matrix times direction
 };
 
 } // namespace matrigrate

@@ -11,23 +11,24 @@
 
 namespace matrigrate {
 
-/// Who may meet whom, in blocks of eight rows: a block lists the distances (partner minus row) that occur in it.
-/// Neighbours on a lattice share their distances.
+/// Sparsity pattern in blocks of eight rows: a block lists the index distances (column minus row) that occur in it.
+/// On a lattice, adjacent rows share their distances (stencil).
 class RowPattern {
 public:
   RowPattern() = default;
 
-  /// @param prescribed  1 for nodes whose velocity is prescribed, 0 for the others; empty: none. Their rows need no
-  /// partners.
+  /// @param prescribed  1 for nodes with a prescribed velocity, 0 for the others; empty: none. Their rows need no
+  /// entries.
   explicit RowPattern(const Adjacency& pairs, std::span<const std::uint8_t> prescribed = {});
 
-  /// After rows of the list have changed; a pattern of another size is made anew.   @param changed  1 for each that has
+  /// Updates the rows of the list that have changed; rebuilds a pattern of another size.   @param changed  1 per such
+  /// row
   void update(const Adjacency& pairs, std::span<const std::uint8_t> prescribed, std::span<const std::uint8_t> changed);
 
   std::size_t size() const { return m_size; } ///< rows
   std::size_t blocks() const { return m_blocks.size(); }
   std::span<const std::int32_t> distances(std::size_t block) const { return m_blocks[block]; }
-  /// Whether a row of the block, or a partner, is prescribed.
+  /// Whether a row or a column of the block has a prescribed velocity.
   bool meets_prescribed(std::size_t block) const { return m_meets_prescribed[block] != 0; }
 
 private:
@@ -36,57 +37,57 @@ private:
   std::vector<std::uint8_t> m_meets_prescribed;
 };
 
-/// A symmetric sparse matrix G without diagonal, in single precision, in blocks of eight rows: products run over
-/// contiguous numbers. Distances at which a block has no coefficient but zeros are left out, so sums have the same bits
-/// however far the pattern reaches. Test: tests/unit/solve/row_blocks_test.cpp
+/// A symmetric sparse matrix G without diagonal, in single precision, in blocks of eight rows: products use contiguous
+/// SIMD loads. A block omits distances at which all its coefficients are zero, so sums have the same bits for any
+/// larger pattern. Test: tests/unit/solve/row_blocks_test.cpp
 class RowBlocks {
 public:
   static constexpr std::size_t lanes = Field::lanes;
 
   std::size_t size() const { return m_size; } ///< rows
 
-  /// Fills the matrix: fill(block, distances, values) sets the coefficients of the block's eight rows, distance after
-  /// distance, zero where a row has no such partner. It leaves out distances without any other, moves the ones that
-  /// remain to the front, and returns their number.
+  /// Fills the matrix. fill(block, distances, values) sets the coefficients of the block's eight rows, distance by
+  /// distance, with zeros for missing entries. It removes distances with zeros only, moves the remaining ones to the
+  /// front, and returns their number.
   template <class Fill>
   void assign(const RowPattern& pattern, const Fill& fill);
 
-  /// Makes room for a pattern of which rows have changed since assign(), and marks the blocks that have to be filled
-  /// anew with 1.   @param changed  1 for each row that has
+  /// Adapts the storage to a pattern with rows that have changed since assign(), and marks the blocks to refill with 1.
+  /// @param changed  1 for each changed row
   void fit(const RowPattern& pattern, std::span<const std::uint8_t> changed, std::span<std::uint8_t> marks);
 
-  /// Fills the blocks anew that are marked with 1.   @param pattern  that of assign(), or of fit() since
+  /// Refills the blocks that are marked with 1.   @param pattern  that of assign(), or of the last fit()
   template <class Fill>
   void refill(const RowPattern& pattern, std::span<const std::uint8_t> marks, const Fill& fill);
 
-  /// From G beside pairs.index.
+  /// Fills the matrix from coefficients G in the order of pairs.index.
   void assign(const Adjacency& pairs, std::span<const double> G);
 
-  /// The coefficient of row i and partner j, or null where there is none or it is zero.
+  /// The coefficient of row i and column j; null if it is missing or zero.
   float* find(std::size_t i, std::size_t j);
 
-  /// Calls visit(j, G_ij) for all coefficients of row i but zeros.
+  /// Calls visit(j, G_ij) for all nonzero coefficients of row i.
   template <class Visit>
   void each_of_row(std::size_t i, const Visit& visit) const;
 
-  /// y = D x - G x.   @param D  in its x components, framed as x
+  /// y = D x - G x.   @param D  in its x components, padded as x
   void multiply(const Field& D, const Field& x, Field& y) const;
 
   /// y = b - (D x - G x).
   void residual(const Field& D, const Field& b, const Field& x, Field& y) const;
 
-  /// The same in double precision, where D is one a row.
+  /// The same in double precision, with one D per row.
   void residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y) const;
 
 private:
   static constexpr std::size_t blocks_per_part = 64;
 
-  /// Some consecutive blocks, built and multiplied by one thread.
+  /// Consecutive blocks, built and multiplied by one thread.
   struct Part {
-    std::vector<std::uint32_t> first, count; // entries of block b: count[b] of them from first[b] on, of a room
-                                             // that ends at first[b + 1]
+    std::vector<std::uint32_t> first, count; // entries of block b: count[b], starting at first[b]; its
+                                             // capacity ends at first[b + 1]
     std::vector<std::int32_t> distance;
-    std::vector<float> coefficient; // eight an entry
+    std::vector<float> coefficient; // eight per entry
   };
   template <class Body>
   void each_part(const Body& body) const;

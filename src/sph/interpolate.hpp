@@ -10,8 +10,8 @@
 
 namespace matrigrate {
 
-/// How a point of the solid continuum is shared among particles: by the kernel, times f_degr, normalised to sum 1.
-/// A force at the point is spread with these weights, and the point moves with the weighted mean velocity.
+/// Interpolation weights of a point of the solid: kernel times f_degr, normalised to sum 1. A force at the point is
+/// distributed to the particles with these weights, and the point moves with the weighted mean velocity.
 /// Test: tests/unit/sph/interpolate_test.cpp
 struct PointWeights {
   std::vector<std::uint32_t> index;
@@ -22,7 +22,7 @@ struct PointWeights {
 /// @param point  [um]
 PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point);
 
-/// Adds `force` [nN] at the point to the forces of the particles that carry it.
+/// Distributes `force` [nN] at the point to the particles, adding to F.
 void spread(const PointWeights& w, const Vec2& force, std::span<Vec2> F);
 
 /// Weighted mean of a field of the particles: velocity or displacement of the point.

@@ -6,8 +6,8 @@
 
 namespace matrigrate {
 
-/// W_slope(r)/W_slope(0) of the kernel below, (1 - q/2)^3 and 0 beyond its support, for any type of number and without
-/// a branch: loops over many distances become loops over packs. Test: tests/unit/sph/kernel_test.cpp
+/// W_slope(r)/W_slope(0) of the kernel below: (1 - q/2)^3, and 0 beyond its support. For any number type and without a
+/// branch, so that loops over distances can be vectorised. Test: tests/unit/sph/kernel_test.cpp
 /// @param r  distance [um]   @param per_support  1/(2h) [1/um]
 template <class Real>
 [[gnu::always_inline]] inline Real slope_shape(const Real& r, const Real& per_support) {

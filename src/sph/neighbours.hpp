@@ -7,21 +7,20 @@
 #include <span>
 #include <vector>
 
-/// Who meets whom. Test: tests/unit/sph/neighbours_test.cpp
+/// Neighbour lists of moving particles. Test: tests/unit/sph/neighbours_test.cpp
 namespace matrigrate {
 
-/// All pairs no further apart than `reach`, found through a grid of cells. Rows are sorted, so the list depends on the
-/// positions alone.
+/// All pairs within the distance `reach`, by a cell list. Rows are sorted, so the result depends on the positions
+/// only.
 /// @param x         positions [um]; finite
 /// @param reach     [um], > 0
 /// @param period_x  period along x [um]; 0: not periodic
 /// @throws std::invalid_argument if a period holds fewer than three cells of size `reach`, or a position is not finite
 Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period_x);
 
-/// A list that stays valid while particles move: it reaches `skin` further than asked for and is mended once two
-/// particles could have come closer than that unseen (Verlet 1967), where particles have moved if these are few. Pairs
-/// in the skin carry zero kernel weights, and rows are sorted, so sums over the list have the same bits whenever it was
-/// last mended.
+/// Verlet list (Verlet 1967): it reaches `skin` further than required, and is updated when two particles could have
+/// approached by more than the skin since. If few particles have moved, only their rows are updated. Pairs in the skin
+/// have zero kernel weight and rows are sorted, so sums over the list have the same bits whenever it was last updated.
 class VerletList {
 public:
   /// @param reach  pairs up to this distance are always listed [um]
@@ -29,7 +28,7 @@ public:
   VerletList(double reach, double skin) : m_reach(reach), m_skin(skin) {}
 
   /// Makes the list valid for the positions x.
-  /// @return 1 for each row that was made anew, 0 for the others; empty if none was
+  /// @return 1 for each row that was rebuilt, 0 for the others; empty if none was
   std::span<const std::uint8_t> update(std::span<const Vec2> x, double period_x);
 
   const Adjacency& pairs() const { return m_pairs; }
@@ -48,8 +47,8 @@ private:
 
   double m_reach;
   double m_skin;
-  std::vector<Vec2> m_x_listed; // where each particle was when its row was last made
-  Adjacency m_pairs;            // those of neighbours_within(m_x_listed, m_reach + m_skin), with room
+  std::vector<Vec2> m_x_listed; // position of each particle when its row was last built
+  Adjacency m_pairs;            // those of neighbours_within(m_x_listed, m_reach + m_skin), with spare capacity
   std::vector<std::uint8_t> m_changed;
   std::size_t m_updates = 0;
 };

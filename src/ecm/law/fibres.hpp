@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-/// Laws of one strain-stiffening fibre, Heck et al. 2020, Eqs. (3) and (5) (MODEL.md, D23-D26). Numbers are scalars:
-/// few fibres are taut, and the exponential has no packs. Test: tests/unit/ecm/fibres_test.cpp
+/// Laws of one strain-stiffening fibre, Heck et al. 2020, Eqs. (3) and (5) (MODEL.md, D23-D26). For scalars only: few
+/// fibres are taut, and there is no SIMD exponential. Test: tests/unit/ecm/fibres_test.cpp
 namespace matrigrate {
 
-/// Stiffness k_0 of a fibre in the plane: that of the parameters, times 8/15 where they are of fibres in space, the
-/// mean cos^4 of directions in space over that in the plane [kPa].
+/// Stiffness k_0 of a fibre in the plane: the parameter, times 8/15 if it is meant for fibres in space. 8/15 is the
+/// mean of cos^4 over directions in space divided by that in the plane [kPa].
 inline double k_0(const FibreParameters& p) { return p.plane_to_space ? 8.0 / 15.0 * p.stiffness : p.stiffness; }
 
 /// Growth of the stiffness beyond the onset: exp((strain - eps_s)/d_s) [-].

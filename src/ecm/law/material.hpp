@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-/// Laws of the intact matrix at a point: isotropic elasticity in rate form, plane strain. Pure functions, each written
-/// once, for any type of number: loops over particles, which the compiler turns into loops over packs, call the same
-/// functions as code for a single particle, and get the same bits.
-/// Test: tests/unit/ecm/law/material_test.cpp, tests/unit/ecm/stress_test.cpp
+/// Laws of the intact matrix at a point: isotropic elasticity in rate form, plane strain. Pure functions, templates
+/// over the number type: vectorised loops over particles and code for a single particle call the same functions and get
+/// the same bits. Test: tests/unit/ecm/law/material_test.cpp, tests/unit/ecm/stress_test.cpp
 namespace matrigrate {
 
 /// Moduli that follow from E and nu [kPa].
@@ -43,7 +42,7 @@ template <class Real>
 inline double density_rate(double rho, const Mat2& L) { return density_rate(rho, components(L)); }
 
 /// Rate of the deviatoric stress, Jaumann rate of Hooke's law: 2 G (D - tr D/3 I) + W S - S W, with D and W the
-/// symmetric and skew parts of L. A rotation turns the stress and makes none.
+/// symmetric and skew parts of L. Objective: a rigid rotation turns the stress and creates none.
 /// @param S  deviatoric stress, in-plane part [kPa]   @param L  velocity gradient [1/s]   @return [kPa/s]
 template <class Real>
 [[gnu::always_inline]] inline TensorOf<Real> jaumann_rate(const TensorOf<Real>& S, const TensorOf<Real>& L, double G) {
@@ -63,8 +62,8 @@ struct SolidStateOf {
   TensorOf<Real> S;
 };
 
-/// Both after a step of dt [s] under the velocity gradient L [1/s], explicit Euler; the density stays within its
-/// bounds.
+/// Density and stress after a step of dt [s] under the velocity gradient L [1/s], explicit Euler; the density is
+/// limited to its bounds.
 template <class Real>
 [[gnu::always_inline]] inline SolidStateOf<Real> advanced(const SolidStateOf<Real>& old, const TensorOf<Real>& L,
                                                           double G, double dt, double density_min, double density_max) {

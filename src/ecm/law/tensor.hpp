@@ -4,7 +4,7 @@
 
 namespace matrigrate {
 
-/// A tensor of the plane by its components. Laws are written over these, for any type of number.
+/// Components of a tensor of the plane, for any number type; the argument type of the laws.
 template <class Real>
 struct TensorOf {
   Real xx, xy, yx, yy;
