@@ -15,9 +15,10 @@ done
 "$program" resume baseline --at "3 h" --set ecm.youngs_modulus="400 Pa" -o branch --quiet >/dev/null
 {
   echo '<!doctype html><style>body{margin:0;display:flex;background:#fff;font:17px/1.3 sans-serif;color:#1f2328}'
-  echo 'figure{margin:4px;width:312px}img{width:312px;height:312px;object-fit:cover}figcaption{text-align:center}</style>'
+  echo 'figure{margin:4px;width:312px}div{width:312px;height:300px;overflow:hidden;position:relative}'
+  echo 'img{position:absolute;width:480px;left:-84px;top:-107px}figcaption{text-align:center}</style>'
   while IFS='|' read -r run caption; do
-    echo "<figure><img src=\"$run/snapshots/t_21600s.svg\"><figcaption>$caption</figcaption></figure>"
+    echo "<figure><div><img src=\"$run/snapshots/t_21600s.svg\"></div><figcaption>$caption</figcaption></figure>"
   done <<END
 soft|soft matrix, 50 Pa
 stiff|stiff matrix, 400 Pa
