@@ -55,7 +55,7 @@ std::string setting_text(const ReproduceOptions& options) {
 }
 
 /// Verdicts on the claims and on the parts of the model, in the order V, A to E, F.
-std::vector<ReproducedRow> judged_rows(const std::vector<const study::Claim*>& claims, const Gathered& all,
+std::vector<ReproducedRow> judged_rows(const std::vector<const study::Claim*>& claims, const ClaimEvidence& all,
                                        std::vector<ReproducedRow> rows, const ReproduceOptions& options) {
   for (const study::Claim* claim : claims) {
     rows.push_back(study::judged(*claim, all.evidence));
@@ -84,13 +84,13 @@ int reproduce(const ReproduceOptions& options) {
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json && !options.markdown) print_error(setting + "\n");
   std::vector<ReproducedRow> rows;
-  Gathered all;
+  ClaimEvidence all;
   try {
     for (const PartRow& row : part_rows())
       if (!row.verification.empty() && chosen_by(row.id, options.id)) rows.push_back(judged_by_case(row, options));
     auto needed = claims;
     if (chosen_by("F1", options.id) && options.from.empty()) needed.push_back(chosen_claims("A1").front()); // its runs
-    all = gathered(needed, options);
+    all = gather_evidence(needed, options);
   } catch (const Stopped& stopped) {
     print("stopped; the same command goes on\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
@@ -105,8 +105,7 @@ int reproduce(const ReproduceOptions& options) {
     if (options.json)
       print(reproduction_json(rows, all.evidence, setting, as_published(options)));
     else
-      print(reproduction_text(rows, all.evidence) + ends_text(all.evidence) + "\n"
-            + reproduction_table(rows, all.evidence) + setting + "\n"
+      print(reproduction_text(rows, all.evidence) + reproduction_table(rows, all.evidence) + setting + "\n"
             + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   }
   const auto holds = [](const ReproducedRow& row) { return row.finding.verdict == study::Verdict::holds; };
@@ -143,10 +142,13 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       ->check(CLI::IsMember({"adaptive", "reference"}));
   verb->add_option("--set", options->overrides, "key=value, over all studies; may be repeated")
       ->allow_extra_args(false);
-  verb->add_option("--from", options->from,
-                   "Folder with kept tables (<study>-results.csv) to judge by; nothing is run");
-  verb->add_flag("--markdown", options->markdown, "Print the table of verdicts as Markdown; write no page");
-  verb->add_flag("--json", options->json, "Print the table as JSON");
+  CLI::Option* from = verb->add_option("--from", options->from,
+                                       "Folder with kept tables (<study>-results.csv) to judge by; nothing is run");
+  for (const char* of_runs : {"--replicates", "--jobs", "--integrator", "--set"})
+    from->excludes(verb->get_option(of_runs));
+  CLI::Option* markdown =
+      verb->add_flag("--markdown", options->markdown, "Print the table of verdicts as Markdown; write no page");
+  verb->add_flag("--json", options->json, "Print the table as JSON")->excludes(markdown);
   verb->add_flag("--quiet", options->quiet, "Show no progress");
   verb->callback([options, &chosen] { chosen = [options] { return reproduce(*options); }; });
 }

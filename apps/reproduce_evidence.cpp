@@ -69,14 +69,22 @@ std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::v
   return all;
 }
 
-/// The kept results of a study; the study without runs if there are none.
+/// Adds the kept results of a study, if there are any. They must be of the very runs of the shipped study: the name of
+/// a run is a fingerprint of all parameters that decide on its results.
 void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceOptions& options) {
   constexpr std::size_t largest_table = std::size_t{1} << 28U;
   const std::filesystem::path file = std::filesystem::path(options.from) / fmt::format("{}-results.csv", name);
   if (!std::filesystem::exists(file)) return;
-  study::Study study = shipped(name, options);
-  auto results = study::read_results(study, read_file(file, largest_table), file.string());
-  evidence.emplace(name, study::Ensemble{std::move(study), std::move(results)});
+  StudyFolder study = planned(shipped(name, options), {});
+  auto results = study::read_results(study.study, read_file(file, largest_table), file.string());
+  for (const study::Result& r : results)
+    if (std::ranges::none_of(study.runs, [&](const study::Run& run) {
+          return run.hash == r.run.hash && run.seed == r.run.seed && run.point == r.run.point
+                 && run.replicate == r.run.replicate;
+        }))
+      throw InputOutputError(
+          fmt::format("{}: run {} is not one of the study: its parameters were others", file.string(), r.run.hash));
+  evidence.emplace(name, study::Ensemble{std::move(study.study), std::move(results)});
 }
 
 } // namespace
@@ -89,12 +97,12 @@ study::Study shipped(std::string_view name, const ReproduceOptions& options) {
   return study::parse_study(found->text, fmt::format("studies/{}.toml", name), ".", changes);
 }
 
-Gathered gathered(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options) {
+ClaimEvidence gather_evidence(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options) {
   std::vector<std::string_view> names;
   for (const study::Claim* claim : claims)
     for (const std::string_view name : claim->studies)
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  Gathered all;
+  ClaimEvidence all;
   std::vector<std::pair<StudyFolder, Collected>> collected;
   for (const std::string_view name : names) {
     if (!options.from.empty()) {
@@ -115,18 +123,14 @@ Gathered gathered(const std::vector<const study::Claim*>& claims, const Reproduc
   return all;
 }
 
-std::string ends_text(const study::Evidence& evidence) {
-  std::string text;
-  for (const auto& [name, ensemble] : evidence) {
-    const auto count = [&](const auto& condition) { return std::ranges::count_if(ensemble.results, condition); };
-    const auto finished = count([](const study::Result& r) { return r.standing.done(); });
-    const auto rim = count(ended_at_rim);
-    const auto crossing = count(crossed_itself);
-    const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
-    text += fmt::format("{}: {} of {} runs done; {} ended at the rim, {} by crossing themselves, {} otherwise\n", name,
-                        finished, all, rim, crossing, all - finished - rim - crossing);
-  }
-  return text;
+std::string ends_text(const study::Ensemble& ensemble) {
+  const auto count = [&](const auto& condition) { return std::ranges::count_if(ensemble.results, condition); };
+  const auto finished = count([](const study::Result& r) { return r.standing.done(); });
+  const auto rim = count(ended_at_rim);
+  const auto crossing = count(crossed_itself);
+  const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
+  return fmt::format("{} of {} runs done; {} ended at the rim, {} by crossing themselves, {} otherwise", finished, all,
+                     rim, crossing, all - finished - rim - crossing);
 }
 
 } // namespace matrigrate::apps

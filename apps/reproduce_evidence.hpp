@@ -12,7 +12,7 @@ namespace matrigrate::apps {
 
 /// The evidence, and a second one in which runs that ended at the rim are replaced by the same ones (point, seed) in a
 /// disc of larger_disc times the radius; that has only studies with such runs.
-struct Gathered {
+struct ClaimEvidence {
   study::Evidence evidence;
   study::Evidence larger;
 };
@@ -26,10 +26,10 @@ study::Study shipped(std::string_view name, const ReproduceOptions& options);
 /// Computes what is missing of the studies that claims need, each in its own folder; with options.from reads
 /// <study>-results.csv of that folder in place of it, where it is there.
 /// @throws Stopped after a signal
-/// @throws InputOutputError if a run cannot write its files, or a table cannot be read
-Gathered gathered(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options);
+/// @throws InputOutputError if a run cannot write its files, or a table cannot be read or is of other runs
+ClaimEvidence gather_evidence(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options);
 
-/// "stiffness: 60 runs, 60 done; 0 ended at the rim, 0 crossing themselves, 0 otherwise", a line a study.
-std::string ends_text(const study::Evidence& evidence);
+/// "60 of 60 runs done; 0 ended at the rim, 0 by crossing themselves, 0 otherwise"
+std::string ends_text(const study::Ensemble& ensemble);
 
 } // namespace matrigrate::apps

@@ -22,7 +22,7 @@ using Figures = std::map<std::string, std::vector<io::Figure>>;
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
 constexpr std::string_view fibre_study = "kept-protrusions-fibres";
 
-/// A figure of a study that is drawn from a table, and the first row of the claims that it belongs to.
+/// A figure of a study that is drawn from a table.
 struct Drawn {
   std::string_view table, caption;
   std::string (*draw)(std::string_view csv);
@@ -47,8 +47,8 @@ std::string row_of(std::string_view study) {
   return found == rows.end() ? std::string() : std::string(found->second);
 }
 
-io::Figure figure(std::string_view study, const Drawn& kind, const std::string& csv) {
-  return {fmt::format("{}-{}", study, kind.table), fmt::format("{} ({})", kind.caption, study), kind.draw(csv)};
+io::Figure figure(std::string_view study, const Drawn& kind, std::string svg) {
+  return {fmt::format("{}-{}", study, kind.table), fmt::format("{} ({})", kind.caption, study), std::move(svg)};
 }
 
 io::Figure fibre_stress(const std::string& csv, double spacing) {
@@ -77,7 +77,7 @@ Figures draw_runs(const study::Evidence& evidence, const ReproduceOptions& optio
     write_file(folder / "centres.csv", study::centres_csv(ensemble.study, ensemble.results, folder));
     for (const Drawn& kind : drawn)
       figures[row_of(name)].push_back(
-          figure(name, kind, read_file(folder / fmt::format("{}.csv", kind.table), largest_table)));
+          figure(name, kind, read_file(folder / fmt::format("{}.svg", kind.table), largest_table)));
   }
   if (const auto found = evidence.find(fibre_study); found != evidence.end())
     if (const io::Film film = film_among_fibres(found->second, options); !film.frames.empty()) {
@@ -98,7 +98,7 @@ Figures draw_kept(const study::Evidence& evidence, const ReproduceOptions& optio
     for (const Drawn& kind : drawn) {
       const std::filesystem::path table = from / fmt::format("{}-{}.csv", name, kind.table);
       if (!std::filesystem::exists(table)) continue;
-      figures[row_of(name)].push_back(figure(name, kind, read_file(table, largest_table)));
+      figures[row_of(name)].push_back(figure(name, kind, kind.draw(read_file(table, largest_table))));
       write_file(to / fmt::format("{}-{}.svg", name, kind.table), figures[row_of(name)].back().svg);
     }
   }

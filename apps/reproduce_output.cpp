@@ -1,5 +1,6 @@
 #include "apps/reproduce_output.hpp"
 
+#include "apps/reproduce_evidence.hpp"
 #include "apps/terminal.hpp"
 #include "apps/text_table.hpp"
 #include "apps/verbs.hpp"
@@ -58,6 +59,10 @@ std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evid
 }
 
 io::ClaimSection section(const ReproducedRow& row, const study::Evidence& evidence) {
+  std::vector<std::string> conditions = row.finding.conditions;
+  if (row.in_larger_disc)
+    conditions.push_back(fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}",
+                                     to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief));
   return {.id = row.id,
           .sentence = row.sentence,
           .published = row.published,
@@ -67,7 +72,7 @@ io::ClaimSection section(const ReproducedRow& row, const study::Evidence& eviden
           .verdict = to_string(row.finding.verdict),
           .caveat = claims_caveat(row.id, evidence),
           .ours = row.finding.ours,
-          .conditions = row.finding.conditions,
+          .conditions = std::move(conditions),
           .figures = {}};
 }
 
@@ -78,16 +83,9 @@ Colour colour_of(study::Verdict verdict) {
 }
 
 std::vector<io::Fact> facts(const study::Evidence& evidence, const std::string& command) {
-  std::size_t done = 0;
-  std::size_t all = 0;
-  for (const auto& [name, ensemble] : evidence) {
-    all += ensemble.results.size();
-    done += static_cast<std::size_t>(
-        std::ranges::count_if(ensemble.results, [](const study::Result& r) { return r.standing.done(); }));
-  }
   std::vector<io::Fact> list{
       {"command", command}, {"date", minute_text(std::chrono::system_clock::now())}, {"program", version_line()}};
-  if (all > 0) list.push_back({"runs done", fmt::format("{} of {}", done, all)});
+  for (const auto& [name, ensemble] : evidence) list.push_back({name, ends_text(ensemble)});
   return list;
 }
 
@@ -139,6 +137,8 @@ std::string reproduction_text(const std::vector<ReproducedRow>& rows, const stud
 }
 
 std::string reproduction_table(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
+  std::string text;
+  for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, ends_text(ensemble));
   std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "claim"}};
   for (const ReproducedRow& row : rows) {
     const std::string caveat = claims_caveat(row.id, evidence);
@@ -146,7 +146,7 @@ std::string reproduction_table(const std::vector<ReproducedRow>& rows, const stu
                      to_string(row.finding.verdict) + (caveat.empty() ? "" : fmt::format(" ({})", caveat)),
                      row.sentence});
   }
-  return aligned(cells, 4) + fmt::format("{}.\n", study::bottom_line(rows));
+  return fmt::format("{}\n{}{}.\n", text, aligned(cells, 4), study::bottom_line(rows));
 }
 
 std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
@@ -163,7 +163,8 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const stud
                     {"caveat", claims_caveat(row.id, evidence)},
                     {"kind", to_string(study::row_kind(row.id))},
                     {"brief", row.finding.brief},
-                    {"why_not", study::why_not(row.finding)}});
+                    {"why_not", study::why_not(row.finding)},
+                    {"verdict_in_larger_disc", row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : ""}});
   return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
                                                                                          Json::error_handler_t::replace)
          + "\n";

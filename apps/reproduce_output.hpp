@@ -26,11 +26,12 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
 /// The table for people. Where runs are not the paper's, that stands beside the verdict.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);
 
-/// The verdicts in a table, a line a row, with the bottom line.
+/// How the runs of each study ended, the verdicts in a table, a line per row, and the bottom line.
 std::string reproduction_table(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);
 
 /// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict,
-/// caveat, kind, brief, why_not}]}.
+/// caveat, kind, brief, why_not,
+/// verdict_in_larger_disc}]}.
 /// @param as_published  whether replicates and parameters are the paper's; otherwise these are no verdicts on it
 std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
                               const std::string& setting, bool as_published);

@@ -105,7 +105,10 @@ std::span<const PartRow> part_rows() {
 
 study::JudgedClaim judged_by_case(const PartRow& row, const ReproduceOptions& options) {
   const std::string name = fmt::format("validate-{}", row.verification);
-  if (!options.from.empty()) return judged(row, finding_of(std::filesystem::path(options.from) / (name + ".json")));
+  if (!options.from.empty()) {
+    const std::filesystem::path kept = std::filesystem::path(options.from) / (name + ".json");
+    return judged(row, std::filesystem::exists(kept) ? finding_of(kept) : undecided("no results are kept"));
+  }
   const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
   const std::filesystem::path log = std::filesystem::path(options.folder) / (name + ".log");
   const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, then draws the
-# figures and writes claims.csv from these copies. Studies that are not in the folder stay as they are kept.
+# figures and writes claims.csv from these copies. Studies that are not in the folder, or of which runs have not
+# ended, stay as they are kept.
 #   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
 set -euo pipefail
 program=$(realpath "$1")
@@ -10,6 +11,10 @@ to=docs/validation
 for folder in "$from"/*/; do
   study=$(basename "$folder")
   [ -e "studies/$study.toml" ] || continue
+  if [ ! -e "$folder/results.csv" ] || grep -qE ',(missing|unfinished|running),' "$folder/results.csv"; then
+    echo "$study: not kept, since some of its runs have not ended" >&2
+    continue
+  fi
   for table in results statistics paths msd adhesions shapes centres; do
     [ ! -e "$folder/$table.csv" ] || cp "$folder/$table.csv" "$to/$study-$table.csv"
   done

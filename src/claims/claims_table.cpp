@@ -36,12 +36,22 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
                      undecided > 0 ? fmt::format("; {} undecided", undecided) : "");
 }
 
+namespace {
+
+/// "holds", and beside it the second verdict where there is one.
+std::string verdict_text(const JudgedClaim& c) {
+  return to_string(c.finding.verdict)
+         + (c.in_larger_disc ? fmt::format(" (larger disc: {})", to_string(c.in_larger_disc->verdict)) : "");
+}
+
+} // namespace
+
 std::string markdown_table(const std::vector<JudgedClaim>& claims) {
   std::string text = "| row | kind | claim | published | ours: mean [95 % interval] | verdict | why not |\n"
                      "|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
     text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} |\n", c.id, to_string(row_kind(c.id)), c.sentence,
-                        c.published, c.finding.brief, to_string(c.finding.verdict), why_not(c.finding));
+                        c.published, c.finding.brief, verdict_text(c), why_not(c.finding));
   return text;
 }
 

@@ -1,12 +1,12 @@
 #include "claims/judge.hpp"
 
+#include "observe/readout_table.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace matrigrate::study {
@@ -31,8 +31,7 @@ std::vector<double> Judge::values(Group g, std::string_view readout) {
 std::vector<double> Judge::column(std::string_view study, std::string_view readout) {
   const auto found = m_evidence.find(study);
   if (found == m_evidence.end()) return {};
-  const std::vector<std::string> names = all_readouts();
-  const auto index = static_cast<std::size_t>(std::ranges::find(names, readout) - names.begin());
+  const std::size_t index = readout_column(readout);
   std::vector<double> x;
   for (const Result& r : found->second.results) x.push_back(r.readouts.at(index));
   return x;
@@ -61,20 +60,13 @@ void Judge::tell(Group g, std::string_view readout, const std::vector<double>& x
 
 /// Without what a table has no room for: units of read-outs, the name of the parameter that varies, effect sizes.
 std::string Judge::shortened(std::string text) const {
-  const auto strike = [&](std::string_view what, bool at_word_end) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos;) {
-      const std::size_t end = at + what.size();
-      const bool goes_on =
-          end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_');
-      if (at_word_end && goes_on)
-        at = end;
-      else
-        text.erase(at, what.size());
-    }
+  const auto replace = [&](std::string_view what, std::string_view with) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+      text.replace(at, what.size(), with);
   };
-  for (const char* unit : {"_um_per_h", "_min", "_um"}) strike(unit, true);
+  for (const ReadOutSpec& readout : readout_table()) replace(readout.name, readout.label);
   for (const auto& [name, ensemble] : m_evidence)
-    for (const std::string& key : swept_keys(ensemble.study)) strike(key.substr(key.rfind('.') + 1) + " ", false);
+    for (const std::string& key : swept_keys(ensemble.study)) replace(key.substr(key.rfind('.') + 1) + " ", "");
   for (std::size_t at; (at = text.find(", g ")) != std::string::npos;) text.erase(at, text.find(']', at) + 1 - at);
   return text;
 }
@@ -152,12 +144,9 @@ Judge& Judge::exceeds(Group g, std::string_view low, std::string_view high) {
   if (const auto found = m_evidence.find(g.study); found != m_evidence.end()) {
     values(g, low);
     values(g, high);
-    const std::vector<std::string> names = all_readouts();
-    const auto column = [&](std::string_view name) {
-      return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-    };
     for (const Result& r : found->second.results)
-      if (r.run.point == g.point) differences.push_back(r.readouts.at(column(high)) - r.readouts.at(column(low)));
+      if (r.run.point == g.point)
+        differences.push_back(r.readouts.at(readout_column(high)) - r.readouts.at(readout_column(low)));
   }
   const std::vector<double> both = statistics::finite(differences);
   const statistics::Interval d = statistics::mean_interval(both, alpha);

@@ -115,8 +115,10 @@ std::string claims_caveat(const study::Study& study) {
 std::string claims_caveat(const std::string& id, const study::Evidence& evidence) {
   const auto claims = study::claims();
   const auto claim = std::ranges::find(claims, id, &study::Claim::id);
-  if (claim == claims.end()) return {};
-  for (const std::string_view name : claim->studies)
+  std::vector<std::string_view> names;
+  if (claim != claims.end()) names = claim->studies;
+  if (id == "F1") names = {"stiffness"}; // whose frames it is judged by
+  for (const std::string_view name : names)
     if (const auto found = evidence.find(name); found != evidence.end())
       if (std::string caveat = claims_caveat(found->second.study); !caveat.empty()) return caveat;
   return {};

@@ -24,7 +24,8 @@ std::string claims_note(const study::Study& study);
 /// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".
 std::string claims_caveat(const study::Study& study);
 
-/// The same of the studies that a claim needs, as far as they are among the evidence; "" for an id that is no claim's.
+/// The same of the studies that a claim needs, as far as they are among the evidence, and for F1 of the study whose
+/// frames it is judged by; "" for other ids.
 std::string claims_caveat(const std::string& id, const study::Evidence& evidence);
 
 } // namespace matrigrate::study

@@ -35,6 +35,34 @@ TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "stiffness-results.csv: has no column run")) << ended.err;
   EXPECT_EQ(run("reproduce D1 --from kept").code, 4) << "undecided: no results of that study are kept";
+  EXPECT_EQ(run("reproduce V1 --from kept").code, 4) << "nor of that case";
+  for (const char* of_runs : {"--replicates 3", "--set ecm.radius=40", "--integrator reference", "--jobs 2"})
+    EXPECT_EQ(run(std::string("reproduce A5 --from kept ") + of_runs).code, 2) << of_runs;
+  EXPECT_EQ(run("reproduce A5 --json --markdown").code, 2);
+}
+
+TEST_F(Reproduce, RefusesResultsOfOtherParameters) {
+  std::filesystem::create_directory(folder / "kept");
+  std::string results = text_of(kept / "stiffness-results.csv");
+  results.replace(results.find('\n') + 1, 16, "0123456789abcdef");
+  write("kept/stiffness-results.csv", results);
+  const Ended ended = run("reproduce A5 --from kept");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "run 0123456789abcdef is not one of the study")) << ended.err;
+}
+
+TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {
+  const Ended ended = run("reproduce A5 --replicates 2 --quiet --set 'ecm.radius=40 um' --set 'run.duration=0.1 h'"
+                          " --set protrusion.number=1");
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_TRUE(contains(ended.out, "stiffness: 0 of 10 runs done; 10 ended at the rim, 0 by crossing themselves"))
+      << ended.out;
+  EXPECT_TRUE(contains(ended.out, "made again in a larger disc: ")) << ended.out;
+  const std::string larger = file("reproduce/stiffness-larger-disc/scenario.resolved.toml");
+  EXPECT_TRUE(contains(larger, "radius = \"60 um\"")) << larger;
+  EXPECT_TRUE(contains(file("reproduce/report-A5.html"), "made again in a larger disc: "));
+  const auto runs = std::filesystem::directory_iterator(folder / "reproduce/stiffness-larger-disc/runs");
+  EXPECT_GE(std::distance(begin(runs), end(runs)), 10);
 }
 
 TEST_F(Reproduce, PagesSayWhatTheKeptResultsGive) {

@@ -3,11 +3,11 @@
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
 #include "ecm/viscosity.hpp"
+#include "gel.hpp"
 #include "same_bits.hpp"
 #include "simulation/start.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"
-#include "state/initial.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -19,18 +19,6 @@
 using namespace matrigrate;
 
 namespace {
-
-Parameters small() {
-  Parameters p;
-  p.ecm.radius = 60.0;
-  return p;
-}
-
-State start(const Parameters& p) {
-  State s;
-  s.ecm = disc(p);
-  return s;
-}
 
 /// A pull at a point of the solid, and degradation beside it.
 State pulled(const Parameters& p, int steps, bool fresh_workspace_half_way = false) {

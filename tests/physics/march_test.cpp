@@ -1,31 +1,15 @@
 #include "simulation/march.hpp"
 
 #include "base/failure.hpp"
+#include "gel.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"
-#include "state/initial.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 using namespace matrigrate;
-
-namespace {
-
-Parameters small() {
-  Parameters p;
-  p.ecm.radius = 60.0;
-  return p;
-}
-
-State start(const Parameters& p) {
-  State s;
-  s.ecm = disc(p);
-  return s;
-}
-
-} // namespace
 
 TEST(March, RefusesAStepBeyondTheLimitAndNamesIt) {
   Parameters p = small();
