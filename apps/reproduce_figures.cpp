@@ -1,17 +1,21 @@
 #include "apps/reproduce_figures.hpp"
 
+#include "apps/reproduce_parts.hpp"
 #include "apps/study_verbs.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "run/finished_run.hpp"
+#include "store/csv.hpp"
 #include "study_report/box_plot.hpp"
 #include "study_report/run_curves.hpp"
 #include "study_report/run_shapes.hpp"
+#include "validation/case.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace matrigrate::apps {
 
@@ -65,6 +69,21 @@ io::Film film_among_fibres(const study::Ensemble& ensemble, const ReproduceOptio
   return read_run(study::run_folder(std::filesystem::path(options.folder) / fibre_study, one->run)).film;
 }
 
+/// The plots of verification cases that rows are judged by, from the tables of these cases.
+/// @param table  where the table of a case is
+void draw_cases(Figures& figures, const std::function<std::filesystem::path(std::string_view)>& table,
+                const ReproduceOptions& options) {
+  for (const PartRow& row : part_rows()) {
+    if (row.verification.empty()) continue;
+    const std::filesystem::path file = table(row.verification);
+    const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);
+    if (!std::filesystem::exists(file) || !which->draw) continue;
+    figures[std::string(row.id)].push_back(which->draw(io::read_table(read_file(file, largest_table))));
+    write_file(std::filesystem::path(options.folder) / fmt::format("validate-{}.svg", row.verification),
+               figures[std::string(row.id)].back().svg);
+  }
+}
+
 } // namespace
 
 Figures draw_runs(const study::Evidence& evidence, const ReproduceOptions& options) {
@@ -79,6 +98,12 @@ Figures draw_runs(const study::Evidence& evidence, const ReproduceOptions& optio
       figures[row_of(name)].push_back(
           figure(name, kind, read_file(folder / fmt::format("{}.svg", kind.table), largest_table)));
   }
+  draw_cases(
+      figures,
+      [&](std::string_view name) {
+        return std::filesystem::path(options.folder) / fmt::format("validate-{}", name) / fmt::format("{}.csv", name);
+      },
+      options);
   if (const auto found = evidence.find(fibre_study); found != evidence.end())
     if (const io::Film film = film_among_fibres(found->second, options); !film.frames.empty()) {
       const std::string csv = study::fibre_stress_csv(film);
@@ -102,6 +127,8 @@ Figures draw_kept(const study::Evidence& evidence, const ReproduceOptions& optio
       write_file(to / fmt::format("{}-{}.svg", name, kind.table), figures[row_of(name)].back().svg);
     }
   }
+  draw_cases(
+      figures, [&](std::string_view name) { return from / fmt::format("validate-{}.csv", name); }, options);
   const auto fibres = evidence.find(fibre_study);
   if (fibres != evidence.end() && std::filesystem::exists(from / "fibre-stress.csv")) {
     figures["E5"].push_back(fibre_stress(read_file(from / "fibre-stress.csv", largest_table),

@@ -13,14 +13,15 @@
 namespace matrigrate::apps {
 
 /// Writes shapes.csv, shapes.svg and centres.csv into the folders of the studies, and fibre-stress.csv and
-/// fibre-stress.svg, of one run with two protrusions among fibres (Fig 13), beside them.
+/// fibre-stress.svg, of one run with two protrusions among fibres (Fig 13), beside them; draws validate-<case>.svg
+/// (Figs 2 and 4) from the tables of the verification cases.
 /// @return by the id of the row that they belong to
 /// @throws InputOutputError if frames cannot be read
 std::map<std::string, std::vector<io::Figure>> draw_runs(const study::Evidence& evidence,
                                                          const ReproduceOptions& options);
 
-/// The same and all other figures of studies (<study>.svg, <study>-paths.svg and so on), drawn from the kept tables of
-/// options.from into options.folder.
+/// The same and all other figures of studies (<study>.svg, <study>-paths.svg, validate-<case>.svg and so on), drawn
+/// from the kept tables of options.from into options.folder.
 /// @throws InputOutputError if a table cannot be read
 std::map<std::string, std::vector<io::Figure>> draw_kept(const study::Evidence& evidence,
                                                          const ReproduceOptions& options);

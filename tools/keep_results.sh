@@ -20,8 +20,9 @@ for folder in "$from"/*/; do
   done
 done
 for case in fibres fibres-uniaxial disassembly; do
-  [ ! -e "$from/validate-$case/results.json" ] ||
-    sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"
+  [ -e "$from/validate-$case/results.json" ] || continue
+  sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"
+  cp "$from/validate-$case/$case.csv" "$to/validate-$case.csv"
 done
 for table in fields fibre-stress; do
   [ ! -e "$from/$table.csv" ] || cp "$from/$table.csv" "$to/$table.csv"

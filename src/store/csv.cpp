@@ -73,6 +73,16 @@ double csv_number(std::string_view field) {
   return value;
 }
 
+Table read_table(std::string_view text) {
+  const CsvTable read = read_csv(text);
+  Table table{.columns = read.header, .rows = {}};
+  for (const std::vector<std::string>& fields : read.rows) {
+    table.rows.emplace_back();
+    for (const std::string& field : fields) table.rows.back().push_back(csv_number(field));
+  }
+  return table;
+}
+
 std::vector<double> csv_column(std::string_view text, std::string_view column) {
   std::string_view header = cut(text, '\n');
   std::size_t index = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "store/table.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,5 +28,9 @@ double csv_number(std::string_view field);
 /// Numbers of a column of a CSV text without quoted fields before it, NaN for empty fields; empty if there is no such
 /// column.
 std::vector<double> csv_column(std::string_view text, std::string_view column);
+
+/// A CSV text of numbers alone, as to_csv writes it.
+/// @throws InputOutputError as read_csv does
+Table read_table(std::string_view text);
 
 } // namespace matrigrate::io

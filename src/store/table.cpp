@@ -1,7 +1,10 @@
 #include "store/table.hpp"
 
+#include "base/failure.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -45,6 +48,26 @@ std::string csv_text(std::string_view field) {
 void Table::add(std::vector<double> row) {
   check_length(*this, row);
   rows.push_back(std::move(row));
+}
+
+std::vector<double> Table::column(std::string_view name) const {
+  const auto found = std::ranges::find(columns, name);
+  if (found == columns.end()) throw InputOutputError(fmt::format("the table has no column {}", name));
+  const auto index = static_cast<std::size_t>(found - columns.begin());
+  std::vector<double> values;
+  for (const auto& row : rows) values.push_back(row[index]);
+  return values;
+}
+
+std::vector<std::pair<double, Table>> Table::by_first_column() const {
+  std::vector<std::pair<double, Table>> groups;
+  for (const auto& row : rows) {
+    auto group = std::ranges::find(groups, row.front(), &std::pair<double, Table>::first);
+    if (group == groups.end())
+      group = groups.insert(groups.end(), {row.front(), Table{.columns = columns, .rows = {}}});
+    group->second.rows.push_back(row);
+  }
+  return groups;
 }
 
 std::string to_csv(const Table& table) {

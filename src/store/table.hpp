@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::io {
@@ -13,6 +14,12 @@ struct Table {
 
   /// Appends a row. @throws std::invalid_argument if its length is not that of columns
   void add(std::vector<double> row);
+
+  /// The numbers of a column. @throws InputOutputError naming the column, if there is none of that name
+  std::vector<double> column(std::string_view name) const;
+
+  /// The rows that share a value of the first column, in the order in which these values first occur.
+  std::vector<std::pair<double, Table>> by_first_column() const;
 };
 
 /// The table as RFC 4180 text, but with the line ends of Unix: a header line, numbers in the shortest form that reads

@@ -40,7 +40,9 @@ Parameters default_parameters() {
 
 Result run_case(const Case& which, const Parameters& p) {
   require_stable_step(p);
-  return which.run(p);
+  Result result = which.run(p);
+  if (which.draw) result.figures.insert(result.figures.begin(), which.draw(result.table));
+  return result;
 }
 
 const std::vector<Case>& cases() {
@@ -60,13 +62,14 @@ const std::vector<Case>& cases() {
        step_limit},
       {"fibres",
        "Isotropic fibrillar gels of three concentrations, stretched with held sides, against the semi-affine law.",
-       fibres},
-      {"fibres-uniaxial", "A gel of parallel fibres, stretched along and across them with held sides.",
-       fibres_uniaxial},
+       fibres, draw_fibres},
+      {"fibres-uniaxial", "A gel of parallel fibres, stretched along and across them with held sides.", fibres_uniaxial,
+       draw_fibres_uniaxial},
       {"protrusion", "Length of a single protrusion over time, as E and direction vary.", protrusion},
       {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
       {"time-step", "One protrusion followed with shorter and shorter steps, and with adaptive ones.", time_step},
-      {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly},
+      {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly,
+       draw_disassembly},
       {"handover", "One adhesion from maturation to contraction: its force, and what Eq. 7 makes of it.", handover},
       {"competition", "Two and three adhesions that hold each other while one more protrusion grows.", competition},
       {"stunting", "Length of a protrusion that grows askew, or beside an old tunnel.", stunting},

@@ -42,6 +42,8 @@ struct Case {
   std::string name;    ///< as typed after `validate`
   std::string summary; ///< one sentence
   std::function<Result(const Parameters&)> run;
+  /// Draws the case's plot from its table alone; empty where `run` makes the plot.
+  std::function<io::Figure(const io::Table&)> draw = {};
 };
 
 /// What the cases start from: the defaults, with a drag system solved so closely that the solver's error does not show

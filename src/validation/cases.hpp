@@ -28,4 +28,10 @@ Result handover(const Parameters& p);
 Result competition(const Parameters& p);
 Result stunting(const Parameters& p);
 
+/// Plots of cases from their tables alone, so that they can be drawn from kept tables.
+/// @throws InputOutputError if the table has not the columns of the case
+io::Figure draw_fibres(const io::Table& table);
+io::Figure draw_fibres_uniaxial(const io::Table& table);
+io::Figure draw_disassembly(const io::Table& table);
+
 } // namespace matrigrate::validation

@@ -1,3 +1,4 @@
+#include "base/failure.hpp"
 #include "validation/cases.hpp"
 #include "validation/collagen_data.hpp"
 #include "validation/fibre_gels.hpp"
@@ -87,41 +88,24 @@ std::string other_readings(const Parameters& p, const CollagenGel& gel_of) {
   return text + fmt::format(" secant {:.2f}.", law_error(q, Sides::held));
 }
 
+bool near(double a, double b) { return std::abs(a - b) < 1e-6 * b; }
+
 } // namespace
 
 Result fibres(const Parameters& p) {
   Result result;
   result.table.columns = {"k_0_Pa", "strain", "nominal_stress_Pa", "infinite_lattice_Pa", "semi_affine_Pa"};
-  io::Plot plot{.title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
-                .x_label = "strain",
-                .y_label = "nominal stress [Pa]",
-                .log_y = true};
-  int colour = 0;
   for (const CollagenGel& gel_of : collagen_gels()) {
     const Parameters q = gel(p, gel_of.k_0);
     const std::vector<Stretch> specimen = pull_strip(q, largest, increments);
     const std::vector<Stretch> lattice = affine_lattice(q, largest * 1.01, fine, Sides::held);
     const std::vector<StressPoint> law_points = law_curve(p, gel_of.k_0, Sides::held);
     const std::string name = fmt::format("{} mg/ml", gel_of.concentration);
-    io::Series model{.label = name + ", model", .colour = colour};
-    io::Series measured{.label = name + ", measured", .mark = io::Mark::points, .colour = colour};
-    io::Series law{.label = name + ", semi-affine law", .mark = io::Mark::dashed, .colour = colour};
     for (std::size_t k = 0; k < specimen.size(); ++k) {
       const Stretch& s = specimen[k];
       result.table.add(
           {1e3 * gel_of.k_0, s.strain, 1e3 * s.stress, 1e3 * stress_at(lattice, s.strain), law_points[k].stress});
-      model.x.push_back(s.strain);
-      model.y.push_back(1e3 * s.stress);
-      law.x.push_back(law_points[k].strain);
-      law.y.push_back(law_points[k].stress);
     }
-    for (const StressPoint& point : gel_of.measured) {
-      if (point.strain > largest) continue;
-      measured.x.push_back(point.strain);
-      measured.y.push_back(point.stress);
-    }
-    plot.series.insert(plot.series.end(), {model, measured, law});
-    ++colour;
     for (const double at : {0.06, 0.12})
       result.checks.push_back(
           {fmt::format("{}: stress of the specimen over that of the infinite lattice at {}", name, at),
@@ -146,10 +130,36 @@ Result fibres(const Parameters& p) {
           name, error, law_error(without_rest(q), Sides::held)));
     result.remarks.push_back(other_readings(p, gel_of));
   }
-  result.figures.push_back(
-      {"fibres", "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
-       io::to_svg(plot, 720, 560)});
   return result;
+}
+
+io::Figure draw_fibres(const io::Table& table) {
+  io::Plot plot{.title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
+                .x_label = "strain",
+                .y_label = "nominal stress [Pa]",
+                .log_y = true};
+  int colour = 0;
+  for (const auto& [k_0, rows] : table.by_first_column()) {
+    const std::vector<CollagenGel> gels = collagen_gels();
+    const auto gel_of = std::ranges::find_if(gels, [&](const CollagenGel& g) { return near(1e3 * g.k_0, k_0); });
+    if (gel_of == gels.end()) throw InputOutputError(fmt::format("no gel of k_0 = {} Pa is known", k_0));
+    const std::string name = fmt::format("{} mg/ml", gel_of->concentration);
+    const std::vector<double> strain = rows.column("strain");
+    io::Series model{.label = name + ", model", .colour = colour};
+    io::Series measured{.label = name + ", measured", .mark = io::Mark::points, .colour = colour};
+    io::Series law{.label = name + ", semi-affine law", .mark = io::Mark::dashed, .colour = colour++};
+    model.x = law.x = strain;
+    model.y = rows.column("nominal_stress_Pa");
+    law.y = rows.column("semi_affine_Pa");
+    for (const StressPoint& point : gel_of->measured) {
+      if (point.strain > largest) continue;
+      measured.x.push_back(point.strain);
+      measured.y.push_back(point.stress);
+    }
+    plot.series.insert(plot.series.end(), {model, measured, law});
+  }
+  return {"fibres", "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
+          io::to_svg(plot, 720, 560)};
 }
 
 } // namespace matrigrate::validation
