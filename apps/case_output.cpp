@@ -1,6 +1,6 @@
 #include "apps/case_output.hpp"
 
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "base/file.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"

@@ -1,6 +1,6 @@
 #include "apps/export_pictures.hpp"
 #include "apps/run_output.hpp"
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"

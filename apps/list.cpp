@@ -1,4 +1,4 @@
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/write.hpp"

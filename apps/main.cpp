@@ -1,5 +1,5 @@
-#include "apps/terminal.hpp"
-#include "apps/usage.hpp"
+#include "apps/terminal/terminal.hpp"
+#include "apps/terminal/usage.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "run/provenance.hpp"

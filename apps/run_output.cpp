@@ -1,6 +1,6 @@
 #include "apps/run_output.hpp"
 
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "store/run_files.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/progress.hpp"
-#include "apps/stop_signal.hpp"
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/stop_signal.hpp"
 #include "run/finished_run.hpp"
 #include "run/simulate.hpp"
 

@@ -1,5 +1,5 @@
 #include "apps/case_output.hpp"
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"

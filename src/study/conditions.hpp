@@ -1,9 +1,9 @@
 #pragma once
 
+#include "study/design/sweep.hpp"
 #include "study/fault_list.hpp"
 #include "study/settings.hpp"
 #include "study/study.hpp"
-#include "study/sweep.hpp"
 
 #include <string>
 #include <vector>

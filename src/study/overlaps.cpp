@@ -1,5 +1,5 @@
 #include "study/conditions.hpp"
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 
 #include <fmt/format.h>
 

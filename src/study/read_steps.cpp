@@ -1,7 +1,7 @@
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
 #include "parameters/scan.hpp"
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 #include "parameters/read.hpp"
 #include "parameters/scan.hpp"
 #include "study/conditions.hpp"
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
+#include "study/design/sweep.hpp"
 #include "study/read_comparisons.hpp"
-#include "study/sweep.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "store/row_file.hpp"
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 #include "study/effects.hpp"
 
 #include <algorithm>

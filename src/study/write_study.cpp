@@ -1,4 +1,4 @@
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 #include "study/read_study.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "study_report/screening_data.hpp"
 
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 
 #include <fmt/format.h>
 

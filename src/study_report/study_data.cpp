@@ -5,7 +5,7 @@
 #include "parameters/schema.hpp"
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
-#include "study/axes.hpp"
+#include "study/design/axes.hpp"
 #include "study/table_readouts.hpp"
 #include "study_report/run_curves.hpp"
 #include "study_report/run_json.hpp"

@@ -1,4 +1,4 @@
-#include "apps/stop_signal.hpp"
+#include "apps/terminal/stop_signal.hpp"
 
 #include <gtest/gtest.h>
 

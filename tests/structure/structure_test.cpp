@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace matrigrate::structure {
 namespace {
 
@@ -51,6 +53,24 @@ TEST(Structure, HeadersAreGuarded) {
     return header && !file.text.starts_with("#pragma once\n") ? Findings{file.path + ":1: starts without #pragma once"}
                                                               : Findings{};
   });
+}
+
+TEST(Structure, FoldersAndFilesStayReadable) {
+  const std::filesystem::path root = MATRIGRATE_SOURCE_DIR;
+  constexpr std::ptrdiff_t most_files = 40, most_lines = 350;
+  const auto size_of = [](const std::filesystem::path& folder) {
+    return std::count_if(std::filesystem::directory_iterator(folder), {},
+                         [](const auto& entry) { return entry.is_regular_file(); });
+  };
+  for (const char* top : {"src", "apps", "viewer/src", "python/matrigrate", "examples"}) {
+    EXPECT_LE(size_of(root / top), most_files) << top;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top))
+      if (entry.is_directory()) {
+        EXPECT_LE(size_of(entry.path()), most_files) << entry.path();
+      }
+    for (const Source& file : sources(root / top))
+      EXPECT_LE(std::count(file.text.begin(), file.text.end(), '\n'), most_lines) << top << '/' << file.path;
+  }
 }
 
 // The rules themselves, on text that breaks them and text that does not.

@@ -1,4 +1,4 @@
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 
 #include "unit/study/studies.hpp"
 

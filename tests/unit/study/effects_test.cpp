@@ -1,6 +1,6 @@
 #include "study/effects.hpp"
 
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 #include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>

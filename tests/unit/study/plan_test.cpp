@@ -1,6 +1,6 @@
 #include "unit/study/studies.hpp"
 
-#include "study/sweep.hpp"
+#include "study/design/sweep.hpp"
 
 #include "parameters/write.hpp"
 

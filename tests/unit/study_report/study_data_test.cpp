@@ -1,7 +1,7 @@
 #include "study_report/study_data.hpp"
 
 #include "store/csv.hpp"
-#include "study/axes.hpp"
+#include "study/design/axes.hpp"
 #include "study_report/screening_data.hpp"
 #include "unit/study/studies.hpp"
 

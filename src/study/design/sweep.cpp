@@ -1,4 +1,4 @@
-#include "study/sweep.hpp"
+#include "study/design/sweep.hpp"
 
 #include "parameters/node.hpp"
 

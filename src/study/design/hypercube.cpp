@@ -1,8 +1,8 @@
 #include "base/random.hpp"
 #include "parameters/assign.hpp"
 #include "store/trajectory_hash.hpp"
-#include "study/range.hpp"
-#include "study/sweep.hpp"
+#include "study/design/range.hpp"
+#include "study/design/sweep.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "base/random.hpp"
 #include "parameters/node.hpp"
 #include "store/trajectory_hash.hpp"
-#include "study/designs.hpp"
-#include "study/range.hpp"
+#include "study/design/designs.hpp"
+#include "study/design/range.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "apps/study_verbs.hpp"
-#include "apps/terminal.hpp"
+#include "apps/study/verbs.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"

@@ -1,4 +1,4 @@
-#include "study/axes.hpp"
+#include "study/design/axes.hpp"
 
 #include "parameters/schema.hpp"
 

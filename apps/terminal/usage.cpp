@@ -1,4 +1,4 @@
-#include "apps/usage.hpp"
+#include "apps/terminal/usage.hpp"
 
 #include "apps/verbs.hpp"
 #include "parameters/nearest.hpp"

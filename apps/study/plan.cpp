@@ -1,7 +1,7 @@
-#include "apps/study_plan.hpp"
+#include "apps/study/plan.hpp"
 
-#include "apps/progress.hpp"
-#include "apps/terminal.hpp"
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/time_text.hpp"
 #include "study_runs/study_cost.hpp"

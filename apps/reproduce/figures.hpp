@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/reproduce_options.hpp"
+#include "apps/reproduce/options.hpp"
 #include "claims/judge.hpp"
 #include "draw/plot.hpp"
 

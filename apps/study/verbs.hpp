@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/pool_output.hpp"
+#include "apps/study/pool_output.hpp"
 #include "claims/shipped_studies.hpp"
 #include "study_runs/child.hpp"
 #include "study_runs/slurm_job.hpp"

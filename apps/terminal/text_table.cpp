@@ -1,4 +1,4 @@
-#include "apps/text_table.hpp"
+#include "apps/terminal/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "apps/pool_output.hpp"
+#include "apps/study/pool_output.hpp"
 
-#include "apps/progress.hpp"
-#include "apps/stop_signal.hpp"
-#include "apps/terminal.hpp"
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/stop_signal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 
 #include <fmt/format.h>

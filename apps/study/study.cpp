@@ -1,5 +1,5 @@
-#include "apps/study_plan.hpp"
-#include "apps/study_verbs.hpp"
+#include "apps/study/plan.hpp"
+#include "apps/study/verbs.hpp"
 #include "apps/verbs.hpp"
 
 #include <memory>

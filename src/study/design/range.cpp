@@ -1,4 +1,4 @@
-#include "study/range.hpp"
+#include "study/design/range.hpp"
 
 #include "parameters/node.hpp"
 

@@ -1,5 +1,5 @@
 #include "parameters/node.hpp"
-#include "study/designs.hpp"
+#include "study/design/designs.hpp"
 
 #include <fmt/format.h>
 

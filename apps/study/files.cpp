@@ -1,8 +1,8 @@
-#include "apps/study_files.hpp"
+#include "apps/study/files.hpp"
 
-#include "apps/screening_text.hpp"
 #include "apps/shipped_pages.hpp"
-#include "apps/text_table.hpp"
+#include "apps/study/screening_text.hpp"
+#include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
 #include "claims/study_claims.hpp"
 #include "study_report/played_runs.hpp"

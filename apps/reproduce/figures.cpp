@@ -1,7 +1,7 @@
-#include "apps/reproduce_figures.hpp"
+#include "apps/reproduce/figures.hpp"
 
-#include "apps/reproduce_parts.hpp"
-#include "apps/study_verbs.hpp"
+#include "apps/reproduce/parts.hpp"
+#include "apps/study/verbs.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "run/finished_run.hpp"

@@ -1,6 +1,6 @@
-#include "apps/screening_text.hpp"
+#include "apps/study/screening_text.hpp"
 
-#include "apps/text_table.hpp"
+#include "apps/terminal/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "apps/reproduce_parts.hpp"
+#include "apps/reproduce/parts.hpp"
 
-#include "apps/stop_signal.hpp"
-#include "apps/study_verbs.hpp"
+#include "apps/study/verbs.hpp"
+#include "apps/terminal/stop_signal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/sweep.hpp"
+#include "study/design/sweep.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
-#include "apps/progress.hpp"
+#include "apps/terminal/progress.hpp"
 
-#include "apps/terminal.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "base/time_text.hpp"
 
 #include <fmt/format.h>

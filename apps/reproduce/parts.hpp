@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/reproduce_options.hpp"
+#include "apps/reproduce/options.hpp"
 #include "claims/claims.hpp"
 
 #include <span>

@@ -1,8 +1,8 @@
-#include "apps/reproduce_output.hpp"
+#include "apps/reproduce/output.hpp"
 
-#include "apps/reproduce_evidence.hpp"
-#include "apps/terminal.hpp"
-#include "apps/text_table.hpp"
+#include "apps/reproduce/evidence.hpp"
+#include "apps/terminal/terminal.hpp"
+#include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "claims/study_claims.hpp"
