@@ -28,6 +28,7 @@ CLOSURES = ["50 Pa: all", "200 Pa: all", "400 Pa: all", "one: all", "three: all"
 TABLES = [  # page, first cell and column after it of the header, results, label of the point of each column
     ("docs/validation.md", "12 runs | 50 Pa |", "stiffness-results.csv", STIFFNESS),
     ("docs/validation.md", "17 runs | 1 |", "kept-protrusions-results.csv", NUMBERS),
+    ("docs/validation.md", "18 runs | 1 |", "kept-protrusions-fibres-results.csv", NUMBERS),
     ("docs/validation.md", "8 seeds, mean +- standard deviation | 50 Pa |", "closures-results.csv", CLOSURES),
     ("docs/performance.md", "| read-out | adaptive, up to 5 s | reference |", "integrators-results.csv",
      ["adaptive", "reference"]),
