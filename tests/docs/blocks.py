@@ -6,8 +6,8 @@
 ```toml title="FILE"    is written to FILE
 ```text     is output: each line must have been printed on this page, whatever the numbers
 
-<!-- not run: REASON --> before a block leaves it out; <!-- exit code N --> or <!-- exit code N or M --> is the code that its
-last command ends with.
+<!-- not run: REASON --> before a block leaves it out; <!-- needs PROGRAM, PROGRAM --> where one of these is not installed.
+<!-- exit code N --> or <!-- exit code N or M --> is the code that its last command ends with.
 """
 import contextlib
 import dataclasses
@@ -30,18 +30,19 @@ class Block:
     text: str
     line: int
     not_run: str
+    needs: list[str]
     codes: tuple[int, ...]
 
 
 def blocks(page: pathlib.Path) -> list[Block]:
     found = []
     text = page.read_text(encoding="utf-8")
-    pattern = r"(?:^<!-- (?:not run: (?P<why>[^>]*?)|exit code (?P<codes>[^>]*?)) -->\n)?^```(?P<info>[^\n]*)\n(?P<body>.*?)^```$"
+    pattern = r"(?:^<!-- (?:not run: (?P<why>[^>]*?)|needs (?P<needs>[^>]*?)|exit code (?P<codes>[^>]*?)) -->\n)?^```(?P<info>[^\n]*)\n(?P<body>.*?)^```$"
     for match in re.finditer(pattern, text, re.MULTILINE | re.DOTALL):
         title = re.search(r'title="([^"]*)"', match["info"])
         codes = tuple(int(code) for code in (match["codes"] or "0").split(" or "))
         found.append(Block((match["info"].split() or [""])[0], title[1] if title else "", match["body"],
-                           text[:match.start("body")].count("\n") + 1, match["why"] or "", codes))
+                           text[:match.start("body")].count("\n") + 1, match["why"] or "", re.findall(r"[^, ]+", match["needs"] or ""), codes))
     return found
 
 
@@ -63,6 +64,9 @@ class Runner:
                 if block.not_run not in reasons:
                     self.faults.append(f"{at}: not a reason to leave a block out: {block.not_run}")
                 self.skipped.append(f"{at} ({block.not_run})")
+                continue
+            if absent := [program for program in block.needs if not shutil.which(program)]:
+                self.skipped.append(f"{at} (without {', '.join(absent)})")
                 continue
             run = {"sh": self._shell, "python": self._python, "r": self._run_r, "toml": self._write,
                    "text": self._compare}.get(block.language)

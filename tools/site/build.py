@@ -110,6 +110,9 @@ def main() -> None:
         style = re.sub(r",url\([^)]*\.(?:woff|ttf)\) format\([^)]*\)", "", (katex / "katex.min.css").read_text())
         (docs / "katex" / "katex.min.css").write_text(style)  # woff2 alone: all browsers read it
         shutil.copytree(katex / "fonts", docs / "katex" / "fonts", ignore=shutil.ignore_patterns("*.ttf", "*.woff"))
+        (docs / "licences").mkdir()
+        for package in ("libjs-katex", "mkdocs-material"):  # the site holds parts of both
+            shutil.copy(f"/usr/share/doc/{package}/copyright", docs / "licences" / f"{package}.txt")
         shutil.rmtree(folder, ignore_errors=True)
         config = load_config(str(here / "mkdocs.yml"), docs_dir=str(docs), site_dir=str(folder), strict=True)
         config["mdx_configs"]["toc"]["slugify"] = gather.slug

@@ -9,8 +9,8 @@ import tomllib
 here = pathlib.Path(__file__).resolve().parent
 _greek = {"eps": "\\varepsilon"} | {name: f"\\{name}" for name in
                                     ("alpha", "gamma", "eta", "theta", "kappa", "mu", "nu", "rho", "sigma", "zeta", "Gamma")}
-_symbol = re.compile(r"(?<![\w/.`-])(?:([A-Za-z]+)((?:_[A-Za-z0-9]+)+(?:,(?:adh|init|min|[0ij])\b)?)|"
-                     rf"({'|'.join(name for name in _greek if name != 'Gamma')}))(?![\w/(]|\.\w)")
+_symbol = re.compile(r"(?<![\w/.`-])(?:([A-Za-z]+)((?:_[A-Za-z0-9]+)+(?:,(?:adh|init|min|[0ij])\b)?)(?!\w|\.\w)|"
+                     rf"({'|'.join(name for name in _greek if name != 'Gamma')})(?![\w/(]|\.\w))")
 
 
 def tex_of_symbol(base: str, below: str = "") -> str:

@@ -6,7 +6,7 @@ import re
 import formulas
 
 at_the_root = {"MODEL.md": "model.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md",
-               "README.md": "readme.md", "examples/README.md": "examples/index.md", "viewer/README.md": "viewer/index.md"}
+               "README.md": "readme.md", "examples/README.md": "examples.md", "viewer/README.md": "viewer.md"}
 _commands = ("matrigrate", "cmake", "ctest", "apt-get", "export", "npm", "program=", "GLIBC", "./", "python3", "tools/",
              "build/")
 _shown = {".cpp": "cpp", ".hpp": "cpp", ".toml": "toml", ".py": "python", ".sh": "sh", ".ts": "ts", ".cmake": "cmake",
@@ -22,6 +22,8 @@ def pages(root: pathlib.Path) -> dict[str, str]:
         text = (root / source).read_text(encoding="utf-8")
         if source == "MODEL.md":
             text = _model(text)
+        if source == "examples/README.md":
+            text = re.sub(r"^\| `(\w+\.cpp)`", r"| [`\1`](\1)", text, flags=re.MULTILINE)
         text = _with_links_by_source(text, source)
         texts[name] = _for_mkdocs(text)
     return texts
@@ -41,7 +43,7 @@ def _for_mkdocs(text: str) -> str:
     """GitHub's Markdown as Python-Markdown reads it."""
     text = outside_code(text, lambda part: re.sub(r"<!--(?! reports).*?-->\n?", "", part, flags=re.DOTALL), spans=False)
     text = outside_code(text, _lists, spans=False)
-    return re.sub(r"^```(.*)\n(.*?)^```$", lambda match: _fence(match[1], match[2]), text, flags=re.MULTILINE | re.DOTALL)
+    return re.sub(r"^```([^\n]*)\n(.*?)^```$", lambda match: _fence(match[1], match[2]), text, flags=re.MULTILINE | re.DOTALL)
 
 
 def _fence(language: str, body: str) -> str:

@@ -4,6 +4,7 @@ import inspect
 import pathlib
 import re
 import sys
+import textwrap
 
 # The Python package.
 
@@ -93,7 +94,8 @@ def _signature(name: str, thing: object, method: bool = False) -> str:
 
 def _markdown(doc: str) -> str:
     """A docstring: fields as a list, examples as code."""
-    lines, made, code, fields = doc.split("\n"), [], False, False
+    lines = re.sub(r"(?<=\S) (?=:(?:param|raises|returns?)\b)", "\n", doc).split("\n")
+    made, code, fields = [], False, False
     for line in lines:
         example = line.startswith((">>> ", "... ")) or (code == ">" and line.strip() != "")
         indented = line.startswith("    ") and not fields and (code == " " or not made or not made[-1].strip())
@@ -147,7 +149,7 @@ def cpp_pages(root: pathlib.Path) -> dict[str, str]:
         rows.append(f"| [{folder}]({folder}.md) | {what.get(folder, '')} | {names} |")
     pages["reference/cpp/index.md"] = (
         "# The C++ libraries\n\nEach folder of `src/` is a library and a CMake target, `Matrigrate::FOLDER`. These pages are made from "
-        "the comments of the headers. [Examples](../../examples/index.md) show how the parts work together; "
+        "the comments of the headers. [Examples](../../examples.md) show how the parts work together; "
         "[the model](../../model.md) leads from each equation to its function.\n\n"
         "| library | holds | headers |\n|---|---|---|\n" + "\n".join(rows) + "\n")
     return pages
@@ -210,7 +212,9 @@ def _declaration(lines: list[str], k: int) -> tuple[str, int]:
         return re.sub(r"\n\s*private:.*?(?=\n\};)", "", text, flags=re.DOTALL), k
     signature = text[:_body(text)].rstrip()
     signature = re.sub(r"\)\s*:\s.*\Z", ")", signature, flags=re.DOTALL)
-    return re.sub(r"\[\[gnu::always_inline\]\] ", "", signature) + ";", k
+    *before, line = re.sub(r"\n\s+", " ", re.sub(r"\[\[gnu::always_inline\]\] |^inline ", "", signature, flags=re.MULTILINE)).split("\n")
+    return "\n".join([*before, *textwrap.wrap(line + ";", 96, subsequent_indent="    ", break_long_words=False,
+                                              break_on_hyphens=False)]), k
 
 
 def _body(text: str) -> int:
@@ -228,7 +232,7 @@ def _cpp_comment(lines: list[str]) -> str:
     if not lines:
         return ""
     text: list[str] = []
-    for line in re.sub(r"   (?=@(?:param|return|throws))", "\n", "\n".join(lines)).split("\n"):
+    for line in re.sub(r" +(?=@(?:param|return|throws)\b)", "\n", "\n".join(lines)).split("\n"):
         tag = re.match(r"@(param|return|throws|note)\s+(.*)", line)
         if tag:
             if not any(item.startswith("- ") for item in text[-1:]) and not (text and text[-1].startswith("    ")):
