@@ -120,9 +120,17 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
             return f"]({relative})"
 
         text = outside_code(text, lambda part: re.sub(r"\]\(source:([^)#]+)(#[^)]*)?\)", change, part), spans=False)
+        text = _with_links_to_interpretations(text, name)
         texts[name] = _with_links_to_headers(text, name, root)
     texts |= more
     return copies
+
+
+def _with_links_to_interpretations(text: str, name: str) -> str:
+    """MODEL.md, D12 in the text becomes a link to that interpretation."""
+    model = os.path.relpath("model.md", os.path.dirname(name) or ".")
+    return outside_code(text, lambda part: re.sub(
+        r"(?<!\[)\bMODEL\.md, D(\d+)\b", lambda match: f"[{match[0]}]({model}#d{match[1]})", part))
 
 
 def _with_links_to_headers(text: str, name: str, root: pathlib.Path) -> str:
