@@ -1,4 +1,4 @@
-# Shared by ./demo and ./test: what the build needs from Debian, and how it is built.
+# Shared by ./demo, ./test and tools/site.sh: what the build, the tests and the site need from Debian, and how it is built.
 # Sourced with the working directory at the project's root.
 
 # name: reason
@@ -32,6 +32,12 @@ python3-pip: installs the Python package in its tests
 python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
+"
+packages_for_site="
+mkdocs: builds the documentation site
+mkdocs-material: its theme
+katex: its equations
+python3-numpy: the Python package, whose docstrings are its reference
 "
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }

@@ -1,0 +1,101 @@
+"""The rules of the tests of the documentation themselves, on text that breaks them and text that does not."""
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import blocks
+import links
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "site"))
+import formulas  # noqa: E402
+import gather  # noqa: E402
+import reference  # noqa: E402
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        self.folder = pathlib.Path(folder.name)
+        os.chdir(self.folder)
+
+
+class Blocks(InFolder):
+    def ran(self, text):
+        (self.folder / "page.md").write_text(text)
+        runner = blocks.Runner(self.folder / "page.md")
+        runner.run()
+        return runner
+
+    def test_state_is_kept_and_output_compared(self):
+        done = self.ran('```sh\nexport A=5\nmkdir b\ncd b\n```\n```toml title="x.toml"\nk = 1\n```\n'
+                        "```sh\ncat x.toml; echo \"$A  um\"\n```\n```text\nk = 27\n3.1 um\n```\n"
+                        '```python\nimport pathlib\nn = pathlib.Path("x.toml").read_text()\n```\n```python\nassert n == "k = 1\\n"\n```\n')
+        self.assertEqual(done.faults, [])
+
+    def test_faults_are_found(self):
+        for text, fault in (("```sh\nfalse\n```\n", "page.md:2: ended with 1"), ("```python\n1 / 0\n```\n", "ZeroDivisionError"),
+                            ("```text\nhello\n```\n", "not printed on this page: hello"), ("```ruby\n```\n", "no test runs"),
+                            ("```toml\n```\n", "names no file"), ("<!-- not run: dull -->\n```sh\nfalse\n```\n", "not a reason"),
+                            ("<!-- exit code 4 -->\n```sh\ntrue\n```\n", "ended with 0, not (4,)")):
+            self.assertIn(fault, "\n".join(self.ran(text).faults))
+
+    def test_marks(self):
+        done = self.ran("<!-- not run: needs Slurm -->\n```sh\nfalse\n```\n<!-- exit code 0 or 4 -->\n```sh\nexit 4\n```\n")
+        self.assertEqual((done.faults, done.skipped), ([], ["page.md:3 (needs Slurm)"]))
+        done = self.ran("<!-- needs sh, no-such-program -->\n```sh\nfalse\n```\n<!-- needs sh -->\n```sh\ntrue\n```\n")
+        self.assertEqual((done.faults, done.skipped), ([], ["page.md:3 (without no-such-program)"]))
+
+
+class Links(InFolder):
+    def test_faults_are_found(self):
+        (self.folder / "a.html").write_text('<h1 id="x">A</h1><a href="b.html#y">b</a><a href="#x">x</a><a href="https://a.example">a</a>')
+        (self.folder / "b.html").write_text('<p id="y"></p>')
+        (self.folder / "c.css").write_text("p { background: url(data:image/png;base64,AA) }")
+        self.assertEqual(links.faults(self.folder), [])
+        (self.folder / "d.html").write_text(
+            '<a href="no.html"></a><a href="b.html#no"></a><a href="/b.html"></a><script src="https://a.example/s.js"></script>'
+            '<style>@import "//a.example/t.css"</style>')
+        (self.folder / "e.css").write_text("p { background: url(no.png) }")
+        self.assertEqual(links.faults(self.folder), [
+            "d.html: no such file: no.html", "d.html: no such place: b.html#no", "d.html: not relative: /b.html",
+            "d.html: takes https://a.example/s.js from the network", "d.html: a style takes //a.example/t.css from the network",
+            "e.css: no such file: no.png"])
+
+
+class Pages(unittest.TestCase):
+    def test_lists_and_fences_become_those_of_mkdocs(self):
+        self.assertEqual(gather._for_mkdocs("a\n- b\n  c\n   - d\n\ne\n"), "a\n\n- b\n    c\n    - d\n\ne\n")
+        self.assertEqual(gather._for_mkdocs("```\nmatrigrate list\n```\nb\n\n```\n12\n```\n<!-- c -->\n"),
+                         "```sh\nmatrigrate list\n```\nb\n\n```text\n12\n```\n")
+        self.assertEqual(gather._for_mkdocs("```text\n- a\n<!-- b -->\n```\n"), "```text\n- a\n<!-- b -->\n```\n")
+
+    def test_anchors_are_those_of_github(self):
+        self.assertEqual([gather.slug("The paper's claims"), gather.slug("A, b: c_d (e)")], ["the-papers-claims", "a-b-c_d-e"])
+
+    def test_symbols_become_tex(self):
+        for base, below, tex in (("F", "_am", "F_{\\text{am}}"), ("l", "_0,adh", "l_{0,\\text{adh}}"), ("kappa", "", "\\kappa"),
+                                 ("x", "_ij", "x_{ij}")):
+            self.assertEqual(formulas.tex_of_symbol(base, below), tex)
+
+        def met(text):
+            return [span[2] for span in formulas._span.findall(formulas.with_formulas(text, [("A v = F", "x")], set()))]
+
+        self.assertEqual(met("In A v\n= F the k_s"), ["A v = F", "k&#95;s"])
+        self.assertEqual(met("a file drag_cache.hpp, an eta/2 and a number"), [])
+
+    def test_headers_become_declarations(self):
+        text = reference._cpp_header("#pragma once\n\n/// Of all.\nnamespace matrigrate {\n\n/// Twice x_1. @return [um]\n/// @param x  [um]\n"
+                                     "inline double twice(double x) {\n  return 2 * x;\n}\n\n/// S.\nstruct S {\n  int a; ///< b\n"
+                                     "private:\n  int c;\n};\n} // namespace matrigrate\n")
+        for part in ("Of all.", "```cpp\ndouble twice(double x);\n```", "Twice x\\_1.", "- returns \\[um\\]", "- `x`: \\[um\\]",
+                     "struct S {\n  int a; ///< b\n};"):
+            self.assertIn(part, text)
+        self.assertNotIn("int c", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,144 @@
+#!/usr/bin/python3
+"""Builds the documentation site: build.py FOLDER [--program PATH]
+
+Gathers the pages in a temporary folder (docs/, the pages at the root of the project, and reference pages made from the
+sources), and calls mkdocs. With --program, the gallery holds report pages that the program makes from short runs.
+"""
+import argparse
+import importlib.util
+import json
+import logging
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parent.parent
+sys.path.insert(0, str(here))
+
+import formulas  # noqa: E402
+import gather  # noqa: E402
+import reference  # noqa: E402
+
+katex = pathlib.Path("/usr/share/javascript/katex")  # Debian's libjs-katex
+
+short = ["--set", "protrusion.initiation_rate=2e-3 1/s", "--set", "output.field_interval=60 s"]
+reports = [  # name, what it shows, commands of the program; {0} is the folder
+    ("baseline", "A run: half an hour of the baseline, 200 Pa",
+     [["new", "baseline.toml"], ["run", "baseline.toml", "-o", "baseline", "--hours", "0.5", *short]]),
+    ("fibres", "A run: among fibres along x, two protrusions at a time",
+     [["new", "fibres.toml", "--preset", "two-protrusions-fibres"],
+      ["run", "fibres.toml", "-o", "fibres", "--hours", "0.3", *short]]),
+    ("study", "A study: two stiffnesses, three seeds each", [["study", "run", "stiffness.toml", "-o", "study"]]),
+    ("stretch", "A verification case: a stretched specimen", [["validate", "stretch", "-o", "stretch"]]),
+]
+study = """title = "Soft and stiff matrix"
+preset = "baseline"
+replicates = 3
+
+[set]
+run.duration = "20 min"
+ecm.radius = "80 um"
+protrusion.initiation_rate = "2e-3 1/s"
+
+[sweep]
+ecm.youngs_modulus = ["50 Pa", "400 Pa"]
+"""
+
+
+def make_reports(program: pathlib.Path, folder: pathlib.Path) -> None:
+    """Lets the program make the report pages of the gallery."""
+    folder.mkdir(parents=True)
+    with tempfile.TemporaryDirectory() as work:
+        (pathlib.Path(work) / "stiffness.toml").write_text(study)
+        for name, _, commands in reports:
+            for command in commands:
+                done = subprocess.run([program, *command], cwd=work, capture_output=True, text=True)
+                if done.returncode:
+                    sys.exit(f"matrigrate {' '.join(command)}\n{done.stdout}{done.stderr}")
+            shutil.copy(pathlib.Path(work) / name / "report.html", folder / f"{name}.html")
+
+
+def gallery_text(program: pathlib.Path | None) -> str:
+    """What the site adds to docs/gallery.md."""
+    if program is None:
+        return "This site was built without the program, so it holds no report pages."
+    parts = []
+    for name, title, commands in reports:
+        lines = "\n".join("matrigrate " + " ".join(f'"{word}"' if " " in word else word for word in command)
+                          for command in commands)
+        parts.append(f'## {title}\n\n<p><a href="reports/{name}.html">Open the page alone</a></p>\n\n'
+                     f'<iframe class="report" src="reports/{name}.html" title="{title}" loading="lazy"></iframe>\n\n'
+                     f"```sh\n{lines}\n```\n")
+    return "\n".join(parts)
+
+
+def main() -> None:
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("folder", type=pathlib.Path, help="where the site goes; an older site there is replaced")
+    options.add_argument("--program", type=pathlib.Path, help="matrigrate, for the report pages of the gallery")
+    given = options.parse_args()
+    if importlib.util.find_spec("mkdocs") is None or not katex.is_dir():
+        print("not here: mkdocs, mkdocs-material or katex; tools/site.sh installs them")
+        sys.exit(77)
+    folder = given.folder.resolve()
+    if folder.exists() and any(folder.iterdir()) and not (folder / "sitemap.xml").exists():
+        sys.exit(f"{folder} holds something other than a site; nothing was written")
+
+    from mkdocs.commands.build import build
+    from mkdocs.config import load_config
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
+    with tempfile.TemporaryDirectory() as temporary:
+        docs = pathlib.Path(temporary) / "docs"
+        texts = gather.pages(root)
+        texts |= reference.python_pages(root) | reference.cpp_pages(root)
+        texts["gallery.md"] = texts["gallery.md"].replace("<!-- reports -->", gallery_text(given.program))
+        files = gather.with_links_of_the_site(texts, root)
+        if given.program:
+            make_reports(given.program.resolve(), docs / "reports")
+        for name, content in texts.items():
+            (docs / name).parent.mkdir(parents=True, exist_ok=True)
+            (docs / name).write_text(content, encoding="utf-8")
+        for name, origin in files.items():
+            (docs / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(origin, docs / name)
+        shutil.copy(here / "site.css", docs)
+        (docs / "katex").mkdir()
+        style = re.sub(r",url\([^)]*\.(?:woff|ttf)\) format\([^)]*\)", "", (katex / "katex.min.css").read_text())
+        (docs / "katex" / "katex.min.css").write_text(style)  # woff2 alone: all browsers read it
+        shutil.copytree(katex / "fonts", docs / "katex" / "fonts", ignore=shutil.ignore_patterns("*.ttf", "*.woff"))
+        (docs / "licences").mkdir()
+        for package in ("libjs-katex", "mkdocs-material"):  # the site holds parts of both
+            shutil.copy(f"/usr/share/doc/{package}/copyright", docs / "licences" / f"{package}.txt")
+        shutil.rmtree(folder, ignore_errors=True)
+        config = load_config(str(here / "mkdocs.yml"), docs_dir=str(docs), site_dir=str(folder), strict=True)
+        config["mdx_configs"]["toc"]["slugify"] = gather.slug
+        config["nav"] = with_cpp_pages(config["nav"], texts)
+        build(config)
+    formulas.render(folder)
+    write_search(folder)
+    print(f"{folder / 'index.html'}")
+
+
+def with_cpp_pages(nav: list, texts: dict[str, str]) -> list:
+    """The navigation, with a page for each folder of src/."""
+    names = sorted(name for name in texts if name.startswith("reference/cpp/") and not name.endswith("index.md"))
+    pages = ["reference/cpp/index.md", *({name[len("reference/cpp/"):-3]: name} for name in names)]
+    return [{top: [{"C++": pages} if entry == {"C++": "reference/cpp/"} else entry for entry in entries]
+             if isinstance(entries, list) else entries for top, entries in part.items()} for part in nav]
+
+
+def write_search(folder: pathlib.Path) -> None:
+    """The search index as a script: a page that was opened as a file may not fetch it."""
+    index = folder / "search" / "search_index.json"
+    content = json.loads(index.read_text(encoding="utf-8"))
+    content["docs"] = [entry for entry in content["docs"] if not entry["location"].startswith("files/")]
+    (folder / "search" / "search_index.js").write_text(f"setSearchIndex({json.dumps(content)});\n", encoding="utf-8")
+    index.unlink()
+
+
+if __name__ == "__main__":
+    main()
