@@ -27,6 +27,10 @@ NUMBERS = [f"n_prot {n}" for n in (1, 2, 3, 4)]
 CLOSURES = ["50 Pa: all", "200 Pa: all", "400 Pa: all", "one: all", "three: all", "four: all"]
 TABLES = [  # page, first cell and column after it of the header, results, label of the point of each column
     ("docs/validation.md", "12 runs | 50 Pa |", "stiffness-results.csv", STIFFNESS),
+    ("docs/validation.md", "12 runs | 0.4 nN |", "contraction-results.csv",
+     [f"force {F} nN" for F in (0.4, 0.8, 1.2, 1.6, 2)]),
+    ("docs/validation.md", "12 runs, zeta_diss 80 /nN |", "sensitive-adhesions-results.csv", STIFFNESS),
+    ("docs/validation.md", "12 runs, one rate |", "insensitive-adhesions-results.csv", STIFFNESS),
     ("docs/validation.md", "17 runs | 1 |", "kept-protrusions-results.csv", NUMBERS),
     ("docs/validation.md", "18 runs | 1 |", "kept-protrusions-fibres-results.csv", NUMBERS),
     ("docs/validation.md", "8 seeds, mean +- standard deviation | 50 Pa |", "closures-results.csv", CLOSURES),
