@@ -46,8 +46,13 @@ void print_text(const run::RunOutcome& outcome) {
 void RunDisplay::warn(std::string_view text) { print_warning(text); }
 
 void RunDisplay::step(const State& s) {
-  m_progress->show(s.t, fmt::format("{} protrusion{} now, {} so far", s.protrusions.size(),
-                                    s.protrusions.size() == 1 ? "" : "s", s.initiated));
+  std::size_t now = 0;
+  std::size_t so_far = 0;
+  for (const Cell& cell : s.cells) {
+    now += cell.protrusions.size();
+    so_far += cell.initiated;
+  }
+  m_progress->show(s.t, fmt::format("{} protrusion{} now, {} so far", now, now == 1 ? "" : "s", so_far));
 }
 
 std::optional<run::StopRequest> RunDisplay::stop_request() {

@@ -18,7 +18,7 @@ ParticlePicture picture(const State& s, const Parameters& p, const std::string& 
           .value_label = {},
           .position = s.ecm.x,
           .particle_size = p.ecm.particle_spacing,
-          .outline = s.cortex.x};
+          .outline = s.cells.empty() ? std::vector<Vec2>() : s.cells.front().cortex.x};
 }
 
 /// The value that all but one in a thousand stay under, so that a few particles do not take the whole colour bar.

@@ -9,21 +9,21 @@ namespace matrigrate {
 
 std::uint32_t TrackRow::alive() const { return std::accumulate(in_phase.begin(), in_phase.end(), 0U); }
 
-TrackRow track_row(const State& s) {
-  TrackRow row{.t = s.t,
-               .step = s.step,
-               .centre = centroid(s.cortex),
-               .area = area(s.cortex),
-               .perimeter = perimeter(s.cortex),
-               .polarization = s.polarization,
-               .initiated = s.initiated};
-  for (const Protrusion& protrusion : s.protrusions) ++row.in_phase[protrusion.phase.index()];
+TrackRow track_row(const Cell& cell, const Instant& now) {
+  TrackRow row{.t = now.t,
+               .step = now.step,
+               .centre = centroid(cell.cortex),
+               .area = area(cell.cortex),
+               .perimeter = perimeter(cell.cortex),
+               .polarization = cell.polarization,
+               .initiated = cell.initiated};
+  for (const Protrusion& protrusion : cell.protrusions) ++row.in_phase[protrusion.phase.index()];
   return row;
 }
 
-std::vector<ProtrusionRecord> protrusion_records(const State& s) {
-  std::vector<ProtrusionRecord> records = s.ended;
-  for (const Protrusion& protrusion : s.protrusions) records.push_back(protrusion.record);
+std::vector<ProtrusionRecord> protrusion_records(const Cell& cell) {
+  std::vector<ProtrusionRecord> records = cell.ended;
+  for (const Protrusion& protrusion : cell.protrusions) records.push_back(protrusion.record);
   std::ranges::sort(records, {}, &ProtrusionRecord::id);
   return records;
 }

@@ -10,11 +10,11 @@
 #include <variant>
 #include <vector>
 
-/// Where the cell is and what its protrusions do, from time to time. Read-only.
+/// Where a cell is and what its protrusions do, from time to time. Read-only.
 /// Test: tests/unit/observe/tracks_test.cpp
 namespace matrigrate {
 
-/// The cell at one time.
+/// A cell at one time.
 struct TrackRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;
@@ -28,10 +28,9 @@ struct TrackRow {
   std::uint32_t alive() const; ///< protrusions of all phases
 };
 
-/// @param s  a state with a cell
-TrackRow track_row(const State& s);
+TrackRow track_row(const Cell& cell, const Instant& now);
 
-/// Records of all protrusions, ended or alive, in the order of their initiation.
-std::vector<ProtrusionRecord> protrusion_records(const State& s);
+/// Records of all protrusions of a cell, ended or alive, in the order of their initiation.
+std::vector<ProtrusionRecord> protrusion_records(const Cell& cell);
 
 } // namespace matrigrate

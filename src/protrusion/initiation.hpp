@@ -24,11 +24,11 @@ struct Outline {
 
 /// Share of the growth force that the tip of a protrusion around particle i would feel: the mean of max(0, n . d_prot)
 /// over its pushing particles [-].
-double facing(const CortexState& c, std::size_t i, const Outline& cell, const ProtrusionParameters& p);
+double facing(const CortexState& c, std::size_t i, const Outline& outline, const ProtrusionParameters& p);
 
 /// A protrusion begins around particle i; it grows from `centre` towards it. The first of all sets the polarization.
-/// @param centre  centre of mass of the cell [um]
-void begin_protrusion(State& s, std::size_t i, const Vec2& centre, const ProtrusionParameters& p);
+/// @param centre  centre of mass of the cell [um]   @param t  time [s]
+void begin_protrusion(Cell& cell, std::size_t i, const Vec2& centre, double t, const ProtrusionParameters& p);
 
 /// Each particle of the front that has room and whose tip faces its direction (least_facing) initiates a protrusion
 /// with probability 1 - exp(-r_prot dt), in the order of the ring; it grows from the centre of mass towards the
@@ -38,6 +38,7 @@ void begin_protrusion(State& s, std::size_t i, const Vec2& centre, const Protrus
 /// whatever the step, is drawn among all particles, rear ones rear_share times as likely; it initiates if it has room
 /// and faces its direction, fewer than that number live, and the cell's area is no more than area_limit A_0 (Heck et
 /// al. 2020, section on the number of protrusions; MODEL.md, D27).
-void initiate(State& s, const Parameters& p, double dt, const Outline& cell);
+/// @param now  the end of the step of dt
+void initiate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline);
 
 } // namespace matrigrate

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "cell/geometry.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/layer_picture.hpp"
 #include "parameters/write.hpp"
@@ -9,6 +10,7 @@
 #include "report/run_page.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
+#include "state/dof.hpp"
 #include "store/checkpoint.hpp"
 #include "store/field_file.hpp"
 #include "store/run_files.hpp"
@@ -55,7 +57,8 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
                      io::RunMemory memory, const std::filesystem::path& from)
     : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
-      m_memory(std::move(memory)), m_ended(s.ended.size()), m_row_cadence(p.output.track_interval, p.run.time_step),
+      m_memory(std::move(memory)), m_ended(s.cells.front().ended.size()),
+      m_row_cadence(p.output.track_interval, p.run.time_step),
       m_snapshot_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
       m_frame_cadence(p.output.field_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
@@ -67,7 +70,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
   m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
-  m_protrusions.emplace(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p));
+  m_protrusions.emplace(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.cells.front().ended, p));
   m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
   if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
   if (m_memory.rows.empty()) return;
@@ -149,7 +152,7 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed, c
                        std::string_view page_template) {
   if (m_frames) io::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
   write_pictures(s, failed);
-  const std::vector<ProtrusionRecord> records = protrusion_records(s);
+  const std::vector<ProtrusionRecord> records = protrusion_records(s.cells.front());
   m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
   write_file(m_folder / "protrusions.csv", io::protrusions_csv(records, m_p.actomyosin)); // with those still alive
   write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
@@ -198,21 +201,22 @@ void RunFolder::add_row(const State& s, const Workspace& w) {
   io::TrajectoryHash trajectory(m_memory.trajectory);
   trajectory.add(s);
   m_memory.trajectory = trajectory.value();
-  m_memory.rows.push_back(track_row(s));
+  m_memory.rows.push_back(track_row(s.cells.front(), s.now()));
   m_tracks->add(io::fields(m_memory.rows.back()));
   m_memory.health.push_back(health_row(s, w, m_memory.watch));
   m_health->add(io::fields(m_memory.health.back()));
 }
 
 void RunFolder::add_ended(const State& s) {
-  for (; m_ended < s.ended.size(); ++m_ended) m_protrusions->add(io::fields(s.ended[m_ended], m_p.actomyosin));
+  const std::vector<ProtrusionRecord>& ended = s.cells.front().ended;
+  for (; m_ended < ended.size(); ++m_ended) m_protrusions->add(io::fields(ended[m_ended], m_p.actomyosin));
 }
 
 void RunFolder::add_snapshot(const State& s, const Workspace& w) {
   std::vector<Vec2> path;
   path.reserve(m_memory.rows.size() + 1);
   for (const TrackRow& row : m_memory.rows) path.push_back(row.centre);
-  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(track_row(s).centre);
+  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(centroid(s.cells.front().cortex));
   io::CellScene scene = io::cell_scene(s, m_p, std::move(path));
   const std::filesystem::path file = m_folder / "snapshots" / time_name(s.t);
   const auto layer = [&file](std::string_view name) { return file.string() + std::string(name) + ".svg"; };
@@ -233,7 +237,7 @@ void RunFolder::add_frame(const State& s, const Workspace& w) {
 /// Begins the log with those frames of the past that a folder still holds.
 void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
   const io::FrameShape shape{.head = io::frame_head(s, m_p),
-                             .outline = s.cortex.size(),
+                             .outline = node_count(s) - s.ecm.size(),
                              .fibres = m_p.fibres.arrangement != FibreArrangement::none};
   std::string log = io::log_head(shape.head);
   if (!m_memory.frames.empty())

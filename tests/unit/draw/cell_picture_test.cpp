@@ -30,12 +30,12 @@ State state(const Parameters& p) {
   State s;
   s.t = 5400.0;
   s.ecm = disc(p);
-  s.cortex = round_cortex(p.cell);
-  s.polarization = 0.25 * std::numbers::pi;
+  s.cells.emplace_back().cortex = round_cortex(p.cell);
+  s.cells[0].polarization = 0.25 * std::numbers::pi;
   const auto add = [&](std::uint32_t centre, Phase phase) {
-    s.protrusions.emplace_back();
-    s.protrusions.back().centre = centre;
-    s.protrusions.back().phase = std::move(phase);
+    s.cells[0].protrusions.emplace_back();
+    s.cells[0].protrusions.back().centre = centre;
+    s.cells[0].protrusions.back().phase = std::move(phase);
   };
   add(20, Growing{Vec2::UnitX()});
   add(80, Maturing{Vec2::UnitX(), Vec2(-10, 25), 2});
@@ -60,11 +60,11 @@ TEST(CellScene, CutsTheFrontHalfOff) {
   const Parameters p = parameters(40.0);
   State s = state(p);
   const CellScene scene = cell_scene(s, p, {});
-  EXPECT_NEAR(area(ring_of(scene.front)), 0.5 * area(s.cortex), 0.01 * area(s.cortex));
+  EXPECT_NEAR(area(ring_of(scene.front)), 0.5 * area(s.cells[0].cortex), 0.01 * area(s.cells[0].cortex));
   const Vec2 ahead = centroid(ring_of(scene.front));
   EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), 0.25 * std::numbers::pi, 0.02);
-  s.polarization.reset();
-  EXPECT_EQ(cell_scene(s, p, {}).front.size(), s.cortex.size()) << "all of it before the first protrusion";
+  s.cells[0].polarization.reset();
+  EXPECT_EQ(cell_scene(s, p, {}).front.size(), s.cells[0].cortex.size()) << "all of it before the first protrusion";
 }
 
 TEST(CellScene, TakesProtrusionsWithTheirAnchors) {

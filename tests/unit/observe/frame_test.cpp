@@ -65,7 +65,7 @@ TEST(Frame, HoldsTheCellAndItsProtrusions) {
   EXPECT_EQ(f.outline.protrusion[35], of_none);
   EXPECT_EQ(f.outline.phase[60], 2);
   EXPECT_EQ(std::count(f.outline.front.begin(), f.outline.front.end(), 1),
-            static_cast<std::ptrdiff_t>(run.s.cortex.size() / 2));
+            static_cast<std::ptrdiff_t>(run.s.cells[0].cortex.size() / 2));
   EXPECT_EQ(f.protrusions.id, (Floats{1, 2}));
   EXPECT_EQ(f.protrusions.centre, (Floats{10, 60}));
   EXPECT_EQ(f.protrusions.phase, (Bytes{0, 2}));

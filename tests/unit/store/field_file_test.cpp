@@ -87,12 +87,12 @@ TEST(FieldFile, HoldsPositionsInSpace) {
 
 TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
   SmallRun run;
-  for (Vec2& x : run.s.cortex.x) x += Vec2(3.0, -7.0);
+  for (Vec2& x : run.s.cells[0].cortex.x) x += Vec2(3.0, -7.0);
   const Film film = read_field_file(field_file(run.film()));
   const Floats& x = film.frames[0].outline.x;
   CortexState read;
   for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
-  EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
+  EXPECT_LT((centroid(read) - track_row(run.s.cells[0], run.s.now()).centre).norm(), 1e-5) << "32 bits";
 }
 
 TEST(FieldFile, SaysWhatItIsOf) {
