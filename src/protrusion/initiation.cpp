@@ -47,7 +47,8 @@ void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, dou
   std::vector<int> of_particle = membership(cell, p).of_particle;
   for (std::size_t i = 0; i < cell.cortex.size(); ++i) {
     if (!outline.of_front[i]) continue;
-    if (uniform(p.run.seed, Purpose::initiation, now.step, static_cast<std::uint32_t>(i)) >= probability) continue;
+    if (uniform(p.run.seed, Purpose::initiation, now.step, static_cast<std::uint32_t>(i), cell.id) >= probability)
+      continue;
     if (!may_begin(cell.cortex, i, of_particle, outline, p.protrusion)) continue;
     begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
     of_particle = membership(cell, p).of_particle;
@@ -74,7 +75,7 @@ void keep_up_number(Cell& cell, const Instant& now, const Parameters& p, double 
   const std::uint64_t last = candidates_until(now.t, p.protrusion);
   for (std::uint64_t n = candidates_until(now.t - dt, p.protrusion) + 1; n <= last; ++n) {
     if (cell.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
-    const double draw = uniform(p.run.seed, Purpose::initiation, n, 0);
+    const double draw = uniform(p.run.seed, Purpose::initiation, n, 0, cell.id);
     const std::size_t i = candidate(outline.of_front, p.protrusion.rear_share, draw);
     if (may_begin(cell.cortex, i, membership(cell, p).of_particle, outline, p.protrusion))
       begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);

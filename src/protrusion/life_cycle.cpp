@@ -104,7 +104,7 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
   Circumstances found{.age = now.t - protrusion.since + 1e-6 * dt, // times are sums of steps
                       .force = adhesion_force(cell.cortex, protrusion, p.adhesion),
                       .ahead = adhesion_site(cell.cortex, protrusion, p.adhesion),
-                      .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id)};
+                      .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id, cell.id)};
   const bool growing = std::holds_alternative<Growing>(protrusion.phase);
   const bool needs_solid = growing ? found.age >= p.protrusion.growth_time : anchor(protrusion.phase) != nullptr;
   if (needs_solid) found.support = solid_weights(ecm, Kernel(p.ecm.smoothing_length), found.ahead).support;
