@@ -43,11 +43,14 @@ bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_part
 }
 
 void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline) {
-  const double probability = event_probability(p.protrusion.initiation_rate, dt);
+  const auto probability = [&, usual = event_probability(p.protrusion.initiation_rate, dt)](std::size_t i) {
+    if (outline.propensity.empty()) return usual;
+    return event_probability(outline.propensity[i] * p.protrusion.initiation_rate, dt);
+  };
   std::vector<int> of_particle = membership(cell, p).of_particle;
   for (std::size_t i = 0; i < cell.cortex.size(); ++i) {
     if (!outline.of_front[i]) continue;
-    if (uniform(p.run.seed, Purpose::initiation, now.step, static_cast<std::uint32_t>(i), cell.id) >= probability)
+    if (uniform(p.run.seed, Purpose::initiation, now.step, static_cast<std::uint32_t>(i), cell.id) >= probability(i))
       continue;
     if (!may_begin(cell.cortex, i, of_particle, outline, p.protrusion)) continue;
     begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
@@ -55,9 +58,12 @@ void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, dou
   }
 }
 
-/// The particle that a uniform draw falls on, each with the weight of front or rear.
-std::size_t candidate(std::span<const std::uint8_t> of_front, double rear_share, double draw) {
-  const auto weight = [&](std::size_t i) { return of_front[i] ? 1.0 : rear_share; };
+/// The particle that a uniform draw falls on, each with the weight of front or rear times its propensity.
+std::size_t candidate(const Outline& outline, double rear_share, double draw) {
+  const std::span<const std::uint8_t> of_front = outline.of_front;
+  const auto weight = [&](std::size_t i) {
+    return (of_front[i] ? 1.0 : rear_share) * (outline.propensity.empty() ? 1.0 : outline.propensity[i]);
+  };
   double sum = 0.0;
   for (std::size_t i = 0; i < of_front.size(); ++i) sum += weight(i);
   double left = draw * sum;
@@ -76,7 +82,8 @@ void keep_up_number(Cell& cell, const Instant& now, const Parameters& p, double 
   for (std::uint64_t n = candidates_until(now.t - dt, p.protrusion) + 1; n <= last; ++n) {
     if (cell.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
     const double draw = uniform(p.run.seed, Purpose::initiation, n, 0, cell.id);
-    const std::size_t i = candidate(outline.of_front, p.protrusion.rear_share, draw);
+    const std::size_t i = candidate(outline, p.protrusion.rear_share, draw);
+    if (!outline.propensity.empty() && outline.propensity[i] <= 0.0) continue; // of all particles
     if (may_begin(cell.cortex, i, membership(cell, p).of_particle, outline, p.protrusion))
       begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
   }

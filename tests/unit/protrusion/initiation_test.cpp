@@ -114,6 +114,22 @@ TEST(Initiation, ProtrusionsNeverShareParticles) {
   }
 }
 
+TEST(Initiation, OfEachCellDrawsItsOwnNumbers) {
+  const Parameters p = small_matrix();
+  const auto first = [&](std::uint32_t id) {
+    Scene s = cell_in_matrix(p);
+    s.cell.id = id;
+    while (s.cell.protrusions.empty()) {
+      next_step(s, p);
+      try_to_initiate(s, p, std::vector<std::uint8_t>(s.cell.cortex.size(), 1));
+    }
+    return std::pair(s.now.step, s.cell.protrusions[0].centre);
+  };
+  EXPECT_EQ(first(1), first(1));
+  EXPECT_NE(first(1), first(0));
+  EXPECT_NE(first(1), first(2));
+}
+
 TEST(KeptNumber, IsReachedAndNeverPassed) {
   Parameters p = small_matrix();
   for (const int number : {1, 2, 3, 4}) {
