@@ -55,27 +55,29 @@ std::optional<Vec2> anchor_of(const Phase& phase) {
   return std::nullopt;
 }
 
+DrawnProtrusion drawn(const Cell& cell, const Protrusion& protrusion, const Parameters& p) {
+  DrawnProtrusion drawn{.phase = protrusion.phase.index(),
+                        .contour = {},
+                        .tip = cell.cortex.x[protrusion.centre],
+                        .anchor = anchor_of(protrusion.phase)};
+  for (int k = -p.protrusion.half_width; k <= p.protrusion.half_width; ++k)
+    drawn.contour.push_back(cell.cortex.x[cell.cortex.along(protrusion.centre, k)]);
+  return drawn;
+}
+
 } // namespace
 
-CellScene cell_scene(const State& s, const Parameters& p, std::vector<Vec2> path) {
+CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vector<Vec2>> paths) {
   CellScene scene;
   scene.t = s.t;
   scene.radius = p.ecm.radius;
   scene.spacing = p.ecm.particle_spacing;
   for (std::size_t i = 0; i < s.ecm.size(); ++i) scene.matrix[matrix_class(s.ecm.f[i])].push_back(s.ecm.x[i]);
-  scene.path = std::move(path);
-  if (s.cells.empty()) return scene;
-  const Cell& cell = s.cells.front();
-  scene.cell = cell.cortex.x;
-  scene.front = front_area(cell);
-  for (const Protrusion& protrusion : cell.protrusions) {
-    DrawnProtrusion drawn{.phase = protrusion.phase.index(),
-                          .contour = {},
-                          .tip = cell.cortex.x[protrusion.centre],
-                          .anchor = anchor_of(protrusion.phase)};
-    for (int k = -p.protrusion.half_width; k <= p.protrusion.half_width; ++k)
-      drawn.contour.push_back(cell.cortex.x[cell.cortex.along(protrusion.centre, k)]);
-    scene.protrusions.push_back(std::move(drawn));
+  paths.resize(s.cells.size());
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    const Cell& cell = s.cells[k];
+    scene.cells.push_back({.outline = cell.cortex.x, .front = front_area(cell), .path = std::move(paths[k])});
+    for (const Protrusion& protrusion : cell.protrusions) scene.protrusions.push_back(drawn(cell, protrusion, p));
   }
   return scene;
 }
@@ -95,8 +97,10 @@ Box surroundings(std::span<const CellScene> scenes, double room) {
   double radius = 0.0;
   for (const CellScene& scene : scenes) {
     radius = std::max(radius, scene.radius + 0.5 * scene.spacing);
-    for (const Vec2& x : scene.cell) include(x);
-    for (const Vec2& x : scene.path) include(x);
+    for (const DrawnCell& cell : scene.cells) {
+      for (const Vec2& x : cell.outline) include(x);
+      for (const Vec2& x : cell.path) include(x);
+    }
     for (const DrawnProtrusion& protrusion : scene.protrusions)
       if (protrusion.anchor) include(*protrusion.anchor);
   }

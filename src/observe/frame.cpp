@@ -5,6 +5,7 @@
 #include "ecm/fluid.hpp"
 #include "ecm/law/material.hpp"
 #include "observe/fields.hpp"
+#include "observe/tracks.hpp"
 #include "protrusion/adhesion.hpp"
 #include "sph/neighbours.hpp"
 
@@ -143,7 +144,7 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
 } // namespace
 
 std::span<const FrameField<Floats>> float_fields() {
-  static constexpr std::array<FrameField<Floats>, 15> all{{
+  static constexpr std::array<FrameField<Floats>, 17> all{{
       {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
       {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
       {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
@@ -159,6 +160,8 @@ std::span<const FrameField<Floats>> float_fields() {
       {"protrusions/anchor", "um", 2, [](Frame& f) -> Floats& { return f.protrusions.anchor; }},
       {"protrusions/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.f_mat; }},
       {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
+      {"outline/cell", "1", 1, [](Frame& f) -> Floats& { return f.outline.cell; }},
+      {"protrusions/cell", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.cell; }},
   }};
   return all;
 }
@@ -173,6 +176,15 @@ std::span<const FrameField<Bytes>> byte_fields() {
   return all;
 }
 
+std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
+  const std::size_t n = outline.front.size();
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 1; i < n && !outline.cell.empty(); ++i)
+    if (outline.cell[i] != outline.cell[i - 1]) ends.push_back(i);
+  if (n > 0) ends.push_back(n);
+  return ends;
+}
+
 FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{.radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}};
   for (const Vec2& X : s.ecm.X) add(head.reference, X);
@@ -184,6 +196,10 @@ Frame frame(const State& s, const Parameters& p, const Workspace& w) {
   for (const Cell& cell : s.cells) {
     add_outline(frame.outline, cell, frame.protrusions.id.size(), p);
     add_protrusions(frame.protrusions, cell, p.adhesion);
+    if (s.cells.size() == 1) continue;
+    const auto number = static_cast<float>(number_of(cell.id));
+    frame.outline.cell.resize(frame.outline.f_mat.size(), number);
+    frame.protrusions.cell.resize(frame.protrusions.id.size(), number);
   }
   return frame;
 }

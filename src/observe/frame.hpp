@@ -37,16 +37,21 @@ struct OutlineFrame {
   Bytes front;      ///< 1 in the front of its cell; all of it before the first protrusion
   Bytes protrusion; ///< which of the frame's protrusions it belongs to, or of_none
   Bytes phase;      ///< of that protrusion, or of_none
+  Floats cell{};    ///< number of its cell, counted from 1; empty where there is a single one
 };
+
+/// Where the particles of each cell end: the index behind its last one. One entry a cell.
+std::vector<std::size_t> outline_ends(const OutlineFrame& outline);
 
 /// Protrusions alive, of one cell after those of the other, in the order of initiation.
 struct ProtrusionFrame {
   Floats id;     ///< as in protrusions.csv
-  Floats centre; ///< index of the central particle
+  Floats centre; ///< index of the central particle on its cell
   Bytes phase;   ///< 0 growing, 1 maturing, 2 contracting, 3 finishing
   Floats anchor; ///< adhered point; NaN without one [um]
   Floats f_mat;  ///< maturation; 0 while growing [-]
   Floats force;  ///< of the adhesion; 0 without one [nN]
+  Floats cell{}; ///< number of its cell, counted from 1; empty where there is a single one
 };
 
 struct Frame {
@@ -79,6 +84,8 @@ struct FrameField {
   std::uint32_t components; ///< 1, or 2 for vectors
   Numbers& (*of)(Frame&);
 
+  /// Whether only frames of several cells have it.
+  bool of_several_cells() const { return name.ends_with("/cell"); }
   const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
 };
 std::span<const FrameField<Floats>> float_fields();

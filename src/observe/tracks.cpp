@@ -3,6 +3,7 @@
 #include "cell/geometry.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace matrigrate {
@@ -12,6 +13,7 @@ std::uint32_t TrackRow::alive() const { return std::accumulate(in_phase.begin(),
 TrackRow track_row(const Cell& cell, const Instant& now) {
   TrackRow row{.t = now.t,
                .step = now.step,
+               .cell = cell.id,
                .centre = centroid(cell.cortex),
                .area = area(cell.cortex),
                .perimeter = perimeter(cell.cortex),
@@ -19,6 +21,18 @@ TrackRow track_row(const Cell& cell, const Instant& now) {
                .initiated = cell.initiated};
   for (const Protrusion& protrusion : cell.protrusions) ++row.in_phase[protrusion.phase.index()];
   return row;
+}
+
+std::vector<TrackRow> track_rows(const State& s) {
+  std::vector<TrackRow> rows;
+  for (const Cell& cell : s.cells) rows.push_back(track_row(cell, s.now()));
+  return rows;
+}
+
+std::vector<TrackRow> rows_of(std::span<const TrackRow> rows, std::uint32_t cell) {
+  std::vector<TrackRow> own;
+  std::ranges::copy_if(rows, std::back_inserter(own), [cell](const TrackRow& row) { return row.cell == cell; });
+  return own;
 }
 
 std::vector<ProtrusionRecord> protrusion_records(const Cell& cell) {

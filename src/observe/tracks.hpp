@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace matrigrate {
 struct TrackRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;
+  std::uint32_t cell = 0;             ///< its id
   Vec2 centre = Vec2::Zero();         ///< centre of mass: centroid of the area inside the cortex [um]
   double area = 0.0;                  ///< [um^2]
   double perimeter = 0.0;             ///< [um]
@@ -29,6 +31,15 @@ struct TrackRow {
 };
 
 TrackRow track_row(const Cell& cell, const Instant& now);
+
+/// Rows of all cells, in their order.
+std::vector<TrackRow> track_rows(const State& s);
+
+/// The rows of one cell.
+std::vector<TrackRow> rows_of(std::span<const TrackRow> rows, std::uint32_t cell);
+
+/// Number of a cell in files, counted from 1.
+inline std::uint32_t number_of(std::uint32_t cell) { return cell + 1; }
 
 /// Records of all protrusions of a cell, ended or alive, in the order of their initiation.
 std::vector<ProtrusionRecord> protrusion_records(const Cell& cell);

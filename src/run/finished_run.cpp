@@ -71,9 +71,8 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   run.t = checkpoint.state.t;
   run.memory = io::parse_memory(checkpoint.memory);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
-    run.memory.rows.push_back(
-        track_row(checkpoint.state.cells.at(0), checkpoint.state.now())); // as at the end of a run
-  run.protrusions = protrusion_records(checkpoint.state.cells.at(0));
+    std::ranges::copy(track_rows(checkpoint.state), std::back_inserter(run.memory.rows)); // as at the end of a run
+  run.cells = cell_results(checkpoint.state, run.memory.rows, run.p);
   run.frame_times = run.memory.frames;
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
     run.frame_times.push_back(run.t);
@@ -99,10 +98,8 @@ nlohmann::ordered_json page_data(const FinishedRun& run) {
                        .facts = run_facts(run.p, run.record, scenario),
                        .t_end = run.t,
                        .p = run.p,
-                       .readouts = readouts(run.memory.rows, run.protrusions, run.p),
-                       .rows = run.memory.rows,
+                       .cells = run.cells,
                        .health = run.memory.health,
-                       .records = run.protrusions,
                        .film = &run.film,
                        .provenance = provenance_of(run.record)});
 }

@@ -151,7 +151,8 @@ std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing) 
   for (const std::vector<std::string>& row : io::read_csv(fibre_stress_csv).rows) {
     const Vec2 x(io::csv_number(row[1]), io::csv_number(row[2]));
     if (row[0] == "outline") {
-      picture.outline.push_back(x);
+      picture.outlines.resize(1);
+      picture.outlines.front().push_back(x);
       continue;
     }
     picture.position.push_back(x);

@@ -41,6 +41,17 @@ struct SmallRun {
   State s;
 };
 
+/// The same with a second cell, of id 4 and with a single protrusion.
+struct TwoCells : SmallRun {
+  TwoCells() {
+    Cell second = s.cells[0];
+    second.id = 4;
+    for (Vec2& x : second.cortex.x) x += Vec2(3.0, 1.0);
+    second.protrusions.pop_back();
+    s.cells.push_back(second);
+  }
+};
+
 /// The first field in which two films differ; "" if they are the same.
 inline std::string difference(const Film& a, const Film& b) {
   if (a.head.reference != b.head.reference || a.head.radius != b.head.radius || a.head.spacing != b.head.spacing)

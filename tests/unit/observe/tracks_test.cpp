@@ -42,6 +42,25 @@ TEST(TrackRow, CountsProtrusionsByPhase) {
   EXPECT_FALSE(row.polarization);
 }
 
+TEST(TrackRows, AreThoseOfAllCells) {
+  State s;
+  s.t = 60.0;
+  s.cells.resize(2);
+  s.cells[0].cortex.x = {{0, 0}, {1, 0}, {0, 1}};
+  s.cells[1].cortex.x = {{3, 3}, {4, 3}, {3, 4}};
+  s.cells[1].id = 7;
+  std::vector<TrackRow> rows = track_rows(s);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1].cell, 7U);
+  EXPECT_EQ(number_of(rows[1].cell), 8U);
+  s.t = 120.0;
+  for (const TrackRow& row : track_rows(s)) rows.push_back(row);
+  const std::vector<TrackRow> second = rows_of(rows, 7);
+  ASSERT_EQ(second.size(), 2U);
+  EXPECT_EQ(second[1].t, 120.0);
+  EXPECT_GT(second[0].centre.x(), 3.0);
+}
+
 TEST(ProtrusionRecords, AreInTheOrderOfInitiation) {
   Cell cell;
   cell.protrusions = {living(2, Finishing{0.05}), living(4, Finishing{0.05})};

@@ -1,6 +1,7 @@
 #include "store/checkpoint.hpp"
 
 #include "base/failure.hpp"
+#include "state/dof.hpp"
 #include "state/initial.hpp"
 #include "store/hdf5.hpp"
 
@@ -85,6 +86,38 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
   EXPECT_EQ(std::get<Contracting>(after.state.cells[0].protrusions[2].phase).bundle, 0.2);
   EXPECT_EQ(std::get<Contracting>(after.state.cells[0].protrusions[2].phase).falling, 1e-7);
   EXPECT_TRUE(std::isnan(after.state.cells[0].ended[0].t_adhesion));
+}
+
+TEST(Checkpoint, OfASingleCellHasTheFormatOfBefore) {
+  EXPECT_TRUE(io::checkpoint_image(example()).starts_with("matrigrate checkpoint 5 bytes "));
+  Checkpoint matrix = example();
+  matrix.state.cells.clear();
+  matrix.state.solver_memory.v_before.clear();
+  const std::string image = io::checkpoint_image(matrix);
+  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 5 bytes "));
+  EXPECT_TRUE(io::parse_checkpoint(image, "c.h5").state.cells.empty());
+}
+
+TEST(Checkpoint, HoldsSeveralCells) {
+  Checkpoint before = example();
+  State& s = before.state;
+  s.cells.push_back(s.cells[0]);
+  s.cells[1].id = 9;
+  s.cells[1].polarization = {};
+  s.cells[1].protrusions.pop_back();
+  s.cells[1].cortex.x[3] = {1.0 / 3.0, -7.0};
+  s.solver_memory.v_before.resize(node_count(s), Vec2(0.1, 0.2));
+  const std::string image = io::checkpoint_image(before);
+  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
+  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  ASSERT_EQ(after.state.cells.size(), 2U);
+  EXPECT_EQ(after.state.cells[1].id, 9U);
+  EXPECT_FALSE(after.state.cells[1].polarization);
+  EXPECT_EQ(after.state.cells[1].protrusions.size(), 3U);
+  EXPECT_EQ(after.state.cells[1].cortex.x[3], Vec2(1.0 / 3.0, -7.0));
+  before.state.cells[1].cortex.l0.pop_back();
+  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
 TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {

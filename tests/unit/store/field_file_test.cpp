@@ -65,6 +65,20 @@ TEST(FieldFile, GivesTheSameBitsBack) {
   EXPECT_EQ(field_file(run.film()), field_file(run.film())) << "no date in it";
 }
 
+TEST(FieldFile, TellsSeveralCellsApart) {
+  const Film film = TwoCells().film();
+  const std::string image = field_file(film);
+  EXPECT_EQ(difference(read_field_file(image), film), "");
+  const MemoryFile file(image);
+  EXPECT_EQ(file.floats("/protrusions/cell"), (Floats{1, 1, 5, 1, 5}));
+  EXPECT_EQ(file.float_frame("/outline/cell", 1), film.frames[1].outline.cell);
+  EXPECT_FALSE(MemoryFile(field_file(SmallRun().film())).has("/outline/cell"));
+  const std::string xml = field_index(&film.frames.front(), std::vector{0.0}, std::vector<std::size_t>{0});
+  EXPECT_EQ(count(xml, "NumberOfElements=\"2\" NodesPerElement=\"236\""), 1U);
+  EXPECT_EQ(count(xml, " 234 0 235 236 "), 1U) << "both lines are closed";
+  EXPECT_EQ(count(xml, " 469 235 <"), 1U);
+}
+
 TEST(FieldFile, NeedsNoFrames) {
   const Film film{.head = SmallRun().film().head, .frames = {}};
   EXPECT_EQ(difference(read_field_file(field_file(film)), film), "");

@@ -35,6 +35,15 @@ TEST(TrajectoryHash, SeesEveryBit) {
   EXPECT_NE(hash(s), reference);
 }
 
+TEST(TrajectoryHash, SeesEveryCell) {
+  State s = state();
+  s.cells.push_back(s.cells[0]);
+  EXPECT_NE(hash(s), hash(state()));
+  const std::string both = hash(s);
+  s.cells[1].cortex.x[1].y() = 5.0;
+  EXPECT_NE(hash(s), both);
+}
+
 TEST(TrajectoryHash, GoesOn) {
   TrajectoryHash h;
   h.add(state());
