@@ -93,6 +93,19 @@ std::vector<Vec2> vectors(const io::Floats& x) {
   return all;
 }
 
+/// The line around each cell.
+std::vector<std::vector<Vec2>> outlines(const io::OutlineFrame& outline) {
+  const std::vector<Vec2> x = vectors(outline.x);
+  std::vector<std::vector<Vec2>> all;
+  auto first = x.begin();
+  for (const std::size_t end : io::outline_ends(outline)) {
+    const auto last = x.begin() + static_cast<std::ptrdiff_t>(end);
+    all.emplace_back(first, last);
+    first = last;
+  }
+  return all;
+}
+
 std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer, const io::Limits& limits) {
   io::Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += run.film.head.reference[i];
@@ -103,7 +116,7 @@ std::string picture(const FinishedRun& run, const io::Frame& frame, Layer layer,
                      .particle_size = run.film.head.spacing,
                      .value_min = limits.low,
                      .value_max = limits.high,
-                     .outline = vectors(frame.outline.x)},
+                     .outlines = outlines(frame.outline)},
                     width);
 }
 
@@ -149,14 +162,19 @@ void require_tools(bool movie) {
 
 void export_svg(const FinishedRun& run, const std::filesystem::path& folder) {
   write_file(folder / "contact_sheet.svg", io::contact_sheet(run.memory.scenes));
-  io::Series path{.label = "centre of mass"};
-  for (const TrackRow& row : run.memory.rows) {
-    path.x.push_back(row.centre.x());
-    path.y.push_back(row.centre.y());
+  std::vector<io::Series> paths;
+  for (const CellResult& cell : run.cells) {
+    const bool single = run.cells.size() == 1;
+    io::Series& path = paths.emplace_back();
+    path.label = single ? "centre of mass" : fmt::format("cell {}", number_of(cell.cell));
+    for (const TrackRow& row : cell.rows) {
+      path.x.push_back(row.centre.x());
+      path.y.push_back(row.centre.y());
+    }
   }
   write_file(folder / "path.svg",
              io::to_svg(io::Plot{
-                 .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = {path}, .equal_axes = true}));
+                 .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = paths, .equal_axes = true}));
 }
 
 void export_pictures(const FinishedRun& run, Layer layer, const std::filesystem::path& folder) {

@@ -21,7 +21,7 @@ constexpr std::size_t max_summary = std::size_t{1} << 20U; // bytes of summary.j
 
 Json summary_of(const run::RunOutcome& outcome) {
   const std::string text =
-      outcome.computed ? io::summary_json(outcome.readouts) : read_file(outcome.folder / "summary.json", max_summary);
+      outcome.computed ? io::summary_json(outcome.cells) : read_file(outcome.folder / "summary.json", max_summary);
   return Json::parse(text, nullptr, false);
 }
 
@@ -36,8 +36,11 @@ void print_text(const run::RunOutcome& outcome) {
   if (!outcome.computed)
     return print(fmt::format("{} is done already; nothing was computed.\n", outcome.folder.string()));
   print(outcome.sentence + "\n\n");
-  for (const io::NamedValue& v : io::shown_values(outcome.readouts, outcome.p))
-    print(fmt::format("  {:<50}{:>10}\n", v.meaning, io::readable(v.value)));
+  for (const CellResult& cell : outcome.cells) {
+    if (outcome.cells.size() > 1) print(fmt::format("Cell {}\n", number_of(cell.cell)));
+    for (const io::NamedValue& v : io::shown_values(cell.readouts, outcome.p))
+      print(fmt::format("  {:<50}{:>10}\n", v.meaning, io::readable(v.value)));
+  }
   print("\n");
 }
 
@@ -46,8 +49,13 @@ void print_text(const run::RunOutcome& outcome) {
 void RunDisplay::warn(std::string_view text) { print_warning(text); }
 
 void RunDisplay::step(const State& s) {
-  m_progress->show(s.t, fmt::format("{} protrusion{} now, {} so far", s.protrusions.size(),
-                                    s.protrusions.size() == 1 ? "" : "s", s.initiated));
+  std::size_t now = 0;
+  std::size_t so_far = 0;
+  for (const Cell& cell : s.cells) {
+    now += cell.protrusions.size();
+    so_far += cell.initiated;
+  }
+  m_progress->show(s.t, fmt::format("{} protrusion{} now, {} so far", now, now == 1 ? "" : "s", so_far));
 }
 
 std::optional<run::StopRequest> RunDisplay::stop_request() {

@@ -11,6 +11,7 @@
 #include "simulation/advance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
+#include "state/dof.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/LU>
@@ -112,13 +113,6 @@ Vec2 solid_plainly(const State& s, const Parameters& p, const Reference& ref) {
   return force[ecm.size() / 3] + S[ecm.size() / 3].col(0);
 }
 
-/// The velocities of all nodes.
-std::vector<Vec2> velocities(const State& s) {
-  std::vector<Vec2> v = s.ecm.v;
-  v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
-  return v;
-}
-
 double squared_distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]).squaredNorm();
@@ -173,13 +167,13 @@ void compare(const Parameters& p, State s) {
     squared_error += squared_distance(w.v, exact);
     squared_size += squared_distance(exact, std::vector<Vec2>(exact.size(), Vec2::Zero()));
     for (PlainSolves& solves : plain) {
-      std::vector<Vec2> v = velocities(before);
+      std::vector<Vec2> v = node_velocities(before);
       start = now_ms();
       solves.iterations += share * solve_plainly(before, p, w, solves.tolerance, v);
       solves.ms += share * (now_ms() - start);
       solves.squared_error += squared_distance(v, exact);
     }
-    std::vector<Vec2> v = velocities(before);
+    std::vector<Vec2> v = node_velocities(before);
     for (std::size_t i = 0; i < before.solver_memory.v_before.size(); ++i)
       v[i] = 2.0 * v[i] - before.solver_memory.v_before[i];
     start = now_ms();

@@ -32,7 +32,7 @@ Parameters parameters() {
 
 /// Share by which the ring is longer than at the start.
 double stretch(const State& s, const Parameters& p) {
-  return perimeter(s.cortex) / (p.cell.particles * initial_segment_length(p.cell)) - 1.0;
+  return perimeter(s.cells.front().cortex) / (p.cell.particles * initial_segment_length(p.cell)) - 1.0;
 }
 
 } // namespace
@@ -40,7 +40,7 @@ double stretch(const State& s, const Parameters& p) {
 int main() {
   const Parameters p = parameters();
   State s = initial_state(p);
-  for (Vec2& x : s.cortex.x) x *= 1.03;
+  for (Vec2& x : s.cells.front().cortex.x) x *= 1.03;
   Workspace w(s, p);
 
   const double gamma = p.cell.liquid_drag * p.ecm.thickness;

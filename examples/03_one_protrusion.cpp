@@ -28,18 +28,19 @@ int main(int argc, char** argv) {
   // Particle 0 stands at angle 0: the protrusion grows along x, away from the centre of mass.
   State s = initial_state(p);
   constexpr std::size_t centre = 0;
-  begin_protrusion(s, centre, centroid(s.cortex), p.protrusion);
+  Cell& cell = s.cells.front();
+  begin_protrusion(cell, centre, centroid(cell.cortex), s.t, p.protrusion);
   Workspace w(s, p);
 
   fmt::print("time [s]  length [um]\n");
   for (double t = 50.0; t < p.protrusion.growth_time; t += 50.0) {
     march(s, p, w, t);
-    fmt::print("{:8.0f}  {:.2f}\n", s.t, protrusion_length(s.cortex, centre, p.protrusion));
+    fmt::print("{:8.0f}  {:.2f}\n", s.t, protrusion_length(cell.cortex, centre, p.protrusion));
   }
 
   // Growth ends by itself: the tip adheres, and the record has the length at that moment.
   march(s, p, w, p.protrusion.growth_time + 10.0);
-  const Protrusion& grown = s.protrusions.at(0);
+  const Protrusion& grown = cell.protrusions.at(0);
   fmt::print("{} since {:.1f} s, l_prot = {:.2f} um\n", name(grown.phase), grown.since, grown.record.length);
   if (argc > 1) {
     const io::CellScene scene = io::cell_scene(s, p, {});

@@ -39,7 +39,7 @@ int main() {
   Workspace w(s, p);
 
   // Loads are called once a step, with the state at its start and the forces of all nodes: the particles of the matrix,
-  // then those of the cortex, if there is a cell (State::node).
+  // then those of the cortex of each cell, if there are any (state/dof.hpp).
   const PointWeights at_bead = solid_weights(s.ecm, Kernel(p.ecm.smoothing_length), bead);
   const Loads my_force = [&](const State& now, std::span<Vec2> force) {
     spread(at_bead, trap_force(now.ecm, at_bead), force);

@@ -34,7 +34,7 @@ double mean_length(const Parameters& p) {
   State s = initial_state(p);
   Workspace w(s, p);
   march(s, p, w, 600.0);
-  return readouts({}, protrusion_records(s), p).l_prot.value;
+  return readouts({}, protrusion_records(s.cells.front()), p).l_prot.value;
 }
 
 std::vector<double> lengths(double growth_time) {

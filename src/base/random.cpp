@@ -6,10 +6,11 @@
 
 namespace matrigrate {
 
-double uniform(std::uint64_t seed, Purpose purpose, std::uint64_t step, std::uint32_t entity) {
+double uniform(std::uint64_t seed, Purpose purpose, std::uint64_t step, std::uint32_t entity, std::uint32_t cell) {
   const auto low = [](std::uint64_t a) { return static_cast<std::uint32_t>(a); };
   const auto high = [](std::uint64_t a) { return static_cast<std::uint32_t>(a >> 32U); };
-  const r123::Philox4x32::ctr_type counter{{low(step), high(step), entity, static_cast<std::uint32_t>(purpose)}};
+  const std::uint32_t stream = static_cast<std::uint32_t>(purpose) | (cell << 8U);
+  const r123::Philox4x32::ctr_type counter{{low(step), high(step), entity, stream}};
   const r123::Philox4x32::key_type key{{low(seed), high(seed)}};
   const auto bits = r123::Philox4x32()(counter, key);
   const std::uint64_t wide = (static_cast<std::uint64_t>(bits[0]) << 32U) | bits[1];

@@ -4,6 +4,7 @@
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 
+#include <cstdint>
 #include <span>
 
 /// Elastic contact of cell and solid matrix, Heck et al. 2020, Eq. (1), term F^sigma (MODEL.md, D13).
@@ -15,8 +16,9 @@ double contact_pressure(double distance, const Parameters& p);
 
 /// Adds f_degr p_c dp t_z along the normal to the particle and its reaction to the ends of the segment, linearly
 /// implicit along the normal.
-/// @param force  of all nodes, the particles of the matrix first, then those of the cortex [nN]
+/// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
 void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p,
-                         std::span<const NearbyParticle> nearby, double dt, std::span<Vec2> force, DragSystem& A);
+                         std::span<const NearbyParticle> nearby, double dt, std::uint32_t first, std::span<Vec2> force,
+                         DragSystem& A);
 
 } // namespace matrigrate

@@ -41,15 +41,15 @@ Samples samples(const CortexState& c, const Parameters& p) {
 } // namespace
 
 void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, const SegmentGrid& grid,
-                         DragSystem& A) {
+                         std::uint32_t first, DragSystem& A) {
   const Kernel kernel(p.ecm.smoothing_length);
   const double reach2 = kernel.support() * kernel.support();
   const Samples points = samples(c, p);
   for (const std::uint32_t k : grid.candidates(ecm.x)) {
     if (ecm.clamped[k] || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
     for (const std::uint32_t i : grid.near(ecm.x[k])) {
-      const auto a = static_cast<std::uint32_t>(ecm.size() + i);
-      const auto b = static_cast<std::uint32_t>(ecm.size() + c.next(i));
+      const std::uint32_t a = first + i;
+      const std::uint32_t b = first + static_cast<std::uint32_t>(c.next(i));
       const Vec2 e = c.x[c.next(i)] - c.x[i];
       for (std::size_t m = points.first[i]; m < points.first[i + 1]; ++m) {
         const Sample& point = points.all[m];

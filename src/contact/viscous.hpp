@@ -4,6 +4,8 @@
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 
+#include <cstdint>
+
 /// Viscous coupling of cell and matrix, Heck et al. 2020, Eqs. (1) and (2), Gamma_ik (MODEL.md, D12).
 /// Test: tests/unit/contact/viscous_test.cpp
 namespace matrigrate {
@@ -11,7 +13,8 @@ namespace matrigrate {
 /// Adds the drag between the cortex and the matrix: a segment of current length l carries the volume l dp, sampled at
 /// points no further apart than contact.sample_spacing; each point meets particle k by pair_drag() (ecm) with their
 /// volumes, times f_degr,k and, on the outer side of the segment, contact.fluid_share times the rest.
+/// @param first  node of particle 0 of the cortex
 void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, const SegmentGrid& grid,
-                         DragSystem& A);
+                         std::uint32_t first, DragSystem& A);
 
 } // namespace matrigrate

@@ -92,10 +92,10 @@ std::string protrusion(const DrawnProtrusion& drawn, const Panel& panel) {
   return out;
 }
 
-std::string path(const CellScene& scene, const Panel& panel) {
-  if (scene.path.empty()) return {};
-  const Vec2 start = panel.at(scene.path.front());
-  return edged(curve(scene.path, panel, false), path_colour, 1.6, "")
+std::string path(const DrawnCell& cell, const Panel& panel) {
+  if (cell.path.empty()) return {};
+  const Vec2 start = panel.at(cell.path.front());
+  return edged(curve(cell.path, panel, false), path_colour, 1.6, "")
          + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"3.2\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.6\"/>\n",
                        svg::coordinate(start.x()), svg::coordinate(start.y()), path_colour);
 }
@@ -132,9 +132,11 @@ std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix int
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
   out += matrix(scene, panel, intact);
-  if (!scene.cell.empty()) out += area(scene.cell, panel, rear_colour) + area(scene.front, panel, front_colour);
+  for (const DrawnCell& cell : scene.cells)
+    if (!cell.outline.empty()) out += area(cell.outline, panel, rear_colour) + area(cell.front, panel, front_colour);
   for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
-  return out + path(scene, panel) + "</svg>\n";
+  for (const DrawnCell& cell : scene.cells) out += path(cell, panel);
+  return out + "</svg>\n";
 }
 
 std::string scale_bar(double x, double y, double most, const Panel& panel) {

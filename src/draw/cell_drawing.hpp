@@ -23,7 +23,7 @@ struct Panel {
   }
 };
 
-/// Matrix, cell, protrusions, adhesions and path, cut off at the panel's frame.
+/// Matrix, cells, protrusions, adhesions and paths, cut off at the panel's frame.
 std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact);
 
 /// A bar of a round length and its length in um.

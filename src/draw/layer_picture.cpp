@@ -14,11 +14,13 @@ namespace matrigrate::io {
 namespace {
 
 ParticlePicture picture(const State& s, const Parameters& p, const std::string& what) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const Cell& cell : s.cells) outlines.push_back(cell.cortex.x);
   return {.title = fmt::format("{}, {}", what, time_text(s.t)),
           .value_label = {},
           .position = s.ecm.x,
           .particle_size = p.ecm.particle_spacing,
-          .outline = s.cortex.x};
+          .outlines = std::move(outlines)};
 }
 
 /// The value that all but one in a thousand stay under, so that a few particles do not take the whole colour bar.

@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// Snapshots of fields of the matrix, with the outline of the cell; fluid is grey.
+/// Snapshots of fields of the matrix, with the outlines of the cells; fluid is grey.
 /// Test: tests/unit/draw/layer_picture_test.cpp
 namespace matrigrate::io {
 

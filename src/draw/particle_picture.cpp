@@ -142,10 +142,10 @@ std::string arrows(const ParticlePicture& p, const Frame& frame) {
                      path, svg::dark);
 }
 
-/// The closed curve, dark with a light edge.
-std::string outline(const ParticlePicture& p, const Frame& frame) {
+/// A closed curve, dark with a light edge.
+std::string outline(const std::vector<Vec2>& points, const Frame& frame) {
   std::string path;
-  for (const Vec2& x : p.outline) {
+  for (const Vec2& x : points) {
     const Vec2 a = frame.at(x);
     path += (path.empty() ? 'M' : 'L') + svg::point(a.x(), a.y());
   }
@@ -206,7 +206,9 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
   const double bar_left = margin + room + bar_gap;
   std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
-  body += dots(p, values, frame) + arrows(p, frame) + outline(p, frame) + colour_bar(p, values, bar_left);
+  body += dots(p, values, frame) + arrows(p, frame);
+  for (const std::vector<Vec2>& points : p.outlines) body += outline(points, frame);
+  body += colour_bar(p, values, bar_left);
   body += svg::text_lines(bar_left + bar_width + 9.0 + label_width(values) + svg::label_size + 4.0, top + 0.5 * height,
                           label, upward);
   body += scale_bar(round_step(0.1 * room / frame.scale), frame, top + height + 0.4 * scale_room);

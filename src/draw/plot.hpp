@@ -55,8 +55,8 @@ struct ParticlePicture {
                                            ///< beyond it get the colour of its end
   bool diverging = false;                  ///< a map with a neutral middle, for signed values
   std::vector<Vec2> arrow = {};            ///< drawn from each particle if not empty, in any unit
-  std::vector<Vec2> outline = {};          ///< a closed curve on top of the particles [um]
-  double arrow_scale = 1.0;                ///< length of a drawn arrow over its vector [um per unit of arrow]
+  std::vector<std::vector<Vec2>> outlines = {}; ///< closed curves on top of the particles [um]
+  double arrow_scale = 1.0;                     ///< length of a drawn arrow over its vector [um per unit of arrow]
 };
 
 /// @param width  [pixel] at least 240; the height follows from the extent of the particles

@@ -33,20 +33,20 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& directio
 }
 
 /// The area ahead of the line that parts front particles from rear ones; all of it before the first protrusion.
-std::vector<Vec2> front_area(const State& s) {
-  if (!s.polarization || !s.has_cell()) return s.cortex.x;
-  const Vec2 direction(std::cos(*s.polarization), std::sin(*s.polarization));
-  const std::vector<std::uint8_t> in_front = front(s.cortex, *s.polarization);
+std::vector<Vec2> front_area(const Cell& cell) {
+  if (!cell.polarization) return cell.cortex.x;
+  const Vec2 direction(std::cos(*cell.polarization), std::sin(*cell.polarization));
+  const std::vector<std::uint8_t> in_front = front(cell.cortex, *cell.polarization);
   double front_least = std::numeric_limits<double>::infinity();
   double rear_most = -front_least;
-  for (std::size_t i = 0; i < s.cortex.size(); ++i) {
-    const double along = s.cortex.x[i].dot(direction);
+  for (std::size_t i = 0; i < cell.cortex.size(); ++i) {
+    const double along = cell.cortex.x[i].dot(direction);
     if (in_front[i] != 0)
       front_least = std::min(front_least, along);
     else
       rear_most = std::max(rear_most, along);
   }
-  return clipped(s.cortex.x, direction, 0.5 * (front_least + rear_most));
+  return clipped(cell.cortex.x, direction, 0.5 * (front_least + rear_most));
 }
 
 std::optional<Vec2> anchor_of(const Phase& phase) {
@@ -55,26 +55,30 @@ std::optional<Vec2> anchor_of(const Phase& phase) {
   return std::nullopt;
 }
 
+DrawnProtrusion drawn(const Cell& cell, const Protrusion& protrusion, const Parameters& p) {
+  DrawnProtrusion drawn{.phase = protrusion.phase.index(),
+                        .contour = {},
+                        .tip = cell.cortex.x[protrusion.centre],
+                        .anchor = anchor_of(protrusion.phase)};
+  for (int k = -p.protrusion.half_width; k <= p.protrusion.half_width; ++k)
+    drawn.contour.push_back(cell.cortex.x[cell.cortex.along(protrusion.centre, k)]);
+  return drawn;
+}
+
 } // namespace
 
-CellScene cell_scene(const State& s, const Parameters& p, std::vector<Vec2> path) {
+CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vector<Vec2>> paths) {
   CellScene scene;
   scene.t = s.t;
   scene.radius = p.ecm.radius;
   scene.spacing = p.ecm.particle_spacing;
   for (std::size_t i = 0; i < s.ecm.size(); ++i) scene.matrix[matrix_class(s.ecm.f[i])].push_back(s.ecm.x[i]);
-  scene.cell = s.cortex.x;
-  scene.front = front_area(s);
-  for (const Protrusion& protrusion : s.protrusions) {
-    DrawnProtrusion drawn{.phase = protrusion.phase.index(),
-                          .contour = {},
-                          .tip = s.cortex.x[protrusion.centre],
-                          .anchor = anchor_of(protrusion.phase)};
-    for (int k = -p.protrusion.half_width; k <= p.protrusion.half_width; ++k)
-      drawn.contour.push_back(s.cortex.x[s.cortex.along(protrusion.centre, k)]);
-    scene.protrusions.push_back(std::move(drawn));
+  paths.resize(s.cells.size());
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    const Cell& cell = s.cells[k];
+    scene.cells.push_back({.outline = cell.cortex.x, .front = front_area(cell), .path = std::move(paths[k])});
+    for (const Protrusion& protrusion : cell.protrusions) scene.protrusions.push_back(drawn(cell, protrusion, p));
   }
-  scene.path = std::move(path);
   return scene;
 }
 
@@ -93,8 +97,10 @@ Box surroundings(std::span<const CellScene> scenes, double room) {
   double radius = 0.0;
   for (const CellScene& scene : scenes) {
     radius = std::max(radius, scene.radius + 0.5 * scene.spacing);
-    for (const Vec2& x : scene.cell) include(x);
-    for (const Vec2& x : scene.path) include(x);
+    for (const DrawnCell& cell : scene.cells) {
+      for (const Vec2& x : cell.outline) include(x);
+      for (const Vec2& x : cell.path) include(x);
+    }
     for (const DrawnProtrusion& protrusion : scene.protrusions)
       if (protrusion.anchor) include(*protrusion.anchor);
   }

@@ -26,19 +26,23 @@ struct DrawnProtrusion {
   std::optional<Vec2> anchor; ///< [um]
 };
 
+struct DrawnCell {
+  std::vector<Vec2> outline; ///< the cortex [um]
+  std::vector<Vec2> front;   ///< the front half of its area [um]
+  std::vector<Vec2> path;    ///< of its centre of mass so far [um]
+};
+
 struct CellScene {
   double t = 0.0;                                       ///< [s]
   double radius = 0.0;                                  ///< of the disc [um]
   double spacing = 0.0;                                 ///< of the matrix particles [um]
   std::array<std::vector<Vec2>, matrix_classes> matrix; ///< particles of each class, intact ones first [um]
-  std::vector<Vec2> cell;                               ///< the cortex [um]
-  std::vector<Vec2> front;                              ///< the front half of the cell's area [um]
-  std::vector<DrawnProtrusion> protrusions;
-  std::vector<Vec2> path; ///< of the centre of mass so far [um]
+  std::vector<DrawnCell> cells;
+  std::vector<DrawnProtrusion> protrusions; ///< of all cells
 };
 
-/// @param path  of the centre of mass so far [um]
-CellScene cell_scene(const State& s, const Parameters& p, std::vector<Vec2> path);
+/// @param paths  of the centre of mass of each cell so far; none: no paths [um]
+CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vector<Vec2>> paths);
 
 /// A box in the plane [um].
 struct Box {

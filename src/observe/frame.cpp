@@ -5,6 +5,7 @@
 #include "ecm/fluid.hpp"
 #include "ecm/law/material.hpp"
 #include "observe/fields.hpp"
+#include "observe/tracks.hpp"
 #include "protrusion/adhesion.hpp"
 #include "sph/neighbours.hpp"
 
@@ -99,23 +100,26 @@ Floats actomyosin_forces(const CortexState& c, const std::vector<double>& f_mat,
   return magnitude;
 }
 
-OutlineFrame outline_frame(const State& s, const Parameters& p) {
-  const CortexState& c = s.cortex;
-  const Membership m = membership(s, p);
-  OutlineFrame o;
-  o.front = s.polarization ? front(c, *s.polarization) : Bytes(c.size(), 1);
-  o.force = actomyosin_forces(c, m.f_mat, p.actomyosin);
+template <class Number>
+void append(std::vector<Number>& to, const std::vector<Number>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+/// @param before  protrusions of the cells before
+void add_outline(OutlineFrame& o, const Cell& cell, std::size_t before, const Parameters& p) {
+  const CortexState& c = cell.cortex;
+  const Membership m = membership(cell, p);
+  append(o.front, cell.polarization ? front(c, *cell.polarization) : Bytes(c.size(), 1));
+  append(o.force, actomyosin_forces(c, m.f_mat, p.actomyosin));
   for (std::size_t i = 0; i < c.size(); ++i) {
     add(o.x, c.x[i]);
     o.f_mat.push_back(static_cast<float>(m.f_mat[i]));
     o.curvature.push_back(static_cast<float>(curvature(c, i)));
-    const bool none = m.of_particle[i] == no_protrusion || m.of_particle[i] >= of_none;
-    o.protrusion.push_back(none ? of_none : static_cast<std::uint8_t>(m.of_particle[i]));
-    o.phase.push_back(
-        none ? of_none
-             : static_cast<std::uint8_t>(s.protrusions[static_cast<std::size_t>(m.of_particle[i])].phase.index()));
+    const std::size_t own = m.of_particle[i] == no_protrusion ? of_none : static_cast<std::size_t>(m.of_particle[i]);
+    const bool none = own >= of_none || before + own >= of_none;
+    o.protrusion.push_back(none ? of_none : static_cast<std::uint8_t>(before + own));
+    o.phase.push_back(none ? of_none : static_cast<std::uint8_t>(cell.protrusions[own].phase.index()));
   }
-  return o;
 }
 
 struct Maturation {
@@ -125,24 +129,22 @@ struct Maturation {
   double operator()(const Finishing& phase) const { return phase.f_mat; }
 };
 
-ProtrusionFrame protrusion_frame(const State& s, const Parameters& p) {
-  ProtrusionFrame out;
-  for (const Protrusion& protrusion : s.protrusions) {
+void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParameters& p) {
+  for (const Protrusion& protrusion : cell.protrusions) {
     const Vec2* adhered = anchor(protrusion.phase);
     out.id.push_back(static_cast<float>(protrusion.record.id));
     out.centre.push_back(static_cast<float>(protrusion.centre));
     out.phase.push_back(static_cast<std::uint8_t>(protrusion.phase.index()));
     add(out.anchor, adhered != nullptr ? *adhered : Vec2(never, never));
     out.f_mat.push_back(static_cast<float>(std::visit(Maturation{}, protrusion.phase)));
-    out.force.push_back(static_cast<float>(adhesion_force(s, protrusion, p.adhesion)));
+    out.force.push_back(static_cast<float>(adhesion_force(cell.cortex, protrusion, p)));
   }
-  return out;
 }
 
 } // namespace
 
 std::span<const FrameField<Floats>> float_fields() {
-  static constexpr std::array<FrameField<Floats>, 15> all{{
+  static constexpr std::array<FrameField<Floats>, 17> all{{
       {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
       {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
       {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
@@ -158,6 +160,8 @@ std::span<const FrameField<Floats>> float_fields() {
       {"protrusions/anchor", "um", 2, [](Frame& f) -> Floats& { return f.protrusions.anchor; }},
       {"protrusions/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.f_mat; }},
       {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
+      {"outline/cell", "1", 1, [](Frame& f) -> Floats& { return f.outline.cell; }},
+      {"protrusions/cell", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.cell; }},
   }};
   return all;
 }
@@ -172,6 +176,15 @@ std::span<const FrameField<Bytes>> byte_fields() {
   return all;
 }
 
+std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
+  const std::size_t n = outline.front.size();
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 1; i < n && !outline.cell.empty(); ++i)
+    if (outline.cell[i] != outline.cell[i - 1]) ends.push_back(i);
+  if (n > 0) ends.push_back(n);
+  return ends;
+}
+
 FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{.radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}};
   for (const Vec2& X : s.ecm.X) add(head.reference, X);
@@ -179,8 +192,16 @@ FrameHead frame_head(const State& s, const Parameters& p) {
 }
 
 Frame frame(const State& s, const Parameters& p, const Workspace& w) {
-  return {
-      .t = s.t, .matrix = matrix_frame(s, p, w), .outline = outline_frame(s, p), .protrusions = protrusion_frame(s, p)};
+  Frame frame{.t = s.t, .matrix = matrix_frame(s, p, w), .outline = {}, .protrusions = {}};
+  for (const Cell& cell : s.cells) {
+    add_outline(frame.outline, cell, frame.protrusions.id.size(), p);
+    add_protrusions(frame.protrusions, cell, p.adhesion);
+    if (s.cells.size() == 1) continue;
+    const auto number = static_cast<float>(number_of(cell.id));
+    frame.outline.cell.resize(frame.outline.f_mat.size(), number);
+    frame.protrusions.cell.resize(frame.protrusions.id.size(), number);
+  }
+  return frame;
 }
 
 } // namespace matrigrate::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// What is kept of a state to be looked at: fields of the matrix, outline of the cell, protrusions alive. Numbers are
+/// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, protrusions alive. Numbers are
 /// 32 bits long, and hold no more digits than are meant: displacements 1/16384 um, velocities and stresses four of
 /// them. Test: tests/unit/observe/frame_test.cpp
 namespace matrigrate::io {
@@ -28,25 +28,30 @@ struct MatrixFrame {
   Floats fibre_von_mises; ///< Eq. (11); 0 in the fluid; empty without fibres [Pa]
 };
 
-/// Particles of the cortex, around the cell.
+/// Particles of the cortex, around each cell, those of one cell after those of the other.
 struct OutlineFrame {
   Floats x;         ///< [um]
   Floats f_mat;     ///< maturation of the cortex [-]
   Floats curvature; ///< convex positive [1/um]
   Floats force;     ///< magnitude of the actomyosin force on the particle [nN]
-  Bytes front;      ///< 1 in the front of the cell; all of it before the first protrusion
+  Bytes front;      ///< 1 in the front of its cell; all of it before the first protrusion
   Bytes protrusion; ///< which of the frame's protrusions it belongs to, or of_none
   Bytes phase;      ///< of that protrusion, or of_none
+  Floats cell{};    ///< number of its cell, counted from 1; empty where there is a single one
 };
 
-/// Protrusions alive, in the order of initiation.
+/// Where the particles of each cell end: the index behind its last one. One entry a cell.
+std::vector<std::size_t> outline_ends(const OutlineFrame& outline);
+
+/// Protrusions alive, of one cell after those of the other, in the order of initiation.
 struct ProtrusionFrame {
   Floats id;     ///< as in protrusions.csv
-  Floats centre; ///< index of the central particle
+  Floats centre; ///< index of the central particle on its cell
   Bytes phase;   ///< 0 growing, 1 maturing, 2 contracting, 3 finishing
   Floats anchor; ///< adhered point; NaN without one [um]
   Floats f_mat;  ///< maturation; 0 while growing [-]
   Floats force;  ///< of the adhesion; 0 without one [nN]
+  Floats cell{}; ///< number of its cell, counted from 1; empty where there is a single one
 };
 
 struct Frame {
@@ -79,6 +84,8 @@ struct FrameField {
   std::uint32_t components; ///< 1, or 2 for vectors
   Numbers& (*of)(Frame&);
 
+  /// Whether only frames of several cells have it.
+  bool of_several_cells() const { return name.ends_with("/cell"); }
   const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
 };
 std::span<const FrameField<Floats>> float_fields();

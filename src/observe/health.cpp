@@ -1,6 +1,7 @@
 #include "observe/health.hpp"
 
 #include "cell/geometry.hpp"
+#include "state/dof.hpp"
 
 #include <fmt/format.h>
 
@@ -38,23 +39,32 @@ void add_densities(HealthRow& row, const EcmState& ecm) {
   }
 }
 
+/// "the cell at (1.2, 3.4) um": that of the least value.
+template <class Value>
+std::string place(const State& s, const Value& value) {
+  const Cell& cell = s.cells.size() == 1
+                         ? s.cells.front() // the value need not be worked out
+                         : *std::ranges::min_element(s.cells, {}, [&](const Cell& c) { return value(c.cortex); });
+  const Vec2 centre = centroid(cell.cortex);
+  return fmt::format("the cell at ({:.4g}, {:.4g}) um", centre.x(), centre.y());
+}
+
 } // namespace
 
-SolidInside solid_inside(const State& s) {
+SolidInside solid_inside(const EcmState& ecm, const CortexState& c) {
   SolidInside inside;
-  if (!s.has_cell()) return inside;
-  Vec2 low = s.cortex.x.front();
+  Vec2 low = c.x.front();
   Vec2 high = low;
-  for (const Vec2& x : s.cortex.x) {
+  for (const Vec2& x : c.x) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
-  for (std::size_t i = 0; i < s.ecm.size(); ++i) {
-    const Vec2& x = s.ecm.x[i];
-    if (s.ecm.f[i] <= 0.0 || (x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
-    if (!contains(s.cortex, x)) continue;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    const Vec2& x = ecm.x[i];
+    if (ecm.f[i] <= 0.0 || (x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
+    if (!contains(c, x)) continue;
     ++inside.n;
-    inside.deepest = std::max(inside.deepest, distance(s.cortex, x));
+    inside.deepest = std::max(inside.deepest, distance(c, x));
   }
   return inside;
 }
@@ -85,14 +95,14 @@ HealthRow HealthWatch::row(const State& s, const Parameters& p, const StepHealth
                 .orphans = last.orphans,
                 .torn = last.torn,
                 .engulfed = last.engulfed,
-                .fastest = std::max(fastest(s.ecm.v), fastest(s.cortex.v))};
+                .fastest = fastest(node_velocities(s))};
   add_densities(row, s.ecm);
-  if (s.has_cell()) {
-    const SolidInside inside = solid_inside(s);
-    row.area_ratio = area(s.cortex) / initial_area(p.cell);
-    row.solid_inside = inside.n;
-    row.deepest_solid = inside.deepest;
-    row.crosses_itself = crosses_itself(s.cortex);
+  for (const Cell& cell : s.cells) {
+    const SolidInside inside = solid_inside(s.ecm, cell.cortex);
+    row.area_ratio = std::fmin(row.area_ratio, area(cell.cortex) / initial_area(p.cell));
+    row.solid_inside += inside.n;
+    row.deepest_solid = std::max(row.deepest_solid, inside.deepest);
+    row.crosses_itself = row.crosses_itself || crosses_itself(cell.cortex);
   }
   *this = HealthWatch{};
   return row;
@@ -103,15 +113,16 @@ std::string alarm(const State& s, const Parameters& p, const HealthRow& row) {
     if (!s.ecm.x[i].allFinite() || !s.ecm.S[i].allFinite() || !std::isfinite(s.ecm.rho[i]))
       return fmt::format("matrix particle {}, at the start at ({:.4g}, {:.4g}) um, has a value that is not finite", i,
                          s.ecm.X[i].x(), s.ecm.X[i].y());
-  if (!s.has_cell()) return {};
-  for (const Vec2& x : s.cortex.x)
-    if (!x.allFinite()) return "a particle of the cortex has a position that is not finite";
-  const Vec2 centre = centroid(s.cortex);
-  const std::string place = fmt::format("the cell at ({:.4g}, {:.4g}) um", centre.x(), centre.y());
-  if (row.area_ratio < least_area) return fmt::format("{} has {:.2g} of its area left", place, row.area_ratio);
-  if (row.crosses_itself) return fmt::format("{} crosses itself", place);
+  if (s.cells.empty()) return {};
+  for (const Cell& cell : s.cells)
+    for (const Vec2& x : cell.cortex.x)
+      if (!x.allFinite()) return "a particle of the cortex has a position that is not finite";
+  if (row.area_ratio < least_area) return fmt::format("{} has {:.2g} of its area left", place(s, area), row.area_ratio);
+  if (row.crosses_itself)
+    return fmt::format("{} crosses itself", place(s, [](const CortexState& c) { return crosses_itself(c) ? 0 : 1; }));
   if (row.deepest_solid > p.ecm.particle_spacing)
-    return fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid, place);
+    return fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid,
+                       place(s, [&](const CortexState& c) { return -solid_inside(s.ecm, c).deepest; }));
   if (row.force_imbalance > most_imbalance)
     return fmt::format("inner forces do not balance: their sum is {:.2g} of their magnitudes", row.force_imbalance);
   return {};

@@ -109,4 +109,14 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   return out;
 }
 
+std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, const Parameters& p) {
+  std::vector<CellResult> all;
+  for (const Cell& cell : s.cells) {
+    CellResult& result = all.emplace_back(
+        CellResult{.cell = cell.id, .rows = rows_of(rows, cell.id), .records = protrusion_records(cell)});
+    result.readouts = readouts(result.rows, result.records, p);
+  }
+  return all;
+}
+
 } // namespace matrigrate

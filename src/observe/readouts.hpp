@@ -4,10 +4,12 @@
 #include "parameters/parameters.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
-/// The read-outs of Heck et al. 2020, section "Migration measures", Eq. (9) and Figs 5-11: one number each for a run.
-/// Test: tests/unit/observe/readouts_test.cpp
+/// The read-outs of Heck et al. 2020, section "Migration measures", Eq. (9) and Figs 5-11: one number each for a cell
+/// of a run. Test: tests/unit/observe/readouts_test.cpp
 namespace matrigrate {
 
 /// Mean over those for which a value is defined.
@@ -55,5 +57,16 @@ double path_length(std::span<const TrackRow> rows, double interval);
 /// @param rows     in the order of time
 /// @param records  of all protrusions, ended or alive
 ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records, const Parameters& p);
+
+/// What a run tells of one of its cells.
+struct CellResult {
+  std::uint32_t cell = 0;                  ///< its id
+  std::vector<TrackRow> rows{};            ///< in the order of time
+  std::vector<ProtrusionRecord> records{}; ///< of all protrusions, ended or alive, in the order of their initiation
+  ReadOuts readouts{};
+};
+
+/// Of all cells, in their order.   @param rows  of all cells, in the order of time
+std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, const Parameters& p);
 
 } // namespace matrigrate

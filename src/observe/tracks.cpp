@@ -3,27 +3,41 @@
 #include "cell/geometry.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace matrigrate {
 
 std::uint32_t TrackRow::alive() const { return std::accumulate(in_phase.begin(), in_phase.end(), 0U); }
 
-TrackRow track_row(const State& s) {
-  TrackRow row{.t = s.t,
-               .step = s.step,
-               .centre = centroid(s.cortex),
-               .area = area(s.cortex),
-               .perimeter = perimeter(s.cortex),
-               .polarization = s.polarization,
-               .initiated = s.initiated};
-  for (const Protrusion& protrusion : s.protrusions) ++row.in_phase[protrusion.phase.index()];
+TrackRow track_row(const Cell& cell, const Instant& now) {
+  TrackRow row{.t = now.t,
+               .step = now.step,
+               .cell = cell.id,
+               .centre = centroid(cell.cortex),
+               .area = area(cell.cortex),
+               .perimeter = perimeter(cell.cortex),
+               .polarization = cell.polarization,
+               .initiated = cell.initiated};
+  for (const Protrusion& protrusion : cell.protrusions) ++row.in_phase[protrusion.phase.index()];
   return row;
 }
 
-std::vector<ProtrusionRecord> protrusion_records(const State& s) {
-  std::vector<ProtrusionRecord> records = s.ended;
-  for (const Protrusion& protrusion : s.protrusions) records.push_back(protrusion.record);
+std::vector<TrackRow> track_rows(const State& s) {
+  std::vector<TrackRow> rows;
+  for (const Cell& cell : s.cells) rows.push_back(track_row(cell, s.now()));
+  return rows;
+}
+
+std::vector<TrackRow> rows_of(std::span<const TrackRow> rows, std::uint32_t cell) {
+  std::vector<TrackRow> own;
+  std::ranges::copy_if(rows, std::back_inserter(own), [cell](const TrackRow& row) { return row.cell == cell; });
+  return own;
+}
+
+std::vector<ProtrusionRecord> protrusion_records(const Cell& cell) {
+  std::vector<ProtrusionRecord> records = cell.ended;
+  for (const Protrusion& protrusion : cell.protrusions) records.push_back(protrusion.record);
   std::ranges::sort(records, {}, &ProtrusionRecord::id);
   return records;
 }

@@ -7,17 +7,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
-/// Where the cell is and what its protrusions do, from time to time. Read-only.
+/// Where a cell is and what its protrusions do, from time to time. Read-only.
 /// Test: tests/unit/observe/tracks_test.cpp
 namespace matrigrate {
 
-/// The cell at one time.
+/// A cell at one time.
 struct TrackRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;
+  std::uint32_t cell = 0;             ///< its id
   Vec2 centre = Vec2::Zero();         ///< centre of mass: centroid of the area inside the cortex [um]
   double area = 0.0;                  ///< [um^2]
   double perimeter = 0.0;             ///< [um]
@@ -28,10 +30,18 @@ struct TrackRow {
   std::uint32_t alive() const; ///< protrusions of all phases
 };
 
-/// @param s  a state with a cell
-TrackRow track_row(const State& s);
+TrackRow track_row(const Cell& cell, const Instant& now);
 
-/// Records of all protrusions, ended or alive, in the order of their initiation.
-std::vector<ProtrusionRecord> protrusion_records(const State& s);
+/// Rows of all cells, in their order.
+std::vector<TrackRow> track_rows(const State& s);
+
+/// The rows of one cell.
+std::vector<TrackRow> rows_of(std::span<const TrackRow> rows, std::uint32_t cell);
+
+/// Number of a cell in files, counted from 1.
+inline std::uint32_t number_of(std::uint32_t cell) { return cell + 1; }
+
+/// Records of all protrusions of a cell, ended or alive, in the order of their initiation.
+std::vector<ProtrusionRecord> protrusion_records(const Cell& cell);
 
 } // namespace matrigrate

@@ -28,35 +28,36 @@ Vec2* anchor(Phase& phase) {
   return const_cast<Vec2*>(anchor(static_cast<const Phase&>(phase))); // NOLINT: the phase is not const here
 }
 
-double adhesion_force(const State& s, const Protrusion& protrusion, const AdhesionParameters& p) {
+double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p) {
   const Vec2* point = anchor(protrusion.phase);
-  return point == nullptr ? 0.0 : adhesion_force((*point - s.cortex.x[protrusion.centre]).norm(), p);
+  return point == nullptr ? 0.0 : adhesion_force((*point - c.x[protrusion.centre]).norm(), p);
 }
 
-std::vector<PointWeights> anchor_weights(const State& s, const EcmParameters& p) {
+std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const EcmParameters& p) {
   const Kernel kernel(p.smoothing_length);
-  std::vector<PointWeights> weights(s.protrusions.size());
+  std::vector<PointWeights> weights(cell.protrusions.size());
   for (std::size_t n = 0; n < weights.size(); ++n)
-    if (const Vec2* point = anchor(s.protrusions[n].phase)) weights[n] = solid_weights(s.ecm, kernel, *point);
+    if (const Vec2* point = anchor(cell.protrusions[n].phase)) weights[n] = solid_weights(ecm, kernel, *point);
   return weights;
 }
 
-void add_adhesions(const State& s, const AdhesionParameters& p, std::span<const PointWeights> weights, double dt,
-                   std::span<Vec2> force, DragSystem& A) {
-  for (std::size_t n = 0; n < s.protrusions.size(); ++n) {
-    const Vec2* point = anchor(s.protrusions[n].phase);
+void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p,
+                   std::span<const PointWeights> weights, double dt, std::uint32_t first, std::span<Vec2> force,
+                   DragSystem& A) {
+  for (std::size_t n = 0; n < cell.protrusions.size(); ++n) {
+    const Vec2* point = anchor(cell.protrusions[n].phase);
     if (point == nullptr) continue;
-    const Vec2 L = *point - s.cortex.x[s.protrusions[n].centre];
+    const Vec2 L = *point - cell.cortex.x[cell.protrusions[n].centre];
     const double F = adhesion_force(L.norm(), p);
     if (F <= 0.0) continue;
     const Vec2 e = L.normalized();
-    const std::uint32_t tip = s.node(s.protrusions[n].centre);
+    const std::uint32_t tip = first + cell.protrusions[n].centre;
     force[tip] += F * e;
     spread(weights[n], -F * e, force);
     const auto resist = [&](const Vec2& direction, double stiffness) {
       A.directed.add_entry(tip, direction);
       for (std::size_t k = 0; k < weights[n].index.size(); ++k)
-        if (!s.ecm.clamped[weights[n].index[k]])
+        if (!ecm.clamped[weights[n].index[k]])
           A.directed.add_entry(weights[n].index[k], -weights[n].weight[k] * direction);
       A.directed.close(dt * stiffness);
     };
@@ -65,9 +66,9 @@ void add_adhesions(const State& s, const AdhesionParameters& p, std::span<const 
   }
 }
 
-void move_anchors(State& s, std::span<const PointWeights> weights, double dt) {
-  for (std::size_t n = 0; n < s.protrusions.size(); ++n)
-    if (Vec2* point = anchor(s.protrusions[n].phase)) *point += dt * interpolate(weights[n], s.ecm.v);
+void move_anchors(Cell& cell, const EcmState& ecm, std::span<const PointWeights> weights, double dt) {
+  for (std::size_t n = 0; n < cell.protrusions.size(); ++n)
+    if (Vec2* point = anchor(cell.protrusions[n].phase)) *point += dt * interpolate(weights[n], ecm.v);
 }
 
 } // namespace matrigrate

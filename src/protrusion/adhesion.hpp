@@ -3,8 +3,10 @@
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "sph/interpolate.hpp"
-#include "state/state.hpp"
+#include "state/cell.hpp"
+#include "state/ecm.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -32,17 +34,19 @@ const Vec2* anchor(const Phase& phase);
 Vec2* anchor(Phase& phase);
 
 /// Force of the adhesion of a protrusion now; 0 without one [nN].
-double adhesion_force(const State& s, const Protrusion& protrusion, const AdhesionParameters& p);
+double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p);
 
-/// How the anchor of each protrusion of `s` hangs in the solid; empty for those without.
-std::vector<PointWeights> anchor_weights(const State& s, const EcmParameters& p);
+/// How the anchor of each protrusion of a cell hangs in the solid; empty for those without.
+std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const EcmParameters& p);
 
 /// Adds the adhesion forces on centre particles, and their reactions on the solid; linearly implicit.
-/// @param weights  from anchor_weights()   @param force  of all nodes [nN]
-void add_adhesions(const State& s, const AdhesionParameters& p, std::span<const PointWeights> weights, double dt,
-                   std::span<Vec2> force, DragSystem& A);
+/// @param weights  from anchor_weights()   @param first  node of particle 0 of the cortex   @param force  of all nodes
+///                 [nN]
+void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p,
+                   std::span<const PointWeights> weights, double dt, std::uint32_t first, std::span<Vec2> force,
+                   DragSystem& A);
 
 /// The solid carries the anchors along for dt.
-void move_anchors(State& s, std::span<const PointWeights> weights, double dt);
+void move_anchors(Cell& cell, const EcmState& ecm, std::span<const PointWeights> weights, double dt);
 
 } // namespace matrigrate

@@ -48,14 +48,14 @@ double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& ti
   return weights > 0.0 ? p.protrusion.deflection_rate * sum / weights : 0.0;
 }
 
-void deflect(State& s, const Parameters& p, double dt, std::span<const Vec2> normals,
+void deflect(Cell& cell, const EcmState& ecm, const Parameters& p, double dt, std::span<const Vec2> normals,
              const std::function<bool(const Vec2&)>& inside) {
-  for (Protrusion& protrusion : s.protrusions) {
+  for (Protrusion& protrusion : cell.protrusions) {
     auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
-    const Vec2 tip = foremost(s.cortex, protrusion.centre, growing->direction, p.protrusion);
-    const Vec2 ahead = where_tip_points(s.cortex, protrusion.centre, normals, p.protrusion);
-    const double angle = dt * deflection_speed(s.ecm, p, tip, growing->direction, ahead, inside);
+    const Vec2 tip = foremost(cell.cortex, protrusion.centre, growing->direction, p.protrusion);
+    const Vec2 ahead = where_tip_points(cell.cortex, protrusion.centre, normals, p.protrusion);
+    const double angle = dt * deflection_speed(ecm, p, tip, growing->direction, ahead, inside);
     growing->direction = (Eigen::Rotation2Dd(angle) * growing->direction).normalized();
   }
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
-#include "state/state.hpp"
+#include "state/cell.hpp"
+#include "state/ecm.hpp"
 
 #include <functional>
 #include <span>
@@ -21,7 +22,7 @@ double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& ti
                         const Vec2& ahead, const std::function<bool(const Vec2&)>& inside);
 
 /// Turns d_prot of all growing protrusions for dt.   @param normals  outward unit normals of the cortex particles
-void deflect(State& s, const Parameters& p, double dt, std::span<const Vec2> normals,
+void deflect(Cell& cell, const EcmState& ecm, const Parameters& p, double dt, std::span<const Vec2> normals,
              const std::function<bool(const Vec2&)>& inside);
 
 } // namespace matrigrate

@@ -43,21 +43,21 @@ Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionPar
 
 double area_factor(double area, const ProtrusionParameters& p) { return p.number > 0 && area > 1.0 ? 1.0 / area : 1.0; }
 
-void add_growth(const State& s, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
-                std::span<Vec2> force) {
-  for (const Protrusion& protrusion : s.protrusions) {
+void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
+                std::uint32_t first, std::span<Vec2> force) {
+  for (const Protrusion& protrusion : cell.protrusions) {
     const auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
-    for (const std::size_t i : pushing_particles(s.cortex, protrusion.centre, p))
-      force[s.node(i)] += area_factor(area, p) * growth_force(growing->direction, normals[i], p);
+    for (const std::size_t i : pushing_particles(cell.cortex, protrusion.centre, p))
+      force[first + i] += area_factor(area, p) * growth_force(growing->direction, normals[i], p);
   }
 }
 
-void spread_evenly(State& s, const ProtrusionParameters& p, double dt) {
+void spread_evenly(Cell& cell, const ProtrusionParameters& p, double dt) {
   const double share = 1.0 - std::exp(-p.spreading_rate * dt);
-  for (const Protrusion& protrusion : s.protrusions)
+  for (const Protrusion& protrusion : cell.protrusions)
     if (std::holds_alternative<Growing>(protrusion.phase))
-      for (const int side : {-1, 1}) spread_between(s.cortex, protrusion.centre, side, p.half_width, share);
+      for (const int side : {-1, 1}) spread_between(cell.cortex, protrusion.centre, side, p.half_width, share);
 }
 
 double protrusion_length(const CortexState& c, std::size_t centre, const ProtrusionParameters& p) {
@@ -69,17 +69,18 @@ double base_width(const CortexState& c, std::size_t centre, const ProtrusionPara
   return (c.x[c.along(centre, p.half_width)] - c.x[c.along(centre, -p.half_width)]).norm();
 }
 
-void add_base_ties(const State& s, const ProtrusionParameters& p, double k_s, double dt, std::span<Vec2> force,
-                   DragSystem& A) {
+void add_base_ties(const Cell& cell, const ProtrusionParameters& p, double k_s, double dt, std::uint32_t first,
+                   std::span<Vec2> force, DragSystem& A) {
   if (p.growing_base != GrowingBase::tied) return;
   const double stiffness = k_s / (2.0 * p.half_width);
-  for (const Protrusion& protrusion : s.protrusions) {
+  for (const Protrusion& protrusion : cell.protrusions) {
     const auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
-    const std::uint32_t a = s.node(s.cortex.along(protrusion.centre, -p.half_width));
-    const std::uint32_t b = s.node(s.cortex.along(protrusion.centre, p.half_width));
-    const Vec2 ab = s.cortex.x[s.cortex.along(protrusion.centre, p.half_width)]
-                    - s.cortex.x[s.cortex.along(protrusion.centre, -p.half_width)];
+    const auto i = static_cast<std::uint32_t>(cell.cortex.along(protrusion.centre, -p.half_width));
+    const auto j = static_cast<std::uint32_t>(cell.cortex.along(protrusion.centre, p.half_width));
+    const std::uint32_t a = first + i;
+    const std::uint32_t b = first + j;
+    const Vec2 ab = cell.cortex.x[j] - cell.cortex.x[i];
     const double length = ab.norm();
     const double T = stiffness * (length - growing->base_width);
     if (T <= 0.0) continue;

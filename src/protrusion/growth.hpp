@@ -2,8 +2,9 @@
 
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
-#include "state/state.hpp"
+#include "state/cell.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,12 +29,12 @@ double area_factor(double area, const ProtrusionParameters& p);
 /// @param area     of the cell over A_0 [-]
 /// @param normals  outward unit normals of the cortex particles
 /// @param force    of all nodes [nN]
-void add_growth(const State& s, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
-                std::span<Vec2> force);
+void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
+                std::uint32_t first, std::span<Vec2> force);
 
 /// Lets the particles on either flank of growing protrusions slide along the contour towards equal spacing for dt, so
 /// that the stretch does not gather at the tip. The centre stays at the tip, the first and last particle at the base.
-void spread_evenly(State& s, const ProtrusionParameters& p, double dt);
+void spread_evenly(Cell& cell, const ProtrusionParameters& p, double dt);
 
 /// l_prot: distance from the middle between the first and the last particle to the centre [um].
 double protrusion_length(const CortexState& c, std::size_t centre, const ProtrusionParameters& p);
@@ -45,8 +46,8 @@ double base_width(const CortexState& c, std::size_t centre, const ProtrusionPara
 /// stays behind as an arc, so that the ring is not open at the base. Tension only, stiffness k_s over the number of
 /// segments, rest length the width at initiation; linearly implicit.
 /// @param k_s  stiffness of a segment [nN/um]   @param force  of all nodes [nN]
-void add_base_ties(const State& s, const ProtrusionParameters& p, double k_s, double dt, std::span<Vec2> force,
-                   DragSystem& A);
+void add_base_ties(const Cell& cell, const ProtrusionParameters& p, double k_s, double dt, std::uint32_t first,
+                   std::span<Vec2> force, DragSystem& A);
 
 /// The rest lengths of the segments between the first and the last particle become their lengths.
 void relax_rest_lengths(CortexState& c, std::size_t centre, const ProtrusionParameters& p);

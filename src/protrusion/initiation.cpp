@@ -15,48 +15,55 @@ bool has_room(const CortexState& c, std::size_t i, std::span<const int> of_parti
   return true;
 }
 
-double facing(const CortexState& c, std::size_t i, const Outline& cell, const ProtrusionParameters& p) {
-  const Vec2 direction = (c.x[i] - cell.centre).normalized();
+double facing(const CortexState& c, std::size_t i, const Outline& outline, const ProtrusionParameters& p) {
+  const Vec2 direction = (c.x[i] - outline.centre).normalized();
   double sum = 0.0;
   for (int k = -p.tip_half_width; k <= p.tip_half_width; ++k)
-    sum += std::max(0.0, cell.normals[c.along(i, k)].dot(direction));
+    sum += std::max(0.0, outline.normals[c.along(i, k)].dot(direction));
   return sum / (2.0 * p.tip_half_width + 1.0);
 }
 
-void begin_protrusion(State& s, std::size_t i, const Vec2& centre, const ProtrusionParameters& p) {
+void begin_protrusion(Cell& cell, std::size_t i, const Vec2& centre, double t, const ProtrusionParameters& p) {
   const auto entity = static_cast<std::uint32_t>(i);
-  const Vec2 direction = (s.cortex.x[i] - centre).normalized();
+  const Vec2 direction = (cell.cortex.x[i] - centre).normalized();
   Protrusion born{
-      .centre = entity, .since = s.t, .phase = Growing{direction, base_width(s.cortex, i, p)}, .record = {}};
-  born.record.id = ++s.initiated;
+      .centre = entity, .since = t, .phase = Growing{direction, base_width(cell.cortex, i, p)}, .record = {}};
+  born.record.id = ++cell.initiated;
   born.record.centre = entity;
-  born.record.t_initiation = s.t;
-  s.protrusions.push_back(born);
-  if (!s.polarization) s.polarization = std::atan2(direction.y(), direction.x());
+  born.record.t_initiation = t;
+  cell.protrusions.push_back(born);
+  if (!cell.polarization) cell.polarization = std::atan2(direction.y(), direction.x());
 }
 
 namespace {
 
-bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_particle, const Outline& cell,
+bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_particle, const Outline& outline,
                const ProtrusionParameters& p) {
-  return has_room(c, i, of_particle, p) && facing(c, i, cell, p) >= p.least_facing;
+  return has_room(c, i, of_particle, p) && facing(c, i, outline, p) >= p.least_facing;
 }
 
-void initiate_at_a_rate(State& s, const Parameters& p, double dt, const Outline& cell) {
-  const double probability = event_probability(p.protrusion.initiation_rate, dt);
-  std::vector<int> of_particle = membership(s, p).of_particle;
-  for (std::size_t i = 0; i < s.cortex.size(); ++i) {
-    if (!cell.of_front[i]) continue;
-    if (uniform(p.run.seed, Purpose::initiation, s.step, static_cast<std::uint32_t>(i)) >= probability) continue;
-    if (!may_begin(s.cortex, i, of_particle, cell, p.protrusion)) continue;
-    begin_protrusion(s, i, cell.centre, p.protrusion);
-    of_particle = membership(s, p).of_particle;
+void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline) {
+  const auto probability = [&, usual = event_probability(p.protrusion.initiation_rate, dt)](std::size_t i) {
+    if (outline.propensity.empty()) return usual;
+    return event_probability(outline.propensity[i] * p.protrusion.initiation_rate, dt);
+  };
+  std::vector<int> of_particle = membership(cell, p).of_particle;
+  for (std::size_t i = 0; i < cell.cortex.size(); ++i) {
+    if (!outline.of_front[i]) continue;
+    if (uniform(p.run.seed, Purpose::initiation, now.step, static_cast<std::uint32_t>(i), cell.id) >= probability(i))
+      continue;
+    if (!may_begin(cell.cortex, i, of_particle, outline, p.protrusion)) continue;
+    begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
+    of_particle = membership(cell, p).of_particle;
   }
 }
 
-/// The particle that a uniform draw falls on, each with the weight of front or rear.
-std::size_t candidate(std::span<const std::uint8_t> of_front, double rear_share, double draw) {
-  const auto weight = [&](std::size_t i) { return of_front[i] ? 1.0 : rear_share; };
+/// The particle that a uniform draw falls on, each with the weight of front or rear times its propensity.
+std::size_t candidate(const Outline& outline, double rear_share, double draw) {
+  const std::span<const std::uint8_t> of_front = outline.of_front;
+  const auto weight = [&](std::size_t i) {
+    return (of_front[i] ? 1.0 : rear_share) * (outline.propensity.empty() ? 1.0 : outline.propensity[i]);
+  };
   double sum = 0.0;
   for (std::size_t i = 0; i < of_front.size(); ++i) sum += weight(i);
   double left = draw * sum;
@@ -70,24 +77,25 @@ std::uint64_t candidates_until(double t, const ProtrusionParameters& p) {
   return static_cast<std::uint64_t>(std::max(0.0, std::floor(t / p.candidate_interval + 1e-6))); // t is a sum of steps
 }
 
-void keep_up_number(State& s, const Parameters& p, double dt, const Outline& cell) {
-  const std::uint64_t last = candidates_until(s.t, p.protrusion);
-  for (std::uint64_t n = candidates_until(s.t - dt, p.protrusion) + 1; n <= last; ++n) {
-    if (s.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
-    const double draw = uniform(p.run.seed, Purpose::initiation, n, 0);
-    const std::size_t i = candidate(cell.of_front, p.protrusion.rear_share, draw);
-    if (may_begin(s.cortex, i, membership(s, p).of_particle, cell, p.protrusion))
-      begin_protrusion(s, i, cell.centre, p.protrusion);
+void keep_up_number(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline) {
+  const std::uint64_t last = candidates_until(now.t, p.protrusion);
+  for (std::uint64_t n = candidates_until(now.t - dt, p.protrusion) + 1; n <= last; ++n) {
+    if (cell.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
+    const double draw = uniform(p.run.seed, Purpose::initiation, n, 0, cell.id);
+    const std::size_t i = candidate(outline, p.protrusion.rear_share, draw);
+    if (!outline.propensity.empty() && outline.propensity[i] <= 0.0) continue; // of all particles
+    if (may_begin(cell.cortex, i, membership(cell, p).of_particle, outline, p.protrusion))
+      begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
   }
 }
 
 } // namespace
 
-void initiate(State& s, const Parameters& p, double dt, const Outline& cell) {
+void initiate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline) {
   if (p.protrusion.number == 0)
-    initiate_at_a_rate(s, p, dt, cell);
-  else if (cell.area <= p.protrusion.area_limit)
-    keep_up_number(s, p, dt, cell);
+    initiate_at_a_rate(cell, now, p, dt, outline);
+  else if (outline.area <= p.protrusion.area_limit)
+    keep_up_number(cell, now, p, dt, outline);
 }
 
 } // namespace matrigrate

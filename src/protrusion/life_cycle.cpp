@@ -65,11 +65,11 @@ struct Table {
 };
 
 /// The point l_0,adh ahead of the tip of a growing protrusion, or the anchor of one that has adhered.
-Vec2 adhesion_site(const State& s, const Protrusion& protrusion, const AdhesionParameters& p) {
+Vec2 adhesion_site(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p) {
   if (const auto* growing = std::get_if<Growing>(&protrusion.phase))
-    return s.cortex.x[protrusion.centre] + p.rest_length * growing->direction;
+    return c.x[protrusion.centre] + p.rest_length * growing->direction;
   const Vec2* point = anchor(protrusion.phase);
-  return point != nullptr ? *point : s.cortex.x[protrusion.centre];
+  return point != nullptr ? *point : c.x[protrusion.centre];
 }
 
 /// Writes down the transition at time t.
@@ -99,41 +99,42 @@ Transition transition(const Phase& phase, const Circumstances& now, const Parame
   return std::visit(Table{now, p, dt}, phase);
 }
 
-Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p, double dt) {
-  Circumstances now{.age = s.t - protrusion.since + 1e-6 * dt, // times are sums of steps
-                    .force = adhesion_force(s, protrusion, p.adhesion),
-                    .ahead = adhesion_site(s, protrusion, p.adhesion),
-                    .draw = uniform(p.run.seed, Purpose::disassembly, s.step, protrusion.record.id)};
+Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
+                            const Parameters& p, double dt) {
+  Circumstances found{.age = now.t - protrusion.since + 1e-6 * dt, // times are sums of steps
+                      .force = adhesion_force(cell.cortex, protrusion, p.adhesion),
+                      .ahead = adhesion_site(cell.cortex, protrusion, p.adhesion),
+                      .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id, cell.id)};
   const bool growing = std::holds_alternative<Growing>(protrusion.phase);
-  const bool needs_solid = growing ? now.age >= p.protrusion.growth_time : anchor(protrusion.phase) != nullptr;
-  if (needs_solid) now.support = solid_weights(s.ecm, Kernel(p.ecm.smoothing_length), now.ahead).support;
-  return now;
+  const bool needs_solid = growing ? found.age >= p.protrusion.growth_time : anchor(protrusion.phase) != nullptr;
+  if (needs_solid) found.support = solid_weights(ecm, Kernel(p.ecm.smoothing_length), found.ahead).support;
+  return found;
 }
 
-void update_protrusions(State& s, const Parameters& p, double dt) {
+void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt) {
   std::vector<Protrusion> alive;
-  for (Protrusion& protrusion : s.protrusions) {
-    const Circumstances now = circumstances(s, protrusion, p, dt);
-    const Transition change = transition(protrusion.phase, now, p, dt);
+  for (Protrusion& protrusion : cell.protrusions) {
+    const Circumstances found = circumstances(cell, protrusion, ecm, now, p, dt);
+    const Transition change = transition(protrusion.phase, found, p, dt);
     if (!change.changes) {
       alive.push_back(protrusion);
       continue;
     }
     if (change.ends) {
-      protrusion.record.t_end = s.t;
-      s.ended.push_back(protrusion.record);
+      protrusion.record.t_end = now.t;
+      cell.ended.push_back(protrusion.record);
       continue;
     }
-    record(protrusion, change, now, protrusion_length(s.cortex, protrusion.centre, p.protrusion), s.t);
+    record(protrusion, change, found, protrusion_length(cell.cortex, protrusion.centre, p.protrusion), now.t);
     if (change.next.index() != protrusion.phase.index()) {
       if (!std::holds_alternative<Contracting>(protrusion.phase)) // growth or maturation is over
-        relax_rest_lengths(s.cortex, protrusion.centre, p.protrusion);
-      protrusion.since = s.t;
+        relax_rest_lengths(cell.cortex, protrusion.centre, p.protrusion);
+      protrusion.since = now.t;
     }
     protrusion.phase = change.next;
     alive.push_back(protrusion);
   }
-  s.protrusions = std::move(alive);
+  cell.protrusions = std::move(alive);
 }
 
 } // namespace matrigrate

@@ -37,11 +37,12 @@ struct Transition {
 ///   Finishing    age >= T_finish                     -> free
 Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt);
 
-/// Circumstances of a protrusion after a step of dt, with its draw.
-Circumstances circumstances(const State& s, const Protrusion& protrusion, const Parameters& p, double dt);
+/// Circumstances of a protrusion of a cell after a step of dt, with its draw.   @param now  the end of the step
+Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
+                            const Parameters& p, double dt);
 
-/// Lets every protrusion make its transition; those that end move to s.ended. Rest lengths become the lengths at the
-/// end of growth and of maturation.
-void update_protrusions(State& s, const Parameters& p, double dt);
+/// Lets every protrusion of a cell make its transition; those that end move to cell.ended. Rest lengths become the
+/// lengths at the end of growth and of maturation.   @param now  the end of the step of dt
+void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt);
 
 } // namespace matrigrate

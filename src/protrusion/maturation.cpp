@@ -11,26 +11,27 @@ constexpr int pinned = 3;            // particles at either end
 constexpr double giving_way = 0.4;   // time in which the bundle does [s]
 constexpr double bundle_share = 0.9; // of f_mat F_am that bundle and cortex together put on the adhesion
 
-void pin_base(const State& s, const Protrusion& protrusion, const Parameters& p, DragSystem& A) {
+void pin_base(const CortexState& c, const Protrusion& protrusion, const Parameters& p, std::uint32_t first,
+              DragSystem& A) {
   for (int k = 0; k < pinned; ++k)
     for (const int end : {-p.protrusion.half_width + k, p.protrusion.half_width - k})
-      A.diagonal[s.node(s.cortex.along(protrusion.centre, end))] += p.adhesion.base_drag;
+      A.diagonal[first + c.along(protrusion.centre, end)] += p.adhesion.base_drag;
 }
 
 /// A force `pull` between the centre of a protrusion and either end of its base, half of it each.
-void pull_base(const State& s, const Protrusion& protrusion, const Parameters& p, double pull, double dt,
-               std::span<Vec2> force, DragSystem& A) {
-  const std::uint32_t tip = s.node(protrusion.centre);
+void pull_base(const CortexState& c, const Protrusion& protrusion, const Parameters& p, double pull, double dt,
+               std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
+  const std::uint32_t tip = first + protrusion.centre;
   for (const int end : {-p.protrusion.half_width, p.protrusion.half_width}) {
-    const std::size_t i = s.cortex.along(protrusion.centre, end);
-    const Vec2 d = s.cortex.x[i] - s.cortex.x[protrusion.centre];
+    const auto i = static_cast<std::uint32_t>(c.along(protrusion.centre, end));
+    const Vec2 d = c.x[i] - c.x[protrusion.centre];
     const double length = d.norm();
     if (length <= 0.0) continue;
     const Vec2 e = d / length;
     const double T = 0.5 * pull;
     force[tip] += T * e;
-    force[s.node(i)] -= T * e;
-    A.directed.add(dt * T / length, {{tip, perpendicular(e)}, {s.node(i), -perpendicular(e)}});
+    force[first + i] -= T * e;
+    A.directed.add(dt * T / length, {{tip, perpendicular(e)}, {first + i, -perpendicular(e)}});
   }
 }
 
@@ -48,16 +49,17 @@ double final_f_mat(int steps, double last_step, double F, const Parameters& p) {
   return std::clamp(maturation_step * (steps + part), p.actomyosin.f_mat_body, 1.0);
 }
 
-void add_maturation(const State& s, const Parameters& p, double dt, std::span<Vec2> force, DragSystem& A) {
-  for (const Protrusion& protrusion : s.protrusions) {
+void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
+                    DragSystem& A) {
+  for (const Protrusion& protrusion : cell.protrusions) {
     if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase); contracting != nullptr) {
-      if (contracting->bundle > 0.0) pull_base(s, protrusion, p, contracting->bundle, dt, force, A);
+      if (contracting->bundle > 0.0) pull_base(cell.cortex, protrusion, p, contracting->bundle, dt, first, force, A);
       continue;
     }
     const auto* maturing = std::get_if<Maturing>(&protrusion.phase);
     if (maturing == nullptr) continue;
-    force[s.node(protrusion.centre)] -= maturing_f_mat(maturing->steps) * p.actomyosin.force * maturing->direction;
-    pin_base(s, protrusion, p, A);
+    force[first + protrusion.centre] -= maturing_f_mat(maturing->steps) * p.actomyosin.force * maturing->direction;
+    pin_base(cell.cortex, protrusion, p, first, A);
   }
 }
 

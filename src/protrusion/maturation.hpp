@@ -2,8 +2,9 @@
 
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
-#include "state/state.hpp"
+#include "state/cell.hpp"
 
+#include <cstdint>
 #include <span>
 
 /// Maturation by mechanosensing (Heck et al. 2020, section "Protrusion maturation"; MODEL.md, D19).
@@ -28,10 +29,11 @@ double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 
 /// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot, and the high drag of
 /// the three particles at either end of it that pins its base.
-/// @param force  of all nodes [nN]
+/// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
 /// With handover = bundle also the pull that is left of F_mat in contracting protrusions, between the centre and both
 /// ends of the base.
-void add_maturation(const State& s, const Parameters& p, double dt, std::span<Vec2> force, DragSystem& A);
+void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
+                    DragSystem& A);
 
 /// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, D20): the
 /// bundle takes over nine tenths of f_mat F_am.

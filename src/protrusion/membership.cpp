@@ -20,22 +20,22 @@ bool is_soft(const Phase& phase) {
 
 } // namespace
 
-Membership membership(const State& s, const Parameters& p) {
-  const CortexState& c = s.cortex;
+Membership membership(const Cell& cell, const Parameters& p) {
+  const CortexState& c = cell.cortex;
   Membership m{std::vector<int>(c.size(), no_protrusion), std::vector<double>(c.size(), p.actomyosin.f_mat_body),
                std::vector<double>(c.size(), p.cell.spring_stiffness), std::vector<std::uint8_t>(c.size(), 0),
                std::vector<std::uint8_t>(c.size(), 0)};
-  for (std::size_t n = 0; n < s.protrusions.size(); ++n)
+  for (std::size_t n = 0; n < cell.protrusions.size(); ++n)
     for (int k = -p.protrusion.half_width; k <= p.protrusion.half_width; ++k) {
-      const std::size_t i = c.along(s.protrusions[n].centre, k);
+      const std::size_t i = c.along(cell.protrusions[n].centre, k);
       m.of_particle[i] = static_cast<int>(n);
-      m.f_mat[i] = std::visit(CorticalMaturation{}, s.protrusions[n].phase);
+      m.f_mat[i] = std::visit(CorticalMaturation{}, cell.protrusions[n].phase);
     }
   for (std::size_t i = 0; i < c.size(); ++i) {
     const int owner = m.of_particle[i];
     if (owner == no_protrusion || m.of_particle[c.next(i)] != owner) continue;
     m.on_protrusion[i] = 1;
-    if (!is_soft(s.protrusions[static_cast<std::size_t>(owner)].phase)) continue;
+    if (!is_soft(cell.protrusions[static_cast<std::size_t>(owner)].phase)) continue;
     m.soft[i] = 1;
     m.k_s[i] = p.protrusion.spring_stiffness;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
-#include "state/state.hpp"
+#include "state/cell.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -14,13 +14,13 @@ inline constexpr int no_protrusion = -1;
 
 /// Properties of the cortex that follow from the phases of the protrusions.
 struct Membership {
-  std::vector<int> of_particle;            ///< index into State::protrusions, or no_protrusion
+  std::vector<int> of_particle;            ///< index into Cell::protrusions, or no_protrusion
   std::vector<double> f_mat;               ///< maturation of each particle along the cortex [-]
   std::vector<double> k_s;                 ///< spring stiffness of each segment [nN/um]
   std::vector<std::uint8_t> on_protrusion; ///< segments with both ends in one protrusion
   std::vector<std::uint8_t> soft;          ///< those of them that grow or mature
 };
 
-Membership membership(const State& s, const Parameters& p);
+Membership membership(const Cell& cell, const Parameters& p);
 
 } // namespace matrigrate

@@ -7,9 +7,9 @@
 
 namespace matrigrate {
 
-std::optional<double> adhesion_direction(const State& s, const Vec2& centre) {
+std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre) {
   Vec2 sum = Vec2::Zero();
-  for (const Protrusion& protrusion : s.protrusions)
+  for (const Protrusion& protrusion : cell.protrusions)
     if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase))
       sum += (contracting->anchor - centre).normalized();
   if (sum.norm() < 1e-9) return std::nullopt; // no adhesions, or in opposite directions
@@ -25,10 +25,10 @@ double turned(double angle, double target, double dt, const PolarizationParamete
   return std::remainder(angle + change, 2.0 * std::numbers::pi);
 }
 
-void polarize(State& s, const PolarizationParameters& p, const Vec2& centre, double dt) {
-  if (!s.polarization) return;
-  if (const std::optional<double> target = adhesion_direction(s, centre))
-    s.polarization = turned(*s.polarization, *target, dt, p);
+void polarize(Cell& cell, const PolarizationParameters& p, const Vec2& centre, double dt) {
+  if (!cell.polarization) return;
+  if (const std::optional<double> target = adhesion_direction(cell, centre))
+    cell.polarization = turned(*cell.polarization, *target, dt, p);
 }
 
 } // namespace matrigrate

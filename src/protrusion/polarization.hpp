@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
-#include "state/state.hpp"
+#include "state/cell.hpp"
 
 #include <optional>
 
@@ -11,13 +11,13 @@ namespace matrigrate {
 
 /// Angle of the mean direction from the centre of mass to the mature adhesions, or none without them [rad].
 /// @param centre  centre of mass of the cell [um]
-std::optional<double> adhesion_direction(const State& s, const Vec2& centre);
+std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre);
 
 /// The angle after dt of turning towards `target`, the shorter way: at r_pol times the angle between them, or at the
 /// constant speed r_pol [rad].
 double turned(double angle, double target, double dt, const PolarizationParameters& p);
 
 /// Turns d_pol for dt.
-void polarize(State& s, const PolarizationParameters& p, const Vec2& centre, double dt);
+void polarize(Cell& cell, const PolarizationParameters& p, const Vec2& centre, double dt);
 
 } // namespace matrigrate

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace matrigrate::io {
 
@@ -58,22 +59,34 @@ Json outline_json(const Film& film) {
   const auto floats = [&](const Packing& packing, const Floats OutlineFrame::*field) {
     return packed(packing, n, [&film, field](std::size_t k) -> const Floats& { return film.frames[k].outline.*field; });
   };
-  return {{"x", floats(positions(film.head), &OutlineFrame::x)},
-          {"front", bytes(&OutlineFrame::front)},
-          {"protrusion", bytes(&OutlineFrame::protrusion)},
-          {"f_mat", floats({.scale = 1.0 / byte_range}, &OutlineFrame::f_mat)},
-          {"force", floats({.scale = (strongest > 0.0 ? strongest : 1.0) / byte_range}, &OutlineFrame::force)}};
+  Json json{{"x", floats(positions(film.head), &OutlineFrame::x)},
+            {"front", bytes(&OutlineFrame::front)},
+            {"protrusion", bytes(&OutlineFrame::protrusion)},
+            {"f_mat", floats({.scale = 1.0 / byte_range}, &OutlineFrame::f_mat)},
+            {"force", floats({.scale = (strongest > 0.0 ? strongest : 1.0) / byte_range}, &OutlineFrame::force)}};
+  if (const Floats& cell = film.frames.front().outline.cell; !cell.empty())
+    json["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
+  return json;
 }
 
-Json protrusions_json(const ProtrusionFrame& p) {
+/// Index on the outline of particle 0 of a cell.
+std::size_t first_of(const OutlineFrame& outline, float cell) {
+  return static_cast<std::size_t>(std::ranges::find(outline.cell, cell) - outline.cell.begin());
+}
+
+Json protrusions_json(const Frame& frame) {
+  const ProtrusionFrame& p = frame.protrusions;
   Json list = Json::array();
-  for (std::size_t i = 0; i < p.id.size(); ++i)
+  for (std::size_t i = 0; i < p.id.size(); ++i) {
+    const std::size_t first = p.cell.empty() ? 0 : first_of(frame.outline, p.cell[i]);
     list.push_back({{"id", static_cast<std::uint32_t>(p.id[i])},
                     {"phase", p.phase[i]},
-                    {"centre", static_cast<std::uint32_t>(p.centre[i])},
+                    {"centre", first + static_cast<std::size_t>(p.centre[i])},
                     {"anchor", std::isnan(p.anchor[2 * i]) ? Json() : Json{p.anchor[2 * i], p.anchor[2 * i + 1]}},
                     {"f_mat", p.f_mat[i]},
                     {"force_nN", p.force[i]}});
+    if (!p.cell.empty()) list.back()["cell"] = static_cast<std::uint32_t>(p.cell[i]);
+  }
   return list;
 }
 
@@ -103,7 +116,7 @@ Json film_json(const Film& film) {
   Json protrusions = Json::array();
   for (const Frame& frame : film.frames) {
     times.push_back(frame.t);
-    protrusions.push_back(protrusions_json(frame.protrusions));
+    protrusions.push_back(protrusions_json(frame));
   }
   Packing reference = positions(film.head);
   reference.delta = false;

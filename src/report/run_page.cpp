@@ -13,19 +13,22 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-Json tracks_json(std::span<const TrackRow> rows) {
+/// Of all cells, cell after cell.
+Json tracks_json(std::span<const CellResult> cells) {
   Json json{{"t_s", Json::array()},           {"x_um", Json::array()},         {"y_um", Json::array()},
             {"area_um2", Json::array()},      {"perimeter_um", Json::array()}, {"polarization_rad", Json::array()},
             {"n_simultaneous", Json::array()}};
-  for (const TrackRow& row : rows) {
-    json["t_s"].push_back(row.t);
-    json["x_um"].push_back(row.centre.x());
-    json["y_um"].push_back(row.centre.y());
-    json["area_um2"].push_back(row.area);
-    json["perimeter_um"].push_back(row.perimeter);
-    json["polarization_rad"].push_back(row.polarization.value_or(never));
-    json["n_simultaneous"].push_back(row.alive());
-  }
+  for (const CellResult& cell : cells)
+    for (const TrackRow& row : cell.rows) {
+      json["t_s"].push_back(row.t);
+      json["x_um"].push_back(row.centre.x());
+      json["y_um"].push_back(row.centre.y());
+      json["area_um2"].push_back(row.area);
+      json["perimeter_um"].push_back(row.perimeter);
+      json["polarization_rad"].push_back(row.polarization.value_or(never));
+      json["n_simultaneous"].push_back(row.alive());
+      if (cells.size() > 1) json["cell"].push_back(number_of(row.cell));
+    }
   return json;
 }
 
@@ -36,12 +39,14 @@ Json json_of(const Field& field) {
 Json protrusions_json(const RunReport& report) {
   Json list = Json::array();
   const std::vector<std::string_view> columns = protrusion_columns();
-  for (const ProtrusionRecord& record : report.records) {
-    const std::vector<Field> row = fields(record, report.p.actomyosin);
-    Json json;
-    for (std::size_t i = 0; i < columns.size(); ++i) json[std::string(columns[i])] = json_of(row[i]);
-    list.push_back(std::move(json));
-  }
+  for (const CellResult& cell : report.cells)
+    for (const ProtrusionRecord& record : cell.records) {
+      const std::vector<Field> row = fields(record, report.p.actomyosin);
+      Json json;
+      if (report.cells.size() > 1) json["cell"] = number_of(cell.cell);
+      for (std::size_t i = 0; i < columns.size(); ++i) json[std::string(columns[i])] = json_of(row[i]);
+      list.push_back(std::move(json));
+    }
   return list;
 }
 
@@ -53,8 +58,11 @@ Json facts_json(const std::vector<Fact>& facts) {
 
 Json readouts_json(const RunReport& report) {
   Json list = Json::array();
-  for (const NamedValue& v : shown_values(report.readouts, report.p))
-    list.push_back({{"name", v.name}, {"meaning", v.meaning}, {"value", json_of(v.value)}});
+  for (const CellResult& cell : report.cells)
+    for (const NamedValue& v : shown_values(cell.readouts, report.p)) {
+      list.push_back({{"name", v.name}, {"meaning", v.meaning}, {"value", json_of(v.value)}});
+      if (report.cells.size() > 1) list.back()["cell"] = number_of(cell.cell);
+    }
   return list;
 }
 
@@ -125,20 +133,22 @@ std::string citation() {
 Json run_data(const RunReport& report) {
   const bool plays = report.film != nullptr && !report.film->frames.empty();
   const std::size_t n = plays ? report.film->head.particles() : 0;
+  const auto of_a_cell = static_cast<std::size_t>(report.p.cell.particles);
+  const std::size_t n_outline = of_a_cell * std::max<std::size_t>(1, report.cells.size());
   return {{"format", "matrigrate-run"},
           {"version", 1},
           {"title", report.title},
           {"status", report.status},
-          {"summary", result_sentence(report.readouts)},
+          {"summary", result_sentence(report.cells)},
           {"facts", facts_json(report.facts)},
           {"t_end_s", report.t_end},
           {"geometry",
            {{"radius_um", report.p.ecm.radius},
             {"spacing_um", report.p.ecm.particle_spacing},
             {"n_particles", n},
-            {"n_outline", report.p.cell.particles}}},
+            {"n_outline", n_outline}}},
           {"frames", plays ? film_json(*report.film) : Json()},
-          {"tracks", tracks_json(report.rows)},
+          {"tracks", tracks_json(report.cells)},
           {"protrusions", protrusions_json(report)},
           {"readouts", readouts_json(report)},
           {"parameters", changed_parameters(report.p)},

@@ -26,10 +26,8 @@ struct RunReport {
   std::vector<Fact> facts{}; ///< what was run, when and how
   double t_end = 0.0;        ///< what it reached [s]
   Parameters p{};
-  ReadOuts readouts{};
-  std::span<const TrackRow> rows{};
+  std::span<const CellResult> cells{}; ///< none: a page without results
   std::span<const HealthRow> health{};
-  std::span<const ProtrusionRecord> records{};
   const Film* film = nullptr; ///< none: a page without a player
   std::string provenance{};   ///< its line breaks are kept
 };

@@ -6,6 +6,7 @@
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"
 #include "run/run_record.hpp"
+#include "state/dof.hpp"
 #include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
@@ -70,13 +71,13 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   run.t = checkpoint.state.t;
   run.memory = io::parse_memory(checkpoint.memory);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
-    run.memory.rows.push_back(track_row(checkpoint.state)); // as at the end of a run
-  run.protrusions = protrusion_records(checkpoint.state);
+    std::ranges::copy(track_rows(checkpoint.state), std::back_inserter(run.memory.rows)); // as at the end of a run
+  run.cells = cell_results(checkpoint.state, run.memory.rows, run.p);
   run.frame_times = run.memory.frames;
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
     run.frame_times.push_back(run.t);
   const io::FrameShape shape{.head = io::frame_head(checkpoint.state, run.p),
-                             .outline = checkpoint.state.cortex.size(),
+                             .outline = node_count(checkpoint.state) - checkpoint.state.ecm.size(),
                              .fibres = run.p.fibres.arrangement != FibreArrangement::none};
   if (run.p.output.field_interval > 0.0) run.film = io::saved_film(folder, shape, run.frame_times);
   return run;
@@ -97,10 +98,8 @@ nlohmann::ordered_json page_data(const FinishedRun& run) {
                        .facts = run_facts(run.p, run.record, scenario),
                        .t_end = run.t,
                        .p = run.p,
-                       .readouts = readouts(run.memory.rows, run.protrusions, run.p),
-                       .rows = run.memory.rows,
+                       .cells = run.cells,
                        .health = run.memory.health,
-                       .records = run.protrusions,
                        .film = &run.film,
                        .provenance = provenance_of(run.record)});
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "observe/frame.hpp"
+#include "observe/readouts.hpp"
 #include "parameters/parameters.hpp"
-#include "state/protrusion.hpp"
 #include "store/run_memory.hpp"
 #include "store/saved_frames.hpp"
 
@@ -22,7 +22,7 @@ struct FinishedRun {
   nlohmann::ordered_json record; ///< run.json
   double t = 0.0;                ///< of the checkpoint [s]
   io::RunMemory memory;
-  std::vector<ProtrusionRecord> protrusions;
+  std::vector<CellResult> cells;   ///< results of each
   std::vector<double> frame_times; ///< of the frames written up to the checkpoint [s]
   io::Film film;                   ///< those that are still whole, and later ones
 };

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "cell/geometry.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/layer_picture.hpp"
 #include "parameters/write.hpp"
@@ -9,6 +10,7 @@
 #include "report/run_page.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
+#include "state/dof.hpp"
 #include "store/checkpoint.hpp"
 #include "store/field_file.hpp"
 #include "store/run_files.hpp"
@@ -43,11 +45,28 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<Row>& rows) {
   return all;
 }
 
-std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord>& records, const Parameters& p) {
+/// A row of protrusions.csv, which tells the cell where there are several.
+std::vector<io::Field> fields_of(const State& s, const Cell& cell, const ProtrusionRecord& record,
+                                 const Parameters& p) {
+  std::vector<io::Field> fields = io::fields(record, p.actomyosin);
+  return s.cells.size() > 1 ? io::with_cell(cell.id, std::move(fields)) : fields;
+}
+
+std::vector<std::vector<io::Field>> ended_rows(const State& s, const Parameters& p) {
   std::vector<std::vector<io::Field>> all;
-  all.reserve(records.size());
-  for (const ProtrusionRecord& record : records) all.push_back(io::fields(record, p.actomyosin));
+  for (const Cell& cell : s.cells)
+    for (const ProtrusionRecord& record : cell.ended) all.push_back(fields_of(s, cell, record, p));
   return all;
+}
+
+std::vector<std::string_view> protrusion_columns(const State& s) {
+  return s.cells.size() > 1 ? io::with_cell(io::protrusion_columns()) : io::protrusion_columns();
+}
+
+std::vector<std::size_t> numbers_ended(const State& s) {
+  std::vector<std::size_t> n;
+  for (const Cell& cell : s.cells) n.push_back(cell.ended.size());
+  return n;
 }
 
 } // namespace
@@ -55,7 +74,7 @@ std::vector<std::vector<io::Field>> fields_of(const std::vector<ProtrusionRecord
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
                      io::RunMemory memory, const std::filesystem::path& from)
     : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
-      m_memory(std::move(memory)), m_ended(s.ended.size()), m_row_cadence(p.output.track_interval, p.run.time_step),
+      m_memory(std::move(memory)), m_ended(numbers_ended(s)), m_row_cadence(p.output.track_interval, p.run.time_step),
       m_snapshot_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
       m_frame_cadence(p.output.field_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
@@ -67,7 +86,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
   m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
-  m_protrusions.emplace(m_folder / "protrusions.csv", io::protrusion_columns(), fields_of(s.ended, p));
+  m_protrusions.emplace(m_folder / "protrusions.csv", protrusion_columns(s), ended_rows(s, p));
   m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
   if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
   if (m_memory.rows.empty()) return;
@@ -149,12 +168,11 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed, c
                        std::string_view page_template) {
   if (m_frames) io::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
   write_pictures(s, failed);
-  const std::vector<ProtrusionRecord> records = protrusion_records(s);
-  m_readouts = matrigrate::readouts(m_memory.rows, records, m_p);
-  write_file(m_folder / "protrusions.csv", io::protrusions_csv(records, m_p.actomyosin)); // with those still alive
-  write_file(m_folder / "msd.csv", io::msd_csv(mean_square_displacement(m_memory.rows, 600.0)));
-  write_file(m_folder / "summary.csv", io::summary_csv(m_readouts));
-  write_file(m_folder / "summary.json", io::summary_json(m_readouts));
+  m_results = cell_results(s, m_memory.rows, m_p);
+  write_file(m_folder / "protrusions.csv", io::protrusions_csv(m_results, m_p.actomyosin)); // with those still alive
+  write_file(m_folder / "msd.csv", io::msd_csv(m_results, 600.0));
+  write_file(m_folder / "summary.csv", io::summary_csv(m_results));
+  write_file(m_folder / "summary.json", io::summary_json(m_results));
   if (!m_p.output.report || page_template.empty()) return;
   ::malloc_trim(0); // before all frames that are played are in memory
   const nlohmann::ordered_json record_json = to_json(record, m_p);
@@ -166,10 +184,8 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed, c
                                                           .facts = run_facts(m_p, record_json, scenario),
                                                           .t_end = s.t,
                                                           .p = m_p,
-                                                          .readouts = m_readouts,
-                                                          .rows = m_memory.rows,
+                                                          .cells = m_results,
                                                           .health = m_memory.health,
-                                                          .records = records,
                                                           .film = m_frames ? &film : nullptr,
                                                           .provenance = provenance_text()})));
 }
@@ -198,22 +214,31 @@ void RunFolder::add_row(const State& s, const Workspace& w) {
   io::TrajectoryHash trajectory(m_memory.trajectory);
   trajectory.add(s);
   m_memory.trajectory = trajectory.value();
-  m_memory.rows.push_back(track_row(s));
-  m_tracks->add(io::fields(m_memory.rows.back()));
+  for (const TrackRow& row : track_rows(s)) {
+    m_tracks->add(io::fields(row));
+    m_memory.rows.push_back(row);
+  }
   m_memory.health.push_back(health_row(s, w, m_memory.watch));
   m_health->add(io::fields(m_memory.health.back()));
 }
 
 void RunFolder::add_ended(const State& s) {
-  for (; m_ended < s.ended.size(); ++m_ended) m_protrusions->add(io::fields(s.ended[m_ended], m_p.actomyosin));
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    const Cell& cell = s.cells[k];
+    for (; m_ended[k] < cell.ended.size(); ++m_ended[k])
+      m_protrusions->add(fields_of(s, cell, cell.ended[m_ended[k]], m_p));
+  }
 }
 
 void RunFolder::add_snapshot(const State& s, const Workspace& w) {
-  std::vector<Vec2> path;
-  path.reserve(m_memory.rows.size() + 1);
-  for (const TrackRow& row : m_memory.rows) path.push_back(row.centre);
-  if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(track_row(s).centre);
-  io::CellScene scene = io::cell_scene(s, m_p, std::move(path));
+  std::vector<std::vector<Vec2>> paths;
+  for (const Cell& cell : s.cells) {
+    std::vector<Vec2>& path = paths.emplace_back();
+    for (const TrackRow& row : m_memory.rows)
+      if (row.cell == cell.id) path.push_back(row.centre);
+    if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(centroid(cell.cortex));
+  }
+  io::CellScene scene = io::cell_scene(s, m_p, std::move(paths));
   const std::filesystem::path file = m_folder / "snapshots" / time_name(s.t);
   const auto layer = [&file](std::string_view name) { return file.string() + std::string(name) + ".svg"; };
   write_file(layer(""), io::cell_picture(scene, io::whole_disc(scene)));
@@ -233,7 +258,7 @@ void RunFolder::add_frame(const State& s, const Workspace& w) {
 /// Begins the log with those frames of the past that a folder still holds.
 void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
   const io::FrameShape shape{.head = io::frame_head(s, m_p),
-                             .outline = s.cortex.size(),
+                             .outline = node_count(s) - s.ecm.size(),
                              .fibres = m_p.fibres.arrangement != FibreArrangement::none};
   std::string log = io::log_head(shape.head);
   if (!m_memory.frames.empty())

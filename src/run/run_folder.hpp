@@ -68,9 +68,9 @@ public:
   /// Frames of earlier parts of the run that could not be taken over.
   io::LostFrames lost_frames() const;
 
-  const ReadOuts& readouts() const { return m_readouts; }           ///< after finish()
-  std::string trajectory_hash() const;                              ///< so far
-  std::optional<double> safe_until() const { return m_safe_until; } ///< time of the last checkpoint [s]
+  const std::vector<CellResult>& results() const { return m_results; } ///< of the cells, after finish()
+  std::string trajectory_hash() const;                                 ///< so far
+  std::optional<double> safe_until() const { return m_safe_until; }    ///< time of the last checkpoint [s]
 
 private:
   /// @throws NumericalFailure if the computation must not go on
@@ -88,7 +88,7 @@ private:
   FolderLock m_lock;
   Parameters m_p;
   io::RunMemory m_memory;
-  std::size_t m_ended; ///< protrusions written so far
+  std::vector<std::size_t> m_ended; ///< protrusions of each cell written so far
   std::optional<io::RowFile> m_tracks;
   std::optional<io::RowFile> m_protrusions;
   std::optional<io::RowFile> m_health;
@@ -101,7 +101,7 @@ private:
   std::vector<double> m_frame_times; ///< of the frames in the log [s]
   bool m_keeps_checkpoints = true;
   std::optional<double> m_safe_until;
-  ReadOuts m_readouts;
+  std::vector<CellResult> m_results;
 };
 
 } // namespace matrigrate::run

@@ -86,7 +86,7 @@ public:
             .record = to_json(m_record, m_p),
             .sentence = status_text(),
             .p = m_p,
-            .readouts = m_folder->readouts()};
+            .cells = m_folder->results()};
   }
 
 private:

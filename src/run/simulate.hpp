@@ -57,7 +57,7 @@ struct RunOutcome {
   nlohmann::ordered_json record; ///< run.json
   std::string sentence;          ///< how it ended, for people
   Parameters p;
-  ReadOuts readouts;
+  std::vector<CellResult> cells; ///< results of each
 };
 
 /// Computes to the end, a request to stop, the limit of wall time or a

@@ -13,11 +13,12 @@ namespace matrigrate {
 
 namespace {
 
-/// Of a particle of matrix or cortex [um/s].
+/// Of a particle of matrix or cells [um/s].
 double max_speed(const State& s) {
   double squared = 0.0;
   for (const Vec2& v : s.ecm.v) squared = std::max(squared, v.squaredNorm());
-  for (const Vec2& v : s.cortex.v) squared = std::max(squared, v.squaredNorm());
+  for (const Cell& cell : s.cells)
+    for (const Vec2& v : cell.cortex.v) squared = std::max(squared, v.squaredNorm());
   return std::sqrt(squared);
 }
 

@@ -10,7 +10,7 @@ namespace matrigrate {
 /// of run.time_step), and at the speeds of the last step nothing would move much further than usual_move.
 double step_to_try(const State& s, const Parameters& p, const StepLimits& limits);
 
-/// Makes that step, halved until nothing moves further than usual_move and the cell does not cross itself.
+/// Makes that step, halved until nothing moves further than usual_move and no cell crosses itself.
 /// @throws NumericalFailure as advance(), also if the shortest step is still too long; the state is then unchanged
 void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads);
 

@@ -11,10 +11,10 @@ namespace matrigrate {
 
 std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                    const StepBounds& bounds) {
-  // neighbours, and shape of the cell, at x(t)
+  // neighbours, and shapes of the cells, at x(t)
   update_neighbours(s, w);
   w.reference.update(s.ecm);
-  describe_cell(s, p, w);
+  describe_cells(s, p, w);
 
   // momentum balances, Eqs. 1 and 2: A v = F
   assemble_drag(s, p, dt, w);
@@ -27,11 +27,9 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
   s.t = (std::round(s.t / dt) + 1.0) * dt; // the next multiple of dt, whatever rounding left before
 
   // events
-  if (s.has_cell()) {
-    degrade_around_cell(s, p, dt, w);
-    advance_protrusions(s, p, dt);
-    require_inside(s, p);
-  }
+  degrade_around_cells(s, p, dt, w);
+  for (Cell& cell : s.cells) advance_protrusions(cell, s.ecm, s.now(), p, dt);
+  require_inside(s, p);
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
   return {};

@@ -13,7 +13,7 @@ namespace matrigrate {
 /// @param dt     at most run.time_step, the longest step of the run [s]
 /// @param loads  forces from outside the model
 /// @return the bound that the step would break; the state is then unchanged, bit for bit
-/// @throws NumericalFailure if the drag system cannot be solved (the state is then unchanged), or if the cell has
+/// @throws NumericalFailure if the drag system cannot be solved (the state is then unchanged), or if a cell has
 ///         reached the rim (the state is then that after the step)
 [[nodiscard]] std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w,
                                                  const Loads& loads, const StepBounds& bounds);

@@ -16,6 +16,7 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"
+#include "state/dof.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -40,23 +41,26 @@ CortexState after_a_quarter_step(CortexState c, const Parameters& p, double dt) 
 
 Vec2 sum(std::span<const Vec2> forces) { return std::accumulate(forces.begin(), forces.end(), Vec2(0.0, 0.0)); }
 
-/// Right side of Eq. (1), in the paper's order.
-void assemble_cell_forces(const State& s, const Parameters& p, double dt, Workspace& w) {
-  const std::uint32_t first = s.node(0);
-  const CortexState& c = s.cortex;
-  const Membership& m = w.cell.membership;
+/// Right side of Eq. (1) for a cell, in the paper's order.
+void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, double dt, Workspace& w) {
+  const Cell& cell = s.cells[k];
+  const CellShape& shape = w.cells[k];
+  const std::uint32_t first = first_node(s, k);
+  const CortexState& c = cell.cortex;
+  const Membership& m = shape.membership;
+  const std::span<const Vec2> forces = of_cell(s, k, std::span<const Vec2>(w.force));
   add_springs(c, p.cell, m.k_s, dt, first, w.force, w.drag);
   add_bending(c, p.cell, dt, first, w.force, w.drag);
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
-  add_elastic_contact(s.ecm, c, p, w.cell.nearby, dt, w.force, w.drag);
+  add_elastic_contact(s.ecm, c, p, shape.nearby, dt, first, w.force, w.drag);
   add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
-  const Vec2 inner = sum(std::span(w.force).subspan(first));
-  add_growth(s, p.protrusion, area(c) / initial_area(p.cell), w.cell.normals, w.force);
-  add_base_ties(s, p.protrusion, p.cell.spring_stiffness, dt, w.force, w.drag);
-  add_maturation(s, p, dt, w.force, w.drag);
-  w.outer_force += sum(std::span(w.force).subspan(first)) - inner;
-  add_adhesions(s, p.adhesion, w.cell.anchor_weights, dt, w.force, w.drag);
+  const Vec2 inner = sum(forces);
+  add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force);
+  add_base_ties(cell, p.protrusion, p.cell.spring_stiffness, dt, first, w.force, w.drag);
+  add_maturation(cell, p, dt, first, w.force, w.drag);
+  w.outer_force += sum(forces) - inner;
+  add_adhesions(cell, s.ecm, p.adhesion, shape.anchor_weights, dt, first, w.force, w.drag);
 }
 
 } // namespace
@@ -65,14 +69,17 @@ void update_neighbours(const State& s, Workspace& w) {
   if (!w.neighbours.update(s.ecm.x, s.ecm.period_x).empty()) ++w.health.list_builds;
 }
 
-void describe_cell(const State& s, const Parameters& p, Workspace& w) {
-  if (!s.has_cell()) return;
+void describe_cells(const State& s, const Parameters& p, Workspace& w) {
   const double reach = 2.0 * p.ecm.smoothing_length;
-  w.cell.membership = membership(s, p);
-  w.cell.normals = normals(s.cortex);
-  w.cell.grid.emplace(s.cortex, reach);
-  w.cell.nearby = nearby_solid(s.ecm, s.cortex, *w.cell.grid, reach);
-  w.cell.anchor_weights = anchor_weights(s, p.ecm);
+  w.cells.resize(s.cells.size());
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    const Cell& cell = s.cells[k];
+    CellShape& shape = w.cells[k];
+    shape.membership = membership(cell, p);
+    shape.normals = normals(cell.cortex);
+    shape.nearby = nearby_solid(s.ecm, cell.cortex, SegmentGrid(cell.cortex, reach), reach);
+    shape.anchor_weights = anchor_weights(cell, s.ecm, p.ecm);
+  }
 }
 
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w) {
@@ -80,11 +87,12 @@ void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w)
   w.drag.directed.clear();
   w.theta = relaxation_theta(p, dt, w.limits);
   w.drag_cache.assemble(s.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, drag_lag(p, dt), w.theta, w.drag);
-  if (!s.has_cell()) return;
-  w.drag.diagonal.resize(s.ecm.size() + s.cortex.size(), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
-  w.drag.F.resize(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  const CortexState c = after_a_quarter_step(s.cortex, p, dt);
-  add_viscous_contact(s.ecm, c, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length), w.drag);
+  w.drag.diagonal.resize(node_count(s), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
+  w.drag.F.resize(node_count(s), Vec2::Zero());
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    const CortexState c = after_a_quarter_step(s.cells[k].cortex, p, dt);
+    add_viscous_contact(s.ecm, c, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length), first_node(s, k), w.drag);
+  }
 }
 
 void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
@@ -101,7 +109,7 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   }
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
-  if (s.has_cell()) assemble_cell_forces(s, p, dt, w);
+  for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);
   if (loads) {
     const Vec2 inner = sum(w.force);
     loads(s, w.force);
@@ -111,7 +119,7 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   for (double& c : w.drag.links.c) c *= share;
   for (double& c : w.drag.directed.c) c *= share;
   for (std::size_t i = 0; i < w.force.size(); ++i)
-    if (i >= s.ecm.size() || !s.ecm.clamped[i]) w.drag.F[i] += share * w.force[i];
+    if (!is_clamped(s, i)) w.drag.F[i] += share * w.force[i];
 }
 
 } // namespace matrigrate

@@ -15,11 +15,11 @@ using Loads = std::function<void(const State&, std::span<Vec2>)>;
 /// Updates the neighbour list of the matrix at x(t).
 void update_neighbours(const State& s, Workspace& w);
 
-/// Computes shape, protrusions and surroundings of the cell at x(t).
-void describe_cell(const State& s, const Parameters& p, Workspace& w);
+/// Computes shape, protrusions and surroundings of each cell at x(t).
+void describe_cells(const State& s, const Parameters& p, Workspace& w);
 
 /// Eqs. (1) and (2), left side: viscous drag of all pairs of the matrix (ecm/viscosity; evaluated with a lag, MODEL.md,
-/// D30), of the cell in the liquid, and between cell and matrix (contact/viscous).
+/// D30), of the cells in the liquid, and between cells and matrix (contact/viscous).
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w);
 
 /// Eq. (2), right side: stress (ecm/stress or ecm/updated_lagrangian) and pressure of the fluid (ecm/fluid); Eq. (1),

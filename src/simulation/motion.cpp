@@ -12,9 +12,12 @@ namespace {
 
 void advance_positions(State& s, const Parameters& p, double dt, const Workspace& w) {
   parallel_for(s.ecm.size(), [&](std::size_t i) { s.ecm.x[i] += dt * s.ecm.v[i]; });
-  for (std::size_t i = 0; i < s.cortex.size(); ++i) s.cortex.x[i] += dt * s.cortex.v[i];
-  spread_evenly(s, p.protrusion, dt);
-  move_anchors(s, w.cell.anchor_weights, dt);
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    CortexState& c = s.cells[k].cortex;
+    for (std::size_t i = 0; i < c.size(); ++i) c.x[i] += dt * c.v[i];
+    spread_evenly(s.cells[k], p.protrusion, dt);
+    move_anchors(s.cells[k], s.ecm, w.cells[k].anchor_weights, dt);
+  }
 }
 
 } // namespace

@@ -7,7 +7,7 @@ namespace matrigrate {
 State initial_state(const Parameters& p) {
   State s;
   s.ecm = disc(p);
-  s.cortex = round_cortex(p.cell);
+  s.cells.emplace_back().cortex = round_cortex(p.cell);
   return s;
 }
 

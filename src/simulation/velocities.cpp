@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
 #include "simulation/step_limits.hpp"
+#include "state/dof.hpp"
 
 #include <fmt/format.h>
 
@@ -14,19 +15,13 @@ namespace matrigrate {
 
 namespace {
 
-/// Where a node is: a particle of the matrix, or of the cortex behind them.
-const Vec2& position(const State& s, std::size_t node) {
-  return node < s.ecm.size() ? s.ecm.x[node] : s.cortex.x[node - s.ecm.size()];
-}
-
-/// Velocities of matrix and cortex if they go on changing as in the last step: the first guess of the solver.
+/// Velocities of matrix and cells if they go on changing as in the last step: the first guess of the solver.
 void extrapolate(const State& s, std::vector<Vec2>& v) {
-  v = s.ecm.v;
-  v.insert(v.end(), s.cortex.v.begin(), s.cortex.v.end());
+  v = node_velocities(s);
   const std::vector<Vec2>& v_before = s.solver_memory.v_before;
   if (v_before.size() != v.size()) return;
   for (std::size_t i = 0; i < v.size(); ++i)
-    if (i >= s.ecm.size() || !s.ecm.clamped[i]) v[i] = 2.0 * v[i] - v_before[i];
+    if (!is_clamped(s, i)) v[i] = 2.0 * v[i] - v_before[i];
 }
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
@@ -45,30 +40,32 @@ std::optional<StepTooLong> too_far(const State& s, double dt, const StepLimits& 
     return StepTooLong{fmt::format(
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
         "beyond the limit of {:.3g} um; {}",
-        s.step + 1, s.t, i < s.ecm.size() ? "matrix" : "cortex", position(s, i).x(), position(s, i).y(),
+        s.step + 1, s.t, in_matrix(s, i) ? "matrix" : "cortex", node_position(s, i).x(), node_position(s, i).y(),
         v[i].norm() * dt, dt, max_move, describe(limits))};
   }
   return {};
 }
 
-/// Whether the step would make the cortex cross itself.
+/// Whether the step would make the cortex of a cell cross itself.
 std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const Vec2> v) {
-  CortexState next{.x = s.cortex.x, .v = {}, .l0 = {}};
-  for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += dt * v[s.node(i)];
-  if (!crosses_itself(next) || crosses_itself(s.cortex)) return {};
-  return StepTooLong{
-      fmt::format("step {} (t = {:.6g} s): the cell would cross itself in one step of {:.4g} s", s.step + 1, s.t, dt)};
+  for (std::size_t k = 0; k < s.cells.size(); ++k) {
+    const CortexState& now = s.cells[k].cortex;
+    const std::span<const Vec2> v_cell = of_cell(s, k, v);
+    CortexState next{.x = now.x, .v = {}, .l0 = {}};
+    for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += dt * v_cell[i];
+    if (!crosses_itself(next) || crosses_itself(now)) continue;
+    return StepTooLong{fmt::format("step {} (t = {:.6g} s): the cell would cross itself in one step of {:.4g} s",
+                                   s.step + 1, s.t, dt)};
+  }
+  return {};
 }
 
-/// Makes v the velocities of matrix and cortex.
+/// Makes v the velocities of matrix and cells.
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
   memory.x_drag = w.drag_cache.x_drag();
-  memory.v_before = s.ecm.v;
-  memory.v_before.insert(memory.v_before.end(), s.cortex.v.begin(), s.cortex.v.end());
-  const auto cell = w.v.begin() + static_cast<std::ptrdiff_t>(s.ecm.size());
-  s.ecm.v.assign(w.v.begin(), cell);
-  s.cortex.v.assign(cell, w.v.end());
+  memory.v_before = node_velocities(s);
+  set_node_velocities(s, w.v);
 }
 
 } // namespace

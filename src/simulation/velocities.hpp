@@ -11,8 +11,8 @@ namespace matrigrate {
 
 /// Bounds of a step.
 struct StepBounds {
-  double max_move;         ///< maximum displacement of a particle of matrix or cortex [um]
-  bool may_cross = true;   ///< whether the cortex may cross itself in the step
+  double max_move;         ///< maximum displacement of a particle of matrix or cells [um]
+  bool may_cross = true;   ///< whether a cortex may cross itself in the step
   bool tried_once = false; ///< whether Workspace::v holds the velocities of a longer, rejected step from here
 };
 
@@ -21,7 +21,7 @@ struct StepTooLong {
   std::string reason;
 };
 
-/// Solves A v = F, Eqs. (1) and (2), for the velocities of matrix and cortex.
+/// Solves A v = F, Eqs. (1) and (2), for the velocities of matrix and cells.
 /// @return the bound that a step of dt with these velocities would break, if any; the state is then unchanged, bit for
 /// bit
 /// @throws NumericalFailure if the system was not solved; the state is then unchanged

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace matrigrate {
@@ -31,13 +30,12 @@ struct StepHealth {
   std::size_t list_builds = 0;    ///< updates of the neighbour list since the start, local or global
 };
 
-/// Quantities of the cell at x(t) derived from State: shape, protrusions, nearby particles.
+/// Quantities of a cell at x(t) derived from State: shape, protrusions, nearby particles.
 struct CellShape {
   Membership membership;
   std::vector<Vec2> normals;                ///< outward unit normals of the cortex particles
-  std::optional<SegmentGrid> grid;          ///< segments within the support of the kernel
   std::vector<NearbyParticle> nearby;       ///< solid particles within the support of the kernel
-  std::vector<PointWeights> anchor_weights; ///< parallel to State::protrusions
+  std::vector<PointWeights> anchor_weights; ///< parallel to Cell::protrusions
 };
 
 /// Everything that is derived from State and Parameters and can be rebuilt at any time.
@@ -48,8 +46,8 @@ struct Workspace {
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
-  DragCache drag_cache; ///< of the matrix
-  CellShape cell;
+  DragCache drag_cache;         ///< of the matrix
+  std::vector<CellShape> cells; ///< parallel to State::cells
   DragSystem drag;
   std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
   Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]

@@ -2,12 +2,14 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "state/dof.hpp"
 #include "store/hdf5.hpp"
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -26,9 +28,8 @@ std::string fingerprint(std::string_view bytes) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-std::string first_line(std::string_view content) {
-  std::string line =
-      fmt::format("{}{} bytes {} xxh128 {}\n", magic, checkpoint_version, content.size(), fingerprint(content));
+std::string first_line(int version, std::string_view content) {
+  std::string line = fmt::format("{}{} bytes {} xxh128 {}\n", magic, version, content.size(), fingerprint(content));
   line.resize(block, '\0');
   return line;
 }
@@ -41,30 +42,60 @@ std::string_view checked_content(std::string_view image, const std::string& name
   const char* const end = image.data() + image.size();
   const auto read = std::from_chars(image.data() + magic.size(), end, version);
   if (read.ec != std::errc()) refuse("is no checkpoint of matrigrate");
-  if (version != checkpoint_version)
-    refuse(fmt::format("is a checkpoint of format {}; this program reads format {}", version, checkpoint_version));
+  if (version != checkpoint_version && version != one_cell_version)
+    refuse(fmt::format("is a checkpoint of format {}; this program reads formats {} and {}", version, one_cell_version,
+                       checkpoint_version));
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
-  if (image.substr(0, block) == first_line(content)) return content;
-  const std::string promised = fmt::format("{}{} bytes {} ", magic, checkpoint_version, content.size());
+  if (image.substr(0, block) == first_line(version, content)) return content;
+  const std::string promised = fmt::format("{}{} bytes {} ", magic, version, content.size());
   refuse(image.starts_with(promised) ? "has been changed: its fingerprint is another"
                                      : "is cut short, or its first line has been changed");
   return {};
 }
 
-Json small_parts(const State& s) {
+/// All of a cell but its arrays and its number.
+Json small_parts(const Cell& cell) {
   Json protrusions = Json::array();
-  for (const Protrusion& p : s.protrusions) protrusions.push_back(to_json(p));
+  for (const Protrusion& p : cell.protrusions) protrusions.push_back(to_json(p));
   Json ended = Json::array();
-  for (const ProtrusionRecord& r : s.ended) ended.push_back(to_json(r));
-  return {{"step", s.step},
-          {"t_s", s.t},
-          {"V0_um2", s.ecm.V0},
-          {"period_x_um", s.ecm.period_x},
-          {"polarization_rad", s.polarization ? Json(*s.polarization) : Json()},
-          {"initiated", s.initiated},
+  for (const ProtrusionRecord& r : cell.ended) ended.push_back(to_json(r));
+  return {{"polarization_rad", cell.polarization ? Json(*cell.polarization) : Json()},
+          {"initiated", cell.initiated},
           {"protrusions", std::move(protrusions)},
           {"ended", std::move(ended)}};
+}
+
+Cell small_parts_of_cell(const Json& json) {
+  Cell cell;
+  if (!json.at("polarization_rad").is_null()) cell.polarization = json.at("polarization_rad").get<double>();
+  cell.initiated = integer<std::uint32_t>(json.at("initiated"));
+  for (const Json& p : json.at("protrusions")) cell.protrusions.push_back(protrusion_of(p));
+  for (const Json& r : json.at("ended")) cell.ended.push_back(record_of(r));
+  return cell;
+}
+
+/// The oldest format that can hold a state.
+int version_of(const State& s) {
+  const bool plain = s.cells.empty() || (s.cells.size() == 1 && s.cells.front().id == 0);
+  return plain ? one_cell_version : checkpoint_version;
+}
+
+/// Without a cell: as if of one without particles.
+Json small_parts(const State& s) {
+  Json json{{"step", s.step}, {"t_s", s.t}, {"V0_um2", s.ecm.V0}, {"period_x_um", s.ecm.period_x}};
+  if (version_of(s) == one_cell_version) {
+    json.update(small_parts(s.cells.empty() ? Cell{} : s.cells.front()));
+    return json;
+  }
+  Json cells = Json::array();
+  for (const Cell& cell : s.cells) {
+    Json parts{{"id", cell.id}};
+    parts.update(small_parts(cell));
+    cells.push_back(std::move(parts));
+  }
+  json["cells"] = std::move(cells);
+  return json;
 }
 
 State small_parts_of(const Json& json) {
@@ -73,25 +104,55 @@ State small_parts_of(const Json& json) {
   s.t = json.at("t_s");
   s.ecm.V0 = json.at("V0_um2");
   s.ecm.period_x = json.at("period_x_um");
-  if (!json.at("polarization_rad").is_null()) s.polarization = json.at("polarization_rad").get<double>();
-  s.initiated = integer<std::uint32_t>(json.at("initiated"));
-  for (const Json& p : json.at("protrusions")) s.protrusions.push_back(protrusion_of(p));
-  for (const Json& r : json.at("ended")) s.ended.push_back(record_of(r));
+  if (!json.contains("cells")) {
+    s.cells.push_back(small_parts_of_cell(json));
+    return s;
+  }
+  for (const Json& parts : json.at("cells")) {
+    s.cells.push_back(small_parts_of_cell(parts));
+    s.cells.back().id = integer<std::uint32_t>(parts.at("id"));
+  }
   return s;
+}
+
+/// Where the arrays of a cell are.
+std::string cell_path(int version, std::size_t k, std::string_view array) {
+  return version == one_cell_version ? fmt::format("/cortex/{}", array) : fmt::format("/cells/{}/{}", k, array);
+}
+
+void write_cortex(MemoryFile& file, const CortexState& c, int version, std::size_t k) {
+  file.write(cell_path(version, k, "x"), c.x, "um");
+  file.write(cell_path(version, k, "v"), c.v, "um/s");
+  file.write(cell_path(version, k, "l0"), c.l0, "um");
+}
+
+CortexState read_cortex(const MemoryFile& file, int version, std::size_t k) {
+  return {.x = file.vectors(cell_path(version, k, "x")),
+          .v = file.vectors(cell_path(version, k, "v")),
+          .l0 = file.doubles(cell_path(version, k, "l0"))};
+}
+
+/// Whether this is the cell without particles that stands for none.
+bool is_empty(const std::vector<Cell>& cells) {
+  return cells.size() == 1 && cells.front().cortex.size() == 0 && cells.front().protrusions.empty();
 }
 
 /// What a whole file may still have wrong: arrays that do not belong together.
 void require_consistent(const State& s) {
   const std::size_t n = s.ecm.size();
   const SolverMemory& memory = s.solver_memory;
-  const bool knows_before = memory.v_before.empty() || memory.v_before.size() == n + s.cortex.size();
+  const bool knows_before = memory.v_before.empty() || memory.v_before.size() == node_count(s);
   const bool lags = memory.x_drag.empty() || memory.x_drag.size() == n;
   const bool matrix = lags && knows_before && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n
                       && s.ecm.S.size() == n && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
-  const bool cortex = s.cortex.v.size() == s.cortex.size() && s.cortex.l0.size() == s.cortex.size();
-  if (!matrix || !cortex || n == 0) throw std::invalid_argument("its arrays do not belong together");
-  for (const Protrusion& p : s.protrusions)
-    if (p.centre >= s.cortex.size()) throw std::invalid_argument("a protrusion has no place on the cortex");
+  const bool cortices = std::ranges::all_of(s.cells, [](const Cell& cell) {
+    return cell.cortex.size() > 0 && cell.cortex.v.size() == cell.cortex.size()
+           && cell.cortex.l0.size() == cell.cortex.size();
+  });
+  if (!matrix || !cortices || n == 0) throw std::invalid_argument("its arrays do not belong together");
+  for (const Cell& cell : s.cells)
+    for (const Protrusion& p : cell.protrusions)
+      if (p.centre >= cell.cortex.size()) throw std::invalid_argument("a protrusion has no place on the cortex");
   if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is no time");
 }
 
@@ -99,6 +160,7 @@ void require_consistent(const State& s) {
 
 std::string checkpoint_image(const Checkpoint& checkpoint) {
   const State& s = checkpoint.state;
+  const int version = version_of(s);
   MemoryFile file;
   file.write("/ecm/X", s.ecm.X, "um");
   file.write("/ecm/x", s.ecm.x, "um");
@@ -109,16 +171,15 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   file.write("/ecm/f", s.ecm.f, "1");
   file.write("/ecm/clamped", s.ecm.clamped);
   file.write("/v_before", s.solver_memory.v_before, "um/s");
-  file.write("/cortex/x", s.cortex.x, "um");
-  file.write("/cortex/v", s.cortex.v, "um/s");
-  file.write("/cortex/l0", s.cortex.l0, "um");
+  if (s.cells.empty()) write_cortex(file, {}, version, 0);
+  for (std::size_t k = 0; k < s.cells.size(); ++k) write_cortex(file, s.cells[k].cortex, version, k);
   file.write_text("/state.json", small_parts(s).dump());
   file.write_text("/scenario.toml", checkpoint.scenario);
   file.write_text("/configuration_hash", checkpoint.configuration_hash);
   file.write_text("/program", checkpoint.program);
   file.write_text("/memory.json", checkpoint.memory);
   const std::string_view content = file.view();
-  std::string image = first_line(content);
+  std::string image = first_line(version, content);
   image += content;
   return image;
 }
@@ -149,9 +210,9 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     s.ecm.f = file.doubles("/ecm/f");
     s.ecm.clamped = file.bytes("/ecm/clamped");
     s.solver_memory.v_before = file.vectors("/v_before");
-    s.cortex.x = file.vectors("/cortex/x");
-    s.cortex.v = file.vectors("/cortex/v");
-    s.cortex.l0 = file.doubles("/cortex/l0");
+    const int version = file.has("/cortex/x") ? one_cell_version : checkpoint_version;
+    for (std::size_t k = 0; k < s.cells.size(); ++k) s.cells[k].cortex = read_cortex(file, version, k);
+    if (version == one_cell_version && is_empty(s.cells)) s.cells.clear(); // the matrix alone
     require_consistent(s);
     checkpoint.scenario = file.text("/scenario.toml");
     checkpoint.configuration_hash = file.text("/configuration_hash");

@@ -53,7 +53,9 @@ struct Column {
 };
 
 /// Whether a column of the table of protrusions is written as whole numbers.
-bool counts(std::string_view name) { return name == "protrusions/id" || name == "protrusions/centre"; }
+bool counts(std::string_view name) {
+  return name == "protrusions/id" || name == "protrusions/centre" || name == "protrusions/cell";
+}
 
 std::vector<std::uint32_t> whole(const Floats& values) {
   std::vector<std::uint32_t> all;
@@ -67,7 +69,7 @@ class FieldWriter {
 public:
   /// @param first   frame, which tells the sizes
   FieldWriter(MemoryFile& file, const FrameHead& head, const Frame& first, std::size_t frames)
-      : m_file(file), m_frames(frames) {
+      : m_file(file), m_frames(frames), m_several(!first.outline.cell.empty()) {
     add_column(m_floats, "/matrix/position", 3, "um", first, [&head](const Frame& f) { return positions(head, f); });
     add_column(m_bytes, "/matrix/solid", 1, "1", first, solid);
     for (const auto& field : float_fields())
@@ -102,7 +104,9 @@ public:
     for (const auto& field : float_fields()) {
       if (!field.name.starts_with(protrusions)) continue;
       const std::string name = fmt::format("/{}", field.name);
-      if (counts(field.name))
+      if (field.of_several_cells() && !m_several)
+        ++column;
+      else if (counts(field.name))
         m_file.write(name, whole(*column++), field.unit);
       else
         m_file.write_rows(name, in_space(*column++, field.components), field.components == 2 ? 3 : 1, field.unit);
@@ -160,6 +164,7 @@ private:
 
   MemoryFile& m_file;
   std::size_t m_frames;
+  bool m_several; ///< cells
   std::size_t m_next = 0;
   std::vector<Column<float>> m_floats;
   std::vector<Column<std::uint8_t>> m_bytes;

@@ -17,6 +17,7 @@
 ///   /matrix/reference, a position per particle; /matrix/position, displacement, velocity, f_degr, pressure, von_mises,
 ///   fibre_von_mises, solid: (frames, particles), vectors (frames, particles, 3) with z = 0
 ///   /outline/position, front, protrusion, phase, f_mat, curvature, actomyosin_force: (frames, particles of the cortex)
+///   /outline/cell and /protrusions/cell, the number of the cell from 1: only where there are several
 ///   /frames/<k>/matrix/position and so on: the same numbers frame by frame, as views (virtual datasets) of the above
 ///   /protrusions/frame, id, centre, phase, anchor, f_mat, force: a row for each protrusion alive in a frame
 ///   /anchors/frame, id, position, f_mat, force: a row for each protrusion that adheres in a frame, and views of these
@@ -53,8 +54,8 @@ void write_field_files(const std::filesystem::path& folder, const Film& film, co
 std::string frame_path(std::size_t k, std::string_view name);
 
 /// fields.xdmf: for ParaView, which reads the arrays of fields.h5 beside it. Grids `matrix` (points), `outline` (a
-/// closed line) and `anchors` (points), at their times [s]; there are no anchors at times without an adhesion. Names
-/// views, since not every reader of XDMF chooses a part of an array.
+/// closed line a cell) and `anchors` (points), at their times [s]; there are no anchors at times without an adhesion.
+/// Names views, since not every reader of XDMF chooses a part of an array.
 /// @param first    frame, which tells the sizes; none: no frames
 /// @param times    of all frames [s]
 /// @param anchors  how many adhesions each frame has

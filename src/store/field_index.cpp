@@ -45,12 +45,18 @@ std::string points(std::size_t n) {
   return fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n);
 }
 
-std::string closed_line(std::size_t n) {
+/// A line around each cell. All cells have as many particles.
+std::string closed_lines(const OutlineFrame& outline) {
+  const std::vector<std::size_t> ends = outline_ends(outline);
   std::string points;
-  for (std::size_t i = 0; i <= n; ++i) points += fmt::format("{} ", i == n ? 0 : i);
-  return fmt::format("<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"{0}\">"
-                     "<DataItem Dimensions=\"1 {0}\" NumberType=\"Int\" Format=\"XML\">{1}</DataItem></Topology>",
-                     n + 1, points);
+  std::size_t first = 0;
+  for (const std::size_t end : ends) {
+    for (std::size_t i = first; i <= end; ++i) points += fmt::format("{} ", i == end ? first : i);
+    first = end;
+  }
+  return fmt::format("<Topology TopologyType=\"Polyline\" NumberOfElements=\"{0}\" NodesPerElement=\"{1}\">"
+                     "<DataItem Dimensions=\"{0} {1}\" NumberType=\"Int\" Format=\"XML\">{2}</DataItem></Topology>",
+                     ends.size(), ends.front() + 1, points);
 }
 
 std::string collection(std::string_view name, const std::string& grids) {
@@ -78,12 +84,13 @@ std::string field_index(const Frame* first, std::span<const double> times, std::
   if (first != nullptr) {
     const std::size_t n = first->matrix.f_degr.size();
     const std::size_t m = first->outline.front.size();
+    const std::string lines = m > 0 ? closed_lines(first->outline) : std::string();
     std::string matrix;
     std::string outline;
     for (std::size_t k = 0; k < times.size(); ++k) {
       matrix += grid("matrix", points(n), times[k], k, n,
                      attributes("matrix/", *first, k, n) + attribute("matrix/solid", bytes, k, n, 1));
-      if (m > 0) outline += grid("outline", closed_line(m), times[k], k, m, attributes("outline/", *first, k, m));
+      if (m > 0) outline += grid("outline", lines, times[k], k, m, attributes("outline/", *first, k, m));
     }
     text += collection("matrix", matrix);
     if (m > 0) text += collection("outline", outline);

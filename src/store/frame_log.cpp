@@ -58,6 +58,8 @@ public:
       for (std::size_t i = 0; i < n; ++i) bytes[i * sizeof(T) + plane] = planes[plane * n + i];
   }
 
+  bool empty() const { return m_bytes.empty(); }
+
 private:
   std::string_view some(std::size_t n) {
     if (n > m_bytes.size()) throw InputOutputError("a frame is shorter than it says");
@@ -113,8 +115,12 @@ std::size_t find_block(std::string_view bytes, std::size_t smallest, std::size_t
 Frame frame_of(const std::string& content) {
   Taker taker(content);
   Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
-  for (const auto& field : float_fields()) taker.take_planes(field.of(frame));
+  for (const auto& field : float_fields())
+    if (!field.of_several_cells()) taker.take_planes(field.of(frame));
   for (const auto& field : byte_fields()) taker.take_planes(field.of(frame));
+  if (taker.empty()) return frame;
+  for (const auto& field : float_fields())
+    if (field.of_several_cells()) taker.take_planes(field.of(frame));
   return frame;
 }
 
@@ -123,8 +129,10 @@ Frame frame_of(const std::string& content) {
 bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
   const std::size_t outline = frame.outline.f_mat.size();
   const std::size_t alive = frame.protrusions.id.size();
+  const bool several = !frame.outline.cell.empty();
   const auto right = [&](const auto& field) {
-    const std::size_t entries = field.name == "matrix/fibre_von_mises"   ? fibres
+    const std::size_t entries = field.of_several_cells() && !several     ? 0
+                                : field.name == "matrix/fibre_von_mises" ? fibres
                                 : field.name.starts_with("matrix/")      ? head.particles()
                                 : field.name.starts_with("protrusions/") ? alive
                                                                          : outline;
@@ -145,8 +153,12 @@ std::string log_head(const FrameHead& head) {
 std::string log_frame(const Frame& frame) {
   std::string content;
   put(content, frame.t);
-  for (const auto& field : float_fields()) put_planes(content, field.in(frame));
+  for (const auto& field : float_fields())
+    if (!field.of_several_cells()) put_planes(content, field.in(frame));
   for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
+  if (!frame.outline.cell.empty())
+    for (const auto& field : float_fields())
+      if (field.of_several_cells()) put_planes(content, field.in(frame));
   return block(content);
 }
 

@@ -30,8 +30,12 @@ void read_protrusions(const MemoryFile& file, Film& film) {
   const Floats frame_of_row = file.floats("/protrusions/frame");
   const std::vector<std::uint8_t> phases = file.bytes("/protrusions/phase");
   std::vector<Floats> columns;
+  const bool several = file.has("/protrusions/cell");
+  const auto is_column = [several](const auto& field) {
+    return field.name.starts_with(protrusions) && (several || !field.of_several_cells());
+  };
   for (const auto& field : float_fields())
-    if (field.name.starts_with(protrusions)) {
+    if (is_column(field)) {
       const Floats stored = file.floats(fmt::format("/{}", field.name));
       columns.push_back(field.components == 2 ? in_plane(stored) : stored);
       if (columns.back().size() != frame_of_row.size() * field.components)
@@ -45,7 +49,7 @@ void read_protrusions(const MemoryFile& file, Film& film) {
     const auto k = static_cast<std::size_t>(frame);
     std::size_t column = 0;
     for (const auto& field : float_fields()) {
-      if (!field.name.starts_with(protrusions)) continue;
+      if (!is_column(field)) continue;
       const auto first = columns[column++].begin() + static_cast<std::ptrdiff_t>(row * field.components);
       Floats& to = field.of(film.frames[k]);
       to.insert(to.end(), first, first + field.components);

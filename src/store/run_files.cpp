@@ -17,7 +17,7 @@ std::vector<std::string_view> track_columns() {
 }
 
 std::vector<Field> fields(const TrackRow& row) {
-  return {count(1),
+  return {count(number_of(row.cell)),
           row.t,
           row.centre.x(),
           row.centre.y(),
@@ -89,17 +89,50 @@ std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters&
           name(r.cause)};
 }
 
-std::string protrusions_csv(std::span<const ProtrusionRecord> records, const ActomyosinParameters& p) {
-  const auto columns = protrusion_columns();
-  std::string text = csv_line({columns.begin(), columns.end()});
-  for (const ProtrusionRecord& r : records) text += csv_line(fields(r, p));
-  return text;
+std::vector<Field> with_cell(std::uint32_t cell, std::vector<Field> fields) {
+  fields.insert(fields.begin(), count(number_of(cell)));
+  return fields;
 }
 
-std::string msd_csv(std::span<const MsdPoint> points) {
-  std::string text = csv_line({std::string_view("lag_s"), std::string_view("msd_um2"), std::string_view("samples")});
-  for (const MsdPoint& point : points) text += csv_line({point.lag, point.msd, count(point.samples)});
-  return text;
+std::vector<std::string_view> with_cell(std::vector<std::string_view> columns) {
+  columns.insert(columns.begin(), "cell");
+  return columns;
+}
+
+namespace {
+
+/// Adds rows to a table with these columns.
+class CellTable {
+public:
+  CellTable(std::span<const CellResult> cells, std::vector<std::string_view> columns) : m_several(cells.size() > 1) {
+    if (m_several) columns = with_cell(std::move(columns));
+    m_text = csv_line({columns.begin(), columns.end()});
+  }
+  void add(std::uint32_t cell, std::vector<Field> fields) {
+    m_text += csv_line(m_several ? with_cell(cell, std::move(fields)) : fields);
+  }
+  const std::string& text() const { return m_text; }
+
+private:
+  bool m_several;
+  std::string m_text;
+};
+
+} // namespace
+
+std::string protrusions_csv(std::span<const CellResult> cells, const ActomyosinParameters& p) {
+  CellTable table(cells, protrusion_columns());
+  for (const CellResult& cell : cells)
+    for (const ProtrusionRecord& r : cell.records) table.add(cell.cell, fields(r, p));
+  return table.text();
+}
+
+std::string msd_csv(std::span<const CellResult> cells, double interval) {
+  CellTable table(cells, {"lag_s", "msd_um2", "samples"});
+  for (const CellResult& cell : cells)
+    for (const MsdPoint& point : mean_square_displacement(cell.rows, interval))
+      table.add(cell.cell, {point.lag, point.msd, count(point.samples)});
+  return table.text();
 }
 
 std::vector<NamedValue> named_values(const ReadOuts& r) {
@@ -129,27 +162,43 @@ std::string result_sentence(const ReadOuts& r) {
   return text + fmt::format("{} protrusion{}.", r.n_protrusions, r.n_protrusions == 1 ? "" : "s");
 }
 
+std::string result_sentence(std::span<const CellResult> cells) {
+  if (cells.size() == 1) return result_sentence(cells.front().readouts);
+  std::string text;
+  for (const CellResult& cell : cells)
+    text += fmt::format("{}Cell {}: {}", text.empty() ? "" : " ", number_of(cell.cell), result_sentence(cell.readouts));
+  return text;
+}
+
 std::string readable(const Field& value) {
   const double* number = std::get_if<double>(&value);
   if (number == nullptr) return csv_line({value}).substr(0, csv_line({value}).size() - 1);
   return std::isnan(*number) ? "-" : fmt::format("{:.4g}", *number);
 }
 
-std::string summary_csv(const ReadOuts& r) {
-  std::vector<Field> header;
-  std::vector<Field> row;
-  for (const NamedValue& v : named_values(r)) {
-    header.emplace_back(v.name);
-    row.push_back(v.value);
+std::string summary_csv(std::span<const CellResult> cells) {
+  std::vector<std::string_view> columns;
+  for (const ReadOutSpec& spec : readout_table()) columns.push_back(spec.name);
+  CellTable table(cells, std::move(columns));
+  for (const CellResult& cell : cells) {
+    std::vector<Field> row;
+    for (const NamedValue& v : named_values(cell.readouts)) row.push_back(v.value);
+    table.add(cell.cell, std::move(row));
   }
-  return csv_line(header) + csv_line(row);
+  return table.text();
 }
 
-std::string summary_json(const ReadOuts& r) {
-  nlohmann::ordered_json summary;
-  for (const NamedValue& v : named_values(r)) // NaN is written as null
-    std::visit([&](const auto& value) { summary[std::string(v.name)] = value; }, v.value);
-  return summary.dump(2) + "\n";
+std::string summary_json(std::span<const CellResult> cells) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const CellResult& cell : cells) {
+    Json summary;
+    if (cells.size() > 1) summary["cell"] = number_of(cell.cell);
+    for (const NamedValue& v : named_values(cell.readouts)) // NaN is written as null
+      std::visit([&](const auto& value) { summary[std::string(v.name)] = value; }, v.value);
+    list.push_back(std::move(summary));
+  }
+  return (list.size() == 1 ? list.front() : Json{{"cells", list}}).dump(2) + "\n";
 }
 
 } // namespace matrigrate::io

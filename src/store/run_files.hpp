@@ -16,7 +16,8 @@
 /// JSON. Test: tests/unit/store/run_files_test.cpp
 namespace matrigrate::io {
 
-/// tracks.csv. The first four columns are those that celltrackR reads: track, time, x, y.
+/// tracks.csv. The first four columns are those that celltrackR reads: track, time, x, y; the track is the number of
+/// the cell.
 std::vector<std::string_view> track_columns();
 std::vector<Field> fields(const TrackRow& row);
 
@@ -24,15 +25,20 @@ std::vector<Field> fields(const TrackRow& row);
 std::vector<std::string_view> health_columns();
 std::vector<Field> fields(const HealthRow& row);
 
-/// protrusions.csv.
+/// protrusions.csv of a single cell. That of several has the column `cell`, its number, before the others; so have
+/// msd.csv and summary.csv.
 std::vector<std::string_view> protrusion_columns();
 std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters& p);
 
-/// The whole of protrusions.csv.
-std::string protrusions_csv(std::span<const ProtrusionRecord> records, const ActomyosinParameters& p);
+/// A row, or the columns, of a table of several cells.
+std::vector<Field> with_cell(std::uint32_t cell, std::vector<Field> fields);
+std::vector<std::string_view> with_cell(std::vector<std::string_view> columns);
 
-/// msd.csv.
-std::string msd_csv(std::span<const MsdPoint> points);
+/// The whole of protrusions.csv, cell after cell.
+std::string protrusions_csv(std::span<const CellResult> cells, const ActomyosinParameters& p);
+
+/// msd.csv, cell after cell, at multiples of an interval [s].
+std::string msd_csv(std::span<const CellResult> cells, double interval);
 
 /// A read-out in words and in figures.
 struct NamedValue {
@@ -49,13 +55,16 @@ std::vector<NamedValue> shown_values(const ReadOuts& r, const Parameters& p);
 /// confined below 0.8, between them like a random walk (slope 1). What is not defined is left out.
 std::string result_sentence(const ReadOuts& r);
 
+/// That of a single cell, or of each of several: "Cell 1: ... Cell 2: ..."
+std::string result_sentence(std::span<const CellResult> cells);
+
 /// A value for people: four digits, or "-" where it is not defined.
 std::string readable(const Field& value);
 
-/// summary.csv: a header and one row.
-std::string summary_csv(const ReadOuts& r);
+/// summary.csv: a header and one row a cell.
+std::string summary_csv(std::span<const CellResult> cells);
 
-/// summary.json: one object.
-std::string summary_json(const ReadOuts& r);
+/// summary.json: one object; of several cells it is {"cells": [...]}, an object a cell with its number as `cell`.
+std::string summary_json(std::span<const CellResult> cells);
 
 } // namespace matrigrate::io

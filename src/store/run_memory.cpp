@@ -11,15 +11,19 @@ namespace matrigrate::io {
 
 namespace {
 
+/// The id of the first cell, 0, is left out.
 Json json_of(const TrackRow& row) {
-  return {row.t,        row.step,      to_json(row.centre),
-          row.area,     row.perimeter, row.polarization ? Json(*row.polarization) : Json(),
-          row.in_phase, row.initiated};
+  Json json{row.t,        row.step,      to_json(row.centre),
+            row.area,     row.perimeter, row.polarization ? Json(*row.polarization) : Json(),
+            row.in_phase, row.initiated};
+  if (row.cell != 0) json.push_back(row.cell);
+  return json;
 }
 
 TrackRow track_of(const Json& json) {
   TrackRow row{.t = number(json.at(0)),
                .step = integer<std::uint64_t>(json.at(1)),
+               .cell = json.size() > 8 ? integer<std::uint32_t>(json.at(8)) : 0,
                .centre = vector(json.at(2)),
                .area = number(json.at(3)),
                .perimeter = number(json.at(4)),
@@ -91,19 +95,33 @@ DrawnProtrusion drawn_of(const Json& json) {
   return drawn;
 }
 
+Json json_of(const DrawnCell& cell) {
+  return {{"cell", to_json(cell.outline)}, {"front", to_json(cell.front)}, {"path", to_json(cell.path)}};
+}
+
+DrawnCell drawn_cell_of(const Json& json) {
+  return {.outline = vectors(json.at("cell")), .front = vectors(json.at("front")), .path = vectors(json.at("path"))};
+}
+
+/// A single cell, or none, stands among the scene's own keys.
 Json json_of(const CellScene& scene) {
   Json matrix = Json::array();
   for (const std::vector<Vec2>& particles : scene.matrix) matrix.push_back(to_json(particles));
   Json protrusions = Json::array();
   for (const DrawnProtrusion& drawn : scene.protrusions) protrusions.push_back(json_of(drawn));
-  return {{"t_s", scene.t},
-          {"radius_um", scene.radius},
-          {"spacing_um", scene.spacing},
-          {"matrix", std::move(matrix)},
-          {"cell", to_json(scene.cell)},
-          {"front", to_json(scene.front)},
-          {"protrusions", std::move(protrusions)},
-          {"path", to_json(scene.path)}};
+  Json json{
+      {"t_s", scene.t}, {"radius_um", scene.radius}, {"spacing_um", scene.spacing}, {"matrix", std::move(matrix)}};
+  if (scene.cells.size() > 1) {
+    for (const DrawnCell& cell : scene.cells) json["cells"].push_back(json_of(cell));
+    json["protrusions"] = std::move(protrusions);
+    return json;
+  }
+  const DrawnCell& cell = scene.cells.empty() ? DrawnCell{} : scene.cells.front();
+  json["cell"] = to_json(cell.outline);
+  json["front"] = to_json(cell.front);
+  json["protrusions"] = std::move(protrusions);
+  json["path"] = to_json(cell.path);
+  return json;
 }
 
 CellScene scene_of(const Json& json) {
@@ -112,10 +130,11 @@ CellScene scene_of(const Json& json) {
   scene.radius = number(json.at("radius_um"));
   scene.spacing = number(json.at("spacing_um"));
   for (std::size_t k = 0; k < matrix_classes; ++k) scene.matrix[k] = vectors(json.at("matrix").at(k));
-  scene.cell = vectors(json.at("cell"));
-  scene.front = vectors(json.at("front"));
+  if (json.contains("cells"))
+    for (const Json& cell : json.at("cells")) scene.cells.push_back(drawn_cell_of(cell));
+  else
+    scene.cells.push_back(drawn_cell_of(json));
   for (const Json& drawn : json.at("protrusions")) scene.protrusions.push_back(drawn_of(drawn));
-  scene.path = vectors(json.at("path"));
   return scene;
 }
 

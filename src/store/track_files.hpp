@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-/// The path of the cell for programs that analyse tracks. Test: tests/unit/store/track_files_test.cpp,
+/// The paths of the cells for programs that analyse tracks. Test: tests/unit/store/track_files_test.cpp,
 /// tests/readers/tracks_reads.py
 namespace matrigrate::io {
 
@@ -16,8 +16,8 @@ std::string celltrackr_csv(std::span<const TrackRow> rows);
 /// RADIUS [um].
 std::string trackmate_csv(std::span<const TrackRow> rows);
 
-/// As TrackMate exports tracks to XML ("Export tracks to XML file"), one particle; a detection's t is the number of
-/// its row, as TrackMate's is that of the frame.
+/// As TrackMate exports tracks to XML ("Export tracks to XML file"), one particle a cell; a detection's t is the number
+/// of its row, as TrackMate's is that of the frame.
 std::string trackmate_xml(std::span<const TrackRow> rows);
 
 } // namespace matrigrate::io

@@ -33,7 +33,7 @@ void TrajectoryHash::add(const State& s) {
   if (!state) throw std::bad_alloc();
   XXH3_64bits_reset_withSeed(state.get(), m_hash);
   update(state.get(), &s.step, sizeof(s.step));
-  update(state.get(), s.cortex.x);
+  for (const Cell& cell : s.cells) update(state.get(), cell.cortex.x);
   update(state.get(), s.ecm.x);
   m_hash = XXH3_64bits_digest(state.get());
 }

@@ -10,7 +10,7 @@
 /// machines with little-endian numbers. Test: tests/unit/store/trajectory_hash_test.cpp
 namespace matrigrate::io {
 
-/// Fingerprint of all positions of cell and matrix at a sequence of times. Each one is the seed of the next, so that
+/// Fingerprint of all positions of cells and matrix at a sequence of times. Each one is the seed of the next, so that
 /// a sequence can go on from its fingerprint.
 class TrajectoryHash {
 public:

@@ -101,10 +101,17 @@ std::string matrix_vtp(const FrameHead& head, const Frame& frame) {
 
 std::string outline_vtp(const Frame& frame) {
   const std::size_t n = frame.outline.front.size();
-  std::vector<std::int64_t> points(n + 1, 0); // back to the first
-  std::iota(points.begin(), points.end() - 1, std::int64_t{0});
-  const std::vector<std::int64_t> ends{static_cast<std::int64_t>(n) + 1};
-  return vtp(n, 0, 1, points_of(frame.outline.x) + cells("Lines", points, ends) + fields_of("outline/", frame));
+  std::vector<std::int64_t> points;
+  std::vector<std::int64_t> ends;
+  std::size_t first = 0;
+  for (const std::size_t end : outline_ends(frame.outline)) {
+    for (std::size_t i = first; i < end; ++i) points.push_back(static_cast<std::int64_t>(i));
+    points.push_back(static_cast<std::int64_t>(first)); // back to the first
+    ends.push_back(static_cast<std::int64_t>(points.size()));
+    first = end;
+  }
+  return vtp(n, 0, ends.size(),
+             points_of(frame.outline.x) + cells("Lines", points, ends) + fields_of("outline/", frame));
 }
 
 std::string anchors_vtp(const Frame& frame) {

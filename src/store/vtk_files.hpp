@@ -12,7 +12,7 @@ namespace matrigrate::io {
 /// Particles of the matrix as points, with their fields and `solid` (1 or 0): a .vtp file.
 std::string matrix_vtp(const FrameHead& head, const Frame& frame);
 
-/// The cell as a closed line, with the fields of its particles: a .vtp file.
+/// The cells as closed lines, with the fields of their particles: a .vtp file.
 std::string outline_vtp(const Frame& frame);
 
 /// Where protrusions adhere as points, with `id`, `f_mat` and `force` [nN]: a .vtp file; without points where none

@@ -47,7 +47,8 @@ Json outline_json(const std::filesystem::path& checkpoint) {
   const auto shown = [](double um) { return std::round(100.0 * um) / 100.0; };
   Json outline{{"x_um", Json::array()}, {"y_um", Json::array()}};
   try {
-    for (const Vec2& x : io::read_checkpoint(checkpoint).state.cortex.x) {
+    const State end = io::read_checkpoint(checkpoint).state;
+    for (const Vec2& x : end.cells.at(0).cortex.x) {
       outline["x_um"].push_back(shown(x.x()));
       outline["y_um"].push_back(shown(x.y()));
     }

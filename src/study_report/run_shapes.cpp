@@ -72,7 +72,7 @@ std::string shapes_csv(const Study& study, const std::vector<Result>& results,
     if (!r.standing.done() || r.run.replicate > replicates_shown) continue;
     const std::filesystem::path checkpoint = run_folder(study_folder, r.run) / io::checkpoint_name;
     if (!std::filesystem::exists(checkpoint)) continue;
-    const CortexState cortex = io::read_checkpoint(checkpoint).state.cortex;
+    const CortexState cortex = io::read_checkpoint(checkpoint).state.cells.at(0).cortex;
     for (std::size_t i = 0; i < cortex.size(); i += 2)
       csv += fmt::format("{},{:.2f},{:.2f},{}\n", r.run.replicate, cortex.x[i].x(), cortex.x[i].y(),
                          io::csv_text(study.points[r.run.point].label));
@@ -151,7 +151,8 @@ std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing) 
   for (const std::vector<std::string>& row : io::read_csv(fibre_stress_csv).rows) {
     const Vec2 x(io::csv_number(row[1]), io::csv_number(row[2]));
     if (row[0] == "outline") {
-      picture.outline.push_back(x);
+      picture.outlines.resize(1);
+      picture.outlines.front().push_back(x);
       continue;
     }
     picture.position.push_back(x);

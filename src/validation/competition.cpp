@@ -29,10 +29,11 @@ class MeanRate {
 public:
   MeanRate(std::size_t n, const AdhesionParameters& p) : m_sum(n), m_p(p) {}
 
-  void add(const State& s) {
+  void add(const Cell& cell) {
     for (std::size_t k = 0; k < m_sum.size(); ++k) {
-      const auto* phase = std::get_if<Contracting>(&s.protrusions[k].phase);
-      const double F = phase != nullptr ? adhesion_force(s, s.protrusions[k], m_p) : 0.0; // none: as if not loaded
+      const auto* phase = std::get_if<Contracting>(&cell.protrusions[k].phase);
+      const double F =
+          phase != nullptr ? adhesion_force(cell.cortex, cell.protrusions[k], m_p) : 0.0; // none: as if not loaded
       m_sum[k] += disassembly_rate(F, phase != nullptr ? phase->f_mat : 1.0, m_p) / m_p.r_off_min;
     }
     ++m_count;
@@ -56,13 +57,14 @@ struct Outcome {
 };
 
 void record(const PlacedProtrusions& cell, const AdhesionParameters& p, int number, io::Table& table, io::Plot& plot) {
-  const State& s = cell.state();
-  for (std::size_t k = 0; k < s.protrusions.size(); ++k) {
-    const auto* phase = std::get_if<Contracting>(&s.protrusions[k].phase);
-    const double F = adhesion_force(s, s.protrusions[k], p);
-    table.add({static_cast<double>(number), static_cast<double>(k + 1), s.t, F, phase ? phase->f_mat : 0.0,
+  const double t = cell.state().t;
+  const std::vector<Protrusion>& protrusions = cell.cell().protrusions;
+  for (std::size_t k = 0; k < protrusions.size(); ++k) {
+    const auto* phase = std::get_if<Contracting>(&protrusions[k].phase);
+    const double F = adhesion_force(cell.cell().cortex, protrusions[k], p);
+    table.add({static_cast<double>(number), static_cast<double>(k + 1), t, F, phase ? phase->f_mat : 0.0,
                cell.base_width(k), cell.slack(k)});
-    plot.series[k].x.push_back(s.t);
+    plot.series[k].x.push_back(t);
     plot.series[k].y.push_back(F);
   }
 }
@@ -77,8 +79,8 @@ Outcome compete(const Parameters& p, const Arrangement& arrangement, io::Table& 
   Outcome out;
   const auto follow = [&](double seconds, MeanRate* rate) {
     cell.march_for(seconds, [&](const State& s) {
-      if (rate != nullptr) rate->add(s);
-      out.area = std::max(out.area, area(s.cortex) / initial_area(p.cell));
+      if (rate != nullptr) rate->add(s.cells.front());
+      out.area = std::max(out.area, area(s.cells.front().cortex) / initial_area(p.cell));
       if (s.step % 10 == 0) record(cell, p.adhesion, number, table, plot);
       return true;
     });

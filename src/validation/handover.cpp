@@ -36,9 +36,9 @@ Life follow(const Parameters& p, io::Table& table) {
   one.march_for(p.protrusion.growth_time + p.run.time_step);
   life.length = one.length();
   one.march_for(p.adhesion.maturation_time - p.run.time_step, [&](const State& s) {
-    const auto* maturing = std::get_if<Maturing>(&s.protrusions.front().phase);
+    const auto* maturing = std::get_if<Maturing>(&one.protrusion().phase);
     if (maturing == nullptr || s.step % 10 != 0) return true;
-    const double F = adhesion_force(s, s.protrusions.front(), p.adhesion);
+    const double F = adhesion_force(one.cell().cortex, one.protrusion(), p.adhesion);
     const double F_mat = maturing_f_mat(maturing->steps) * p.actomyosin.force;
     table.add({1e3 * p.ecm.youngs_modulus, s.t, F, F / F_mat, one.slack(0), one.base_width(0)});
     return true;
@@ -55,7 +55,7 @@ Life follow(const Parameters& p, io::Table& table) {
   double before = begin;
   double survival = 1.0;
   one.march_for(contraction, [&](const State& s) {
-    const double F = adhesion_force(s, s.protrusions.front(), p.adhesion);
+    const double F = adhesion_force(one.cell().cortex, one.protrusion(), p.adhesion);
     const double t = s.t - begin;
     const double rate = disassembly_rate(F, life.f_mat, p.adhesion);
     life.mean_life += survival * (s.t - before);
@@ -71,7 +71,7 @@ Life follow(const Parameters& p, io::Table& table) {
       life.relative.y.push_back(F / pull);
       table.add({1e3 * p.ecm.youngs_modulus, s.t, F, F / pull, one.slack(0), one.base_width(0)});
     }
-    return std::holds_alternative<Contracting>(s.protrusions.front().phase);
+    return std::holds_alternative<Contracting>(one.protrusion().phase);
   });
   if (life.relative.y.empty()) return life;
   const double last = disassembly_rate(life.relative.y.back() * pull, life.f_mat, p.adhesion);

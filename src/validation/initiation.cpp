@@ -21,41 +21,42 @@ struct First {
   double place = 0.0; // among the particles of the front, from 0 to 1
 };
 
-First wait(Parameters p, std::uint64_t seed, const State& start, const std::vector<std::uint8_t>& of_front) {
+First wait(Parameters p, std::uint64_t seed, const Cell& start, const std::vector<std::uint8_t>& of_front) {
   p.run.seed = seed;
   p.protrusion.number = 0;
-  State s = start;
-  const std::vector<Vec2> n = normals(s.cortex);
-  while (s.protrusions.empty()) {
-    ++s.step;
-    initiate(s, p, p.run.time_step, {of_front, n});
+  Cell cell = start;
+  Instant now;
+  const std::vector<Vec2> n = normals(cell.cortex);
+  while (cell.protrusions.empty()) {
+    ++now.step;
+    initiate(cell, now, p, p.run.time_step, {of_front, n});
   }
-  const std::uint32_t centre = s.protrusions.front().centre;
+  const std::uint32_t centre = cell.protrusions.front().centre;
   const auto before = static_cast<double>(std::count(of_front.begin(), of_front.begin() + centre, 1));
   const auto all = static_cast<double>(std::count(of_front.begin(), of_front.end(), 1));
-  return {(static_cast<double>(s.step) - 0.5) * p.run.time_step, (before + uniform(seed, Purpose::test, 0, 0)) / all};
+  return {(static_cast<double>(now.step) - 0.5) * p.run.time_step, (before + uniform(seed, Purpose::test, 0, 0)) / all};
 }
 
 } // namespace
 
 Result initiation(const Parameters& p) {
   Result result;
-  State s;
-  s.cortex = round_cortex(p.cell);
-  s.polarization = 1.0;
-  const std::vector<std::uint8_t> of_front = front(s.cortex, *s.polarization);
+  Cell cell;
+  cell.cortex = round_cortex(p.cell);
+  cell.polarization = 1.0;
+  const std::vector<std::uint8_t> of_front = front(cell.cortex, *cell.polarization);
   const auto n = static_cast<double>(std::count(of_front.begin(), of_front.end(), 1));
   std::vector<double> times, places;
   for (std::uint64_t seed = p.run.seed; seed < p.run.seed + cells; ++seed) {
-    const First first = wait(p, seed, s, of_front);
+    const First first = wait(p, seed, cell, of_front);
     times.push_back(first.t);
     places.push_back(first.place);
   }
   const double rate = n * p.protrusion.initiation_rate;
   const double mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(cells);
   const std::string rare = "exceeded by one sample in a hundred that follows it";
-  result.checks.push_back({"share of the particles at the front [-]", n / static_cast<double>(s.cortex.size()), 0.5,
-                           1.0 / static_cast<double>(s.cortex.size()), "half of an odd number"});
+  result.checks.push_back({"share of the particles at the front [-]", n / static_cast<double>(cell.cortex.size()), 0.5,
+                           1.0 / static_cast<double>(cell.cortex.size()), "half of an odd number"});
   result.checks.push_back(
       {fmt::format("mean waiting time of {} cells, times r_prot and the front's particles [-]", cells), mean * rate,
        1.0, 3.0 / std::sqrt(static_cast<double>(cells)), "three standard errors"});

@@ -26,9 +26,9 @@ double mature(const Parameters& p, io::Series& force, io::Table& table) {
   one.march_for(p.protrusion.growth_time + 2.0 * p.run.time_step);
   const double begin = one.protrusion().record.t_adhesion;
   one.march_for(p.adhesion.maturation_time + 2.0 * p.run.time_step, [&](const State& s) {
-    const auto* maturing = std::get_if<Maturing>(&s.protrusions.front().phase);
+    const auto* maturing = std::get_if<Maturing>(&one.protrusion().phase);
     if (maturing == nullptr || s.step % 25 != 0) return true;
-    const double F = adhesion_force(s, s.protrusions.front(), p.adhesion);
+    const double F = adhesion_force(one.cell().cortex, one.protrusion(), p.adhesion);
     force.x.push_back(s.t - begin);
     force.y.push_back(F);
     table.add({1e3 * p.ecm.youngs_modulus, s.t - begin, F, maturing_f_mat(maturing->steps)});

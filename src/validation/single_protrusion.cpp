@@ -42,11 +42,12 @@ PlacedProtrusions::PlacedProtrusions(Parameters p, const Vec2& start, const std:
     : m_specimen(initial(lasting(p, start), fluid), lasting(p, start)) {}
 
 void PlacedProtrusions::begin(double angle, double tilt) {
-  State& s = m_specimen.s;
+  Cell& cell = m_specimen.s.cells.front();
+  const CortexState& c = cell.cortex;
   const double turns = angle / (2.0 * std::numbers::pi);
-  const auto i = static_cast<std::size_t>(std::lround(turns * static_cast<double>(s.cortex.size()))) % s.cortex.size();
-  const Vec2 out = s.cortex.x[i] - centroid(s.cortex);
-  begin_protrusion(s, i, s.cortex.x[i] - Eigen::Rotation2Dd(tilt) * out, m_specimen.p.protrusion);
+  const auto i = static_cast<std::size_t>(std::lround(turns * static_cast<double>(c.size()))) % c.size();
+  const Vec2 out = c.x[i] - centroid(c);
+  begin_protrusion(cell, i, c.x[i] - Eigen::Rotation2Dd(tilt) * out, m_specimen.s.t, m_specimen.p.protrusion);
 }
 
 void PlacedProtrusions::march_for(double seconds, const std::function<bool(const State&)>& each_step) {
@@ -54,16 +55,16 @@ void PlacedProtrusions::march_for(double seconds, const std::function<bool(const
 }
 
 double PlacedProtrusions::length(std::size_t k) const {
-  return protrusion_length(state().cortex, state().protrusions[k].centre, parameters().protrusion);
+  return protrusion_length(cell().cortex, cell().protrusions[k].centre, parameters().protrusion);
 }
 
 double PlacedProtrusions::base_width(std::size_t k) const {
-  return matrigrate::base_width(state().cortex, state().protrusions[k].centre, parameters().protrusion);
+  return matrigrate::base_width(cell().cortex, cell().protrusions[k].centre, parameters().protrusion);
 }
 
 double PlacedProtrusions::slack(std::size_t k) const {
-  const CortexState& c = state().cortex;
-  const std::size_t centre = state().protrusions[k].centre;
+  const CortexState& c = cell().cortex;
+  const std::size_t centre = cell().protrusions[k].centre;
   const int half = parameters().protrusion.half_width;
   double contour = 0.0;
   for (int i = -half; i < half; ++i) contour += (c.x[c.along(centre, i + 1)] - c.x[c.along(centre, i)]).norm();

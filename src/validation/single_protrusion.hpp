@@ -29,6 +29,7 @@ public:
 
   const Parameters& parameters() const { return m_specimen.p; }
   const State& state() const { return m_specimen.s; }
+  const Cell& cell() const { return state().cells.front(); }
 
 private:
   Specimen m_specimen;
@@ -43,7 +44,7 @@ public:
 
   using PlacedProtrusions::length;
   double length() const { return length(0); } ///< l_prot now [um]
-  const Protrusion& protrusion() const { return state().protrusions.front(); }
+  const Protrusion& protrusion() const { return cell().protrusions.front(); }
 };
 
 } // namespace matrigrate::validation

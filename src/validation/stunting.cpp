@@ -42,7 +42,7 @@ Outcome grow(PlacedProtrusions& cell, double condition, double value, io::Table&
   note();
   out.slack = cell.slack(0);
   cell.march_for(3.0 * p.run.time_step);
-  out.adheres = std::holds_alternative<Maturing>(cell.state().protrusions.front().phase);
+  out.adheres = std::holds_alternative<Maturing>(cell.cell().protrusions.front().phase);
   return out;
 }
 
@@ -84,8 +84,8 @@ Result stunting(const Parameters& p) {
     result.checks.push_back({fmt::format("length {:.0f} um beside the middle of a tunnel [um]", distance),
                              out.length.y.back(), 20.0, 0.0, "no dwarf of under 12 um by a tunnel alone",
                              Sense::at_least});
-    const double turned = std::atan2(cell.state().cortex.x[cell.state().protrusions.front().centre].y(),
-                                     cell.state().cortex.x[cell.state().protrusions.front().centre].x() + start);
+    const double turned = std::atan2(cell.cell().cortex.x[cell.cell().protrusions.front().centre].y(),
+                                     cell.cell().cortex.x[cell.cell().protrusions.front().centre].x() + start);
     result.remarks.push_back(
         fmt::format("{:.0f} um beside the middle of a tunnel {:.0f} um wide: {:.1f} um, {}, turned by {:.0f} degrees.",
                     distance, 2.0 * tunnel_half_width, out.length.y.back(),

@@ -28,7 +28,7 @@ Tips follow(Parameters p, Integrator integrator, double dt) {
   Tips tips;
   for (std::size_t k = 0; k < times.size(); ++k) {
     one.march_for(times[k] - one.state().t);
-    tips[k] = one.state().cortex.x[one.protrusion().centre];
+    tips[k] = one.cell().cortex.x[one.protrusion().centre];
   }
   return tips;
 }

@@ -8,6 +8,7 @@
 #include "simulation/start.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"
+#include "state/dof.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -191,7 +192,7 @@ TEST(AdaptiveStep, DoesNotLetTheCellCrossItself) {
   p.contact.fluid_share = 0.0; // nothing but the cell is in the way
   State s = initial_state(p);
   Workspace w(s, p);
-  const std::uint32_t outermost = s.node(0);
+  const std::uint32_t outermost = first_node(s, 0);
   const Loads load = [&](const State&, std::span<Vec2> force) { force[outermost] += Vec2(-22.0, 0.0); };
   const StepBounds anything{.max_move = 1e9, .may_cross = false};
   const State before = s;
@@ -200,5 +201,5 @@ TEST(AdaptiveStep, DoesNotLetTheCellCrossItself) {
   EXPECT_NE(refused->reason.find("would cross itself"), std::string::npos) << refused->reason;
   EXPECT_TRUE(same_bits(s, before));
   EXPECT_FALSE(advance(s, p, p.run.time_step, w, load, {.max_move = 1e9}).has_value());
-  EXPECT_TRUE(crosses_itself(s.cortex));
+  EXPECT_TRUE(crosses_itself(s.cells[0].cortex));
 }

@@ -6,6 +6,7 @@
 #include "simulation/advance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
+#include "state/dof.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -50,16 +51,16 @@ TEST(Migration, ACellWithoutProtrusionsStaysInItsHole) {
   Parameters p = hasty();
   p.protrusion.initiation_rate = 0.0;
   const State s = migrated(p, 100);
-  EXPECT_LT(centroid(s.cortex).norm(), 1e-3);
-  EXPECT_NEAR(area(s.cortex), initial_area(p.cell), 0.01 * initial_area(p.cell));
-  EXPECT_FALSE(s.polarization);
+  EXPECT_LT(centroid(s.cells[0].cortex).norm(), 1e-3);
+  EXPECT_NEAR(area(s.cells[0].cortex), initial_area(p.cell), 0.01 * initial_area(p.cell));
+  EXPECT_FALSE(s.cells[0].polarization);
 }
 
 TEST(Migration, PassesThroughEveryPhase) {
   const State s = migrated(hasty(), 300);
-  EXPECT_GE(s.initiated, 1U);
-  ASSERT_FALSE(s.ended.empty());
-  const ProtrusionRecord& r = s.ended.front();
+  EXPECT_GE(s.cells[0].initiated, 1U);
+  ASSERT_FALSE(s.cells[0].ended.empty());
+  const ProtrusionRecord& r = s.cells[0].ended.front();
   EXPECT_LT(r.t_initiation, r.t_adhesion);
   EXPECT_NEAR(r.t_adhesion - r.t_initiation, 40.0, 0.41);
   EXPECT_NEAR(r.t_mature - r.t_adhesion, 20.0, 0.41);
@@ -67,8 +68,8 @@ TEST(Migration, PassesThroughEveryPhase) {
   EXPECT_NEAR(r.t_end - r.t_disassembly, 10.0, 0.41);
   EXPECT_EQ(r.cause, EndCause::disassembly);
   EXPECT_GT(r.length, 3.0);
-  EXPECT_TRUE(s.polarization);
-  EXPECT_FALSE(crosses_itself(s.cortex));
+  EXPECT_TRUE(s.cells[0].polarization);
+  EXPECT_FALSE(crosses_itself(s.cells[0].cortex));
 }
 
 TEST(Migration, GivesTheSameBitsForAnyNumberOfThreads) {
@@ -98,7 +99,7 @@ TEST(Migration, AdaptiveStepsGiveTheSameBitsWithFreshWorkspaces) {
     return s;
   };
   const State s = marched(240.0);
-  EXPECT_GT(s.initiated, 0U);
+  EXPECT_GT(s.cells[0].initiated, 0U);
   EXPECT_GT(s.step, 120U); // some were halved
   EXPECT_TRUE(same_bits(s, marched(60.0)));
 }
@@ -109,8 +110,8 @@ TEST(Migration, SeedsBeginTheirFirstProtrusionElsewhere) {
     p.run.seed = seed;
     State s = initial_state(p);
     Workspace w(s, p);
-    while (s.protrusions.empty()) advance(s, p, p.run.time_step, w);
-    return std::pair(s.step, s.protrusions.front().centre);
+    while (s.cells[0].protrusions.empty()) advance(s, p, p.run.time_step, w);
+    return std::pair(s.step, s.cells[0].protrusions.front().centre);
   };
   EXPECT_EQ(first(1), first(1));
   EXPECT_NE(first(1), first(2));
@@ -126,12 +127,13 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
     advance(s, p, p.run.time_step, w);
     update_neighbours(s, w);
     w.reference.update(s.ecm);
-    describe_cell(s, p, w);
+    describe_cells(s, p, w);
     assemble_drag(s, p, p.run.time_step, w);
     assemble_forces(s, p, p.run.time_step, w, {});
     std::vector<Vec2> external(w.force.size(), Vec2::Zero());
-    add_growth(s, p.protrusion, 1.0, w.cell.normals, external);
-    add_maturation(s, p, p.run.time_step, external, w.drag);
+    const std::uint32_t first = first_node(s, 0);
+    add_growth(s.cells[0], p.protrusion, 1.0, w.cells[0].normals, first, external);
+    add_maturation(s.cells[0], p, p.run.time_step, first, external, w.drag);
     most = std::max(most, (sum(w.force) - sum(external)).norm());
   }
   EXPECT_LT(most, 1e-12);
@@ -147,10 +149,10 @@ TEST(Migration, ACellInFluidIsResistedByItsOwnDragAndByAShareOfTheFluid) {
       if (!s.ecm.clamped[i]) s.ecm.f[i] = 0.0;
     Workspace w(s, p);
     advance(s, p, p.run.time_step, w, [](const State& at, std::span<Vec2> force) {
-      for (std::size_t i = 0; i < at.cortex.size(); ++i) force[at.node(i)] += Vec2(1e-3, 0.0);
+      for (Vec2& f : of_cell(at, 0, force)) f += Vec2(1e-3, 0.0);
     });
     Vec2 mean = Vec2::Zero();
-    for (const Vec2& v : s.cortex.v) mean += v / static_cast<double>(s.cortex.size());
+    for (const Vec2& v : s.cells[0].cortex.v) mean += v / static_cast<double>(s.cells[0].cortex.size());
     return mean.x();
   };
   const double alone = 1e-3 / 0.04; // F / gamma_liquid

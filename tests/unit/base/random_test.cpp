@@ -52,6 +52,12 @@ TEST(Uniform, KnownAnswersOfPhilox) {
             0xd16cfe0994fdccebU >> 12U);
 }
 
+// Draws as runs of a single cell have always had them, by an independent implementation of Philox4x32-10.
+TEST(Uniform, OfTheFirstCellKeepsItsNumbers) {
+  EXPECT_EQ(bits(uniform(1, Purpose::initiation, 7, 5, 0)), 0x3a3fdb838e339f5aU >> 12U);
+  EXPECT_EQ(bits(uniform(3, Purpose::disassembly, 4500, 12, 0)), 0x18a9610250fe4897U >> 12U);
+}
+
 TEST(Uniform, IsAPureFunctionOfWhatItIsFor) {
   const double u = uniform(3, Purpose::initiation, 11, 5);
   uniform(3, Purpose::initiation, 12, 5);
@@ -60,6 +66,8 @@ TEST(Uniform, IsAPureFunctionOfWhatItIsFor) {
   EXPECT_NE(uniform(3, Purpose::disassembly, 11, 5), u);
   EXPECT_NE(uniform(3, Purpose::initiation, 12, 5), u);
   EXPECT_NE(uniform(3, Purpose::initiation, 11, 6), u);
+  EXPECT_NE(uniform(3, Purpose::initiation, 11, 5, 1), u);
+  EXPECT_NE(uniform(3, Purpose::initiation, 11, 5, (1U << 24U) - 1), u);
   EXPECT_NE(uniform(3 + (std::uint64_t{1} << 32U), Purpose::initiation, 11, 5), u);
   EXPECT_NE(uniform(3, Purpose::initiation, 11 + (std::uint64_t{1} << 32U), 5), u);
 }
@@ -96,12 +104,14 @@ TEST(Uniform, LowBitsAreUniformToo) {
 TEST(Uniform, StreamsAreIndependent) {
   constexpr std::uint32_t n = 20000;
   const std::vector<double> u = draws(n, [](std::uint32_t k) { return uniform(1, Purpose::initiation, k, 7); });
-  const std::array<Stream, 5> others{
+  const std::array<Stream, 7> others{
       [](std::uint32_t k) { return uniform(1, Purpose::disassembly, k, 7); },
       [](std::uint32_t k) { return uniform(1, Purpose::initiation, k, 8); },
       [](std::uint32_t k) { return uniform(1, Purpose::initiation, k + 1, 7); },
       [](std::uint32_t k) { return uniform(2, Purpose::initiation, k, 7); },
       [](std::uint32_t k) { return uniform(1, Purpose::initiation, 7, k); },
+      [](std::uint32_t k) { return uniform(1, Purpose::initiation, k, 7, 1); },
+      [](std::uint32_t k) { return uniform(1, Purpose::initiation, k, 7, 2); },
   };
   for (const Stream& other : others) EXPECT_LT(std::abs(correlation(u, draws(n, other))), 3.3);
   EXPECT_GT(correlation(u, u), 100.0); // the measure sees a dependence

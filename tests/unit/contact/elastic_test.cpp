@@ -13,7 +13,7 @@ constexpr double dt = 0.4;
 
 Assembled contact_of(const Scene& s) {
   return assemble(s.ecm.size() + s.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), dt, force, A);
+    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), dt, s.first(), force, A);
   });
 }
 

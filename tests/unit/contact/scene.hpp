@@ -21,6 +21,8 @@ struct Scene {
   CortexState c = round_cortex(p.cell);
   double reach = 2.0 * p.ecm.smoothing_length;
 
+  std::uint32_t first() const { return static_cast<std::uint32_t>(ecm.size()); } ///< node of particle 0 of the cortex
+
   std::vector<NearbyParticle> nearby() const { return nearby_solid(ecm, c, SegmentGrid(c, reach), reach); }
 
   std::vector<Vec2> positions() const {

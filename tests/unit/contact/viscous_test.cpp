@@ -13,7 +13,7 @@ namespace {
 DragSystem coupling(const Scene& s) {
   return assemble(s.ecm.size() + s.c.size(),
                   [&](std::span<Vec2>, DragSystem& A) {
-                    add_viscous_contact(s.ecm, s.c, s.p, SegmentGrid(s.c, s.reach), A);
+                    add_viscous_contact(s.ecm, s.c, s.p, SegmentGrid(s.c, s.reach), s.first(), A);
                   })
       .A;
 }

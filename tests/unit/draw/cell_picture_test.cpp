@@ -30,12 +30,12 @@ State state(const Parameters& p) {
   State s;
   s.t = 5400.0;
   s.ecm = disc(p);
-  s.cortex = round_cortex(p.cell);
-  s.polarization = 0.25 * std::numbers::pi;
+  s.cells.emplace_back().cortex = round_cortex(p.cell);
+  s.cells[0].polarization = 0.25 * std::numbers::pi;
   const auto add = [&](std::uint32_t centre, Phase phase) {
-    s.protrusions.emplace_back();
-    s.protrusions.back().centre = centre;
-    s.protrusions.back().phase = std::move(phase);
+    s.cells[0].protrusions.emplace_back();
+    s.cells[0].protrusions.back().centre = centre;
+    s.cells[0].protrusions.back().phase = std::move(phase);
   };
   add(20, Growing{Vec2::UnitX()});
   add(80, Maturing{Vec2::UnitX(), Vec2(-10, 25), 2});
@@ -60,11 +60,12 @@ TEST(CellScene, CutsTheFrontHalfOff) {
   const Parameters p = parameters(40.0);
   State s = state(p);
   const CellScene scene = cell_scene(s, p, {});
-  EXPECT_NEAR(area(ring_of(scene.front)), 0.5 * area(s.cortex), 0.01 * area(s.cortex));
-  const Vec2 ahead = centroid(ring_of(scene.front));
+  EXPECT_NEAR(area(ring_of(scene.cells[0].front)), 0.5 * area(s.cells[0].cortex), 0.01 * area(s.cells[0].cortex));
+  const Vec2 ahead = centroid(ring_of(scene.cells[0].front));
   EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), 0.25 * std::numbers::pi, 0.02);
-  s.polarization.reset();
-  EXPECT_EQ(cell_scene(s, p, {}).front.size(), s.cortex.size()) << "all of it before the first protrusion";
+  s.cells[0].polarization.reset();
+  EXPECT_EQ(cell_scene(s, p, {}).cells[0].front.size(), s.cells[0].cortex.size())
+      << "all of it before the first protrusion";
 }
 
 TEST(CellScene, TakesProtrusionsWithTheirAnchors) {
@@ -89,7 +90,7 @@ TEST(Surroundings, AreASquareWithinTheDisc) {
 
 TEST(CellPicture, IsWellFormedAndSmall) {
   const Parameters p = parameters(150.0);
-  const CellScene scene = cell_scene(state(p), p, {{0, 0}, {1, 1}});
+  const CellScene scene = cell_scene(state(p), p, {{Vec2(0, 0), Vec2(1, 1)}});
   const std::string svg = cell_picture(scene, whole_disc(scene));
   EXPECT_LT(svg.size(), 1000000U);
   ASSERT_TRUE(parsed(svg));
@@ -106,6 +107,24 @@ TEST(CellPicture, LeavesOutWhatIsNotSeen) {
   const CellScene scene = cell_scene(state(p), p, {});
   const std::string part = cell_picture(scene, {Vec2(-20, -20), Vec2(20, 20)});
   EXPECT_LT(10 * part.size(), cell_picture(scene, whole_disc(scene)).size());
+}
+
+TEST(CellPicture, ShowsEveryCell) {
+  const Parameters p = parameters(40.0);
+  State s = state(p);
+  const CellScene one = cell_scene(s, p, {});
+  s.cells.push_back(s.cells[0]);
+  for (Vec2& x : s.cells[1].cortex.x) x += Vec2(5.0, 0.0);
+  const CellScene both = cell_scene(s, p, {{Vec2(0, 0), Vec2(1, 1)}, {Vec2(5, 0), Vec2(6, 1)}});
+  ASSERT_EQ(both.cells.size(), 2U);
+  EXPECT_EQ(both.protrusions.size(), 2 * one.protrusions.size());
+  const auto drawn = [](const CellScene& scene, std::string_view colour) {
+    return count(cell_picture(scene, whole_disc(scene)), "<path fill=\"" + std::string(colour) + "\"");
+  };
+  for (const char* colour : {"#0072b2", "#45c4b8"}) { // rear, front
+    EXPECT_EQ(drawn(one, colour), 1U);
+    EXPECT_EQ(drawn(both, colour), 2U);
+  }
 }
 
 /// Times over the panels of a sheet of n scenes, an hour apart [h].

@@ -18,7 +18,7 @@ constexpr const char* grey = "#b8b8b8"; // of particles without a value
 State pulled(const Parameters& p) {
   State s;
   s.ecm = disc(p);
-  s.cortex = round_cortex(p.cell);
+  s.cells.emplace_back().cortex = round_cortex(p.cell);
   s.t = 1800.0;
   for (Vec2& x : s.ecm.x) x.x() *= 1.04;
   return s;

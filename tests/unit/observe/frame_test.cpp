@@ -57,6 +57,23 @@ TEST(Frame, HoldsTheFibresWhereThereAreAny) {
   EXPECT_GT(f.matrix.fibre_von_mises[0], 0.0F) << "stretched";
 }
 
+TEST(Frame, HoldsOneCellAfterTheOther) {
+  const TwoCells run;
+  const Frame f = run.film().frames[0];
+  const std::size_t n = run.s.cells[0].cortex.size();
+  EXPECT_EQ(outline_ends(f.outline), (std::vector<std::size_t>{n, 2 * n}));
+  EXPECT_EQ(f.outline.x[2 * n], static_cast<float>(run.s.cells[1].cortex.x[0].x()));
+  EXPECT_EQ(f.outline.cell[n - 1], 1.0F);
+  EXPECT_EQ(f.outline.cell[n], 5.0F) << "the id, counted from 1";
+  EXPECT_EQ(f.protrusions.id, (Floats{1, 2, 1}));
+  EXPECT_EQ(f.protrusions.cell, (Floats{1, 1, 5}));
+  EXPECT_EQ(f.outline.protrusion[10], 0);
+  EXPECT_EQ(f.outline.protrusion[n + 10], 2) << "among those of all cells";
+  EXPECT_EQ(f.outline.phase[n + 10], 0);
+  EXPECT_EQ(f.outline.protrusion[n + 60], of_none);
+  EXPECT_TRUE(SmallRun().film().frames[0].outline.cell.empty());
+}
+
 TEST(Frame, HoldsTheCellAndItsProtrusions) {
   const SmallRun run;
   const Frame f = run.film().frames[0];
@@ -65,7 +82,7 @@ TEST(Frame, HoldsTheCellAndItsProtrusions) {
   EXPECT_EQ(f.outline.protrusion[35], of_none);
   EXPECT_EQ(f.outline.phase[60], 2);
   EXPECT_EQ(std::count(f.outline.front.begin(), f.outline.front.end(), 1),
-            static_cast<std::ptrdiff_t>(run.s.cortex.size() / 2));
+            static_cast<std::ptrdiff_t>(run.s.cells[0].cortex.size() / 2));
   EXPECT_EQ(f.protrusions.id, (Floats{1, 2}));
   EXPECT_EQ(f.protrusions.centre, (Floats{10, 60}));
   EXPECT_EQ(f.protrusions.phase, (Bytes{0, 2}));

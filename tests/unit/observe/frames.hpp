@@ -12,8 +12,8 @@ struct SmallRun {
     p.ecm.radius = 40.0;
     s = initial_state(p);
     s.t = 300.0;
-    s.polarization = 0.5;
-    s.protrusions = {
+    s.cells[0].polarization = 0.5;
+    s.cells[0].protrusions = {
         {.centre = 10, .since = 290.0, .phase = Growing{{1.0, 0.0}}, .record = {.id = 1, .centre = 10}},
         {.centre = 60, .since = 10.0, .phase = Contracting{{30.5, -1.25}, 0.75}, .record = {.id = 2, .centre = 60}}};
     for (std::size_t i = 0; i < s.ecm.size(); ++i) {
@@ -31,14 +31,25 @@ struct SmallRun {
     Film film{.head = frame_head(s, p), .frames = {frame(s, p, w)}};
     State later = s;
     later.t = 600.0;
-    later.protrusions.pop_back();
-    for (Vec2& x : later.cortex.x) x.x() += 1.0;
+    later.cells[0].protrusions.pop_back();
+    for (Vec2& x : later.cells[0].cortex.x) x.x() += 1.0;
     film.frames.push_back(frame(later, p, w));
     return film;
   }
 
   Parameters p;
   State s;
+};
+
+/// The same with a second cell, of id 4 and with a single protrusion.
+struct TwoCells : SmallRun {
+  TwoCells() {
+    Cell second = s.cells[0];
+    second.id = 4;
+    for (Vec2& x : second.cortex.x) x += Vec2(3.0, 1.0);
+    second.protrusions.pop_back();
+    s.cells.push_back(second);
+  }
 };
 
 /// The first field in which two films differ; "" if they are the same.

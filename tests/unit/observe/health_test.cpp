@@ -13,8 +13,8 @@ namespace {
 /// A square cell of 10 um, and matrix particles where they are asked for.
 State square_cell(const std::vector<Vec2>& particles) {
   State s;
-  s.cortex.x = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  s.cortex.v.assign(4, Vec2::Zero());
+  s.cells.emplace_back().cortex.x = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  s.cells[0].cortex.v.assign(4, Vec2::Zero());
   s.ecm.X = s.ecm.x = particles;
   s.ecm.v.assign(particles.size(), Vec2::Zero());
   s.ecm.rho.assign(particles.size(), 1.0);
@@ -28,15 +28,15 @@ State square_cell(const std::vector<Vec2>& particles) {
 TEST(SolidInside, FindsParticlesAndTheirDepth) {
   State s = square_cell({{5, 9.5}, {3, 5}, {5, 5}, {11, 5}, {-20, 5}});
   s.ecm.f[2] = 0.0; // fluid may be there
-  const SolidInside inside = solid_inside(s);
+  const SolidInside inside = solid_inside(s.ecm, s.cells[0].cortex);
   EXPECT_EQ(inside.n, 2U);
   EXPECT_NEAR(inside.deepest, 3.0, 1e-12);
 }
 
 TEST(SolidInside, IsNothingWithoutACell) {
   State s = square_cell({{5, 5}});
-  s.cortex = {};
-  EXPECT_EQ(solid_inside(s).n, 0U);
+  s.cells.clear();
+  EXPECT_EQ(HealthWatch{}.row(s, Parameters{}, {}).solid_inside, 0U);
 }
 
 TEST(HealthRow, TellsExtremesOfTheState) {
@@ -44,7 +44,7 @@ TEST(HealthRow, TellsExtremesOfTheState) {
   s.ecm.rho = {0.9, 1.2, 5.0};
   s.ecm.f = {1.0, 0.5, 0.0};
   s.ecm.v[1] = {0.3, 0.4};
-  s.cortex.v[2] = {0.0, 0.2};
+  s.cells[0].cortex.v[2] = {0.0, 0.2};
   Parameters p;
   HealthWatch watch;
   const HealthRow row = watch.row(s, p, {});
@@ -53,7 +53,7 @@ TEST(HealthRow, TellsExtremesOfTheState) {
   EXPECT_NEAR(row.fastest, 0.5, 1e-12);
   EXPECT_NEAR(row.area_ratio, 100.0 / initial_area(p.cell), 1e-12);
   EXPECT_FALSE(row.crosses_itself);
-  std::swap(s.cortex.x[1], s.cortex.x[2]);
+  std::swap(s.cells[0].cortex.x[1], s.cells[0].cortex.x[2]);
   EXPECT_TRUE(watch.row(s, p, {}).crosses_itself);
 }
 
@@ -72,7 +72,7 @@ TEST(Alarm, SaysWhatIsWrongAndWhere) {
   s.ecm.x[1].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(alarm_of({}).find("matrix particle 1"), std::string::npos);
   s.ecm.x[1] = {30, 0};
-  s.cortex.x[1].x() = std::numeric_limits<double>::infinity();
+  s.cells[0].cortex.x[1].x() = std::numeric_limits<double>::infinity();
   EXPECT_NE(alarm_of({}).find("cortex"), std::string::npos);
 }
 

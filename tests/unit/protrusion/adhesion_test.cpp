@@ -13,17 +13,18 @@ namespace {
 constexpr double dt = 0.4;
 
 /// A contracting protrusion to the right, its adhesion stretched by 0.3 um and out of line.
-State pulling(const Parameters& p) {
-  State s = cell_in_matrix(p);
-  const Vec2 anchor = s.cortex.x[0] + 5.3 * Vec2(std::cos(0.4), std::sin(0.4));
+Scene pulling(const Parameters& p) {
+  Scene s = cell_in_matrix(p);
+  const Vec2 anchor = s.cell.cortex.x[0] + 5.3 * Vec2(std::cos(0.4), std::sin(0.4));
   add_protrusion(s, 0, Contracting{anchor, 0.8});
   return s;
 }
 
-Assembled adhesions(const State& s, const Parameters& p) {
-  const std::vector<PointWeights> weights = anchor_weights(s, p.ecm);
-  return assemble(s.ecm.size() + s.cortex.size(),
-                  [&](std::span<Vec2> force, DragSystem& A) { add_adhesions(s, p.adhesion, weights, dt, force, A); });
+Assembled adhesions(const Scene& s, const Parameters& p) {
+  const std::vector<PointWeights> weights = anchor_weights(s.cell, s.ecm, p.ecm);
+  return assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
+    add_adhesions(s.cell, s.ecm, p.adhesion, weights, dt, s.first(), force, A);
+  });
 }
 
 } // namespace
@@ -89,19 +90,19 @@ TEST(Lifetimes, OfAdhesionsUnderConstantForceAreExponential) {
 
 TEST(Adhesions, PullTipAndSolidTogether) {
   const Parameters p = small_matrix();
-  const State s = pulling(p);
+  const Scene s = pulling(p);
   const std::vector<Vec2> force = adhesions(s, p).force;
   const Vec2& pull = force[s.node(0)];
   EXPECT_NEAR(pull.norm(), 0.6, 1e-9);
   EXPECT_GT(pull.dot(Vec2(std::cos(0.4), std::sin(0.4))), 0.6 - 1e-9);
   EXPECT_LT(net_force(force).norm(), 1e-12);
-  for (std::size_t i = 1; i < s.cortex.size(); ++i) EXPECT_EQ(force[s.node(i)].norm(), 0.0);
+  for (std::size_t i = 1; i < s.cell.cortex.size(); ++i) EXPECT_EQ(force[s.node(i)].norm(), 0.0);
 }
 
 TEST(Adhesions, AreNothingWhileSlack) {
   const Parameters p = small_matrix();
-  State s = pulling(p);
-  std::get<Contracting>(s.protrusions[0].phase).anchor = s.cortex.x[0] + Vec2(4.9, 0.0);
+  Scene s = pulling(p);
+  std::get<Contracting>(s.cell.protrusions[0].phase).anchor = s.cell.cortex.x[0] + Vec2(4.9, 0.0);
   const Assembled a = adhesions(s, p);
   EXPECT_EQ(largest(a.force), 0.0);
   EXPECT_EQ(a.A.directed.size(), 0U);
@@ -109,20 +110,20 @@ TEST(Adhesions, AreNothingWhileSlack) {
 
 TEST(Adhesions, AreFullyImplicit) {
   const Parameters p = small_matrix();
-  State s = pulling(p);
+  Scene s = pulling(p);
   const Assembled a = adhesions(s, p);
   std::vector<Vec2> v(a.force.size(), Vec2::Zero());
   v[s.node(0)] = Vec2(-0.003, 0.005); // the tip moves, the matrix rests
   const Vec2 drag = drag_force(a.A, v)[s.node(0)];
   constexpr double h = 1e-5;
-  s.cortex.x[0] += h * v[s.node(0)];
+  s.cell.cortex.x[0] += h * v[s.node(0)];
   const Vec2 rate = (adhesions(s, p).force[s.node(0)] - a.force[s.node(0)]) / h;
   EXPECT_LT((drag + dt * rate).norm(), 1e-6 * drag.norm());
 }
 
 TEST(Adhesions, ConserveMomentumInTheirDrag) {
   const Parameters p = small_matrix();
-  const State s = pulling(p);
+  const Scene s = pulling(p);
   const DragSystem A = adhesions(s, p).A;
   const std::vector<Vec2> v = stirred(A.size());
   EXPECT_LT(net_force(drag_force(A, v)).norm(), 1e-12);
@@ -131,14 +132,14 @@ TEST(Adhesions, ConserveMomentumInTheirDrag) {
 
 TEST(Anchors, AreCarriedByTheSolid) {
   const Parameters p = small_matrix();
-  State s = pulling(p);
-  const Vec2 before = *anchor(s.protrusions[0].phase);
+  Scene s = pulling(p);
+  const Vec2 before = *anchor(s.cell.protrusions[0].phase);
   Mat2 L;
   L << 0.001, 0.002, -0.001, 0.0005;
   for (std::size_t k = 0; k < s.ecm.size(); ++k) s.ecm.v[k] = Vec2(0.01, 0.02) + L * (s.ecm.x[k] - before);
-  move_anchors(s, anchor_weights(s, p.ecm), dt);
+  move_anchors(s.cell, s.ecm, anchor_weights(s.cell, s.ecm, p.ecm), dt);
   const double off_centre = 0.05; // [um] the weights' mean position, off the lattice points
-  EXPECT_LT((*anchor(s.protrusions[0].phase) - before - dt * Vec2(0.01, 0.02)).norm(), dt * L.norm() * off_centre);
+  EXPECT_LT((*anchor(s.cell.protrusions[0].phase) - before - dt * Vec2(0.01, 0.02)).norm(), dt * L.norm() * off_centre);
 }
 
 TEST(Anchors, BelongToMaturingAndContractingProtrusions) {

@@ -86,14 +86,14 @@ TEST(Deflection, DoesNotTurnIntoTheCellItself) {
 
 TEST(Deflect, TurnsTheDirectionOfGrowingProtrusionsAndKeepsItAUnitVector) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   s.ecm = matrix(p, [](const Vec2& x) { return x.y() > 0.5; });
   add_protrusion(s, 0, Growing{ahead});
   add_protrusion(s, 117, Maturing{-ahead, Vec2(-20.0, 0.0), 0});
-  const std::vector<Vec2> n = normals(s.cortex);
-  for (int k = 0; k < 20; ++k) deflect(s, p, 0.4, n, nowhere);
-  const Vec2 d = std::get<Growing>(s.protrusions[0].phase).direction;
+  const std::vector<Vec2> n = normals(s.cell.cortex);
+  for (int k = 0; k < 20; ++k) deflect(s.cell, s.ecm, p, 0.4, n, nowhere);
+  const Vec2 d = std::get<Growing>(s.cell.protrusions[0].phase).direction;
   EXPECT_NEAR(d.norm(), 1.0, 1e-12);
   EXPECT_GT(d.y(), 0.05);
-  EXPECT_EQ(std::get<Maturing>(s.protrusions[1].phase).direction, Vec2(-ahead));
+  EXPECT_EQ(std::get<Maturing>(s.cell.protrusions[1].phase).direction, Vec2(-ahead));
 }

@@ -11,8 +11,8 @@ using namespace matrigrate;
 
 TEST(PushingParticles, AreTheCentreAndThreeToEachSide) {
   const Parameters p = small_matrix();
-  const State s = cell_in_matrix(p);
-  const std::vector<std::size_t> pushing = pushing_particles(s.cortex, 1, p.protrusion);
+  const Scene s = cell_in_matrix(p);
+  const std::vector<std::size_t> pushing = pushing_particles(s.cell.cortex, 1, p.protrusion);
   EXPECT_EQ((std::set<std::size_t>(pushing.begin(), pushing.end())), (std::set<std::size_t>{233, 234, 0, 1, 2, 3, 4}));
 }
 
@@ -39,11 +39,11 @@ TEST(AreaFactor, IsTheInverseAreaWhereANumberIsEnforced) {
 
 TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   add_protrusion(s, 30, Growing{outward(s, 30)});
-  add_protrusion(s, 120, Contracting{2.0 * s.cortex.x[120], 0.5});
-  std::vector<Vec2> force(s.ecm.size() + s.cortex.size(), Vec2::Zero());
-  add_growth(s, p.protrusion, 1.0, normals(s.cortex), force);
+  add_protrusion(s, 120, Contracting{2.0 * s.cell.cortex.x[120], 0.5});
+  std::vector<Vec2> force(s.nodes(), Vec2::Zero());
+  add_growth(s.cell, p.protrusion, 1.0, normals(s.cell.cortex), s.first(), force);
   const Vec2 sum = net_force(force);
   EXPECT_GT(sum.dot(outward(s, 30)), 0.99 * 0.32); // the tip is nearly flat
   EXPECT_LE(sum.norm(), 0.32);
@@ -56,63 +56,65 @@ TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
 
 TEST(Spreading, EvensOutEachFlankAlongItsContourAndKeepsTipAndBase) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   add_protrusion(s, 100, Growing{outward(s, 100)});
-  for (std::size_t i = 95; i <= 105; ++i) s.cortex.x[i] *= 1.6; // a spike: all stretch in two segments
-  const CortexState before = s.cortex;
-  for (int k = 0; k < 400; ++k) spread_evenly(s, p.protrusion, 0.4);
-  for (const std::size_t kept : {80, 100, 120}) EXPECT_EQ(s.cortex.x[kept], before.x[kept]);
-  for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(s.cortex.x[i], before.x[i]);
-  EXPECT_EQ(s.cortex.l0, before.l0);
+  for (std::size_t i = 95; i <= 105; ++i) s.cell.cortex.x[i] *= 1.6; // a spike: all stretch in two segments
+  const CortexState before = s.cell.cortex;
+  for (int k = 0; k < 400; ++k) spread_evenly(s.cell, p.protrusion, 0.4);
+  for (const std::size_t kept : {80, 100, 120}) EXPECT_EQ(s.cell.cortex.x[kept], before.x[kept]);
+  for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(s.cell.cortex.x[i], before.x[i]);
+  EXPECT_EQ(s.cell.cortex.l0, before.l0);
   double longest = 0.0, shortest = 1e9;
   for (std::size_t i = 80; i < 100; ++i) {
-    const double l = (s.cortex.x[i + 1] - s.cortex.x[i]).norm();
+    const double l = (s.cell.cortex.x[i + 1] - s.cell.cortex.x[i]).norm();
     longest = std::max(longest, l);
     shortest = std::min(shortest, l);
   }
   EXPECT_LT(longest, 1.02 * shortest);
-  EXPECT_NEAR(area(s.cortex), area(before), 0.03 * area(before));
+  EXPECT_NEAR(area(s.cell.cortex), area(before), 0.03 * area(before));
 }
 
 TEST(Spreading, GoesAsFarInOneLongStepAsInManyShortOnes) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   add_protrusion(s, 100, Growing{outward(s, 100)});
   for (const int side : {-1, 1}) // straight flanks, spaced more and more widely
     for (int k = 0; k <= 20; ++k) {
       const double share = k * (k + 1) / 420.0;
-      const Vec2 tip = s.cortex.x[100], base = s.cortex.x[static_cast<std::size_t>(100 + 20 * side)];
-      if (k > 0 && k < 20) s.cortex.x[static_cast<std::size_t>(100 + k * side)] = (1.0 - share) * tip + share * base;
+      const Vec2 tip = s.cell.cortex.x[100], base = s.cell.cortex.x[static_cast<std::size_t>(100 + 20 * side)];
+      if (k > 0 && k < 20)
+        s.cell.cortex.x[static_cast<std::size_t>(100 + k * side)] = (1.0 - share) * tip + share * base;
     }
-  State once = s;
-  spread_evenly(once, p.protrusion, 2.4);
-  for (int k = 0; k < 6; ++k) spread_evenly(s, p.protrusion, 0.4);
-  for (std::size_t i = 0; i < s.cortex.size(); ++i) EXPECT_LT((once.cortex.x[i] - s.cortex.x[i]).norm(), 1e-9) << i;
+  Scene once = s;
+  spread_evenly(once.cell, p.protrusion, 2.4);
+  for (int k = 0; k < 6; ++k) spread_evenly(s.cell, p.protrusion, 0.4);
+  for (std::size_t i = 0; i < s.cell.cortex.size(); ++i)
+    EXPECT_LT((once.cell.cortex.x[i] - s.cell.cortex.x[i]).norm(), 1e-9) << i;
 }
 
 TEST(Spreading, LeavesOtherPhasesAlone) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
-  s.cortex = wavy_cortex(p.cell);
+  Scene s = cell_in_matrix(p);
+  s.cell.cortex = wavy_cortex(p.cell);
   add_protrusion(s, 100, Finishing{0.5});
-  const CortexState before = s.cortex;
-  spread_evenly(s, p.protrusion, 0.4);
-  EXPECT_EQ(s.cortex.x, before.x);
+  const CortexState before = s.cell.cortex;
+  spread_evenly(s.cell, p.protrusion, 0.4);
+  EXPECT_EQ(s.cell.cortex.x, before.x);
 }
 
 TEST(BaseTie, PullsTheEndsOfAWidenedBaseTogetherAndNothingElse) {
   Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
-  const double width = base_width(s.cortex, 100, p.protrusion);
-  EXPECT_NEAR(width, (s.cortex.x[120] - s.cortex.x[80]).norm(), 1e-15);
+  Scene s = cell_in_matrix(p);
+  const double width = base_width(s.cell.cortex, 100, p.protrusion);
+  EXPECT_NEAR(width, (s.cell.cortex.x[120] - s.cell.cortex.x[80]).norm(), 1e-15);
   add_protrusion(s, 100, Growing{outward(s, 100), width});
   const auto tied = [&] {
-    return assemble(s.ecm.size() + s.cortex.size(), [&](std::span<Vec2> force, DragSystem& A) {
-      add_base_ties(s, p.protrusion, p.cell.spring_stiffness, 0.4, force, A);
+    return assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
+      add_base_ties(s.cell, p.protrusion, p.cell.spring_stiffness, 0.4, s.first(), force, A);
     });
   };
-  const Vec2 along = (s.cortex.x[120] - s.cortex.x[80]) / width;
-  s.cortex.x[120] += 2.0 * along;
+  const Vec2 along = (s.cell.cortex.x[120] - s.cell.cortex.x[80]) / width;
+  s.cell.cortex.x[120] += 2.0 * along;
   p.protrusion.growing_base = GrowingBase::free;
   EXPECT_EQ(largest(tied().force), 0.0);
   p.protrusion.growing_base = GrowingBase::tied;
@@ -124,16 +126,16 @@ TEST(BaseTie, PullsTheEndsOfAWidenedBaseTogetherAndNothingElse) {
   EXPECT_EQ(a.A.directed.size(), 2U);
   EXPECT_DOUBLE_EQ(a.A.directed.c[0], 0.4 * 2.8 / 40.0);
   EXPECT_NEAR(a.A.directed.c[1], 0.4 * T / (width + 2.0), 1e-12) << "across";
-  s.cortex.x[120] -= 3.0 * along;
+  s.cell.cortex.x[120] -= 3.0 * along;
   EXPECT_EQ(largest(tied().force), 0.0) << "tension only";
 }
 
 TEST(ProtrusionLength, RunsFromTheMiddleOfTheBaseToTheCentre) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
-  const Vec2 base = 0.5 * (s.cortex.x[80] + s.cortex.x[120]);
-  s.cortex.x[100] = base + Vec2(-12.0, 16.0);
-  EXPECT_NEAR(protrusion_length(s.cortex, 100, p.protrusion), 20.0, 1e-12);
+  Scene s = cell_in_matrix(p);
+  const Vec2 base = 0.5 * (s.cell.cortex.x[80] + s.cell.cortex.x[120]);
+  s.cell.cortex.x[100] = base + Vec2(-12.0, 16.0);
+  EXPECT_NEAR(protrusion_length(s.cell.cortex, 100, p.protrusion), 20.0, 1e-12);
 }
 
 TEST(RelaxedRestLengths, AreTheLengthsOfTheProtrusionAlone) {

@@ -127,59 +127,59 @@ TEST(Transition, FinishingLastsTFinishAndFreesTheParticles) {
 
 TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
-  s.t = 400.0;
+  Scene s = cell_in_matrix(p);
+  s.now.t = 400.0;
   Protrusion& growing = add_protrusion(s, 0, Growing{d});
   growing.since = 0.0;
-  Circumstances now = circumstances(s, s.protrusions[0], p, dt);
+  Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, dt);
   EXPECT_NEAR(now.age, 400.0, 1e-5);
   EXPECT_GE(now.age, 400.0);
   EXPECT_LT((now.ahead - Vec2(20.0, 0.0)).norm(), 1e-9);
   EXPECT_GT(now.support, 0.5);
   EXPECT_EQ(now.force, 0.0);
-  s.protrusions[0].phase = Contracting{s.cortex.x[0] + Vec2(5.2, 0.0), 1.0};
-  const Circumstances then = circumstances(s, s.protrusions[0], p, dt);
+  s.cell.protrusions[0].phase = Contracting{s.cell.cortex.x[0] + Vec2(5.2, 0.0), 1.0};
+  const Circumstances then = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, dt);
   EXPECT_NEAR(then.force, 0.4, 1e-9);
   EXPECT_EQ(then.draw, now.draw); // same step, same protrusion
-  s.protrusions[0].record.id = 2;
-  EXPECT_NE(circumstances(s, s.protrusions[0], p, dt).draw, now.draw);
+  s.cell.protrusions[0].record.id = 2;
+  EXPECT_NE(circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, dt).draw, now.draw);
 }
 
 TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
   Parameters p = small_matrix();
   p.adhesion.r_off_min = 10.0; // disassembles at once when it contracts
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   const Vec2 direction = outward(s, 100);
   add_protrusion(s, 100, Growing{direction});
-  for (std::size_t i = 95; i <= 105; ++i) s.cortex.x[i] *= 1.2;
+  for (std::size_t i = 95; i <= 105; ++i) s.cell.cortex.x[i] *= 1.2;
   const auto until = [&](double t) {
-    while (s.t < t - 0.5 * dt) {
-      ++s.step;
-      s.t = static_cast<double>(s.step) * dt;
-      update_protrusions(s, p, dt);
+    while (s.now.t < t - 0.5 * dt) {
+      ++s.now.step;
+      s.now.t = static_cast<double>(s.now.step) * dt;
+      update_protrusions(s.cell, s.ecm, s.now, p, dt);
     }
   };
-  const double stretched = (s.cortex.x[95] - s.cortex.x[94]).norm();
+  const double stretched = (s.cell.cortex.x[95] - s.cell.cortex.x[94]).norm();
   until(399.6);
-  EXPECT_NE(s.cortex.l0[94], stretched);
+  EXPECT_NE(s.cell.cortex.l0[94], stretched);
   until(400.0);
-  ASSERT_TRUE(std::holds_alternative<Maturing>(s.protrusions.at(0).phase));
-  EXPECT_EQ(s.cortex.l0[94], stretched); // rest lengths are taken anew
-  EXPECT_NEAR(s.protrusions[0].record.t_adhesion, 400.0, 1e-9);
-  EXPECT_NEAR(s.protrusions[0].record.direction, std::atan2(direction.y(), direction.x()), 1e-12);
-  EXPECT_EQ(s.protrusions[0].record.length, protrusion_length(s.cortex, 100, p.protrusion));
-  std::get<Maturing>(s.protrusions[0].phase).anchor += 0.05 * outward(s, 100); // 0.1 nN
+  ASSERT_TRUE(std::holds_alternative<Maturing>(s.cell.protrusions.at(0).phase));
+  EXPECT_EQ(s.cell.cortex.l0[94], stretched); // rest lengths are taken anew
+  EXPECT_NEAR(s.cell.protrusions[0].record.t_adhesion, 400.0, 1e-9);
+  EXPECT_NEAR(s.cell.protrusions[0].record.direction, std::atan2(direction.y(), direction.x()), 1e-12);
+  EXPECT_EQ(s.cell.protrusions[0].record.length, protrusion_length(s.cell.cortex, 100, p.protrusion));
+  std::get<Maturing>(s.cell.protrusions[0].phase).anchor += 0.05 * outward(s, 100); // 0.1 nN
   until(1000.0);
-  ASSERT_TRUE(std::holds_alternative<Contracting>(s.protrusions.at(0).phase));
-  EXPECT_NEAR(s.protrusions[0].record.t_mature, 1000.0, 1e-9);
-  EXPECT_NEAR(s.protrusions[0].record.f_mat, 0.2, 1e-12); // one early step: the running one counts as done
+  ASSERT_TRUE(std::holds_alternative<Contracting>(s.cell.protrusions.at(0).phase));
+  EXPECT_NEAR(s.cell.protrusions[0].record.t_mature, 1000.0, 1e-9);
+  EXPECT_NEAR(s.cell.protrusions[0].record.f_mat, 0.2, 1e-12); // one early step: the running one counts as done
   until(1002.0);
-  ASSERT_TRUE(std::holds_alternative<Finishing>(s.protrusions.at(0).phase));
-  const ProtrusionRecord record = s.protrusions[0].record;
+  ASSERT_TRUE(std::holds_alternative<Finishing>(s.cell.protrusions.at(0).phase));
+  const ProtrusionRecord record = s.cell.protrusions[0].record;
   EXPECT_EQ(record.cause, EndCause::disassembly);
   EXPECT_NEAR(record.force, 0.1, 1e-9);
   until(record.t_disassembly + 400.0);
-  EXPECT_TRUE(s.protrusions.empty());
-  ASSERT_EQ(s.ended.size(), 1U);
-  EXPECT_NEAR(s.ended[0].t_end, record.t_disassembly + 400.0, 1e-9);
+  EXPECT_TRUE(s.cell.protrusions.empty());
+  ASSERT_EQ(s.cell.ended.size(), 1U);
+  EXPECT_NEAR(s.cell.ended[0].t_end, record.t_disassembly + 400.0, 1e-9);
 }

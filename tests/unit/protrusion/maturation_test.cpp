@@ -38,17 +38,17 @@ TEST(Maturation, EndsAtTheStepsDoneAndTheShareOfTheRunningOneByTime) {
 
 TEST(Handover, TheBundlePullsTipAndBaseTogetherWithoutAResultant) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
-  for (std::size_t i = 45; i <= 55; ++i) s.cortex.x[i] *= 1.5;
-  add_protrusion(s, 50, Contracting{2.0 * s.cortex.x[50], 0.5, 0.2});
-  const Assembled a = assemble(s.ecm.size() + s.cortex.size(),
-                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, a_step, force, A); });
+  Scene s = cell_in_matrix(p);
+  for (std::size_t i = 45; i <= 55; ++i) s.cell.cortex.x[i] *= 1.5;
+  add_protrusion(s, 50, Contracting{2.0 * s.cell.cortex.x[50], 0.5, 0.2});
+  const Assembled a = assemble(
+      s.nodes(), [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s.cell, p, a_step, s.first(), force, A); });
   EXPECT_LT(net_force(a.force).norm(), 1e-15);
   EXPECT_NEAR(a.force[s.node(30)].norm(), 0.1, 1e-12);
   EXPECT_NEAR(a.force[s.node(70)].norm(), 0.1, 1e-12);
   EXPECT_LT(a.force[s.node(50)].dot(outward(s, 50)), 0.0);
   ASSERT_EQ(a.A.directed.size(), 2U); // a side each, across it
-  EXPECT_NEAR(a.A.directed.c[0], a_step * 0.1 / (s.cortex.x[30] - s.cortex.x[50]).norm(), 1e-12);
+  EXPECT_NEAR(a.A.directed.c[0], a_step * 0.1 / (s.cell.cortex.x[30] - s.cell.cortex.x[50]).norm(), 1e-12);
 }
 
 TEST(Handover, TheBundleGivesWayByTheLoadBeyondNineTenthsOfThePull) {
@@ -93,13 +93,13 @@ TEST(Handover, WhatMaturationLoadedFallsOffFirst) {
 
 TEST(Maturation, PullsTheCentreBackAndPinsTheBase) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   const Vec2 d = outward(s, 50);
-  add_protrusion(s, 50, Maturing{d, s.cortex.x[50] + 5.0 * d, 2});
+  add_protrusion(s, 50, Maturing{d, s.cell.cortex.x[50] + 5.0 * d, 2});
   add_protrusion(s, 150, Growing{outward(s, 150)});
-  const Assembled a = assemble(s.ecm.size() + s.cortex.size(),
-                               [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s, p, a_step, force, A); });
-  for (std::size_t i = 0; i < s.cortex.size(); ++i) {
+  const Assembled a = assemble(
+      s.nodes(), [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s.cell, p, a_step, s.first(), force, A); });
+  for (std::size_t i = 0; i < s.cell.cortex.size(); ++i) {
     const Vec2 expected = i == 50 ? Vec2(-0.3 * 0.6 * d) : Vec2(0.0, 0.0);
     EXPECT_LT((a.force[s.node(i)] - expected).norm(), 1e-15);
     const bool at_base = (i >= 30 && i <= 32) || (i >= 68 && i <= 70);

@@ -8,7 +8,7 @@ using namespace matrigrate;
 
 TEST(Membership, OfACellWithoutProtrusionsIsAllBody) {
   const Parameters p = small_matrix();
-  const Membership m = membership(cell_in_matrix(p), p);
+  const Membership m = membership(round_cell(p), p);
   EXPECT_TRUE(std::ranges::all_of(m.of_particle, [](int n) { return n == no_protrusion; }));
   EXPECT_TRUE(std::ranges::all_of(m.f_mat, [](double f) { return f == 0.05; }));
   EXPECT_TRUE(std::ranges::all_of(m.k_s, [](double k) { return k == 2.8; }));
@@ -18,9 +18,9 @@ TEST(Membership, OfACellWithoutProtrusionsIsAllBody) {
 
 TEST(Membership, SpansTwentyParticlesToEachSideAcrossTheSeam) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   add_protrusion(s, 5, Growing{outward(s, 5)});
-  const Membership m = membership(s, p);
+  const Membership m = membership(s.cell, p);
   EXPECT_EQ(std::ranges::count(m.of_particle, 0), 41);
   EXPECT_EQ(m.of_particle[25], 0);
   EXPECT_EQ(m.of_particle[26], no_protrusion);
@@ -40,9 +40,9 @@ TEST(Membership, SaysWhatEachPhaseMakesOfTheCortex) {
   const Vec2 d(1.0, 0.0);
   for (const Row& row : {Row{Growing{d}, 0.0, 2.8e-3, 1}, Row{Maturing{d, d, 3}, 0.0, 2.8e-3, 1},
                          Row{Contracting{d, 0.7}, 0.7, 2.8, 0}, Row{Finishing{0.6}, 0.6, 2.8, 0}}) {
-    State s = cell_in_matrix(p);
+    Scene s = cell_in_matrix(p);
     add_protrusion(s, 100, row.phase);
-    const Membership m = membership(s, p);
+    const Membership m = membership(s.cell, p);
     for (std::size_t i = 80; i <= 120; ++i) EXPECT_EQ(m.f_mat[i], row.f_mat) << name(row.phase);
     for (std::size_t i = 80; i < 120; ++i) {
       EXPECT_EQ(m.k_s[i], row.k_s) << name(row.phase);

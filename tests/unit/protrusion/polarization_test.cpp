@@ -14,23 +14,23 @@ constexpr double pi = std::numbers::pi;
 
 TEST(AdhesionDirection, IsTheMeanOfTheUnitVectorsToMatureAdhesions) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   const Vec2 centre(1.0, -1.0);
-  EXPECT_FALSE(adhesion_direction(s, centre));
+  EXPECT_FALSE(adhesion_direction(s.cell, centre));
   add_protrusion(s, 0, Contracting{centre + Vec2(40.0, 0.0), 0.5});
-  EXPECT_DOUBLE_EQ(*adhesion_direction(s, centre), 0.0);
+  EXPECT_DOUBLE_EQ(*adhesion_direction(s.cell, centre), 0.0);
   add_protrusion(s, 60, Contracting{centre + Vec2(0.0, 3.0), 0.5}); // the distance does not count
-  EXPECT_DOUBLE_EQ(*adhesion_direction(s, centre), 0.25 * pi);
+  EXPECT_DOUBLE_EQ(*adhesion_direction(s.cell, centre), 0.25 * pi);
   add_protrusion(s, 120, Maturing{Vec2(-1.0, 0.0), centre + Vec2(-30.0, 0.0), 0}); // immature ones do not
-  EXPECT_DOUBLE_EQ(*adhesion_direction(s, centre), 0.25 * pi);
+  EXPECT_DOUBLE_EQ(*adhesion_direction(s.cell, centre), 0.25 * pi);
 }
 
 TEST(AdhesionDirection, IsNoneBetweenOppositeAdhesions) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   add_protrusion(s, 0, Contracting{Vec2(20.0, 0.0), 0.5});
   add_protrusion(s, 117, Contracting{Vec2(-35.0, 0.0), 0.5});
-  EXPECT_FALSE(adhesion_direction(s, Vec2::Zero()));
+  EXPECT_FALSE(adhesion_direction(s.cell, Vec2::Zero()));
 }
 
 TEST(Turned, ApproachesTheTargetExponentiallyAtRPol) {
@@ -58,15 +58,15 @@ TEST(Turned, AtAConstantSpeedStopsAtTheTarget) {
 
 TEST(Polarize, WaitsForTheFirstProtrusionAndForAdhesions) {
   const Parameters p = small_matrix();
-  State s = cell_in_matrix(p);
+  Scene s = cell_in_matrix(p);
   add_protrusion(s, 0, Contracting{Vec2(0.0, 20.0), 0.5});
-  polarize(s, p.polarization, Vec2::Zero(), 0.4);
-  EXPECT_FALSE(s.polarization);
-  s.polarization = 0.0;
-  polarize(s, p.polarization, Vec2::Zero(), 0.4);
-  EXPECT_NEAR(*s.polarization, -std::expm1(-1.1e-3 * 0.4) * 0.5 * pi, 1e-12);
-  s.protrusions.clear();
-  const double kept = *s.polarization;
-  polarize(s, p.polarization, Vec2::Zero(), 0.4);
-  EXPECT_EQ(*s.polarization, kept);
+  polarize(s.cell, p.polarization, Vec2::Zero(), 0.4);
+  EXPECT_FALSE(s.cell.polarization);
+  s.cell.polarization = 0.0;
+  polarize(s.cell, p.polarization, Vec2::Zero(), 0.4);
+  EXPECT_NEAR(*s.cell.polarization, -std::expm1(-1.1e-3 * 0.4) * 0.5 * pi, 1e-12);
+  s.cell.protrusions.clear();
+  const double kept = *s.cell.polarization;
+  polarize(s.cell, p.polarization, Vec2::Zero(), 0.4);
+  EXPECT_EQ(*s.cell.polarization, kept);
 }

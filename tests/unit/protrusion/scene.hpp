@@ -9,12 +9,23 @@
 
 namespace matrigrate {
 
-inline State cell_in_matrix(const Parameters& p) {
-  State s;
-  s.ecm = disc(p);
-  s.cortex = round_cortex(p.cell);
-  return s;
+struct Scene {
+  EcmState ecm;
+  Cell cell;
+  Instant now;
+
+  std::size_t nodes() const { return ecm.size() + cell.cortex.size(); }
+  std::uint32_t first() const { return static_cast<std::uint32_t>(ecm.size()); } ///< node of particle 0 of the cortex
+  std::size_t node(std::size_t i) const { return ecm.size() + i; }
+};
+
+inline Cell round_cell(const Parameters& p) {
+  Cell cell;
+  cell.cortex = round_cortex(p.cell);
+  return cell;
 }
+
+inline Scene cell_in_matrix(const Parameters& p) { return {.ecm = disc(p), .cell = round_cell(p), .now = {}}; }
 
 inline Parameters small_matrix() {
   Parameters p;
@@ -22,16 +33,16 @@ inline Parameters small_matrix() {
   return p;
 }
 
-inline Protrusion& add_protrusion(State& s, std::uint32_t centre, const Phase& phase) {
-  Protrusion born{.centre = centre, .since = s.t, .phase = phase, .record = {}};
-  born.record.id = ++s.initiated;
+inline Protrusion& add_protrusion(Scene& s, std::uint32_t centre, const Phase& phase) {
+  Protrusion born{.centre = centre, .since = s.now.t, .phase = phase, .record = {}};
+  born.record.id = ++s.cell.initiated;
   born.record.centre = centre;
-  born.record.t_initiation = s.t;
-  s.protrusions.push_back(born);
-  return s.protrusions.back();
+  born.record.t_initiation = s.now.t;
+  s.cell.protrusions.push_back(born);
+  return s.cell.protrusions.back();
 }
 
 /// Outward direction of a particle of the round cell.
-inline Vec2 outward(const State& s, std::size_t i) { return s.cortex.x[i].normalized(); }
+inline Vec2 outward(const Scene& s, std::size_t i) { return s.cell.cortex.x[i].normalized(); }
 
 } // namespace matrigrate

@@ -22,16 +22,16 @@ TEST(RunPage, HoldsTheRun) {
   const std::vector<TrackRow> rows{{.t = 0.0, .polarization = {}}, {.t = 60.0, .polarization = 0.5}};
   const std::vector<HealthRow> health{{.most_iterations = 3, .orphans = 1}, {.most_iterations = 7, .orphans = 2}};
   const std::vector<ProtrusionRecord> records{{.id = 1, .t_initiation = 4.0}};
-  RunReport report{.title = "Run <1>",
-                   .status = "Done.",
-                   .facts = {{"seed", "7"}},
-                   .p = run.p,
-                   .rows = rows,
-                   .health = health,
-                   .records = records,
-                   .film = &film,
-                   .provenance = "commit"};
-  report.readouts.v_migr_abs = 4.5;
+  std::vector<CellResult> cells{{.rows = rows, .records = records}};
+  cells[0].readouts.v_migr_abs = 4.5;
+  const RunReport report{.title = "Run <1>",
+                         .status = "Done.",
+                         .facts = {{"seed", "7"}},
+                         .p = run.p,
+                         .cells = cells,
+                         .health = health,
+                         .film = &film,
+                         .provenance = "commit"};
   const ordered_json data = run_data(report);
   EXPECT_EQ(data.at("format"), "matrigrate-run");
   EXPECT_EQ(data.at("facts").dump(), "[{\"name\":\"seed\",\"value\":\"7\"}]");
@@ -55,6 +55,30 @@ TEST(RunPage, HoldsTheRun) {
   EXPECT_EQ(frames.at("protrusions").at(0).at(0).at("anchor").dump(), "null");
   EXPECT_EQ(frames.at("protrusions").at(0).at(1).at("anchor").dump(), "[30.5,-1.25]");
   EXPECT_EQ(frames.at("protrusions").at(1).size(), 1U);
+}
+
+TEST(RunPage, TellsSeveralCellsApart) {
+  const TwoCells run;
+  const Film film = run.film();
+  std::vector<CellResult> cells(2);
+  for (CellResult& cell : cells) {
+    cell.rows = {{.t = 0.0, .polarization = {}}};
+    cell.records = {{.id = 1, .t_initiation = 4.0}};
+  }
+  cells[1].cell = cells[1].rows[0].cell = 4;
+  const ordered_json data = run_data({.p = run.p, .cells = cells, .film = &film});
+  EXPECT_EQ(data.at("tracks").at("cell").dump(), "[1,5]");
+  EXPECT_EQ(data.at("protrusions").at(1).at("cell"), 5);
+  EXPECT_EQ(data.at("readouts").back().at("cell"), 5);
+  EXPECT_EQ(data.at("geometry").at("n_outline"), 2 * run.p.cell.particles);
+  const ordered_json& frames = data.at("frames");
+  EXPECT_EQ(frames.at("outline").at("cell").size(), 470U);
+  EXPECT_EQ(frames.at("outline").at("cell").at(235), 5);
+  EXPECT_EQ(frames.at("protrusions").at(0).at(2).at("cell"), 5);
+  EXPECT_EQ(frames.at("protrusions").at(0).at(2).at("centre"), 245) << "an index on the whole outline";
+  const ordered_json one = run_data({.p = run.p, .cells = std::span(cells).first(1)});
+  EXPECT_FALSE(one.at("tracks").contains("cell"));
+  EXPECT_FALSE(one.at("readouts").back().contains("cell"));
 }
 
 TEST(RunPage, NeedsNoFramesAndNoRows) {

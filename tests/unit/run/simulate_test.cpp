@@ -87,7 +87,7 @@ TEST_F(Run, GoesToItsEndAndLeavesItsFiles) {
   EXPECT_EQ(outcome.record.at("scenario"), "small");
   EXPECT_EQ(outcome.record.at("steps"), 12);
   EXPECT_EQ(outcome.sentence, "Done: 4.8 s, 12 steps.");
-  EXPECT_NEAR(outcome.readouts.duration, 4.8, 1e-9);
+  EXPECT_NEAR(outcome.cells.at(0).readouts.duration, 4.8, 1e-9);
   EXPECT_EQ(record_of(m_root / "a"), outcome.record);
   for (const char* file : {"scenario.resolved.toml", "tracks.csv", "protrusions.csv", "health.csv", "msd.csv",
                            "summary.json", "fields.h5", "checkpoint.h5", "report.html"})

@@ -21,7 +21,7 @@ State at(double t, double v_matrix = 0.0, double v_cortex = 0.0) {
   State s;
   s.t = t;
   s.ecm.v = {Vec2(0.0, v_matrix)};
-  s.cortex.v = {Vec2(v_cortex, 0.0)};
+  s.cells.emplace_back().cortex.v = {Vec2(v_cortex, 0.0)};
   return s;
 }
 

@@ -1,6 +1,7 @@
 #include "store/checkpoint.hpp"
 
 #include "base/failure.hpp"
+#include "state/dof.hpp"
 #include "state/initial.hpp"
 #include "store/hdf5.hpp"
 
@@ -23,7 +24,7 @@ State lively_state() {
   s.step = 12345;
   s.t = 4938.000000000001;
   s.ecm = disc(p);
-  s.cortex = round_cortex(p.cell);
+  s.cells.emplace_back().cortex = round_cortex(p.cell);
   for (std::size_t i = 0; i < s.ecm.size(); ++i) {
     const double a = std::sin(static_cast<double>(i));
     s.ecm.x[i] += Vec2(a, 1.0 / 3.0 * a);
@@ -34,16 +35,16 @@ State lively_state() {
   }
   s.solver_memory.x_drag = s.ecm.x;
   s.solver_memory.x_drag[7] += Vec2(1e-3 / 3.0, 0.0);
-  s.cortex.v.assign(s.cortex.size(), Vec2(0.1, 0.7));
-  s.solver_memory.v_before.assign(s.ecm.size() + s.cortex.size(), Vec2(0.2 / 3.0, -1.0));
-  s.polarization = 0.1 + 0.2;
-  s.initiated = 4;
-  s.protrusions = {
+  s.cells[0].cortex.v.assign(s.cells[0].cortex.size(), Vec2(0.1, 0.7));
+  s.solver_memory.v_before.assign(s.ecm.size() + s.cells[0].cortex.size(), Vec2(0.2 / 3.0, -1.0));
+  s.cells[0].polarization = 0.1 + 0.2;
+  s.cells[0].initiated = 4;
+  s.cells[0].protrusions = {
       {.centre = 3, .since = 0.1, .phase = Growing{{0.6, 0.8}, 44.0 / 3.0}, .record = {.id = 1}},
       {.centre = 50, .since = 1e-7, .phase = Maturing{{0, 1}, {1.0 / 3.0, 2}, 4, 1e-7}, .record = {.id = 2}},
       {.centre = 90, .since = 3, .phase = Contracting{{5, 6}, 0.7, 0.2, 1e-7}, .record = {.id = 3}},
       {.centre = 99, .since = 4, .phase = Finishing{0.9}, .record = {.id = 4}}};
-  s.ended = {
+  s.cells[0].ended = {
       {.id = 9, .centre = 7, .t_initiation = 0.4, .length = 1.0 / 7.0, .direction = -1.1, .cause = EndCause::rupture}};
   return s;
 }
@@ -77,14 +78,46 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
   EXPECT_TRUE(std::signbit(after.state.ecm.v[0].x()));
   EXPECT_EQ(after.state.solver_memory.x_drag, before.state.solver_memory.x_drag);
   EXPECT_EQ(after.state.solver_memory.v_before, before.state.solver_memory.v_before);
-  EXPECT_EQ(after.state.polarization, before.state.polarization);
-  EXPECT_EQ(after.state.protrusions.size(), 4U);
-  EXPECT_EQ(std::get<Growing>(after.state.protrusions[0].phase).base_width, 44.0 / 3.0);
-  EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).steps, 4);
-  EXPECT_EQ(std::get<Maturing>(after.state.protrusions[1].phase).last_step, 1e-7);
-  EXPECT_EQ(std::get<Contracting>(after.state.protrusions[2].phase).bundle, 0.2);
-  EXPECT_EQ(std::get<Contracting>(after.state.protrusions[2].phase).falling, 1e-7);
-  EXPECT_TRUE(std::isnan(after.state.ended[0].t_adhesion));
+  EXPECT_EQ(after.state.cells[0].polarization, before.state.cells[0].polarization);
+  EXPECT_EQ(after.state.cells[0].protrusions.size(), 4U);
+  EXPECT_EQ(std::get<Growing>(after.state.cells[0].protrusions[0].phase).base_width, 44.0 / 3.0);
+  EXPECT_EQ(std::get<Maturing>(after.state.cells[0].protrusions[1].phase).steps, 4);
+  EXPECT_EQ(std::get<Maturing>(after.state.cells[0].protrusions[1].phase).last_step, 1e-7);
+  EXPECT_EQ(std::get<Contracting>(after.state.cells[0].protrusions[2].phase).bundle, 0.2);
+  EXPECT_EQ(std::get<Contracting>(after.state.cells[0].protrusions[2].phase).falling, 1e-7);
+  EXPECT_TRUE(std::isnan(after.state.cells[0].ended[0].t_adhesion));
+}
+
+TEST(Checkpoint, OfASingleCellHasTheFormatOfBefore) {
+  EXPECT_TRUE(io::checkpoint_image(example()).starts_with("matrigrate checkpoint 5 bytes "));
+  Checkpoint matrix = example();
+  matrix.state.cells.clear();
+  matrix.state.solver_memory.v_before.clear();
+  const std::string image = io::checkpoint_image(matrix);
+  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 5 bytes "));
+  EXPECT_TRUE(io::parse_checkpoint(image, "c.h5").state.cells.empty());
+}
+
+TEST(Checkpoint, HoldsSeveralCells) {
+  Checkpoint before = example();
+  State& s = before.state;
+  s.cells.push_back(s.cells[0]);
+  s.cells[1].id = 9;
+  s.cells[1].polarization = {};
+  s.cells[1].protrusions.pop_back();
+  s.cells[1].cortex.x[3] = {1.0 / 3.0, -7.0};
+  s.solver_memory.v_before.resize(node_count(s), Vec2(0.1, 0.2));
+  const std::string image = io::checkpoint_image(before);
+  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
+  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  ASSERT_EQ(after.state.cells.size(), 2U);
+  EXPECT_EQ(after.state.cells[1].id, 9U);
+  EXPECT_FALSE(after.state.cells[1].polarization);
+  EXPECT_EQ(after.state.cells[1].protrusions.size(), 3U);
+  EXPECT_EQ(after.state.cells[1].cortex.x[3], Vec2(1.0 / 3.0, -7.0));
+  before.state.cells[1].cortex.l0.pop_back();
+  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
 TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
@@ -94,7 +127,7 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
   std::string other = image;
   other[22] = '1';
-  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads format 5"));
+  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads formats 5 and 6"));
   for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
     EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;
   EXPECT_NE(refusal(image + "x").find("cut short"), std::string::npos);
@@ -114,7 +147,7 @@ TEST(Checkpoint, RefusesArraysThatDoNotBelongTogether) {
   broken.state.ecm.rho.pop_back();
   EXPECT_TRUE(refusal(io::checkpoint_image(broken)).ends_with("its arrays do not belong together"));
   broken = example();
-  broken.state.protrusions[0].centre = 100000;
+  broken.state.cells[0].protrusions[0].centre = 100000;
   EXPECT_TRUE(refusal(io::checkpoint_image(broken)).ends_with("a protrusion has no place on the cortex"));
 }
 

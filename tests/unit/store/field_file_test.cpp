@@ -65,6 +65,20 @@ TEST(FieldFile, GivesTheSameBitsBack) {
   EXPECT_EQ(field_file(run.film()), field_file(run.film())) << "no date in it";
 }
 
+TEST(FieldFile, TellsSeveralCellsApart) {
+  const Film film = TwoCells().film();
+  const std::string image = field_file(film);
+  EXPECT_EQ(difference(read_field_file(image), film), "");
+  const MemoryFile file(image);
+  EXPECT_EQ(file.floats("/protrusions/cell"), (Floats{1, 1, 5, 1, 5}));
+  EXPECT_EQ(file.float_frame("/outline/cell", 1), film.frames[1].outline.cell);
+  EXPECT_FALSE(MemoryFile(field_file(SmallRun().film())).has("/outline/cell"));
+  const std::string xml = field_index(&film.frames.front(), std::vector{0.0}, std::vector<std::size_t>{0});
+  EXPECT_EQ(count(xml, "NumberOfElements=\"2\" NodesPerElement=\"236\""), 1U);
+  EXPECT_EQ(count(xml, " 234 0 235 236 "), 1U) << "both lines are closed";
+  EXPECT_EQ(count(xml, " 469 235 <"), 1U);
+}
+
 TEST(FieldFile, NeedsNoFrames) {
   const Film film{.head = SmallRun().film().head, .frames = {}};
   EXPECT_EQ(difference(read_field_file(field_file(film)), film), "");
@@ -87,12 +101,12 @@ TEST(FieldFile, HoldsPositionsInSpace) {
 
 TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
   SmallRun run;
-  for (Vec2& x : run.s.cortex.x) x += Vec2(3.0, -7.0);
+  for (Vec2& x : run.s.cells[0].cortex.x) x += Vec2(3.0, -7.0);
   const Film film = read_field_file(field_file(run.film()));
   const Floats& x = film.frames[0].outline.x;
   CortexState read;
   for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
-  EXPECT_LT((centroid(read) - track_row(run.s).centre).norm(), 1e-5) << "32 bits";
+  EXPECT_LT((centroid(read) - track_row(run.s.cells[0], run.s.now()).centre).norm(), 1e-5) << "32 bits";
 }
 
 TEST(FieldFile, SaysWhatItIsOf) {

@@ -19,6 +19,11 @@ TEST(FrameLog, GivesTheSameBitsBack) {
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
 }
 
+TEST(FrameLog, TellsSeveralCellsApart) {
+  const Film film = TwoCells().film();
+  EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
+}
+
 TEST(FrameLog, GrowsByWholeFrames) {
   const Film film = SmallRun().film();
   const std::filesystem::path file =

@@ -70,6 +70,8 @@ TEST(RunFiles, KeepTheirOrderOfColumns) {
   EXPECT_EQ(csv_line(fields(track)), "1,60,1,2,3,4,,6,1,2,3,0,9,150\n");
   track.polarization = -0.5;
   EXPECT_EQ(csv_line(fields(track)), "1,60,1,2,3,4,-0.5,6,1,2,3,0,9,150\n");
+  track.cell = 2;
+  EXPECT_TRUE(csv_line(fields(track)).starts_with("3,60,"));
 }
 
 TEST(RunFiles, ProtrusionsHaveTheTimesOfTheirTransitions) {
@@ -85,10 +87,13 @@ TEST(RunFiles, ProtrusionsHaveTheTimesOfTheirTransitions) {
   r.f_mat = 0.5;
   r.force = 0.15;
   r.cause = EndCause::rupture;
-  const std::vector<ProtrusionRecord> records{r};
-  EXPECT_EQ(protrusions_csv(records, {.force = 0.6}),
-            "id,centre_particle,t_initiation_s,t_adhesion_s,t_mature_s,t_disassembly_s,t_end_s,length_um,"
-            "direction_deg,f_mat,force_nN,f_adh_rel,cause\n3,17,100,500,1100,2000,,25.5,90,0.5,0.15,0.5,rupture\n");
+  std::vector<CellResult> cells{{.records = {r}}};
+  const std::string columns = "id,centre_particle,t_initiation_s,t_adhesion_s,t_mature_s,t_disassembly_s,t_end_s,"
+                              "length_um,direction_deg,f_mat,force_nN,f_adh_rel,cause\n";
+  const std::string row = "3,17,100,500,1100,2000,,25.5,90,0.5,0.15,0.5,rupture\n";
+  EXPECT_EQ(protrusions_csv(cells, {.force = 0.6}), columns + row);
+  cells.push_back({.cell = 1, .records = {r}});
+  EXPECT_EQ(protrusions_csv(cells, {.force = 0.6}), "cell," + columns + "1," + row + "2," + row);
 }
 
 TEST(Summary, IsTheSameInBothFormats) {
@@ -96,14 +101,39 @@ TEST(Summary, IsTheSameInBothFormats) {
   r.duration = 3600.0;
   r.v_migr_abs = 4.5;
   r.n_protrusions = 7;
-  const std::string csv = summary_csv(r);
+  const std::vector<CellResult> cells{{.readouts = r}};
+  const std::string csv = summary_csv(cells);
   EXPECT_TRUE(csv.starts_with("duration_s,v_migr_abs_um_per_h,"));
   EXPECT_TRUE(csv.find("\n3600,4.5,,,7,0,,0,") != std::string::npos) << csv;
-  const auto json = nlohmann::json::parse(summary_json(r));
+  const auto json = nlohmann::json::parse(summary_json(cells));
   EXPECT_EQ(json.at("v_migr_abs_um_per_h"), 4.5);
   EXPECT_EQ(json.at("n_protrusions"), 7);
   EXPECT_TRUE(json.at("tau_prot_min").is_null());
   EXPECT_EQ(json.size(), named_values(r).size());
+}
+
+TEST(Summary, HasARowForEachOfSeveralCells) {
+  std::vector<CellResult> cells(2);
+  cells[1].cell = 1;
+  cells[0].readouts.n_protrusions = 7;
+  cells[1].readouts.n_protrusions = 1;
+  const std::string csv = summary_csv(cells);
+  EXPECT_TRUE(csv.starts_with("cell,duration_s,")) << csv;
+  EXPECT_NE(csv.find("\n1,,,,,7,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n2,,,,,1,"), std::string::npos) << csv;
+  const auto json = nlohmann::json::parse(summary_json(cells));
+  EXPECT_EQ(json.at("cells").at(1).at("cell"), 2);
+  EXPECT_EQ(json.at("cells").at(1).at("n_protrusions"), 1);
+  EXPECT_EQ(result_sentence(cells), "Cell 1: 7 protrusions. Cell 2: 1 protrusion.");
+}
+
+TEST(Msd, HasTheNumberOfTheCellWhereThereAreSeveral) {
+  std::vector<CellResult> cells(1);
+  for (int k = 0; k < 4; ++k) cells[0].rows.push_back({.t = 600.0 * k, .centre = {1.0 * k, 0.0}, .polarization = {}});
+  EXPECT_EQ(msd_csv(cells, 600.0), "lag_s,msd_um2,samples\n600,1,3\n");
+  cells.push_back(cells[0]);
+  cells[1].cell = 1;
+  EXPECT_EQ(msd_csv(cells, 600.0), "cell,lag_s,msd_um2,samples\n1,600,1,3\n2,600,1,3\n");
 }
 
 TEST(Summary, LeavesOutForPeopleWhatARunCannotHave) {

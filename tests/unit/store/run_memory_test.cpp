@@ -20,7 +20,7 @@ RunMemory example() {
   memory.scenes.emplace_back();
   memory.scenes[0].matrix[3] = {{1.0, 2.0}};
   memory.scenes[0].protrusions = {{.phase = 2, .contour = {{0.1, 0.2}}, .tip = {3, 4}, .anchor = Vec2(5, 6)}};
-  memory.scenes[0].path = {{7, 8}, {9, 10}};
+  memory.scenes[0].cells = {{.outline = {{1, 1}}, .front = {}, .path = {{7, 8}, {9, 10}}}};
   memory.frames = {0.0, 31.2};
   memory.trajectory = 0xfedcba9876543210U;
   memory.march_wall_time = 12.5;
@@ -39,6 +39,19 @@ TEST(RunMemory, GivesTheSameBitsBack) {
   EXPECT_EQ(read.last->iterations, 5);
   EXPECT_EQ(read.counts.list_builds, 8U);
   EXPECT_EQ(read.scenes[0].protrusions[0].anchor->y(), 6.0);
+}
+
+TEST(RunMemory, HoldsSeveralCells) {
+  RunMemory memory = example();
+  memory.rows[1].cell = 3;
+  memory.scenes[0].cells.push_back({.outline = {{2, 2}, {3, 3}}, .front = {}, .path = {}});
+  const std::string text = io::to_text(memory);
+  const RunMemory read = io::parse_memory(text);
+  EXPECT_EQ(io::to_text(read), text);
+  EXPECT_EQ(read.rows[0].cell, 0U);
+  EXPECT_EQ(read.rows[1].cell, 3U);
+  ASSERT_EQ(read.scenes[0].cells.size(), 2U);
+  EXPECT_EQ(read.scenes[0].cells[1].outline[1], Vec2(3, 3));
 }
 
 TEST(RunMemory, RefusesWhatItIsNot) {

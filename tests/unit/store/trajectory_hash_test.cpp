@@ -9,7 +9,7 @@ namespace {
 
 State state() {
   State s;
-  s.cortex.x = {{1, 2}, {3, 4}};
+  s.cells.emplace_back().cortex.x = {{1, 2}, {3, 4}};
   s.ecm.x = {{5, 6}, {7, 8}, {9, 10}};
   return s;
 }
@@ -28,11 +28,20 @@ TEST(TrajectoryHash, SeesEveryBit) {
   s.ecm.x[2].y() = std::nextafter(10.0, 11.0);
   EXPECT_NE(hash(s), reference);
   s = state();
-  s.cortex.x[0].x() = std::nextafter(1.0, 0.0);
+  s.cells[0].cortex.x[0].x() = std::nextafter(1.0, 0.0);
   EXPECT_NE(hash(s), reference);
   s = state();
   ++s.step;
   EXPECT_NE(hash(s), reference);
+}
+
+TEST(TrajectoryHash, SeesEveryCell) {
+  State s = state();
+  s.cells.push_back(s.cells[0]);
+  EXPECT_NE(hash(s), hash(state()));
+  const std::string both = hash(s);
+  s.cells[1].cortex.x[1].y() = 5.0;
+  EXPECT_NE(hash(s), both);
 }
 
 TEST(TrajectoryHash, GoesOn) {

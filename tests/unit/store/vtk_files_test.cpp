@@ -10,6 +10,14 @@ namespace {
 
 std::string body(const std::string& xml) { return xml.substr(xml.find("<VTKFile")); }
 
+TEST(VtkFiles, HaveALineForEachCell) {
+  const std::string outline = outline_vtp(TwoCells().film().frames[0]);
+  EXPECT_TRUE(parsed(body(outline)));
+  EXPECT_EQ(count(outline, "NumberOfLines=\"2\""), 1U);
+  EXPECT_EQ(count(outline, "Name=\"cell\""), 1U);
+  EXPECT_EQ(count(outline_vtp(SmallRun().film().frames[0]), "Name=\"cell\""), 0U);
+}
+
 TEST(VtkFiles, HoldPointsFieldsAndTimes) {
   const Film film = SmallRun().film();
   const std::string matrix = matrix_vtp(film.head, film.frames[0]);

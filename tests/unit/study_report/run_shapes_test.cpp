@@ -73,14 +73,14 @@ TEST_F(RunShapes, AreTheOutlinesAtTheEndOfThreeRuns) {
   const State cell = initial_state(p);
   for (const Result& r : results) {
     State state = cell;
-    for (std::size_t i = 0; i < state.cortex.size(); ++i)
-      state.cortex.x[i] = {static_cast<double>(r.run.replicate), static_cast<double>(i)};
+    for (std::size_t i = 0; i < state.cells[0].cortex.size(); ++i)
+      state.cells[0].cortex.x[i] = {static_cast<double>(r.run.replicate), static_cast<double>(i)};
     io::write_checkpoint(made(r),
                          {.state = state, .scenario = "", .configuration_hash = "", .program = "", .memory = ""});
   }
   const std::string csv = shapes_csv(study, results, folder);
   const io::CsvTable table = io::read_csv(csv);
-  const std::size_t shown = (cell.cortex.size() + 1) / 2;
+  const std::size_t shown = (cell.cells[0].cortex.size() + 1) / 2;
   ASSERT_EQ(table.rows.size(), 4 * shown) << "three replicates of the first point, one of the other";
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"1", "1.00", "2.00", "youngs_modulus 50 Pa"})) << "every second";
   EXPECT_EQ(table.rows[2 * shown], (std::vector<std::string>{"3", "3.00", "0.00", "youngs_modulus 50 Pa"}));

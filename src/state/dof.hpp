@@ -1,0 +1,43 @@
+#pragma once
+
+#include "state/state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// The nodes of the drag system A v = F: first the particles of the matrix, node i being particle i; then the particles
+/// of the cortex of each cell, in the order of State::cells. Each node has two degrees of freedom. Only this header
+/// knows the numbering. Test: tests/unit/state/dof_test.cpp
+namespace matrigrate {
+
+/// Number of nodes.
+std::size_t node_count(const State& s);
+
+/// Node of particle 0 of the cortex of a cell; those of its other particles follow.
+/// @param cell  index into State::cells; their number: the node behind all
+std::uint32_t first_node(const State& s, std::size_t cell);
+
+/// Whether a node is a particle of the matrix.
+inline bool in_matrix(const State& s, std::size_t node) { return node < s.ecm.size(); }
+
+/// Whether a node moves as prescribed.
+inline bool is_clamped(const State& s, std::size_t node) { return in_matrix(s, node) && s.ecm.clamped[node] != 0; }
+
+/// Position of a node [um].
+const Vec2& node_position(const State& s, std::size_t node);
+
+/// The entries of a cell among values of all nodes.
+template <class T>
+std::span<T> of_cell(const State& s, std::size_t cell, std::span<T> values) {
+  return values.subspan(first_node(s, cell), s.cells[cell].cortex.size());
+}
+
+/// Velocities of all nodes [um/s].
+std::vector<Vec2> node_velocities(const State& s);
+
+/// Makes v the velocities of matrix and cells.   @param v  of all nodes [um/s]
+void set_node_velocities(State& s, std::span<const Vec2> v);
+
+} // namespace matrigrate
