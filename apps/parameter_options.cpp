@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -39,6 +40,19 @@ ConfigurationError naming_options(const ConfigurationError& error, const Paramet
   name(seed, options.seed.has_value(), "--seed");
   name(threads, options.threads.has_value(), "--threads");
   return ConfigurationError(std::move(faults));
+}
+
+std::string tag_of(std::string_view change) {
+  const std::size_t equals = change.find('=');
+  const std::string_view key = change.substr(0, equals);
+  if (equals == std::string_view::npos || key == seed || key == threads) return {};
+  const auto kept = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_'
+           || c == '-';
+  };
+  std::string tag = "-" + std::string(key.substr(key.rfind('.') + 1)) + "-";
+  std::ranges::copy_if(change.substr(equals + 1), std::back_inserter(tag), kept);
+  return tag;
 }
 
 double seconds_of(const std::string& text) {

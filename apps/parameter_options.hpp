@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Options of the command line that set parameters. Test: tests/apps/run_test.cpp
@@ -22,6 +23,10 @@ std::vector<std::string> all_overrides(const ParameterOptions& options);
 
 /// The same faults, naming the option that was given: "--hours" where run.duration was not given by --set.
 ConfigurationError naming_options(const ConfigurationError& error, const ParameterOptions& options);
+
+/// What a change by --set adds to the name of a folder: "-youngs_modulus-50Pa" of "ecm.youngs_modulus=50 Pa"; nothing
+/// of run.seed and run.threads.
+std::string tag_of(std::string_view change);
 
 /// Parses "90 s", "2 h", ... @return seconds, above 0 @throws UsageError
 double seconds_of(const std::string& text);

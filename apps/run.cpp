@@ -30,8 +30,13 @@ struct Options {
   std::vector<std::string> command_line;
 };
 
-std::string default_folder(const std::string& file, const Parameters& p) {
-  return fmt::format("{}-seed{}", std::filesystem::path(file).stem().string(), p.run.seed);
+/// "cell-seed1-youngs_modulus-50Pa": the scenario, its seed, and what --set changes.
+std::string default_folder(const Options& options, const Parameters& p) {
+  constexpr std::size_t longest = 120;
+  std::string name = fmt::format("{}-seed{}", std::filesystem::path(options.file).stem().string(), p.run.seed);
+  for (const std::string& change : options.parameters.overrides) name += tag_of(change);
+  if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), configuration_hash(p).substr(0, 8));
+  return name;
 }
 
 Parameters parameters_of(const Options& options) {
@@ -53,7 +58,7 @@ RunOutcome outcome_of(const Options& options, const Parameters& p, const RunOpti
 
 int run_scenario(const Options& options) {
   const Parameters p = parameters_of(options);
-  RunOptions how{.folder = options.folder.empty() ? default_folder(options.file, p) : options.folder,
+  RunOptions how{.folder = options.folder.empty() ? default_folder(options, p) : options.folder,
                  .command_line = options.command_line,
                  .page_template = run_page_template()};
   if (!options.wall_time.empty()) how.wall_time_limit = seconds_of(options.wall_time);
@@ -81,7 +86,8 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
   const auto options = std::make_shared<Options>();
   options->command_line = std::move(command_line);
   verb->add_option("FILE", options->file, "A scenario file")->required();
-  verb->add_option("-o,--output", options->folder, "Folder for the results (default: <scenario>-seed<N>)");
+  verb->add_option("-o,--output", options->folder,
+                   "Folder for the results (default: <scenario>-seed<N>, and what --set changes)");
   verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
   verb->add_option("--hours", options->parameters.hours, "Simulated time in hours: run.duration");
   verb->add_option("--threads", options->parameters.threads, "Threads, 0 for all: run.threads; never changes a result");

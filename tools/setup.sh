@@ -32,6 +32,8 @@ python3-pip: installs the Python package in its tests
 python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
+dpkg-dev: makes the Debian package in its test
+file: tells programs from scripts while that is made
 "
 packages_for_site="
 mkdocs: builds the documentation site

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tomllib
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
@@ -29,7 +30,7 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     with a checkpoint and raises KeyboardInterrupt; the same call goes on.
 
     :param scenario: a Scenario or the path of a scenario file
-    :param out: folder for the results; ``<scenario>-seed<N>`` if left out
+    :param out: folder for the results; ``<scenario>-seed<N>`` if left out, and what the overrides change
     :param seed: of the random numbers
     :param hours: simulated time [h]
     :param overrides: further parameters, ``{"ecm.youngs_modulus": "50 Pa"}``
@@ -99,7 +100,11 @@ def _default_folder(file: Path, seed: int | None, overrides: Mapping[str, Any]) 
             seed = tomllib.loads(file.read_text(encoding="utf-8-sig")).get("run", {}).get("seed", 1)
         except (OSError, ValueError, AttributeError):
             seed = 1
-    return Path(f"{file.stem}-seed{seed}")
+    name = f"{file.stem}-seed{seed}"
+    for key, value in overrides.items():
+        if key not in ("run.seed", "run.threads"):
+            name += f"-{key.rsplit('.', 1)[-1]}-" + re.sub(r"[^A-Za-z0-9._-]", "", _override(value))
+    return Path(name)
 
 
 class _Watch:

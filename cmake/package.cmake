@@ -1,0 +1,26 @@
+# `cpack` in the folder of a build (`cpack --config build/release/CPackConfig.cmake`) makes a Debian package of what
+# `cmake --install` installs: program, libraries, headers, Python package, manual page, completions, schema, studies.
+install(DIRECTORY python/matrigrate DESTINATION lib/python3/dist-packages # Debian's place for every version of Python 3
+        FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN *.json
+        PATTERN __pycache__ EXCLUDE)
+install(FILES R/matrigrate.R DESTINATION ${data}/R)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME matrigrate)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of a cell that migrates through a degradable matrix")
+set(CPACK_PACKAGE_DESCRIPTION
+    "Simulates in two dimensions how a single cell migrates through a degradable viscoelastic extracellular matrix, after
+Heck et al. 2020 (PLoS Comput Biol 16(1): e1007250), with studies of many runs and their statistics. Contains the program, a Python package that
+reads results and calls the program, an R file, and the libraries with their headers.")
+set(CPACK_PACKAGE_CONTACT "The Matrigrate authors <authors@matrigrate.invalid>")
+set(CPACK_PACKAGE_FILE_NAME matrigrate_${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT) # matrigrate_0.1.0_amd64.deb
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the shared libraries that the program needs, by dpkg-shlibdeps
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-pandas, python3-h5py, python3-matplotlib")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS # for projects that use the libraries
+    "g++, cmake, libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libhdf5-dev, libboost-math-dev, librandom123-dev, libxxhash-dev, zlib1g-dev")
+include(CPack)
