@@ -2,6 +2,7 @@
 #include "apps/verbs.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
+#include "simulation/start_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -66,11 +67,27 @@ std::string description(const Parameters& p, const Derived& d) {
     add("fibres", fmt::format("{} bonds", d.bonds.count),
         d.bonds.mean_deg ? fmt::format("of each particle; mean direction {:.3g} degrees", *d.bonds.mean_deg)
                          : "of each particle; no mean direction");
+  for (const FieldSummary& field : field_summaries(p))
+    add(fmt::format("field {}", key_of(*field.row)),
+        fmt::format("{:.4g} to {:.4g}{}", field.low, field.high,
+                    field.row->unit == "1" ? "" : fmt::format(" {}", field.row->unit)),
+        fmt::format("{}; {}", section_of(*field.row), field.source));
   add("memory", fmt::format("{:.0f} MB", d.cost.memory_bytes / 1e6), "estimate");
   add("disk", fmt::format("{:.0f} MB", d.cost.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
   add("wall time", duration_text(d.cost.wall_time),
       "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;
+}
+
+Json fields_json(const Parameters& p) {
+  Json list = Json::array();
+  for (const FieldSummary& field : field_summaries(p))
+    list.push_back({{"key", field.row->path},
+                    {"unit", field.row->unit},
+                    {"source", field.source},
+                    {"least", field.low},
+                    {"largest", field.high}});
+  return list;
 }
 
 Json to_json(const Options& options, const Parameters& p, const Derived& d, const std::vector<std::string>& found) {
@@ -95,6 +112,7 @@ Json to_json(const Options& options, const Parameters& p, const Derived& d, cons
           {"step_limit_set_by", d.limits.binding()},
           {"fibre_bonds_of_a_particle", d.bonds.count},
           {"fibre_mean_direction_deg", d.bonds.mean_deg ? Json(*d.bonds.mean_deg) : Json()},
+          {"fields", fields_json(p)},
           {"memory_estimate_bytes", d.cost.memory_bytes},
           {"disk_estimate_bytes", d.cost.disk_bytes},
           {"wall_time_estimate_s", d.cost.wall_time},

@@ -18,3 +18,5 @@ endmacro()
 matrigrate_plain_library(xxhash xxhash.h xxhash)
 matrigrate_plain_library(hdf5 hdf5.h "hdf5_serial;hdf5") # CMake's own search would need a C compiler
 matrigrate_plain_library(zlib zlib.h z) # likewise
+matrigrate_plain_library(png png.h png)
+matrigrate_plain_library(tiff tiffio.h tiff)

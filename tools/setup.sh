@@ -11,6 +11,9 @@ ca-certificates: lets apt and git reach hosts over https
 libeigen3-dev: vectors and small matrices
 libfmt-dev: text
 libtbb-dev: threads
+libmuparser-dev: formulas of fields
+libpng-dev: pictures as fields
+libtiff-dev: the same
 libtomlplusplus-dev: scenario files
 libcli11-dev: the command line
 nlohmann-json3-dev: JSON

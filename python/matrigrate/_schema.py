@@ -28,7 +28,7 @@ class Parameter:
     """A parameter of a scenario: name, unit, range, default and meaning."""
 
     path: str  #: "ecm.youngs_modulus"
-    kind: str  #: "quantity", "angle", "ratio", "integer", "boolean" or "choice"
+    kind: str  #: "quantity", "angle", "ratio", "integer", "boolean", "choice" or "field"
     meaning: str
     symbol: str  #: of the paper; may be empty
     allowed: str  #: in words: "> 0 and <= 1e7 Pa"
@@ -59,6 +59,8 @@ class Parameter:
             return "" if isinstance(value, bool) else f"is {type_words(value)}; write {self.allowed}, without quotes"
         if self.kind == "choice":
             return self._choice_fault(value)
+        if self.kind == "field":  # what stands in it, the program judges
+            return "" if isinstance(value, str) else f"is {type_words(value)}; write {self.allowed}, in quotes"
         if self.kind == "integer":
             return self._whole_fault(value)
         try:
@@ -163,6 +165,7 @@ def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
     number: dict[str, Any] = next((e for e in entry.get("anyOf", [entry])
                                    if e.get("type") in ("number", "integer")), {})
     kind = ("choice" if "enum" in entry else "boolean" if entry.get("type") == "boolean" else
+            "field" if entry.get("type") == "string" else
             "integer" if number["type"] == "integer" else "ratio" if "anyOf" not in entry else
             "angle" if text["angle"] else "quantity")
     symbol = re.search(r" \(([^()\s]+)\)$", text["meaning"])
@@ -175,14 +178,25 @@ def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
 @functools.cache
 def sections() -> dict[str, str]:
     """Each section and what it is about."""
-    return {name: entry["description"] for name, entry in _document()["properties"].items()}
+    return {name: entry["description"] for name, entry in _section_entries()}
 
 
 @functools.cache
 def parameters() -> dict[str, Parameter]:
     """All parameters by their path, in the order of the file."""
     return {f"{section}.{key}": _parameter(f"{section}.{key}", entry)
-            for section, table in _document()["properties"].items() for key, entry in table["properties"].items()}
+            for section, table in _section_entries() for key, entry in table["properties"].items()
+            if entry.get("type") != "object"}
+
+
+def _section_entries() -> list[tuple[str, dict[str, Any]]]:
+    """Sections and what the schema says of them, those inside of others ("ecm.fields") after these."""
+    found: list[tuple[str, dict[str, Any]]] = []
+    for name, entry in _document()["properties"].items():
+        found.append((name, entry))
+        found += [(f"{name}.{inner}", table) for inner, table in entry["properties"].items()
+                  if table.get("type") == "object"]
+    return found
 
 
 @functools.cache

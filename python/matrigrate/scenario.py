@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -30,6 +31,8 @@ class Section:
     def __getattr__(self, key: str) -> Value:
         if key.startswith("_"):
             raise AttributeError(key)
+        if f"{self._name}.{key}" in _classes:
+            return _classes[f"{self._name}.{key}"](self._scenario)
         raise _unknown(f"{self._name}.{key}")
 
     def __setattr__(self, key: str, value: Any) -> None:
@@ -56,7 +59,7 @@ def help_text(p: Parameter) -> str:
 
 
 def _of(section: str) -> list[Parameter]:
-    return [p for p in _schema.parameters().values() if p.path.startswith(section + ".")]
+    return [p for p in _schema.parameters().values() if p.path.rsplit(".", 1)[0] == section]
 
 
 def _attribute(p: Parameter) -> property:
@@ -71,7 +74,7 @@ def _attribute(p: Parameter) -> property:
 
 def _section_class(name: str, title: str) -> type[Section]:
     attributes: dict[str, Any] = {p.key: _attribute(p) for p in _of(name)}
-    return type(name.capitalize(), (Section,), attributes | {"_name": name, "__doc__": title + "."})
+    return type(name.title().replace(".", ""), (Section,), attributes | {"_name": name, "__doc__": title + "."})
 
 
 _classes = {name: _section_class(name, title) for name, title in _schema.sections().items()}
@@ -139,7 +142,12 @@ class Scenario(Mapping[str, Value]):
     def load(cls, file: str | os.PathLike[str]) -> Scenario:
         """A scenario file."""
         path = Path(file)
-        return cls(_read(path), name=path.stem)
+        scenario = cls(_read(path), name=path.stem)
+        for p in _schema.parameters().values():
+            text = str(scenario._given.get(p.path, ""))
+            if p.kind == "field" and re.match(r"\S+\.(csv|png|tiff?)( |$)", text):  # relative names count from the file
+                scenario._given[p.path] = str(path.resolve().parent / text)
+        return scenario
 
     def __getitem__(self, path: str) -> Value:
         p = _schema.parameters().get(path)
@@ -270,7 +278,12 @@ def _flat(values: Mapping[str, Any]) -> Iterator[tuple[str, Any, bool]]:
     """Path, value, and whether it is a table that is no section."""
     for name, value in values.items():
         if name in _classes and isinstance(value, Mapping):
-            yield from ((f"{name}.{key}", inner, False) for key, inner in value.items())
+            for key, inner in value.items():
+                path = f"{name}.{key}"
+                if path in _classes:
+                    yield from _flat({path: inner})
+                else:
+                    yield path, inner, False
         elif name in _classes:
             raise ConfigurationError(Fault(name, f"is a section; write [{name}] and its keys below, each on a line"))
         else:

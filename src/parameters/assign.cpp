@@ -16,6 +16,7 @@ using Real = double& (*)(Parameters&);
 using Integer = int& (*)(Parameters&);
 using Large = std::uint64_t& (*)(Parameters&);
 using Flag = bool& (*)(Parameters&);
+using Text = std::string& (*)(Parameters&);
 
 /// The default, as an example of what can be written.
 std::string example(const Row& row) { return value_text(row, Parameters{}); }
@@ -128,6 +129,13 @@ std::string assign_flag(const Row& row, const Given& given, bool& parameter) {
   return {};
 }
 
+std::string assign_text(const Row& row, const Given& given, std::string& parameter) {
+  const auto* text = std::get_if<std::string>(&given.value);
+  if (text == nullptr) return fmt::format("is {}; write {}, in quotes", given.type, allowed_text(row));
+  parameter = *text;
+  return {};
+}
+
 std::string assign_choice(const Row& row, const Given& given, const Choice& choice, Parameters& p) {
   const auto* name = std::get_if<std::string>(&given.value);
   if (name == nullptr) return fmt::format("is {}; write {}", given.type, allowed_text(row));
@@ -148,6 +156,7 @@ std::string assign(const Row& row, const Given& given, Parameters& p) {
   if (const auto* integer = std::get_if<Integer>(&row.member)) return assign_whole(row, given, (*integer)(p));
   if (const auto* large = std::get_if<Large>(&row.member)) return assign_whole(row, given, (*large)(p));
   if (const auto* flag = std::get_if<Flag>(&row.member)) return assign_flag(row, given, (*flag)(p));
+  if (const auto* text = std::get_if<Text>(&row.member)) return assign_text(row, given, (*text)(p));
   return assign_choice(row, given, std::get<Choice>(row.member), p);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 /// Every parameter of a simulation, in internal units: um, s, nN; stress in kPa, viscosity in nN s/um^2 = 1000 Pa s.
 /// Defaults are Table 1 of Heck et al. 2020 and the interpretations of MODEL.md. Their names, units, ranges and sources
@@ -28,6 +29,12 @@ struct RunParameters {
   int threads = 1; ///< 0: as many as the machine has; never changes a result
 };
 
+/// Fields of the matrix over the plane, as texts of formulas or files (fields/field.hpp); empty: the same everywhere.
+struct EcmFieldParameters {
+  std::string youngs_modulus; ///< in place of ecm.youngs_modulus [Pa]
+  std::string f_degr;         ///< f_degr at the start [-]
+};
+
 struct EcmParameters {
   double radius = 150.0;         ///< radius of the disc [um]
   double particle_spacing = 2.0; ///< dp [um]
@@ -46,6 +53,7 @@ struct EcmParameters {
   double density_max = 1.8;      ///< upper bound of rho/rho_0 [-]
   double verlet_skin = 0.5;      ///< neighbours are listed up to 2h + skin [um]
   double drag_lag = 0.001;       ///< drag is taken at positions up to so far behind [um]
+  EcmFieldParameters fields;
 };
 
 /// Which reference neighbours are joined by fibres.
@@ -57,6 +65,11 @@ enum class FibreLaw { tangent, secant };
 /// Along which direction a fibre pulls: along itself, or along its change since the reference configuration.
 enum class FibreForce { axial, vectorial };
 
+/// Fields of the fibres over the plane, as EcmFieldParameters.
+struct FibreFieldParameters {
+  std::string direction_deg; ///< in place of fibres.direction_deg [degrees]
+};
+
 struct FibreParameters {
   FibreArrangement arrangement = FibreArrangement::none;
   double direction_deg = 0.0;       ///< of the fibres of a uniaxial matrix, from the x axis [degrees]
@@ -67,6 +80,7 @@ struct FibreParameters {
   FibreLaw law = FibreLaw::tangent;
   FibreForce pull = FibreForce::axial;
   bool plane_to_space = false; ///< k_0 times 8/15, as if the plane network were one in space
+  FibreFieldParameters field;
 };
 
 /// Profile of the curvature factor of the actomyosin tension.

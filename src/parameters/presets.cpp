@@ -46,6 +46,20 @@ std::span<const Preset> presets() {
       {"two-protrusions-fibres", "Two protrusions at a time, uniaxial fibres (Figs 12 and 13)", kept(2, uniaxial)},
       {"three-protrusions-fibres", "Three protrusions at a time, uniaxial fibres (Fig 12)", kept(3, uniaxial)},
       {"four-protrusions-fibres", "Four protrusions at a time, uniaxial fibres (Fig 12)", kept(4, uniaxial)},
+      {"stiffness-gradient",
+       "Stiffness that rises by 2 Pa per um along x (durotaxis)",
+       {"ecm.fields.youngs_modulus=max(50, 200 + 2*x)"}},
+      {"stiffness-step",
+       "Two gels that meet at x = 0: 100 Pa and 400 Pa",
+       {"ecm.fields.youngs_modulus=x < 0 ? 100 : 400"}},
+      {"channel",
+       "A straight channel of 10 um through the matrix, along x",
+       {"ecm.fields.f_degr=abs(y) < 5 ? 0 : 1"}},
+      {"microtrack", "A track of 4 um that another cell has left, along x", {"ecm.fields.f_degr=abs(y) < 2 ? 0 : 1"}},
+      {"curved-fibres",
+       "Fibres on circles around the centre of the matrix (contact guidance)",
+       {"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial", "fibres.stiffness=10 kPa",
+        "fibres.field.direction_deg=atan2(x, -y)*180/_pi"}},
   };
   return all;
 }

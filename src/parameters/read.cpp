@@ -1,6 +1,7 @@
 #include "parameters/read.hpp"
 
 #include "base/file.hpp"
+#include "fields/field.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/fault_list.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 namespace matrigrate {
 
@@ -140,8 +142,26 @@ private:
     const Row* row = find_row(path);
     if (row == nullptr) return unknown(path, false, place);
     m_given.insert_or_assign(path, place);
-    const std::string fault = assign(*row, given_by(node), m_parameters);
+    std::string fault = assign(*row, given_by(node), m_parameters);
+    if (fault.empty() && kind(*row) == Kind::field) fault = complete_field(*row, place);
     if (!fault.empty()) complain(place, path, fault);
+  }
+
+  /// Makes the text of a field the same from any folder. One with a fingerprint is so already; its file is read when
+  /// its values are needed.   @return what is wrong
+  std::string complete_field(const Row& row, const Place& place) {
+    std::string& text = std::get<std::string& (*)(Parameters&)>(row.member)(m_parameters);
+    if (text.empty() || text.find(" hash=") != std::string::npos) return {};
+    const std::filesystem::path folder =
+        place.file == command_line ? std::filesystem::path() : std::filesystem::path(place.file).parent_path();
+    try {
+      text = fields::Field(text, folder).text();
+    } catch (const std::invalid_argument& error) {
+      return excerpt(error.what(), 300);
+    } catch (const InputOutputError& error) {
+      return excerpt(error.what(), 300);
+    }
+    return {};
   }
 
   /// Only where each single value is good: otherwise the rule would judge a default that nobody chose.

@@ -21,6 +21,7 @@ using Real = double& (*)(Parameters&);
 using Integer = int& (*)(Parameters&);
 using Large = std::uint64_t& (*)(Parameters&);
 using Flag = bool& (*)(Parameters&);
+using Text = std::string& (*)(Parameters&);
 
 std::string quantity_text(const Row& row, double value) {
   if (kind(row) != Kind::quantity) return fmt::format("{}", value);
@@ -28,6 +29,16 @@ std::string quantity_text(const Row& row, double value) {
   if (!number.empty()) return fmt::format("\"{} {}\"", number, row.unit);
   // Hours and the like do not hold every double; seconds do.
   return fmt::format("\"{} s\"", units::from_internal(value, units::parse_unit("s")));
+}
+
+/// A text as a basic string of TOML, which is one of JSON as well.
+std::string in_quotes(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
 }
 
 /// 1e7 rather than 10000000 or 1e+07.
@@ -51,7 +62,7 @@ Kind kind(const Row& row) {
   const Kind real = angle ? Kind::angle : row.unit == "1" ? Kind::ratio : Kind::quantity;
   return std::visit(Match{[&](Real) { return real; }, [](Integer) { return Kind::integer; },
                           [](Large) { return Kind::integer; }, [](Flag) { return Kind::boolean; },
-                          [](const Choice&) { return Kind::choice; }},
+                          [](Text) { return Kind::field; }, [](const Choice&) { return Kind::choice; }},
                     row.member);
 }
 
@@ -67,6 +78,7 @@ std::string value_text(const Row& row, const Parameters& parameters) {
                           [&](Integer member) { return fmt::format("{}", member(p)); },
                           [&](Large member) { return fmt::format("{}", member(p)); },
                           [&](Flag member) { return fmt::format("{}", member(p)); },
+                          [&](Text member) { return in_quotes(member(p)); },
                           [&](const Choice& c) { return fmt::format("\"{}\"", c.names[c.index(p)]); }},
                     row.member);
 }
@@ -80,9 +92,19 @@ std::string allowed_text(const Row& row) {
     return text;
   }
   const Range& range = row.range;
-  const std::string unit = kind(row) == Kind::quantity ? fmt::format(" {}", row.unit) : "";
-  return fmt::format("{} {} and {} {}{}", range.low_allowed ? ">=" : ">", short_number(range.low),
-                     range.high_allowed ? "<=" : "<", short_number(range.high), unit);
+  const bool field = kind(row) == Kind::field;
+  const std::string unit =
+      kind(row) == Kind::quantity || (field && row.unit != "1") ? fmt::format(" {}", row.unit) : "";
+  const std::string form = field ? "a formula in x and y, or a file (.csv, .png, .tif), of values " : "";
+  return form
+         + fmt::format("{} {} and {} {}{}", range.low_allowed ? ">=" : ">", short_number(range.low),
+                       range.high_allowed ? "<=" : "<", short_number(range.high), unit);
+}
+
+bool in_range(const Row& row, double value) {
+  const Range& range = row.range;
+  return (range.low_allowed ? value >= range.low : value > range.low)
+         && (range.high_allowed ? value <= range.high : value < range.high);
 }
 
 bool same(const Parameters& a, const Parameters& b) {

@@ -12,6 +12,7 @@ constexpr std::string_view chosen = "this program";
 
 constexpr double most_seeds = 9007199254740991.0; // 2^53 - 1: every tool reads it back exactly
 constexpr auto numerical = Audience::numerical;
+constexpr auto optional = Audience::optional;
 
 constexpr Range closed(double low, double high) { return {low, high, true, true}; }
 constexpr Range open(double low, double high) { return {low, high, false, false}; }
@@ -46,7 +47,9 @@ constexpr std::array<std::string_view, 2> formulations{"total_lagrangian", "upda
 constexpr std::array all_sections{
     Section{"run", "The run: how long, in which steps, with which random numbers"},
     Section{"ecm", "The extracellular matrix"},
+    Section{"ecm.fields", "Fields of the matrix: values that differ from place to place"},
     Section{"fibres", "Strain-stiffening fibres of the matrix"},
+    Section{"fibres.field", "Fields of the fibres"},
     Section{"cell", "The cell"},
     Section{"contact", "Contact of cell and matrix"},
     Section{"actomyosin", "Contraction of the cortex"},
@@ -107,6 +110,11 @@ constexpr std::array rows{
     Row{"ecm.drag_lag", [](Parameters& p) -> double& { return p.ecm.drag_lag; }, "um", closed(0, 0.1),
         "", "MODEL.md, D30", "Drag is taken anew in patches of the matrix in which a particle has moved further than this; with the adaptive integrator further in proportion to its step", numerical},
 
+    Row{"ecm.fields.youngs_modulus", [](Parameters& p) -> std::string& { return p.ecm.fields.youngs_modulus; }, "Pa", above(0, 1e7),
+        "", "MODEL.md, D32", "Young's modulus of the intact matrix from place to place, in place of ecm.youngs_modulus", optional},
+    Row{"ecm.fields.f_degr", [](Parameters& p) -> std::string& { return p.ecm.fields.f_degr; }, "1", closed(0, 1),
+        "", "MODEL.md, D32", "Intact share of the matrix at the start: 1 solid, 0 fluid (channels, holes, tracks)", optional},
+
     Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
         "", methods, "Fibres between all neighbouring matrix particles, between those along one direction, or none"},
     Row{"fibres.direction_deg", [](Parameters& p) -> double& { return p.fibres.direction_deg; }, "deg", closed(-180, 180),
@@ -125,6 +133,9 @@ constexpr std::array rows{
         "", "MODEL.md, D23", "Whether a fibre pulls along itself, or along its change since the start", numerical},
     Row{"fibres.plane_to_space", [](Parameters& p) -> bool& { return p.fibres.plane_to_space; }, "", none,
         "", "MODEL.md, D25", "Whether k_0 is taken times 8/15, as if the fibres were spread in space", numerical},
+
+    Row{"fibres.field.direction_deg", [](Parameters& p) -> std::string& { return p.fibres.field.direction_deg; }, "deg", closed(-180, 180),
+        "", "MODEL.md, D32", "Direction of uniaxial fibres from place to place, in place of fibres.direction_deg", optional},
 
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),
         "R", table_1, "Radius of the cell at the start"},

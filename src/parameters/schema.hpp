@@ -30,12 +30,13 @@ struct Choice {
   void (*set)(Parameters&, std::size_t);
 };
 
-/// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, choice.
+/// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, text of a field, choice.
 using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std::uint64_t& (*)(Parameters&),
-                            bool& (*)(Parameters&), Choice>;
+                            bool& (*)(Parameters&), std::string& (*)(Parameters&), Choice>;
 
-/// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `numerical` ones commented out.
-enum class Audience { usual, numerical };
+/// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `optional` and `numerical` ones commented
+/// out.
+enum class Audience { usual, optional, numerical };
 
 /// A parameter.
 struct Row {
@@ -55,8 +56,9 @@ struct Section {
   std::string_view title;
 };
 
-/// An angle is stored in the unit of its row, and written as a bare number.
-enum class Kind { quantity, ratio, angle, integer, boolean, choice };
+/// An angle is stored in the unit of its row, and written as a bare number. Of a field, unit and range are those of its
+/// values.
+enum class Kind { quantity, ratio, angle, integer, boolean, choice, field };
 
 /// All parameters; those of a section stand together, sections in the order of sections().
 std::span<const Row> schema();
@@ -79,6 +81,9 @@ std::string value_text(const Row& row, const Parameters& p);
 
 /// The allowed values in words: "> 0 and <= 1000 Pa", "true or false", "\"square\" or \"hexagonal\"".
 std::string allowed_text(const Row& row);
+
+/// Whether the value is within the range of a row, both in its unit.
+bool in_range(const Row& row, double value);
 
 /// Whether two sets of parameters agree in the bits of every row.
 bool same(const Parameters& a, const Parameters& b);

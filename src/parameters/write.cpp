@@ -77,6 +77,9 @@ Json row_schema(const Row& row) {
   case Kind::integer:
     schema = number_schema(row);
     break;
+  case Kind::field:
+    schema["type"] = "string";
+    break;
   case Kind::boolean:
     schema["type"] = "boolean";
     break;
@@ -121,7 +124,11 @@ std::string to_toml(const Parameters& p) {
 
 std::string values_text(const Parameters& p) {
   std::string text;
-  for (const Row& row : schema()) text += fmt::format("{} = {}\n", row.path, value_text(row, p));
+  for (const Row& row : schema()) {
+    const std::string value = value_text(row, p);
+    if (kind(row) == Kind::field && value == "\"\"") continue; // as if there were no such parameter
+    text += fmt::format("{} = {}\n", row.path, value);
+  }
   return text;
 }
 
@@ -141,7 +148,7 @@ std::string new_scenario(const Preset& preset, const std::string& schema) {
       },
       [&](const Row& row) {
         const bool open = is_open(row, p);
-        if (audience == Audience::usual && row.audience == Audience::numerical)
+        if (audience != Audience::numerical && row.audience == Audience::numerical)
           text += "\n# Numerics; rarely changed.\n";
         audience = row.audience;
         text += comment(row) + (open ? "" : "# ") + assignment(row, p);

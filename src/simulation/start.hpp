@@ -5,7 +5,9 @@
 
 namespace matrigrate {
 
-/// Initial state of a migration, at rest: the disc of matrix with a hole of fluid, and the round cell in it.
+/// Initial state of a migration, at rest: the disc of matrix with its fields and a hole of fluid, and the round cell in
+/// it.
+/// @throws ConfigurationError if the file of a field is not there any more, or has changed
 State initial_state(const Parameters& p);
 
 } // namespace matrigrate

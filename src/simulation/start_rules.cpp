@@ -1,25 +1,52 @@
 #include "simulation/start_rules.hpp"
 
 #include "ecm/bonds.hpp"
+#include "simulation/start_fields.hpp"
 #include "simulation/step_limits.hpp"
 
 #include <vector>
 
 namespace matrigrate {
 
+namespace {
+
+/// The first fault of any field.
+std::string fault_of_fields(const Parameters& p) {
+  for (const Row& row : schema())
+    if (kind(row) == Kind::field)
+      if (std::string fault = fault_of_field(p, row); !fault.empty()) return fault;
+  return {};
+}
+
+/// The rules, and one for each field: its values are allowed.
+std::vector<Rule> with_fields(std::vector<Rule> rules) {
+  for (const Row& row : schema())
+    if (kind(row) == Kind::field)
+      rules.push_back({"the values of a field are allowed", {row.path}, [&row](const Parameters& p) {
+                         return fault_of_field(p, row);
+                       }});
+  return rules;
+}
+
+} // namespace
+
 std::span<const Rule> start_rules() {
-  static const std::vector<Rule> all{
+  static const std::vector<Rule> all = with_fields({
       {"the step is stable",
-       {"run.time_step", "run.integrator", "ecm.youngs_modulus", "ecm.poissons_ratio", "ecm.viscosity",
-        "fibres.stiffness", "fibres.arrangement", "fibres.direction_deg", "fibres.half_angle_deg",
+       {"run.time_step", "run.integrator", "ecm.youngs_modulus", "ecm.fields.youngs_modulus", "ecm.poissons_ratio",
+        "ecm.viscosity", "fibres.stiffness", "fibres.arrangement", "fibres.direction_deg", "fibres.half_angle_deg",
         "fibres.plane_to_space", "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice", "ecm.hourglass_weight",
         "ecm.thickness"},
-       [](const Parameters& p) { return fault_of_step(p, step_limits(p)); }},
+       [](const Parameters& p) {
+         if (!fault_of_fields(p).empty()) return std::string(); // said below
+         const Parameters stiffest = as_stiff_everywhere(p);
+         return fault_of_step(stiffest, step_limits(stiffest));
+       }},
       {"fibres lie on bonds",
        {"fibres.direction_deg", "fibres.half_angle_deg", "fibres.arrangement", "ecm.lattice", "ecm.smoothing_length",
         "ecm.particle_spacing"},
-       fault_of_fibres},
-  };
+       [](const Parameters& p) { return p.fibres.field.direction_deg.empty() ? fault_of_fibres(p) : std::string(); }},
+  });
   return all;
 }
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+/// Numbers over the plane, as a scenario gives them. Test: tests/unit/fields/fields_test.cpp
+namespace matrigrate::fields {
+
+/// A field that a scenario names by one text:
+///
+///   "200 + 50*tanh(x/20)"                      a formula in x, y and r [um] (Formula)
+///   "stiffness.csv"                            a grid (samples_from_csv); "... column=E_Pa" takes that column
+///   "collagen.png pixel=0.5 from=50 to=400"    a picture, PNG or TIFF: width of a pixel [um], and the values of black
+///   and
+///                                              white; "x=10 y=-5" is where its centre lies [um] (0, 0)
+///
+/// Names of files have no spaces; they count from the folder of the scenario.
+class Field {
+public:
+  /// @param folder  that relative names of files count from
+  /// @throws std::invalid_argument saying what is wrong with the text or the file
+  /// @throws InputOutputError if a file cannot be read
+  Field(const std::string& text, const std::filesystem::path& folder);
+  Field(Field&&) noexcept;
+  Field& operator=(Field&&) noexcept;
+  ~Field();
+
+  /// Its value at a point [um], in the unit of its parameter; may be NaN or infinite of a formula.
+  double at(const Vec2& x) const;
+
+  /// "a formula", or "a grid of 301 x 301 nodes from (-150, -150) to (150, 150) um".
+  std::string description() const;
+
+  /// The text that gives the same field anywhere: of a file with its whole path and a fingerprint of its content
+  /// ("hash=..."), by which a file that has changed is refused.
+  const std::string& text() const { return m_text; }
+
+private:
+  struct Source;
+  std::string m_text;
+  std::unique_ptr<Source> m_source;
+};
+
+} // namespace matrigrate::fields

@@ -1,0 +1,100 @@
+#include "simulation/start_fields.hpp"
+
+#include "base/failure.hpp"
+#include "fields/field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+namespace matrigrate {
+
+namespace {
+
+using Text = std::string& (*)(Parameters&);
+
+std::string text_of(const Parameters& p, const Row& row) {
+  Parameters all = p; // the table's accessors give access to write
+  return std::get<Text>(row.member)(all);
+}
+
+/// @return nothing where the scenario gives no such field
+/// @throws ConfigurationError
+std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_view path) {
+  const Row& row = *find_row(path);
+  const std::string text = text_of(p, row);
+  if (text.empty()) return nullptr;
+  try {
+    return std::make_shared<const fields::Field>(text, "");
+  } catch (const std::invalid_argument& error) {
+    throw ConfigurationError({{"", 0, 0, std::string(path), error.what()}});
+  } catch (const InputOutputError& error) {
+    throw ConfigurationError({{"", 0, 0, std::string(path), error.what()}});
+  }
+}
+
+std::vector<Vec2> places(const Parameters& p) { return lattice_patch(p.ecm, p.ecm.radius); }
+
+} // namespace
+
+MatrixFields matrix_fields(const Parameters& p) {
+  MatrixFields given;
+  const auto E = field_of(p, "ecm.fields.youngs_modulus");
+  if (E) {
+    const double uniform = p.ecm.youngs_modulus;
+    const auto ratio = [E, uniform](const Vec2& X) { return E->at(X) / 1000.0 / uniform; }; // Pa to kPa
+    if (std::ranges::any_of(places(p), [&](const Vec2& X) { return ratio(X) != 1.0; })) given.E_ratio = ratio;
+  }
+  if (const auto f = field_of(p, "ecm.fields.f_degr")) given.f_degr = [f](const Vec2& X) { return f->at(X); };
+  if (p.fibres.arrangement == FibreArrangement::uniaxial)
+    if (const auto direction = field_of(p, "fibres.field.direction_deg"))
+      given.fibre_direction = [direction](const Vec2& X) { return direction->at(X) * std::numbers::pi / 180.0; };
+  return given;
+}
+
+std::string fault_of_field(const Parameters& p, const Row& row) {
+  try {
+    const auto field = field_of(p, row.path);
+    if (!field) return {};
+    for (const Vec2& X : places(p)) {
+      const double value = field->at(X);
+      if (in_range(row, value)) continue; // never of NaN
+      return fmt::format("is {:g} at ({:.4g}, {:.4g}) um; write {}", value, X.x(), X.y(), allowed_text(row));
+    }
+  } catch (const ConfigurationError& error) {
+    return error.faults().front().message;
+  }
+  return {};
+}
+
+std::vector<FieldSummary> field_summaries(const Parameters& p) {
+  std::vector<FieldSummary> all;
+  for (const Row& row : schema()) {
+    if (kind(row) != Kind::field) continue;
+    const auto field = field_of(p, row.path);
+    if (!field) continue;
+    FieldSummary summary{&row, field->description(), field->at(Vec2::Zero()), field->at(Vec2::Zero())};
+    for (const Vec2& X : places(p)) {
+      summary.low = std::min(summary.low, field->at(X));
+      summary.high = std::max(summary.high, field->at(X));
+    }
+    all.push_back(summary);
+  }
+  return all;
+}
+
+Parameters as_stiff_everywhere(const Parameters& p) {
+  Parameters stiffest = p;
+  if (const auto E = field_of(p, "ecm.fields.youngs_modulus")) {
+    stiffest.ecm.youngs_modulus = 0.0;
+    for (const Vec2& X : places(p))
+      stiffest.ecm.youngs_modulus = std::max(stiffest.ecm.youngs_modulus, E->at(X) / 1000.0);
+  }
+  return stiffest;
+}
+
+} // namespace matrigrate

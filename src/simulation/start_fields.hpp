@@ -1,0 +1,36 @@
+#pragma once
+
+#include "parameters/schema.hpp"
+#include "state/initial.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Fields that a scenario gives (MODEL.md, D32), on the particles of its matrix. Test:
+/// tests/unit/simulation/start_fields_test.cpp
+namespace matrigrate {
+
+/// The fields of a scenario as functions of the reference position. A field whose values are those of the uniform
+/// matrix is left out, so that it gives the same bits.
+/// @throws ConfigurationError if a text or a file cannot be read any more
+MatrixFields matrix_fields(const Parameters& p);
+
+/// What is wrong with the values of a field: one is not finite or out of range. Empty without a fault, or without a
+/// field.
+std::string fault_of_field(const Parameters& p, const Row& row);
+
+/// A field as `explain` shows it.
+struct FieldSummary {
+  const Row* row = nullptr;
+  std::string source;           ///< "a formula"; "a grid of 301 x 301 nodes from ..."
+  double low = 0.0, high = 0.0; ///< over the particles, in the unit of the row
+};
+
+/// Of those fields that are given.
+std::vector<FieldSummary> field_summaries(const Parameters& p);
+
+/// The uniform matrix as stiff as the stiffest place of a scenario: what bounds the step.
+Parameters as_stiff_everywhere(const Parameters& p);
+
+} // namespace matrigrate

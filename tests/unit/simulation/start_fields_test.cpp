@@ -1,0 +1,90 @@
+#include "simulation/start_fields.hpp"
+
+#include "base/failure.hpp"
+#include "parameters/read.hpp"
+#include "simulation/start.hpp"
+#include "simulation/start_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace matrigrate {
+namespace {
+
+Parameters small(std::vector<std::string> overrides) {
+  overrides.emplace_back("ecm.radius=60 um");
+  return apply_overrides({}, overrides, start_rules());
+}
+
+std::string fault_of(const std::string& change) {
+  try {
+    small({change});
+  } catch (const ConfigurationError& error) {
+    return to_string(error.faults().front());
+  }
+  return "";
+}
+
+TEST(StartFields, AUniformFieldIsNone) {
+  const State plain = initial_state(small({}));
+  const State field = initial_state(small({"ecm.fields.youngs_modulus=\"200\"", "ecm.fields.f_degr=\"1\""}));
+  EXPECT_TRUE(field.ecm.E_ratio.empty());
+  EXPECT_EQ(field.ecm.f, plain.ecm.f);
+}
+
+TEST(StartFields, StiffnessIsThatOfTheReferencePosition) {
+  const State s = initial_state(small({"ecm.fields.youngs_modulus=200 + x"}));
+  ASSERT_EQ(s.ecm.E_ratio.size(), s.ecm.size());
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) EXPECT_NEAR(s.ecm.stiffness(i), 1.0 + s.ecm.X[i].x() / 200.0, 1e-12);
+}
+
+TEST(StartFields, AChannelIsFluidAndTheRimStaysSolid) {
+  const State s = initial_state(small({"ecm.fields.f_degr=abs(y) < 5 ? 0 : 1"}));
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) {
+    if (s.ecm.clamped[i]) {
+      EXPECT_EQ(s.ecm.f[i], 1.0);
+    } else if (std::abs(s.ecm.X[i].y()) < 5.0) {
+      EXPECT_EQ(s.ecm.f[i], 0.0);
+    }
+  }
+}
+
+TEST(StartFields, DirectionsOfFibresAreInRadians) {
+  const State s = initial_state(small({"fibres.arrangement=uniaxial", "fibres.field.direction_deg=x < 0 ? 0 : 90"}));
+  ASSERT_EQ(s.ecm.fibre_direction.size(), s.ecm.size());
+  for (std::size_t i = 0; i < s.ecm.size(); ++i)
+    EXPECT_DOUBLE_EQ(s.ecm.fibre_direction[i], s.ecm.X[i].x() < 0.0 ? 0.0 : 0.5 * std::numbers::pi);
+}
+
+TEST(StartFields, EveryFaultNamesItsPlace) {
+  EXPECT_NE(fault_of("ecm.fields.youngs_modulus=200 + 10*x").find("um; write a formula in x and y"), std::string::npos)
+      << fault_of("ecm.fields.youngs_modulus=200 + 10*x");
+  EXPECT_NE(fault_of("ecm.fields.youngs_modulus=200 + 10*x").find("is -"), std::string::npos) << "below 0 on the left";
+  EXPECT_NE(fault_of("ecm.fields.youngs_modulus=sqrt(x)").find("nan at ("), std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.f_degr=2").find("is a number; write a formula"), std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.f_degr=\"2\"").find("is 2 at ("), std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.youngs_modulus=200 + z").find("cannot be read as a formula"), std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.youngs_modulus=none.csv").find("none.csv"), std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.stiffness=3").find("there is no such parameter"), std::string::npos);
+  EXPECT_NE(fault_of("fibres.field.direction_deg=400 + x").find("is 3"), std::string::npos);
+}
+
+TEST(StartFields, TheStiffestPlaceBoundsTheStep) {
+  const Parameters p = small({"ecm.fields.youngs_modulus=200 + x"});
+  EXPECT_NEAR(as_stiff_everywhere(p).ecm.youngs_modulus, 0.26, 1e-3);
+  EXPECT_NE(fault_of("ecm.fields.youngs_modulus=x > 0 ? 20000 : 200").find("step"), std::string::npos);
+}
+
+TEST(StartFields, AreSummedUp) {
+  const std::vector<FieldSummary> all = field_summaries(small({"ecm.fields.youngs_modulus=200 + x"}));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].row->path, "ecm.fields.youngs_modulus");
+  EXPECT_EQ(all[0].source, "a formula");
+  EXPECT_DOUBLE_EQ(all[0].low, 140.0);
+  EXPECT_DOUBLE_EQ(all[0].high, 260.0);
+}
+
+} // namespace
+} // namespace matrigrate
