@@ -6,6 +6,7 @@ target_compile_options(
   INTERFACE -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
             -ffp-contract=off # the same bits wherever the same additions are made
             -fno-math-errno
+            -fno-semantic-interposition # functions may be inlined although libraries are position independent
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 warns falsely on std::string (GCC bug 105651)
 
 # Mark for hot loops. MATRIGRATE_SIMD: compile this function for newer instruction sets as well; the loader picks the

@@ -32,6 +32,8 @@ clang-format: the test of the formatting
 chromium: opens the pages of reports in their tests
 python3-h5py: opens fields in their tests
 python3-pip: installs the Python package in its tests
+pybind11-dev: the compiled module of the Python package
+python3-dev: the same
 python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
 python3-jsonschema: checks scenarios against docs/scenario.schema.json

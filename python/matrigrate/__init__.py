@@ -25,11 +25,12 @@ from .fields import Field, Fields
 from .results import Readouts, Run, load, meaning
 from .scenario import Scenario, Section
 from .simulate import run, run_study
+from .simulation import Cell, CoreNotFound, Matrix, Simulation
 from .studies import Runs, Study, load_study
 
 __all__ = [
-    "ConfigurationError", "Fault", "Field", "Fields", "InputOutputError", "InternalError", "KeyboardStop",
-    "MatrigrateError", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "Run", "Runs", "Scenario",
-    "Section", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__", "load", "load_study", "meaning",
-    "plot", "run", "run_study",
+    "Cell", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields", "InputOutputError", "InternalError",
+    "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "Run",
+    "Runs", "Scenario", "Section", "Simulation", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__",
+    "load", "load_study", "meaning", "plot", "run", "run_study",
 ]

@@ -1,0 +1,211 @@
+// The module matrigrate._core: a simulation that is stepped from Python. What users see is matrigrate.Simulation
+// (python/matrigrate/simulation.py); its words and checks are there.
+#include "base/failure.hpp"
+#include "parameters/read.hpp"
+#include "run/cadence.hpp"
+#include "simulation/march.hpp"
+#include "simulation/start.hpp"
+#include "simulation/start_rules.hpp"
+#include "state/dof.hpp"
+#include "store/trajectory_hash.hpp"
+
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace matrigrate {
+namespace {
+
+using Array = py::array_t<double>;
+
+/// A read-only view of values that the simulation owns; it keeps the simulation alive.
+/// @param shape  after the first dimension, the number of values
+template <class T>
+Array view(const std::vector<T>& values, const py::object& owner, const std::vector<py::ssize_t>& shape = {}) {
+  std::vector<py::ssize_t> whole{static_cast<py::ssize_t>(values.size())};
+  whole.insert(whole.end(), shape.begin(), shape.end());
+  Array array(whole, reinterpret_cast<const double*>(values.data()), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+template <class T>
+Array vectors(const std::vector<T>& values, const py::object& owner) {
+  return view(values, owner, {2});
+}
+
+class Simulation {
+public:
+  Simulation(const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
+      : m_p(parse_parameters(text, name, overrides, start_rules())), m_state(initial_state(m_p)),
+        m_workspace(m_state, m_p), m_rows(m_p.output.track_interval, m_p.run.time_step) {
+    see();
+  }
+
+  const State& state() const { return m_state; }
+  const Parameters& parameters() const { return m_p; }
+
+  /// As in run.json of a run that ends now.
+  std::string trajectory_hash() const {
+    io::TrajectoryHash hash(m_hash);
+    if (m_seen < m_state.step) hash.add(m_state);
+    return hash.text();
+  }
+
+  /// Forces from Python, added in each step: called with the simulation, returns forces on the nodes [nN] or None.
+  void set_force(py::object matrix, py::object cells) {
+    m_matrix_force = std::move(matrix);
+    m_cell_force = std::move(cells);
+  }
+
+  /// @param each  called between steps, at most ten times a second; may be None
+  void march_to(const py::object& self, double t_end, const py::object& each) {
+    using Clock = std::chrono::steady_clock;
+    auto next = Clock::now();
+    Loads loads;
+    if (!m_matrix_force.is_none() || !m_cell_force.is_none())
+      loads = [&](const State& s, std::span<Vec2> forces) { add_forces(self, s, forces); };
+    const auto each_step = [&](const State&) {
+      see();
+      if (Clock::now() < next) return true;
+      next = Clock::now() + std::chrono::milliseconds(100);
+      const py::gil_scoped_acquire held;
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!each.is_none()) each(self);
+      return true;
+    };
+    const py::gil_scoped_release released;
+    march(m_state, m_p, m_workspace, t_end, loads, each_step);
+  }
+
+private:
+  /// Adds to the hash what a run adds to it at its rows of tracks.csv.
+  void see() {
+    if (!m_rows.due(m_state.t)) return;
+    io::TrajectoryHash hash(m_hash);
+    hash.add(m_state);
+    m_hash = hash.value();
+    m_seen = m_state.step;
+  }
+
+  /// Adds an array of Python to the forces of nodes. @param what  for messages: "force"
+  static void add(const py::object& returned, std::span<Vec2> forces, const char* what) {
+    if (returned.is_none()) return;
+    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(returned);
+    if (!array || array.ndim() != 2 || array.shape(1) != 2
+        || array.shape(0) != static_cast<py::ssize_t>(forces.size())) {
+      PyErr_Clear();
+      throw py::value_error(std::string(what) + " must return an array of shape (" + std::to_string(forces.size())
+                            + ", 2), or None");
+    }
+    const double* values = array.data();
+    for (std::size_t i = 0; i < forces.size(); ++i) forces[i] += Vec2(values[2 * i], values[2 * i + 1]);
+  }
+
+  void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) const {
+    const py::gil_scoped_acquire held;
+    const std::size_t matrix = s.ecm.size();
+    if (!m_matrix_force.is_none()) add(m_matrix_force(self), forces.subspan(0, matrix), "force");
+    if (!m_cell_force.is_none()) add(m_cell_force(self), forces.subspan(matrix), "cell_force");
+  }
+
+  Parameters m_p;
+  State m_state;
+  Workspace m_workspace;
+  run::Cadence m_rows;
+  std::uint64_t m_hash = 0; ///< of the trajectory so far
+  std::uint64_t m_seen = 0; ///< step of the last state in it
+  py::object m_matrix_force = py::none();
+  py::object m_cell_force = py::none();
+};
+
+/// A protrusion that lives, as a dictionary.
+py::dict described(const Protrusion& protrusion) {
+  py::dict d;
+  d["id"] = protrusion.record.id;
+  d["centre"] = protrusion.centre;
+  d["phase"] = std::string(name(protrusion.phase));
+  d["since_s"] = protrusion.since;
+  if (const auto* maturing = std::get_if<Maturing>(&protrusion.phase))
+    d["anchor_um"] = py::make_tuple(maturing->anchor.x(), maturing->anchor.y());
+  if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase))
+    d["anchor_um"] = py::make_tuple(contracting->anchor.x(), contracting->anchor.y());
+  return d;
+}
+
+/// Raises one of matrigrate.errors.
+void raise_python(const char* type, const py::object& argument) {
+  const py::object error = py::module_::import("matrigrate.errors").attr(type);
+  PyErr_SetObject(error.ptr(), error(argument).ptr());
+}
+
+py::list faults_of(const ConfigurationError& error) {
+  const py::object fault = py::module_::import("matrigrate.errors").attr("Fault");
+  py::list faults;
+  for (const Fault& f : error.faults()) faults.append(fault(f.key, f.message, f.file, f.line, f.column));
+  return faults;
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const ConfigurationError& error) {
+    raise_python("ConfigurationError", faults_of(error));
+  } catch (const NumericalFailure& error) {
+    raise_python("NumericalError", py::str(error.what()));
+  } catch (const InputOutputError& error) {
+    raise_python("InputOutputError", py::str(error.what()));
+  }
+}
+
+} // namespace
+} // namespace matrigrate
+
+PYBIND11_MODULE(_core, module) {
+  using namespace matrigrate;
+  module.doc() = "A simulation that is stepped from Python; used by matrigrate.Simulation.";
+  py::register_exception_translator(&translate);
+  const auto of = [](const py::object& self) -> const State& { return self.cast<const Simulation&>().state(); };
+  const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
+    const std::vector<Cell>& cells = of(self).cells;
+    if (k >= cells.size()) throw py::index_error("there is no cell " + std::to_string(k));
+    return cells[k];
+  };
+  py::class_<Simulation>(module, "Simulation")
+      .def(py::init<const std::string&, const std::string&, const std::vector<std::string>&>())
+      .def("march_to", [](const py::object& self, double t_end,
+                          const py::object& each) { self.cast<Simulation&>().march_to(self, t_end, each); })
+      .def("set_force", &Simulation::set_force)
+      .def("trajectory_hash", &Simulation::trajectory_hash)
+      .def_property_readonly("t", [](const Simulation& s) { return s.state().t; })
+      .def_property_readonly("step", [](const Simulation& s) { return s.state().step; })
+      .def_property_readonly("duration", [](const Simulation& s) { return s.parameters().run.duration; })
+      .def_property_readonly("longest_step", [](const Simulation& s) { return s.parameters().run.time_step; })
+      .def_property_readonly("cell_count", [](const Simulation& s) { return s.state().cells.size(); })
+      .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
+      .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })
+      .def("matrix_v", [of](const py::object& self) { return vectors(of(self).ecm.v, self); })
+      .def("matrix_f", [of](const py::object& self) { return view(of(self).ecm.f, self); })
+      .def("matrix_rho", [of](const py::object& self) { return view(of(self).ecm.rho, self); })
+      .def("matrix_S",
+           [of](const py::object& self) {
+             return view(of(self).ecm.S, self, {2, 2});
+           })
+      .def("cell_x", [cell](const py::object& self, std::size_t k) { return vectors(cell(self, k).cortex.x, self); })
+      .def("cell_v", [cell](const py::object& self, std::size_t k) { return vectors(cell(self, k).cortex.v, self); })
+      .def("cell_l0", [cell](const py::object& self, std::size_t k) { return view(cell(self, k).cortex.l0, self); })
+      .def("cell_polarization", [cell](const py::object& self, std::size_t k) { return cell(self, k).polarization; })
+      .def("cell_protrusions", [cell](const py::object& self, std::size_t k) {
+        py::list list;
+        for (const Protrusion& protrusion : cell(self, k).protrusions) list.append(described(protrusion));
+        return list;
+      });
+}

@@ -1,0 +1,212 @@
+"""A simulation that is stepped from Python, with forces of one's own."""
+from __future__ import annotations
+
+import importlib.machinery
+import importlib.util
+import os
+import sys
+import weakref
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._schema import toml_text
+from .errors import MatrigrateError
+from .scenario import Scenario
+
+Floats = NDArray[np.float64]
+
+
+class Matrix:
+    """The particles of the matrix now. Arrays are read-only views of the simulation's own numbers: they change with it,
+    and cost no copy."""
+
+    def __init__(self, core: Any) -> None:
+        self._core = core
+
+    def __len__(self) -> int:
+        return len(self.X)
+
+    @property
+    def X(self) -> Floats:
+        """Reference positions [um], shape (n, 2)."""
+        return self._core.matrix_X()
+
+    @property
+    def x(self) -> Floats:
+        """Positions [um], shape (n, 2)."""
+        return self._core.matrix_x()
+
+    @property
+    def v(self) -> Floats:
+        """Velocities of the last step [um/s], shape (n, 2)."""
+        return self._core.matrix_v()
+
+    @property
+    def f_degr(self) -> Floats:
+        """1 where the matrix is intact solid, 0 where it is fluid, shape (n,)."""
+        return self._core.matrix_f()
+
+    @property
+    def density(self) -> Floats:
+        """Density over that of the start, shape (n,)."""
+        return self._core.matrix_rho()
+
+    @property
+    def deviatoric_stress(self) -> Floats:
+        """In-plane part of the deviatoric Cauchy stress [kPa], shape (n, 2, 2); S_zz = -(S_xx + S_yy)."""
+        return self._core.matrix_S()
+
+
+class Cell:
+    """A cell now. Arrays are read-only views, as those of Matrix."""
+
+    def __init__(self, core: Any, index: int) -> None:
+        self._core, self._index = core, index
+
+    @property
+    def x(self) -> Floats:
+        """Positions of the particles of the cortex, counter-clockwise [um], shape (n, 2)."""
+        return self._core.cell_x(self._index)
+
+    @property
+    def v(self) -> Floats:
+        """Their velocities in the last step [um/s], shape (n, 2)."""
+        return self._core.cell_v(self._index)
+
+    @property
+    def rest_lengths(self) -> Floats:
+        """Rest lengths of the segments of the cortex [um], shape (n,); segment i joins particle i to the next."""
+        return self._core.cell_l0(self._index)
+
+    @property
+    def polarization(self) -> float | None:
+        """Angle of the direction of polarization from the x axis [rad]; None before the first protrusion."""
+        return self._core.cell_polarization(self._index)
+
+    @property
+    def protrusions(self) -> list[dict[str, Any]]:
+        """Those that live: id, centre (index of the central particle), phase, since_s, and anchor_um while adhered."""
+        return self._core.cell_protrusions(self._index)
+
+
+class Simulation:
+    """A simulation in memory: nothing is written. The same scenario has the bits of ``matrigrate run``.
+
+    >>> simulation = Simulation(overrides={"ecm.radius": "60 um"})         # doctest: +SKIP
+    >>> simulation.advance(hours=0.1)                                      # doctest: +SKIP
+    >>> simulation.cell.x.mean(axis=0)                                     # doctest: +SKIP
+
+    A force of one's own is a function of the simulation that returns an array [nN], or None:
+
+    >>> def pull(simulation):                                              # doctest: +SKIP
+    ...     return np.tile([1e-3, 0.0], (len(simulation.cell.x), 1))
+    >>> simulation = Simulation(cell_force=pull)                           # doctest: +SKIP
+    """
+
+    def __init__(self, scenario: Scenario | str | os.PathLike[str] | None = None, *, seed: int | None = None,
+                 overrides: Mapping[str, Any] | None = None,
+                 force: Callable[[Simulation], Floats | None] | None = None,
+                 cell_force: Callable[[Simulation], Floats | None] | None = None) -> None:
+        """:param scenario: a Scenario or the path of a scenario file; the defaults if left out
+        :param seed: of the random numbers
+        :param overrides: further parameters, ``{"ecm.youngs_modulus": "50 Pa"}``
+        :param force: called in each step; returns forces on the particles of the matrix [nN], shape (n, 2), or None
+        :param cell_force: the same for the particles of the cortex (of all cells, one after the other)
+        :raises ConfigurationError: with all that is wrong with the scenario
+        :raises CoreNotFound: if the package was installed without its compiled module
+        """
+        name, text = _text_of(scenario)
+        words = [f"{key}={value if isinstance(value, str) else toml_text(value)}"
+                 for key, value in (overrides or {}).items()]
+        words += [] if seed is None else [f"run.seed={seed}"]
+        self._core = core().Simulation(text, name, words)
+        me = weakref.ref(self)  # a cycle through the compiled object would never be freed
+        self._core.set_force(*(None if f is None else (lambda _, f=f: f(me())) for f in (force, cell_force)))
+        self.matrix = Matrix(self._core)  #: the particles of the matrix
+        self.cells = [Cell(self._core, k) for k in range(self._core.cell_count)]  #: the cells; one so far
+
+    @property
+    def cell(self) -> Cell:
+        """The first cell."""
+        return self.cells[0]
+
+    @property
+    def t(self) -> float:
+        """Simulated time [s]."""
+        return self._core.t
+
+    @property
+    def step_count(self) -> int:
+        """Steps done."""
+        return self._core.step
+
+    @property
+    def duration(self) -> float:
+        """run.duration of the scenario [s]; a simulation may go on beyond it."""
+        return self._core.duration
+
+    @property
+    def trajectory_hash(self) -> str:
+        """What run.json of a run that ended now would say: equal ones mean equal bits."""
+        return self._core.trajectory_hash()
+
+    def step(self) -> None:
+        """One step, of run.time_step or as long as the adaptive integrator takes it."""
+        before = self.step_count
+        until = self.t
+        while self.step_count == before:
+            until += self._core.longest_step
+            self.advance(until=until)
+
+    def advance(self, *, hours: float | None = None, until: float | None = None,
+                progress: Callable[[Simulation], None] | None = None) -> None:
+        """Goes on for some hours, until a time, or to the end of the scenario. Other threads of Python run meanwhile.
+
+        Ctrl-C, and an exception in a function of one's own, end it between two steps; the simulation can go on after.
+
+        :param hours: simulated time to go on for [h]
+        :param until: simulated time to go on to [s]
+        :param progress: called with the simulation at most ten times a second
+        :raises NumericalError: if a step fails
+        """
+        if hours is not None and until is not None:
+            raise ValueError("give hours or until, not both")
+        end = self.t + 3600.0 * hours if hours is not None else until if until is not None else self.duration
+        self._core.march_to(float(end), None if progress is None else lambda _: progress(self))
+
+
+class CoreNotFound(MatrigrateError, ImportError):
+    """The compiled module of this package is not there."""
+
+
+def core() -> ModuleType:
+    """The compiled module: beside this file, or where the environment variable MATRIGRATE_CORE says."""
+    name = "matrigrate._core"
+    if name in sys.modules:
+        return sys.modules[name]
+    places = [os.environ.get("MATRIGRATE_CORE", ""), *map(str, Path(__file__).parent.glob("_core*.so"))]
+    found = next((place for place in places if place and Path(place).is_file()), None)
+    if found is None:
+        raise CoreNotFound("this package was installed without its compiled module, so it cannot step a simulation "
+                           "(matrigrate.run does): install pybind11-dev and python3-dev, build (./demo or ./test in a clone of "
+                           "Matrigrate), and install it again")
+    spec = importlib.util.spec_from_file_location(name, found,
+                                                  loader=importlib.machinery.ExtensionFileLoader(name, found))
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    sys.modules[name] = module
+    return module
+
+
+def _text_of(scenario: Scenario | str | os.PathLike[str] | None) -> tuple[str, str]:
+    if scenario is None:
+        return "scenario", ""
+    if isinstance(scenario, Scenario):
+        return scenario.name, scenario.toml()
+    return str(scenario), Path(scenario).read_text(encoding="utf-8")
