@@ -42,6 +42,11 @@ endforeach()
 
 # matrigrate_prelude(TARGET hot|light) compiles a target so.
 function(matrigrate_prelude target kind)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "EXECUTABLE") # compiled as the libraries are, or it could not use their precompiled headers
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(${target} PRIVATE -fPIC)
+  endif()
   target_link_libraries(${target} PRIVATE Eigen3::Eigen fmt::fmt)
   target_compile_options(${target} PRIVATE ${optimisation_${kind}})
   target_precompile_headers(${target} REUSE_FROM matrigrate_prelude_${kind})
