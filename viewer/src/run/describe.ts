@@ -2,7 +2,7 @@
 import { phaseNames, type Tracks } from "../contract";
 import { readable, timeText } from "../numbers";
 import { placeAt, type Film } from "./frames";
-import type { Layer } from "./layers";
+import type { Layer } from "./matrix/layers";
 import { nearest } from "./plots";
 
 export function description(film: Film, tracks: Tracks, layer: Layer, time: number): string {

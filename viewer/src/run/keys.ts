@@ -1,7 +1,7 @@
 /** Keys of the player. Where they act from anywhere on the page, they leave controls their own keys. */
 import type { Clock } from "./clock";
 import { h } from "../dom";
-import type { Layer } from "./layers";
+import type { Layer } from "./matrix/layers";
 import type { Probe } from "./probe";
 import type { Stage } from "./stage";
 

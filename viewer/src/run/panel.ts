@@ -1,10 +1,10 @@
 /** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
 import { h, onDarkMode } from "../dom";
 import { onPrint } from "../paper";
-import type { ArrowKind } from "./arrows";
-import { edgeChoice, edges } from "./edge";
+import type { ArrowKind } from "./over/arrows";
+import { edgeChoice, edges } from "./over/edge";
 import type { Film } from "./frames";
-import { overlays, type Layer } from "./layers";
+import { overlays, type Layer } from "./matrix/layers";
 import { colourBar, signs } from "./legend";
 import { scaleControls } from "./scale_controls";
 import type { Stage } from "./stage";

@@ -1,8 +1,8 @@
 /** Colour map and limits of a layer, to be changed. */
 import { colourMaps, type MapKey } from "../colour";
 import { h } from "../dom";
-import type { Layer } from "./layers";
-import type { LayerScale } from "./scale";
+import type { Layer } from "./matrix/layers";
+import type { LayerScale } from "./matrix/scale";
 
 /** Which limits a person asked for: about zero, where the colours mean that, both ends move together. */
 export function asked(scale: LayerScale, layer: Layer, end: "low" | "high", value: number): [number, number] {

@@ -4,18 +4,18 @@ import { onPaper, onPrint } from "../paper";
 import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
-import { displacementScale, type ArrowKind, type Usual } from "./arrows";
-import { paintCell, type CellScene } from "./cell_painter";
+import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
+import { paintCell, type CellScene } from "./over/cell_painter";
 import type { Clock } from "./clock";
-import { edges, type Edge } from "./edge";
+import { edges, type Edge } from "./over/edge";
 import { outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
-import { overlays, type Layer, type Shown } from "./layers";
-import type { Pen } from "./pen";
-import type { ParticlePainter } from "./particle_scene";
-import { particlePainter, plainInstead } from "./particles";
-import { isDarkGround, LayerScale, type Scale } from "./scale";
-import { resample, valueOfNearest, valueOn, type Patch } from "./resample";
+import { overlays, type Layer, type Shown } from "./matrix/layers";
+import type { Pen } from "./over/pen";
+import type { ParticlePainter } from "./matrix/particle_scene";
+import { particlePainter, plainInstead } from "./matrix/particles";
+import { isDarkGround, LayerScale, type Scale } from "./matrix/scale";
+import { resample, valueOfNearest, valueOn, type Patch } from "./matrix/resample";
 
 /** Where the cell is at any stored time, with a margin: the first view. */
 function haunts(film: Film): Box {

@@ -2,9 +2,9 @@
  * The matrix on the graphics card. All frames are uploaded once, as they were stored; a picture then costs a few offsets
  * into them and one call, and the card does the interpolation.
  */
-import { gelOnDark, gelOnLight, lookUp } from "../colour";
-import type { Field } from "../unpack";
-import { solidFrom, type Film } from "./frames";
+import { gelOnDark, gelOnLight, lookUp } from "../../colour";
+import type { Field } from "../../unpack";
+import { solidFrom, type Film } from "../frames";
 import { isSoftware, program, texture } from "./gl";
 import { fluidSize, intactSize, type ParticlePainter, type ParticleScene } from "./particle_scene";
 import { smoothOnCard } from "./smooth_gl";

@@ -1,5 +1,5 @@
 /** Chooses how the matrix is drawn: by the graphics card, or on a plain canvas where there is none. */
-import type { Film } from "./frames";
+import type { Film } from "../frames";
 import type { ParticlePainter } from "./particle_scene";
 import { plainPainter } from "./particles_2d";
 import { cardPainter } from "./particles_gl";

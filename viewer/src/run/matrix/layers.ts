@@ -1,7 +1,7 @@
 /** What the matrix can be coloured by: one entry a quantity, with its colours, limits and legend. */
-import type { MapKey } from "../colour";
-import { valueAt, type Field } from "../unpack";
-import { solidFrom, usualDisplacement, type Film } from "./frames";
+import type { MapKey } from "../../colour";
+import { valueAt, type Field } from "../../unpack";
+import { solidFrom, usualDisplacement, type Film } from "../frames";
 
 export interface Layer {
   key: string;

@@ -1,9 +1,9 @@
 /** Arrows: how the matrix is displaced or moves, what adhesions pull with, where the cell is polarized to; with their keys. */
-import type { Tracks } from "../contract";
-import { roundStep } from "../numbers";
-import { valueAt } from "../unpack";
-import type { Camera } from "./camera";
-import { between, solidFrom, type Film, type Place } from "./frames";
+import type { Tracks } from "../../contract";
+import { roundStep } from "../../numbers";
+import { valueAt } from "../../unpack";
+import type { Camera } from "../camera";
+import { between, solidFrom, type Film, type Place } from "../frames";
 import { arrow, edged, ink, labelFont, type Pen } from "./pen";
 
 export type ArrowKind = "displacement" | "velocity";

@@ -1,9 +1,9 @@
 /** Keeps the address of the page at the moment that is shown, and copies it. */
-import { h } from "../dom";
-import type { Clock } from "./clock";
-import type { Layer } from "./layers";
+import { h } from "../../dom";
+import type { Clock } from "../clock";
+import type { Layer } from "../matrix/layers";
 import { momentHash, momentOf } from "./moment";
-import type { Stage } from "./stage";
+import type { Stage } from "../stage";
 
 /** Browsers allow few changes of the address in a short time [ms]. */
 const pause = 250;

@@ -1,6 +1,6 @@
 /** What a painter of the matrix is given, and what all painters agree on. */
-import type { Camera } from "./camera";
-import type { Place } from "./frames";
+import type { Camera } from "../camera";
+import type { Place } from "../frames";
 import type { Layer } from "./layers";
 import type { Patch } from "./resample";
 import type { Scale } from "./scale";

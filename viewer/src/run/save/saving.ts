@@ -1,12 +1,12 @@
 /** Buttons that take the present view away: link, PNG, SVG, WebM. */
-import type { RunPage } from "../contract";
-import { h } from "../dom";
-import type { Clock } from "./clock";
+import type { RunPage } from "../../contract";
+import { h } from "../../dom";
+import type { Clock } from "../clock";
 import { linkButton } from "./link";
 import { momentTime } from "./moment";
 import { png, svg } from "./picture";
 import { record, recordable, type Recording } from "./record";
-import type { Stage } from "./stage";
+import type { Stage } from "../stage";
 
 /** A title and a time as the name of a file. */
 export const fileName = (title: string, layer: string, time: number, ending: string): string =>

@@ -1,8 +1,8 @@
 /** Draws what lies over the matrix: the cell with front and rear, its protrusions, adhesions, path, and arrows. */
-import { frontColour, phaseColours, phaseColoursOnDark, rearColour } from "../colour";
-import type { FrameProtrusion, Tracks } from "../contract";
-import { roundStep } from "../numbers";
-import { valueAt } from "../unpack";
+import { frontColour, phaseColours, phaseColoursOnDark, rearColour } from "../../colour";
+import type { FrameProtrusion, Tracks } from "../../contract";
+import { roundStep } from "../../numbers";
+import { valueAt } from "../../unpack";
 import {
   paintArrowKeys,
   paintArrows,
@@ -15,10 +15,10 @@ import {
   type ArrowKind,
   type Usual,
 } from "./arrows";
-import type { Camera } from "./camera";
+import type { Camera } from "../camera";
 import { paintEdge, type Edge } from "./edge";
-import { outlineAt, type Film, type Place } from "./frames";
-import type { Shown } from "./layers";
+import { outlineAt, type Film, type Place } from "../frames";
+import type { Shown } from "../matrix/layers";
 import { edged, ink, labelFont, type Pen } from "./pen";
 
 export interface CellScene {

@@ -1,7 +1,7 @@
 /** Films the stage while it plays, as WebM. */
-import type { Clock } from "./clock";
+import type { Clock } from "../clock";
 import { paintPicture } from "./picture";
-import type { Stage } from "./stage";
+import type { Stage } from "../stage";
 
 const types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
 

@@ -1,10 +1,10 @@
 /** The edge of the cell coloured by what its cortex does: maturation, or the force of its actomyosin. */
-import { css, gradient, lookUp, viridis, type Rgb } from "../colour";
-import { h } from "../dom";
-import { readable } from "../numbers";
-import type { Field } from "../unpack";
-import type { Camera } from "./camera";
-import { between, type Film, type Place } from "./frames";
+import { css, gradient, lookUp, viridis, type Rgb } from "../../colour";
+import { h } from "../../dom";
+import { readable } from "../../numbers";
+import type { Field } from "../../unpack";
+import type { Camera } from "../camera";
+import { between, type Film, type Place } from "../frames";
 import type { Pen } from "./pen";
 
 export interface Edge {

@@ -1,5 +1,5 @@
 /** The interpolated matrix on a plain canvas: computed at every few pixels, and enlarged smoothly by the browser. */
-import { gelOnDark, gelOnLight, lookUp } from "../colour";
+import { gelOnDark, gelOnLight, lookUp } from "../../colour";
 import type { ParticleScene } from "./particle_scene";
 import { channels, coverage, solidShare, type Patch } from "./resample";
 import { hatchPeriod, hatchStrength, hatchWidth, isBright } from "./scale";

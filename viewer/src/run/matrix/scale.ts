@@ -1,7 +1,7 @@
 /** From a value to a colour: the limits and the colour map with which a layer is drawn. */
-import { colourMaps, mapped, type MapKey, type Rgb } from "../colour";
+import { colourMaps, mapped, type MapKey, type Rgb } from "../../colour";
 import { extremes, type Layer } from "./layers";
-import type { Film } from "./frames";
+import type { Film } from "../frames";
 
 export interface Scale {
   low: number;

@@ -1,9 +1,9 @@
 /** The present view as a picture of its own: PNG, SVG with the field inside as pixels, and what a recording films. */
-import { css, mapped } from "../colour";
-import { readable, timeText } from "../numbers";
-import { labelFont, ink, type Pen } from "./pen";
-import type { Stage, View } from "./stage";
-import { escaped, SvgPen } from "./svg_pen";
+import { css, mapped } from "../../colour";
+import { readable, timeText } from "../../numbers";
+import { labelFont, ink, type Pen } from "../over/pen";
+import type { Stage, View } from "../stage";
+import { escaped, SvgPen } from "../over/svg_pen";
 
 /** Beneath the view: the time, and the colours with their limits [pixels of the page]. */
 const strip = 44;

@@ -5,8 +5,8 @@
  * so it also holds where degraded matrix flows. The sums are formed at the nodes of a grid over what is seen; between
  * nodes they are bilinear. Where a layer has values in the solid alone, only the solid adds to the value.
  */
-import { between, solidFrom, type Film, type Place } from "./frames";
-import type { Camera } from "./camera";
+import { between, solidFrom, type Film, type Place } from "../frames";
+import type { Camera } from "../camera";
 import type { Layer } from "./layers";
 
 /** Per node: sum of w v, sum of w over particles with a value, sum of w over all, unused. */

@@ -1,5 +1,5 @@
 /** The interpolated matrix on the graphics card: the sums go up as a texture, and each pixel divides them. */
-import { gelOnDark, gelOnLight } from "../colour";
+import { gelOnDark, gelOnLight } from "../../colour";
 import { program } from "./gl";
 import type { ParticleScene } from "./particle_scene";
 import { coverage, solidShare, type Patch } from "./resample";

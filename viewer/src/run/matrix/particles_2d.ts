@@ -1,6 +1,6 @@
 /** The matrix on a plain canvas: slower than the card, the same picture. */
-import { css, gelOnDark, gelOnLight, lookUp, type Rgb } from "../colour";
-import { between, solidFrom, type Film } from "./frames";
+import { css, gelOnDark, gelOnLight, lookUp, type Rgb } from "../../colour";
+import { between, solidFrom, type Film } from "../frames";
 import { fluidSize, intactSize, type ParticlePainter, type ParticleScene } from "./particle_scene";
 import { particleValue } from "./resample";
 import { smoothPainter } from "./smooth_2d";
