@@ -95,6 +95,12 @@ Json health_json(std::span<const HealthRow> rows) {
   return list;
 }
 
+Json frames_json(const RunReport& report) {
+  Json json = film_json(*report.film);
+  if (Json fibres = fibres_json(report.p); !fibres.is_null()) json["fibres"] = std::move(fibres);
+  return json;
+}
+
 /// A value as in a scenario, without quotes.
 std::string bare(std::string text) {
   std::erase(text, '"');
@@ -137,7 +143,7 @@ Json run_data(const RunReport& report) {
             {"spacing_um", report.p.ecm.particle_spacing},
             {"n_particles", n},
             {"n_outline", report.p.cell.particles}}},
-          {"frames", plays ? film_json(*report.film) : Json()},
+          {"frames", plays ? frames_json(report) : Json()},
           {"tracks", tracks_json(report.rows)},
           {"protrusions", protrusions_json(report)},
           {"readouts", readouts_json(report)},

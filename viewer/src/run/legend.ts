@@ -43,7 +43,7 @@ export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
       ? h(
           "p",
           { class: "note" },
-          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.edited ? " and are hatched" : ""}.`,
+          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.limits.edited ? " and are hatched" : ""}.`,
         )
       : null,
     layer.solidOnly

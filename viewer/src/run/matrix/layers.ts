@@ -10,8 +10,10 @@ export interface Layer {
   /** Words for the two ends of the colour bar, where numbers alone say too little. */
   ends?: [string, string];
   note: string;
-  /** null: the displacement, which is made from positions. */
+  /** null: made from positions, as the displacement is. */
   field: Field | null;
+  /** Smallest and largest value over the run, where they are known. */
+  range?: { low: number; high: number };
   low: number;
   high: number;
   /** Of the matrix as it was at the start: what most of the picture shows. */
@@ -93,6 +95,7 @@ export function layers(film: Film): Layer[] {
 
 /** Smallest and largest value over the whole run, as far as it was stored. */
 export function extremes(film: Film, layer: Layer): { low: number; high: number } {
+  if (layer.range) return layer.range;
   if (layer.field) {
     let [low, high] = [Infinity, -Infinity];
     for (const q of layer.field.q) {
@@ -115,6 +118,7 @@ export function extremes(film: Film, layer: Layer): { low: number; high: number 
 
 /** What is drawn over the matrix. */
 export const overlays = [
+  { key: "fibres", name: "Fibres", on: true },
   { key: "cell", name: "Cell", on: true },
   { key: "protrusions", name: "Protrusions", on: true },
   { key: "adhesions", name: "Adhesions", on: true },

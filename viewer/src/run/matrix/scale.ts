@@ -11,22 +11,30 @@ export interface Scale {
   hatched: boolean;
 }
 
-/** How one layer is coloured, as a person may have changed it. */
-export class LayerScale {
+/** Limits and colour map of a layer, as a person may have changed them. Runs beside each other may share them. */
+export class Limits {
   low: number;
   high: number;
   map: MapKey;
-  private range: { low: number; high: number } | null = null;
+  /** Those that it begins with. */
+  private readonly home: { low: number; high: number; map: MapKey };
 
-  constructor(
-    private readonly layer: Layer,
-    private readonly film: Film,
-  ) {
-    [this.low, this.high, this.map] = [layer.low, layer.high, layer.maps[0]];
+  constructor(layer: Layer) {
+    const { low, high } = layer;
+    this.home = { low, high, map: layer.maps[0] };
+    ({ low: this.low, high: this.high, map: this.map } = this.home);
+  }
+
+  /** Widens the limits, unless they have been set, so that the same layer of another run fits in. */
+  include(layer: Layer): void {
+    const { edited, home } = this;
+    home.low = Math.min(home.low, layer.low);
+    home.high = Math.max(home.high, layer.high);
+    if (!edited) ({ low: this.low, high: this.high } = home);
   }
 
   reset(): void {
-    [this.low, this.high, this.map] = [this.layer.low, this.layer.high, this.layer.maps[0]];
+    ({ low: this.low, high: this.high, map: this.map } = this.home);
   }
 
   /** Returns whether these can be limits. */
@@ -37,7 +45,26 @@ export class LayerScale {
   }
 
   get edited(): boolean {
-    return this.low !== this.layer.low || this.high !== this.layer.high;
+    return this.low !== this.home.low || this.high !== this.home.high;
+  }
+}
+
+/** How a layer of a run is coloured. */
+export class LayerScale {
+  private range: { low: number; high: number } | null = null;
+
+  constructor(
+    private readonly layer: Layer,
+    private readonly film: Film,
+    readonly limits = new Limits(layer),
+  ) {}
+
+  get low(): number {
+    return this.limits.low;
+  }
+
+  get high(): number {
+    return this.limits.high;
   }
 
   /** At which ends of the bar values of this run lie beyond it, or were cut off when they were stored. */
@@ -55,7 +82,7 @@ export class LayerScale {
   }
 
   on(dark: boolean): Scale {
-    return { low: this.low, high: this.high, map: colourMaps[this.map].on(dark), hatched: this.edited };
+    return { low: this.low, high: this.high, map: colourMaps[this.limits.map].on(dark), hatched: this.limits.edited };
   }
 }
 

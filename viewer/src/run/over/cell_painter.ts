@@ -19,6 +19,8 @@ import type { Camera } from "../camera";
 import { paintEdge, type Edge } from "./edge";
 import { outlineAt, type Film, type Place } from "../frames";
 import type { Shown } from "../matrix/layers";
+import type { Scale } from "../matrix/scale";
+import { paintFibres } from "./fibres";
 import { edged, ink, labelFont, type Pen } from "./pen";
 
 export interface CellScene {
@@ -32,6 +34,8 @@ export interface CellScene {
   spacing: number;
   arrows: ArrowKind;
   usual: Usual;
+  /** Colours of the strain of the fibres; null: they are not drawn. */
+  fibres: Scale | null;
   dark: boolean;
   /** The layer under the arrows is dark. */
   darkGround: boolean;
@@ -164,6 +168,8 @@ export function paintCell(c: Pen, scene: CellScene): void {
   const outline = outlineAt(film, place);
   const alive = film.protrusions[place.frame];
   const part = (name: string) => c.part?.(name);
+  part("fibres");
+  if (scene.fibres) paintFibres(c, scene, scene.fibres);
   part("arrows");
   if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
   part("cell");

@@ -60,9 +60,12 @@ export class SvgPen implements Pen {
 
   stroke(): void {
     if (this.path === "") return;
+    // Transparency as an attribute of its own, which every reader knows.
+    const [, colour, opacity] = /^rgba\((.*),([\d.]+)\)$/.exec(String(this.strokeStyle)) ?? [];
+    const stroke = colour ? `rgb(${colour})" stroke-opacity="${opacity}` : String(this.strokeStyle);
     const dash = this.dash.length > 0 ? ` stroke-dasharray="${this.dash.join(" ")}"` : "";
     this.out.push(
-      `<path d="${this.path}" fill="none" stroke="${String(this.strokeStyle)}" stroke-width="${number(this.lineWidth)}" ` +
+      `<path d="${this.path}" fill="none" stroke="${stroke}" stroke-width="${number(this.lineWidth)}" ` +
         `stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}"${dash}/>`,
     );
   }
