@@ -88,6 +88,12 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   await box.check();
   assert.ok((await shot()) === drawn);
   assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /fibres by their strain/);
+  const bars = () => page.locator(".legend-layer .bar").evaluateAll((all) => all.map((e) => e.getAttribute("style")));
+  await page.locator("input[value=pressure]").check();
+  const [pressure, strain] = await bars();
+  assert.notEqual(strain, pressure, "fibres are lost on a layer of the same colours");
+  await page.locator("input[value=degradation]").check();
+  assert.equal((await bars())[1], pressure);
   await page.locator("input[value=particles]").check();
   const particles = await shot();
   await page.keyboard.press("b");

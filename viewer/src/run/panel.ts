@@ -50,7 +50,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
     fibres.hidden = !stage.drawsFibres;
     const every = stage.fibreRows();
     const part = every > 1 ? ` Drawn in this view: those of every ${ordinal(every)} row of particles.` : "";
-    fibres.replaceChildren(colourBar(fibreLayer, stage.scale(fibreLayer)), h("p", { class: "note" }, part));
+    fibres.replaceChildren(colourBar(fibreLayer, stage.fibreScale(fibreLayer)), h("p", { class: "note" }, part));
   };
   const refresh = () => {
     refreshBar();

@@ -154,6 +154,14 @@ export class Stage {
     return scale;
   }
 
+  /** Of the strain of the fibres; in other colours than the layer beneath them. */
+  fibreScale(layer: Layer): LayerScale {
+    const scale = this.scale(layer);
+    const taken = this.scale().limits.map;
+    scale.limits.map = layer.maps.find((map) => map !== taken) ?? layer.maps[0];
+    return scale;
+  }
+
   /** After a person has changed limits or colours here. */
   scaleChanged(): void {
     this.draw();
@@ -282,7 +290,7 @@ export class Stage {
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
-    const fibres = this.drawsFibres && this.fibreLayer ? this.scale(this.fibreLayer).on(dark) : null;
+    const fibres = this.drawsFibres && this.fibreLayer ? this.fibreScale(this.fibreLayer).on(dark) : null;
     return { film, place, time, camera, tracks, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
   }
 
@@ -292,7 +300,10 @@ export class Stage {
     const { camera, pixels, top } = this;
     const dark = isDark();
     const coloured = this.drawsFibres && this.fibreLayer ? [this.layer, this.fibreLayer] : [this.layer];
-    const bars = coloured.map((layer) => ({ layer, scale: this.scale(layer).on(dark), clamped: this.scale(layer).clamped() }));
+    const bars = coloured.map((layer) => {
+      const scale = layer === this.fibreLayer ? this.fibreScale(layer) : this.scale(layer);
+      return { layer, scale: scale.on(dark), clamped: scale.clamped() };
+    });
     const [title, time] = [this.run.title, this.clock.time];
     return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
   }
