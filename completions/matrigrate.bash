@@ -32,7 +32,11 @@ _matrigrate() {
   matrigrate_resume:--threads) COMPREPLY=(); return ;;
   matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
-  matrigrate_export:--layer) COMPREPLY=($(compgen -W "displacement von_mises pressure fibre_von_mises" -- "$cur")); return ;;
+  matrigrate_export:--panel) COMPREPLY=(); return ;;
+  matrigrate_export:--fps) COMPREPLY=(); return ;;
+  matrigrate_export:--seconds) COMPREPLY=(); return ;;
+  matrigrate_export:--size) COMPREPLY=(); return ;;
+  matrigrate_export:--layer) COMPREPLY=($(compgen -W "degradation displacement von_mises pressure fibre_von_mises" -- "$cur")); return ;;
   matrigrate_export:-o|matrigrate_export:--output) _matrigrate_files -d; return ;;
   matrigrate_validate:-o|matrigrate_validate:--output) _matrigrate_files -d; return ;;
   matrigrate_validate:--scenario) _matrigrate_files -f; return ;;
@@ -78,7 +82,7 @@ _matrigrate() {
   matrigrate_report)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_export)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --svg --png --movie --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --svg --png --panel --movie --fps --seconds --size --follow --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_validate)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover competition stunting initiation all" -- "$cur")); fi ;;
   matrigrate_selftest)

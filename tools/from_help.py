@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 root = pathlib.Path(__file__).resolve().parents[1]
 note = "Made from matrigrate --help by tools/from_help.py; do not edit."
 choices_of = {  # values that the help names, and those of `matrigrate list`
-    "--layer": ["displacement", "von_mises", "pressure", "fibre_von_mises"],
+    "--layer": ["degradation", "displacement", "von_mises", "pressure", "fibre_von_mises"],
     "--integrator": ["adaptive", "reference"],
 }
 takes_file = {"FILE"}

@@ -48,22 +48,30 @@ std::string disc(const CellScene& scene, const Panel& panel) {
                      matrix_colours.front());
 }
 
-/// Particles as squares: short lines as wide as they are long. Degraded ones overlap a little and read as one area;
-/// intact ones leave gaps, in which the deformation of the lattice shows.
+/// Particles of one colour as squares: short lines as wide as they are long.
+/// @param share  of the spacing that a side is long
+std::string squares(const std::vector<Vec2>& particles, double share, std::string_view colour, const CellScene& scene,
+                    const Panel& panel) {
+  const double size = share * scene.spacing * panel.scale();
+  const std::string stroke = fmt::format("h{:.2f}", size);
+  std::string data;
+  for (const Vec2& x : particles) {
+    const Vec2 a = panel.at(x);
+    if (x.allFinite() && seen(a, panel, size)) data += 'M' + svg::point(a.x() - 0.5 * size, a.y()) + stroke;
+  }
+  if (data.empty()) return data;
+  return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", colour, size, data);
+}
+
+constexpr double overlapping = 1.08;    ///< side of a square over the spacing: a little, so that they read as one area
+constexpr double without_cracks = 1.25; ///< the same where matrix that is stretched is to leave no gaps either
+
+/// Degraded particles overlap; intact ones leave gaps, in which the deformation of the lattice shows.
 std::string matrix(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
   std::string out = intact == IntactMatrix::area ? disc(scene, panel) : std::string();
   for (std::size_t c = 0; c < matrix_classes; ++c) {
     if (c == 0 && intact == IntactMatrix::area) continue;
-    const double size = (c == 0 ? 0.82 : 1.08) * scene.spacing * panel.scale();
-    const std::string stroke = fmt::format("h{:.2f}", size);
-    std::string data;
-    for (const Vec2& x : scene.matrix[c]) {
-      const Vec2 a = panel.at(x);
-      if (x.allFinite() && seen(a, panel, size)) data += 'M' + svg::point(a.x() - 0.5 * size, a.y()) + stroke;
-    }
-    if (data.empty()) continue;
-    out += fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", matrix_colours[c],
-                       size, data);
+    out += squares(scene.matrix[c], c == 0 ? 0.82 : overlapping, matrix_colours[c], scene, panel);
   }
   return out;
 }
@@ -106,12 +114,16 @@ struct Entry {
   std::string words;
 };
 
-std::vector<Entry> legend_entries() {
+std::vector<Entry> legend_entries(MatrixColours matrix) {
   std::vector<Entry> entries;
   std::string shades;
   for (std::size_t c = 0; c < matrix_classes; ++c)
     shades += svg::rectangle(6.0 * static_cast<double>(c), -7.0, 6.2, 14.0, matrix_colours[c]);
-  entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
+  if (matrix == MatrixColours::degradation)
+    entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
+  else
+    entries.push_back(
+        {svg::rectangle(0.0, -7.0, 30.0, 14.0, fluid_colour()) + svg::frame(0.0, -7.0, 30.0, 14.0), "fluid matrix"});
   entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, front_colour), "front"});
   entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, rear_colour), "rear"});
   for (std::size_t k = 0; k < phases; ++k)
@@ -127,16 +139,33 @@ std::vector<Entry> legend_entries() {
 
 } // namespace
 
-std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
+std::string_view fluid_colour() { return matrix_colours.back(); }
+
+namespace {
+
+std::string drawing_over(const std::string& ground, const CellScene& scene, const Panel& panel) {
   // A nested svg element cuts off what lies outside, without an id.
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
-  out += matrix(scene, panel, intact);
+  out += ground;
   for (const DrawnCell& cell : scene.cells)
     if (!cell.outline.empty()) out += area(cell.outline, panel, rear_colour) + area(cell.front, panel, front_colour);
   for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
   for (const DrawnCell& cell : scene.cells) out += path(cell, panel);
   return out + "</svg>\n";
+}
+
+} // namespace
+
+std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
+  return drawing_over(matrix(scene, panel, intact), scene, panel);
+}
+
+std::string drawing(const CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix) {
+  std::string ground;
+  for (const ColouredParticles& some : matrix)
+    ground += squares(some.position, without_cracks, some.colour, scene, panel);
+  return drawing_over(ground, scene, panel);
 }
 
 std::string scale_bar(double x, double y, double most, const Panel& panel) {
@@ -147,7 +176,7 @@ std::string scale_bar(double x, double y, double most, const Panel& panel) {
          + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
 }
 
-CellLegend cell_legend(double width) {
+CellLegend cell_legend(double width, MatrixColours matrix) {
   constexpr double sign_width = 30.0;
   constexpr double gap = 7.0;
   constexpr double entry_gap = 20.0;
@@ -155,7 +184,7 @@ CellLegend cell_legend(double width) {
   CellLegend legend;
   double x = 0.0;
   double y = 0.0;
-  for (const Entry& entry : legend_entries()) {
+  for (const Entry& entry : legend_entries(matrix)) {
     const double entry_width = sign_width + gap + svg::text_width(entry.words, svg::tick_size);
     if (x > 0.0 && x + entry_width > width) {
       x = 0.0;

@@ -2,7 +2,10 @@
 
 #include "observe/cell_scene.hpp"
 
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// The pieces of which pictures of the cell are made. Test: tests/unit/draw/cell_picture_test.cpp
 namespace matrigrate::io {
@@ -23,8 +26,20 @@ struct Panel {
   }
 };
 
+/// Particles of the matrix that have one colour.
+struct ColouredParticles {
+  std::string colour;         ///< "#rrggbb"
+  std::vector<Vec2> position; ///< [um]
+};
+
+/// The colour of matrix that is degraded to fluid.
+std::string_view fluid_colour();
+
 /// Matrix, cells, protrusions, adhesions and paths, cut off at the panel's frame.
 std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact);
+
+/// The same over a matrix in colours of its own in place of the scene's.
+std::string drawing(const CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix);
 
 /// A bar of a round length and its length in um.
 /// @param x, y  upper left corner [pixel]
@@ -36,6 +51,9 @@ struct CellLegend {
   std::string svg;     ///< with its upper left corner at (0, 0)
   double height = 0.0; ///< [pixel]
 };
-CellLegend cell_legend(double width);
+
+/// What the matrix is coloured by: by how intact it is, or by a field that only solid has.
+enum class MatrixColours { degradation, field };
+CellLegend cell_legend(double width, MatrixColours matrix = MatrixColours::degradation);
 
 } // namespace matrigrate::io

@@ -1,5 +1,6 @@
 #include "draw/axis.hpp"
 #include "draw/colour.hpp"
+#include "draw/colour_bar.hpp"
 #include "draw/plot.hpp"
 #include "draw/svg.hpp"
 
@@ -15,10 +16,8 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr int levels = 33;          ///< steps of the colour map; odd, so that a diverging one has a neutral step
 constexpr double margin = 12.0;     ///< free on all sides of the drawing [pixel]
 constexpr double bar_gap = 20.0;    ///< between the particles and the colour bar [pixel]
-constexpr double bar_width = 18.0;  ///< of the colour bar [pixel]
 constexpr double scale_room = 40.0; ///< below the particles, for the scale bar [pixel]
 constexpr std::string_view missing = "#b8b8b8";
 
@@ -78,15 +77,6 @@ Axis value_axis(const ParticlePicture& p) {
   return axis;
 }
 
-double level_centre(int level) { return (level + 0.5) / levels; }
-
-/// Step of the colour map for a value, or -1 if it is not finite.
-int level_of(double value, const Axis& axis) {
-  if (!std::isfinite(value)) return -1;
-  const double share = std::clamp((value - axis.low) / (axis.high - axis.low), 0.0, 1.0);
-  return std::min(static_cast<int>(share * levels), levels - 1);
-}
-
 /// From um to pixels, the same in both directions.
 struct Frame {
   Vec2 low = Vec2::Zero(); ///< lower left corner of the box of the particles [um]
@@ -101,18 +91,18 @@ struct Frame {
 std::size_t slot(int level) { return level < 0 ? 0 : std::size_t{1} + static_cast<std::size_t>(level); }
 
 std::string dots(const ParticlePicture& p, const Axis& axis, const Frame& frame) {
-  std::array<std::string, levels + 1> path;
+  std::array<std::string, colour_levels + 1> path;
   for (std::size_t i = 0; i < p.position.size(); ++i) {
     if (!finite(p.position[i])) continue;
     const Vec2 a = frame.at(p.position[i]);
-    path[slot(level_of(p.value[i], axis))] += 'M' + svg::point(a.x(), a.y()) + "h0";
+    path[slot(colour_level(p.value[i], axis))] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
   const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\">\n",
                                 p.particle_size * frame.scale);
-  for (int level = -1; level < levels; ++level) {
+  for (int level = -1; level < colour_levels; ++level) {
     const auto& data = path[slot(level)];
-    const std::string c = level < 0 ? std::string(missing) : colour(map, level_centre(level));
+    const std::string c = level < 0 ? std::string(missing) : level_colour(map, level);
     if (!data.empty()) out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", c, data);
   }
   return out + "</g>\n";
@@ -155,21 +145,6 @@ std::string outline(const std::vector<Vec2>& points, const Frame& frame) {
                      path, svg::dark);
 }
 
-std::string colour_bar(const ParticlePicture& p, const Axis& axis, double left) {
-  const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
-  const double step = (axis.begin - axis.end) / levels;
-  std::string out;
-  for (int level = 0; level < levels; ++level) // each step reaches half a pixel under the next, so that no gap shows
-    out += svg::rectangle(left, axis.begin - (level + 1) * step, bar_width, step + (level > 0 ? 0.5 : 0.0),
-                          colour(map, level_centre(level)));
-  out += svg::frame(left, axis.end, bar_width, axis.begin - axis.end);
-  for (const Tick& t : axis.ticks) {
-    out += svg::line(left + bar_width, axis.at(t.value), left + bar_width + 5.0, axis.at(t.value), svg::dark, 1.0);
-    out += svg::text(left + bar_width + 9.0, axis.at(t.value) + 5.5, t.label, {});
-  }
-  return out;
-}
-
 std::string scale_bar(double um, const Frame& frame, double y) {
   const double length = um * frame.scale;
   return svg::rectangle(frame.left, y, length, 5.0, svg::dark)
@@ -188,7 +163,7 @@ std::string to_svg(const ParticlePicture& p, int width) {
 
   // The lines of the label go upward beside the bar, so their number depends on its height and the other way round: a
   // first guess of the height decides.
-  const double room_without_label = width - 2.0 * margin - bar_gap - bar_width - 9.0 - label_width(values);
+  const double room_without_label = width - 2.0 * margin - bar_gap - colour_bar_width - 9.0 - label_width(values);
   const auto height_for = [&](double room) { return std::clamp(room * size.y() / size.x(), 140.0, 1.2 * width); };
   const auto label = svg::wrapped(p.value_label, 0.9 * height_for(room_without_label), svg::label_size);
   const double room = room_without_label - svg::text_height(label.size(), svg::label_size) - 4.0;
@@ -205,12 +180,13 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const svg::TextStyle heading{.size = svg::title_size, .bold = true};
   const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
   const double bar_left = margin + room + bar_gap;
+  const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
   body += dots(p, values, frame) + arrows(p, frame);
   for (const std::vector<Vec2>& points : p.outlines) body += outline(points, frame);
-  body += colour_bar(p, values, bar_left);
-  body += svg::text_lines(bar_left + bar_width + 9.0 + label_width(values) + svg::label_size + 4.0, top + 0.5 * height,
-                          label, upward);
+  body += colour_bar(values, map, bar_left);
+  body += svg::text_lines(bar_left + colour_bar_width + 9.0 + label_width(values) + svg::label_size + 4.0,
+                          top + 0.5 * height, label, upward);
   body += scale_bar(round_step(0.1 * room / frame.scale), frame, top + height + 0.4 * scale_room);
   if (p.position.empty())
     body += svg::text(margin + 0.5 * room, top + 0.5 * height, "no particles to draw", {.anchor = svg::Anchor::middle});

@@ -10,13 +10,6 @@ namespace matrigrate::io {
 
 namespace {
 
-/// Class of a degree of intactness: 0 only for the intact, the last one only for fluid.
-std::size_t matrix_class(double f) {
-  if (f >= 1.0) return 0;
-  if (f <= 0.0) return matrix_classes - 1;
-  return 1 + std::min(static_cast<std::size_t>((1.0 - f) * (matrix_classes - 2)), matrix_classes - 3);
-}
-
 /// The part of a polygon that lies ahead of a line, along a direction (Sutherland and Hodgman 1974).
 /// @param ahead  of the origin along the direction, where the line lies [um]
 std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& direction, double ahead) {
@@ -66,6 +59,12 @@ DrawnProtrusion drawn(const Cell& cell, const Protrusion& protrusion, const Para
 }
 
 } // namespace
+
+std::size_t matrix_class(double f) {
+  if (f >= 1.0) return 0;
+  if (f <= 0.0) return matrix_classes - 1;
+  return 1 + std::min(static_cast<std::size_t>((1.0 - f) * (matrix_classes - 2)), matrix_classes - 3);
+}
 
 CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vector<Vec2>> paths) {
   CellScene scene;

@@ -18,6 +18,9 @@ namespace matrigrate::io {
 /// Matrix particles are drawn in classes of f_degr: intact, three between, fluid.
 inline constexpr std::size_t matrix_classes = 5;
 
+/// Class of a degree of intactness: 0 only for the intact, the last one only for fluid.
+std::size_t matrix_class(double f);
+
 /// A protrusion: the stretch of the cortex that belongs to it, and its adhesion.
 struct DrawnProtrusion {
   std::size_t phase = 0;      ///< index of the phase

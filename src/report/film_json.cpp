@@ -1,6 +1,9 @@
 #include "report/film_json.hpp"
 
+#include "ecm/fibres.hpp"
 #include "report/packed.hpp"
+#include "sph/kernel.hpp"
+#include "state/initial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +128,17 @@ Json film_json(const Film& film) {
           {"particles", particles_json(film)},
           {"outline", outline_json(film)},
           {"protrusions", std::move(protrusions)}};
+}
+
+Json fibres_json(const Parameters& p) {
+  if (p.fibres.arrangement == FibreArrangement::none) return {};
+  const Kernel kernel(p.ecm.smoothing_length);
+  Json bonds = Json::array();
+  for (const Vec2& X : lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length)) {
+    const bool once = X.y() > 0.0 || (X.y() == 0.0 && X.x() > 0.0); // the opposite bond is that of the other end
+    if (once && kernel.W(X.norm()) > 0.0 && joined(X, p.fibres)) bonds.push_back({X.x(), X.y()});
+  }
+  return {{"bonds_um", std::move(bonds)}, {"onset", p.fibres.onset}};
 }
 
 } // namespace matrigrate::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "observe/frame.hpp"
+#include "parameters/parameters.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,10 @@ inline void keep_what_is_played(Frame& frame) { Floats().swap(frame.matrix.veloc
 
 /// @return null if there are no frames
 nlohmann::ordered_json film_json(const Film& film);
+
+/// The fibres, which are the same at all times: between which particles, and from which strain on they stiffen. A
+/// fibre's strain follows from the positions of its ends.   @return null without fibres
+nlohmann::ordered_json fibres_json(const Parameters& p);
 
 /// The limits of a layer's colours: all but one in a thousand values of solid particles lie inside.
 struct Limits {

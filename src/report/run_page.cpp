@@ -103,6 +103,12 @@ Json health_json(std::span<const HealthRow> rows) {
   return list;
 }
 
+Json frames_json(const RunReport& report) {
+  Json json = film_json(*report.film);
+  if (Json fibres = fibres_json(report.p); !fibres.is_null()) json["fibres"] = std::move(fibres);
+  return json;
+}
+
 /// A value as in a scenario, without quotes.
 std::string bare(std::string text) {
   std::erase(text, '"');
@@ -146,8 +152,8 @@ Json run_data(const RunReport& report) {
            {{"radius_um", report.p.ecm.radius},
             {"spacing_um", report.p.ecm.particle_spacing},
             {"n_particles", n},
-            {"n_outline", n_outline}}},
-          {"frames", plays ? film_json(*report.film) : Json()},
+             {"n_outline", n_outline}}},
+          {"frames", plays ? frames_json(report) : Json()},
           {"tracks", tracks_json(report.cells)},
           {"protrusions", protrusions_json(report)},
           {"readouts", readouts_json(report)},

@@ -31,13 +31,14 @@ constexpr std::array<Place, 4> places{{
     {exports, ""}, // of any kind
 }};
 
-constexpr std::array<ExportKind, 6> kinds{{
+constexpr std::array<ExportKind, 7> kinds{{
     {"--vtk", R"((matrix|outline|anchors)(\.pvd|_[0-9]{4,}\.vtp))"},
     {"--fields", R"(fields\.(h5|xdmf))"},
     {"--tracks", R"(tracks_(celltrackr\.csv|trackmate\.(csv|xml)))"},
     {"--svg", R"((contact_sheet|path)\.svg)"},
     {"--png", R"(frame_[0-9]{4,}\.(svg|png))"},
     {"--movie", R"(movie\.mp4)"},
+    {"--panel", R"(panel\.svg)"},
 }};
 
 /// Tells whether a name is one of a list.

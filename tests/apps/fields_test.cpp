@@ -112,15 +112,39 @@ TEST_F(Fields, OfAnUnfinishedRunAreExported) {
   EXPECT_TRUE(text_of(folder / "here/export/fields.h5").starts_with("\x89HDF"));
 }
 
+TEST_F(Fields, ArePutSideBySideForAPublication) {
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
+  ASSERT_EQ(run("export here --panel '0, 0.25 min, 36 s' -o out").code, 0);
+  const std::string panel = text_of(folder / "out/panel.svg");
+  EXPECT_TRUE(contains(panel, ">0 s</text>") && contains(panel, ">16 s</text>") && contains(panel, ">36 s</text>"));
+  EXPECT_TRUE(contains(panel, "displacement [um]"));
+  EXPECT_EQ(run("export here --panel 0 -o out").code, 5) << "it exists";
+  EXPECT_EQ(run("export here --panel 0 --layer degradation -o out --force").code, 0);
+  EXPECT_FALSE(contains(text_of(folder / "out/panel.svg"), "displacement"));
+  for (const char* wrong : {"'1 um'", "'3 h'", "soon", "'1,,2'"}) {
+    const Ended ended = run(std::string("export here -o no --panel ") + wrong);
+    EXPECT_EQ(ended.code, 2) << wrong;
+    EXPECT_TRUE(contains(ended.err, "--panel")) << ended.err;
+  }
+  for (const char* size : {"1280", "1281x720", "100x100", "axb", "640x480x2"})
+    EXPECT_EQ(run(std::string("export here --movie -o no --size ") + size).code, 2) << size;
+  EXPECT_FALSE(exists("no"));
+}
+
 TEST_F(Fields, NeedsToolsForPixels) {
   ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
   const char* known = std::getenv("PATH");
   const std::string path = known != nullptr ? known : "";
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");
+  const Ended pixels = run("export here --png");
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "rsvg-convert is needed")) << ended.err;
+  EXPECT_TRUE(
+      contains(ended.err, "chromium and ffmpeg are needed for a movie; Debian: apt-get install chromium ffmpeg"))
+      << ended.err;
+  EXPECT_EQ(pixels.code, 5);
+  EXPECT_TRUE(contains(pixels.err, "rsvg-convert is needed")) << pixels.err;
   EXPECT_FALSE(exists("here/export"));
 }
 

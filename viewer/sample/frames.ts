@@ -210,6 +210,15 @@ export function sampleFrames(
         force: pack(columns.force, share),
       },
       protrusions,
+      // As of a uniaxial matrix with a half angle of 30 degrees.
+      ...(options.fibres
+        ? {
+            fibres: {
+              bonds_um: [[1, 0], [2, 0], [2, 1], [-2, 1]].map(([a, b]): [number, number] => [a * options.spacing, b * options.spacing]),
+              onset: 0.075,
+            },
+          }
+        : {}),
     },
   };
 }

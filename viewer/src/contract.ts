@@ -69,6 +69,14 @@ export interface OutlineFrames {
   force: Packed;
 }
 
+/** Fibres of the matrix: springs that join particles for good. */
+export interface FibreData {
+  /** From a particle to those that it is joined to [um], in the lattice of `reference`; of two opposite bonds one. */
+  bonds_um: [number, number][];
+  /** Strain from which on a fibre stiffens [-]. */
+  onset: number;
+}
+
 export interface Frames {
   /** Model times of the stored frames [s], rising. */
   times_s: number[];
@@ -78,6 +86,8 @@ export interface Frames {
   outline: OutlineFrames;
   /** One list a frame. */
   protrusions: FrameProtrusion[][];
+  /** Left out where there are no fibres. */
+  fibres?: FibreData;
 }
 
 /** Columns of tracks.csv, all of one length. */

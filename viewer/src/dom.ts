@@ -48,7 +48,7 @@ export function table(
   );
   return h(
     "div",
-    { class: "table", tabindex: 0, role: "region", "aria-label": options.caption ?? heads.join(", ") },
+    { class: "table", tabindex: 0, role: "group", "aria-label": options.caption ?? heads.join(", ") },
     h(
       "table",
       {},

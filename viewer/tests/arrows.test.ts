@@ -2,12 +2,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
-import { paintArrows, paintPolarization, paintTraction, pixelsPerForce, usual } from "../src/run/arrows";
+import { paintArrows, paintPolarization, paintTraction, pixelsPerForce, usual } from "../src/run/over/arrows";
 import { Camera } from "../src/run/camera";
 import { film, outlineAt, placeAt } from "../src/run/frames";
-import { layers } from "../src/run/layers";
-import type { Pen } from "../src/run/pen";
-import { isDarkGround, LayerScale } from "../src/run/scale";
+import { layers } from "../src/run/matrix/layers";
+import type { Pen } from "../src/run/over/pen";
+import { isDarkGround, LayerScale } from "../src/run/matrix/scale";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
 

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { sampleRun } from "../sample/run";
 import { description } from "../src/run/describe";
 import { film } from "../src/run/frames";
-import { layers } from "../src/run/layers";
+import { layers } from "../src/run/matrix/layers";
 import { probeText } from "../src/run/probe";
 import { launch, open, settled } from "./browser";
 

@@ -1,13 +1,14 @@
 /** The report of a run that the program has just made; only where MATRIGRATE_PROGRAM names it. */
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import type { Browser, Page } from "playwright-core";
 import { launch, until } from "./browser";
+import { difference } from "./pictures";
 
 const program = process.env["MATRIGRATE_PROGRAM"];
 
@@ -105,6 +106,34 @@ test("a report of the program opens, plays and shows every layer", { skip: progr
       if ((await box.getAttribute("name")) === "cell") assert.notEqual(await picture(page), before);
     }
     await page.locator("text=ecm.radius").first().waitFor();
+    assert.deepEqual(errors, []);
+  }),
+);
+
+const has = (tool: string): boolean => !spawnSync(tool, ["-version"]).error;
+
+test("a movie of the program shows what the player shows", { skip: program === undefined || !has("ffmpeg") }, () =>
+  within(async (folder, browser) => {
+    execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
+    const options = ["--fps", "30", "--seconds", "0.5", "--size", "640x480", "--layer", "pressure"];
+    execFileSync(program!, ["export", "run", "--movie", ...options, "-o", "out"], { cwd: folder });
+    const pictures = ["-loglevel", "error", "-i", "out/movie.mp4", "-fps_mode", "passthrough", "p%d.png"];
+    execFileSync("ffmpeg", pictures, { cwd: folder });
+    const { page, errors } = await opened(browser, join(folder, "run", "report.html"));
+    await page.evaluate(async () => {
+      await window.matrigrate!.ready;
+      window.matrigrate!.show({ width: 640, height: 480, layer: "pressure" });
+    });
+    const shown = (t: number) => page.evaluate((at) => window.matrigrate!.frame(at).toDataURL("image/png"), t);
+    const filmed = (k: number) => `data:image/png;base64,${readFileSync(join(folder, `p${k + 1}.png`)).toString("base64")}`;
+    for (const k of [0, 5, 14]) {
+      const away = await difference(page, filmed(k), await shown((60 * k) / 14));
+      assert.ok(away < 0.01, `picture ${k} is ${(100 * away).toFixed(2)} % off`);
+    }
+    const end = await difference(page, filmed(14), await shown(60));
+    assert.ok(end < (await difference(page, filmed(14), await shown(0))), "nothing moves");
+    assert.throws(() => filmed(15), "15 pictures in half a second");
+    assert.deepEqual(readdirSync(join(folder, "out")), ["movie.mp4"], "nothing is left behind");
     assert.deepEqual(errors, []);
   }),
 );

@@ -23,7 +23,7 @@ test("limits and colours can be chosen, and are taken back", async () => {
     await settled(page);
     return (await page.locator(".stage").screenshot()).toString("base64");
   };
-  const bar = page.locator(".legend-layer .bar");
+  const bar = page.locator(".legend-layer .bar").first();
   await page.locator(".scrub").fill("3900");
   await page.locator("input[value=von_mises]").check();
   const before = await shot();

@@ -4,8 +4,8 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
-import { momentHash, momentOf, momentTime } from "../src/run/moment";
-import { fileName } from "../src/run/saving";
+import { momentHash, momentOf, momentTime } from "../src/run/save/moment";
+import { fileName } from "../src/run/save/saving";
 import { launch, open, until } from "./browser";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });

@@ -5,8 +5,8 @@ import type { Browser, Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import type { Film } from "../src/run/frames";
 import { Camera } from "../src/run/camera";
-import type { Layer } from "../src/run/layers";
-import { resample, valueOn } from "../src/run/resample";
+import type { Layer } from "../src/run/matrix/layers";
+import { resample, valueOn } from "../src/run/matrix/resample";
 import type { Field } from "../src/unpack";
 import { launch, open } from "./browser";
 

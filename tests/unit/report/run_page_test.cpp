@@ -1,5 +1,7 @@
 #include "report/run_page.hpp"
 
+#include "ecm/bonds.hpp"
+#include "ecm/fibres.hpp"
 #include "report/film_json.hpp"
 #include "unit/draw/markup.hpp"
 #include "unit/observe/frames.hpp"
@@ -52,6 +54,7 @@ TEST(RunPage, HoldsTheRun) {
   EXPECT_EQ(frames.at("times_s").dump(), "[300.0,600.0]");
   EXPECT_EQ(frames.at("particles").at("x").at("per_frame"), run.s.ecm.size());
   EXPECT_FALSE(frames.at("particles").contains("fibre_von_mises"));
+  EXPECT_FALSE(frames.contains("fibres"));
   EXPECT_EQ(frames.at("protrusions").at(0).at(0).at("anchor").dump(), "null");
   EXPECT_EQ(frames.at("protrusions").at(0).at(1).at("anchor").dump(), "[30.5,-1.25]");
   EXPECT_EQ(frames.at("protrusions").at(1).size(), 1U);
@@ -85,6 +88,22 @@ TEST(RunPage, NeedsNoFramesAndNoRows) {
   EXPECT_TRUE(run_data({}).at("frames").is_null());
   const Film none;
   EXPECT_TRUE(run_data({.film = &none}).at("frames").is_null());
+}
+
+TEST(RunPage, NamesEachBondOfTheFibresOnce) {
+  Parameters p;
+  EXPECT_TRUE(fibres_json(p).is_null());
+  p.fibres.arrangement = FibreArrangement::uniaxial;
+  for (const Lattice lattice : {Lattice::square, Lattice::hexagonal})
+    for (const double half_angle : {28.0, 90.0}) {
+      p.ecm.lattice = lattice;
+      p.fibres.half_angle_deg = half_angle;
+      const ordered_json fibres = fibres_json(p);
+      EXPECT_EQ(2 * fibres.at("bonds_um").size(), fibre_bonds(p).count);
+      for (const ordered_json& bond : fibres.at("bonds_um"))
+        EXPECT_TRUE(joined(Vec2(bond.at(0).get<double>(), bond.at(1).get<double>()), p.fibres)) << bond.dump();
+      EXPECT_EQ(fibres.at("onset"), p.fibres.onset);
+    }
 }
 
 TEST(RunPage, LimitsLeaveOutFewSolidValues) {

@@ -1,6 +1,8 @@
 /** The stored frames, unpacked, and the place of a time among them. */
 import type { FrameProtrusion, Frames, RunPage } from "../contract";
 import { unpack, valueAt, type Field } from "../unpack";
+import { fibresOf, type Fibres } from "./bonds";
+import type { Box } from "./camera";
 
 export interface Film {
   times: number[];
@@ -10,6 +12,8 @@ export interface Film {
   pressure: Field;
   vonMises: Field;
   fibreVonMises: Field | null;
+  /** null: none, or a page of an earlier version. */
+  fibres: Fibres | null;
   outline: { x: Field; front: Field; protrusion: Field; fMat: Field; force: Field };
   protrusions: FrameProtrusion[][];
   particles: number;
@@ -56,6 +60,7 @@ export async function film(run: RunPage): Promise<Film | null> {
     pressure,
     vonMises,
     fibreVonMises,
+    fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, reference) : null,
     outline: { x: ox, front, protrusion, fMat, force },
     protrusions: frames.protrusions,
     particles: frames.reference.per_frame,
@@ -104,4 +109,19 @@ export function usualDisplacement(film: Film): number {
   sizes.sort((a, b) => a - b);
   const usual = sizes[Math.floor((sizes.length - 1) * 0.999)] ?? 0;
   return usual > 0 ? Number(usual.toPrecision(2)) : 1;
+}
+
+/** Where the cell is at any stored time, with a margin: the first view. */
+export function haunts(film: Film): Box {
+  const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
+  for (let frame = 0; frame < film.times.length; ++frame)
+    for (let i = 0; i < film.outlinePoints; ++i) {
+      const [x, y] = [valueAt(film.outline.x, frame, 2 * i), valueAt(film.outline.x, frame, 2 * i + 1)];
+      box.left = Math.min(box.left, x);
+      box.right = Math.max(box.right, x);
+      box.bottom = Math.min(box.bottom, y);
+      box.top = Math.max(box.top, y);
+    }
+  const margin = 12;
+  return { left: box.left - margin, right: box.right + margin, bottom: box.bottom - margin, top: box.top + margin };
 }

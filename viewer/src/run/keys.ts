@@ -1,7 +1,7 @@
 /** Keys of the player. Where they act from anywhere on the page, they leave controls their own keys. */
 import type { Clock } from "./clock";
 import { h } from "../dom";
-import type { Layer } from "./layers";
+import type { Layer } from "./matrix/layers";
 import type { Probe } from "./probe";
 import type { Stage } from "./stage";
 
@@ -14,16 +14,36 @@ const help: [string, string][] = [
   ["0, W", "first view, whole matrix"],
   ["F", "follow the cell"],
   ["L", "next layer (Shift + L: the one before)"],
+  ["B", "fibres on or off, where there are fibres"],
   ["V", "value in the middle of the view"],
 ];
 
-export const keyList = (): HTMLElement =>
-  h(
+export interface Keys {
+  element: HTMLElement;
+  /** Whether they act wherever on the page the focus is; else on the picture and the time bar alone. */
+  anywhere: () => boolean;
+}
+
+/** @param choosable  the keys may act on the whole page; not all readers of screens and of speech can do with that */
+export function keyList(choosable: boolean): Keys {
+  const box = h("input", { type: "checkbox", name: "keys-anywhere", checked: true });
+  const element = h(
     "details",
     { class: "keys" },
     h("summary", {}, "Keys"),
     h("dl", {}, ...help.map(([key, what]) => h("div", {}, h("dt", {}, h("kbd", {}, key)), h("dd", {}, what)))),
+    choosable ? h("label", {}, box, "They act anywhere on this page, not only on the picture and the time bar") : null,
   );
+  return { element, anywhere: () => choosable && box.checked };
+}
+
+/** Whether a control has a use of its own for a key. */
+function isTaken(target: Element, key: string): boolean {
+  const letter = key.length === 1 && key !== " ";
+  return letter
+    ? target.closest("select, textarea, input:not([type=radio], [type=checkbox], [type=range])") !== null
+    : target.closest("button, input, select, textarea, summary, a, [tabindex]") !== null;
+}
 
 /** @param from  where keys are listened to   @param gone  when they no longer are */
 export function attachKeys(
@@ -31,10 +51,11 @@ export function attachKeys(
   stage: Stage,
   probe: Probe,
   all: Layer[],
+  keys: Keys,
   from: Document | HTMLElement,
   gone: AbortSignal,
 ): void {
-  const actions: Record<string, () => void> = {
+  const actions: Record<string, () => unknown> = {
     " ": () => clock.toggle(),
     ArrowRight: () => clock.step(1),
     ArrowLeft: () => clock.step(-1),
@@ -46,6 +67,7 @@ export function attachKeys(
     f: () => stage.setFollow(!stage.follow),
     "0": () => stage.reset(),
     w: () => stage.showWhole(),
+    b: () => stage.fibreLayer && stage.toggle("fibres"),
     v: () => probe.toggle(),
     l: () => nextLayer(1),
     L: () => nextLayer(-1),
@@ -68,9 +90,11 @@ export function attachKeys(
     const target = event.target instanceof Element ? event.target : null;
     const scrubber = target?.matches(".scrub") ?? false;
     const inPlayer = target === null || target === document.body || target === stage.element || scrubber;
+    const onPicture = target === stage.element || scrubber;
+    if (!onPicture && from === document && !keys.anywhere()) return;
     // A focused button takes the space bar, a choice takes the arrows, a page is scrolled by Home and End.
-    if (!inPlayer && target?.closest("button, input, select, textarea, summary, a, [tabindex]")) return;
-    if ((event.key === "Home" || event.key === "End") && target !== stage.element && !scrubber) return;
+    if (!inPlayer && target && isTaken(target, event.key)) return;
+    if ((event.key === "Home" || event.key === "End") && !onPicture) return;
     const act = (event.shiftKey && !scrubber ? shifted[event.key] : undefined) ?? actions[event.key];
     if (!act) return;
     event.preventDefault();

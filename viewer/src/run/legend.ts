@@ -12,9 +12,9 @@ import {
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { readable } from "../numbers";
-import { tractionColour } from "./arrows";
-import type { Layer } from "./layers";
-import type { LayerScale } from "./scale";
+import { tractionColour } from "./over/arrows";
+import type { Layer } from "./matrix/layers";
+import type { LayerScale } from "./matrix/scale";
 
 /** The colour bar of a layer, with low, middle and high value; an arrow at an end where values lie beyond it. */
 export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
@@ -43,7 +43,7 @@ export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
       ? h(
           "p",
           { class: "note" },
-          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.edited ? " and are hatched" : ""}.`,
+          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.limits.edited ? " and are hatched" : ""}.`,
         )
       : null,
     layer.solidOnly

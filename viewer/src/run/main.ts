@@ -4,6 +4,7 @@ import { factList, fault, h, section, table } from "../dom";
 import { embeddedRun } from "../embedded";
 import { pretty, readable } from "../numbers";
 import "../page.css";
+import { hook } from "./save/hook";
 import { runView } from "./view";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
@@ -26,7 +27,9 @@ function parameters(run: RunPage): Node {
 
 function show(run: RunPage, page: HTMLElement): void {
   document.title = run.title;
-  const { parts, ready } = runView(run, true);
+  const { parts, ready, clock } = runView(run, true);
+  window.matrigrate = hook(ready, clock);
+  window.matrigrate.ready.catch(() => undefined);
   page.replaceChildren(
     h(
       "header",

@@ -1,13 +1,15 @@
 /** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
 import { h, onDarkMode } from "../dom";
 import { onPrint } from "../paper";
-import type { ArrowKind } from "./arrows";
-import { edgeChoice, edges } from "./edge";
+import type { ArrowKind } from "./over/arrows";
+import { edgeChoice, edges } from "./over/edge";
 import type { Film } from "./frames";
-import { overlays, type Layer } from "./layers";
+import { overlays, type Layer } from "./matrix/layers";
 import { colourBar, signs } from "./legend";
 import { scaleControls } from "./scale_controls";
 import type { Stage } from "./stage";
+
+const ordinal = (n: number): string => (n === 2 ? "second" : n === 3 ? "third" : `${n}th`);
 
 /** The matrix as a field, or as the particles that it is computed by. */
 function styleChoice(stage: Stage): HTMLElement {
@@ -40,7 +42,16 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
     h("option", { value: "velocity" }, "velocity"),
   );
   const arrowChoice = h("div", { class: "edge" }, h("label", {}, "Arrows show: ", arrows), arrowNote);
-  const refreshBar = () => bar.replaceChildren(colourBar(stage.layer, stage.scale()));
+  const fibres = h("div", {});
+  const { fibreLayer } = stage;
+  const refreshBar = () => {
+    bar.replaceChildren(colourBar(stage.layer, stage.scale()));
+    if (!fibreLayer) return;
+    fibres.hidden = !stage.drawsFibres;
+    const every = stage.fibreRows();
+    const part = every > 1 ? ` Drawn in this view: those of every ${ordinal(every)} row of particles.` : "";
+    fibres.replaceChildren(colourBar(fibreLayer, stage.fibreScale(fibreLayer)), h("p", { class: "note" }, part));
+  };
   const refresh = () => {
     refreshBar();
     legend.replaceChildren(signs());
@@ -50,7 +61,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
     controls.replaceChildren(
       scaleControls(stage.layer, stage.scale(), () => {
         refreshBar();
-        stage.draw();
+        stage.scaleChanged();
       }),
     );
   };
@@ -76,17 +87,24 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
     return h("label", {}, input, layer.name);
   });
   const boxes = overlays.map((overlay) => {
+    if (overlay.key === "fibres" && !fibreLayer) return null;
     const input = h("input", { type: "checkbox", name: overlay.key, checked: overlay.on });
-    input.addEventListener("change", () => {
-      stage.shown[overlay.key] = input.checked;
-      refreshArrows();
-      stage.draw();
+    input.addEventListener("change", () => stage.toggle(overlay.key));
+    stage.onView(() => {
+      input.checked = stage.shown[overlay.key];
     });
     return h("label", {}, input, overlay.name);
   });
   stage.onLayer(chosen);
+  stage.onScale(chosen);
   onDarkMode(refresh, gone);
-  stage.onView(refreshArrows);
+  let rows = 0;
+  stage.onView(() => {
+    refreshArrows();
+    const now = fibreLayer && stage.drawsFibres ? stage.fibreRows() : 0;
+    if (now !== rows) refreshBar();
+    rows = now;
+  });
   chosen();
   refresh();
   refreshArrows();
@@ -112,6 +130,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
         stage.draw();
       }),
       arrowChoice,
+      fibres,
       legend,
     ),
   );

@@ -3,16 +3,17 @@ import type { RunPage } from "../contract";
 import { phaseNames } from "../contract";
 import { h, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
-import { usual } from "./arrows";
+import { usual } from "./over/arrows";
 import type { Clock } from "./clock";
 import { description } from "./describe";
 import { placeAt, type Film } from "./frames";
 import { attachKeys, keyList } from "./keys";
-import { followAddress } from "./link";
-import { layers } from "./layers";
+import { followAddress } from "./save/link";
+import { layers } from "./matrix/layers";
+import type { SharedScales } from "./matrix/shared";
 import { panel } from "./panel";
 import { Probe } from "./probe";
-import { saving } from "./saving";
+import { saving } from "./save/saving";
 import { Stage } from "./stage";
 import { transport } from "./transport";
 
@@ -81,6 +82,10 @@ export interface Role {
   /** Has the controls of the clock. */
   leads: boolean;
   id: string;
+  /** What it has in common with other runs in view. */
+  shared?: SharedScales;
+  /** Told the stage once there is one. */
+  opened: (stage: Stage) => void;
 }
 
 /** @param gone  when the player is taken away */
@@ -88,7 +93,7 @@ export function player(run: RunPage, film: Film, clock: Clock, role: Role, gone:
   const { alone, leads, id } = role;
   const all = layers(film);
   const displacement = all.find((layer) => layer.key === "displacement")?.high ?? 1;
-  const stage = new Stage(run, film, clock, all[0], usual(film, displacement), gone);
+  const stage = new Stage(run, film, clock, all, usual(film, displacement), role.shared, gone);
   const time = h("output", { class: "time" });
   const showTime = () => {
     time.textContent = timeText(clock.time);
@@ -97,11 +102,12 @@ export function player(run: RunPage, film: Film, clock: Clock, role: Role, gone:
   showTime();
   stage.element.append(time, viewButtons(stage));
   const probe = new Probe(stage);
-  attachKeys(clock, stage, probe, all, alone ? document : stage.element, gone);
+  const keys = keyList(alone);
+  attachKeys(clock, stage, probe, all, keys, alone ? document : stage.element, gone);
   const told = h("p", { class: "unseen", role: "status" });
   const tell = () => {
     // While it plays, a reader of the screen would never come to an end.
-    if (!clock.playing) told.textContent = description(film, run.tracks, stage.layer, clock.time);
+    if (!clock.playing) told.textContent = description(film, run.tracks, stage.layer, clock.time, stage.drawsFibres);
   };
   clock.onChange(tell, gone);
   stage.onLayer(tell);
@@ -113,14 +119,18 @@ export function player(run: RunPage, film: Film, clock: Clock, role: Role, gone:
     queueMicrotask(() => {
       if (!clock.playing && clock.time === 0) clock.toggle();
     });
+  stage.onView(tell);
+  role.opened(stage);
+  const aside = panel(stage, film, all, gone);
+  stage.share(gone);
   return h(
     "section",
     { id, class: "run-player", "aria-label": `Player: ${run.title}` },
     h(
       "div",
       { class: "player" },
-      h("div", { class: "screen" }, stage.element, transport(clock, stage, leads, gone), saving(run, clock, stage, alone, gone), keyList(), told),
-      h("div", { class: "aside" }, panel(stage, film, all, gone), present(film, clock, gone)),
+      h("div", { class: "screen" }, stage.element, transport(clock, stage, leads, gone), saving(run, clock, stage, alone, gone), keys.element, told),
+      h("div", { class: "aside" }, aside, present(film, clock, gone)),
     ),
   );
 }

@@ -1,7 +1,7 @@
 /** The value of the layer under the pointer or, by keyboard, in the middle of the view. */
 import { h } from "../dom";
 import { readable } from "../numbers";
-import type { Layer } from "./layers";
+import type { Layer } from "./matrix/layers";
 import type { Stage } from "./stage";
 
 /** @param value  null where there is no matrix, NaN in fluid that has no value */

@@ -1,12 +1,12 @@
 /** Colour map and limits of a layer, to be changed. */
 import { colourMaps, type MapKey } from "../colour";
 import { h } from "../dom";
-import type { Layer } from "./layers";
-import type { LayerScale } from "./scale";
+import type { Layer } from "./matrix/layers";
+import type { LayerScale } from "./matrix/scale";
 
 /** Which limits a person asked for: about zero, where the colours mean that, both ends move together. */
 export function asked(scale: LayerScale, layer: Layer, end: "low" | "high", value: number): [number, number] {
-  const aboutZero = scale.map === "blueWhiteOrange" || scale.map === "purpleGreen";
+  const aboutZero = scale.limits.map === "blueWhiteOrange" || scale.limits.map === "purpleGreen";
   if (aboutZero && layer.low < 0) return [-Math.abs(value), Math.abs(value)];
   return end === "low" ? [value, scale.high] : [scale.low, value];
 }
@@ -18,7 +18,7 @@ export function scaleControls(layer: Layer, scale: LayerScale, changed: () => vo
   const map = h(
     "select",
     { name: "map" },
-    ...layer.maps.map((key) => h("option", { value: key, selected: key === scale.map }, colourMaps[key].name)),
+    ...layer.maps.map((key) => h("option", { value: key, selected: key === scale.limits.map }, colourMaps[key].name)),
   );
   const fault = h("p", { class: "note caveat", role: "alert" });
   const unit = layer.unit ? ` [${layer.unit}]` : "";
@@ -32,7 +32,7 @@ export function scaleControls(layer: Layer, scale: LayerScale, changed: () => vo
     });
     input.addEventListener("change", () => {
       const value = input.valueAsNumber;
-      const good = scale.set(...asked(scale, layer, end, value));
+      const good = scale.limits.set(...asked(scale, layer, end, value));
       input.setAttribute("aria-invalid", String(!good));
       fault.textContent = good ? "" : "The lower limit must be a number below the upper one.";
       if (good) show();
@@ -45,16 +45,16 @@ export function scaleControls(layer: Layer, scale: LayerScale, changed: () => vo
     low.value = fitting(scale.low);
     high.value = fitting(scale.high);
     for (const input of [low, high]) input.removeAttribute("aria-invalid");
-    map.value = scale.map;
+    map.value = scale.limits.map;
     fault.textContent = "";
     changed();
   };
   map.addEventListener("change", () => {
-    scale.map = map.value as MapKey;
+    scale.limits.map = map.value as MapKey;
     show();
   });
   reset.addEventListener("click", () => {
-    scale.reset();
+    scale.limits.reset();
     show();
   });
   return h(

@@ -1,35 +1,29 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
 import { h, isDark, onDarkMode, onResize } from "../dom";
 import { onPaper, onPrint } from "../paper";
-import { valueAt } from "../unpack";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
-import { displacementScale, type ArrowKind, type Usual } from "./arrows";
-import { paintCell, type CellScene } from "./cell_painter";
+import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
+import { paintCell, type CellScene } from "./over/cell_painter";
 import type { Clock } from "./clock";
-import { edges, type Edge } from "./edge";
-import { outlineAt, placeAt, type Film, type Place } from "./frames";
+import { edges, type Edge } from "./over/edge";
+import { haunts, outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
-import { overlays, type Layer, type Shown } from "./layers";
-import type { Pen } from "./pen";
-import type { ParticlePainter } from "./particle_scene";
-import { particlePainter, plainInstead } from "./particles";
-import { isDarkGround, LayerScale, type Scale } from "./scale";
-import { resample, valueOfNearest, valueOn, type Patch } from "./resample";
+import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
+import type { Pen } from "./over/pen";
+import type { ParticlePainter } from "./matrix/particle_scene";
+import { particlePainter, plainInstead } from "./matrix/particles";
+import { isDarkGround, LayerScale, type Scale } from "./matrix/scale";
+import type { SharedScales } from "./matrix/shared";
+import { fibreLayer, fibreRows } from "./over/fibres";
+import { resample, valueOfNearest, valueOn, type Patch } from "./matrix/resample";
 
-/** Where the cell is at any stored time, with a margin: the first view. */
-function haunts(film: Film): Box {
-  const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
-  for (let frame = 0; frame < film.times.length; ++frame)
-    for (let i = 0; i < film.outlinePoints; ++i) {
-      const [x, y] = [valueAt(film.outline.x, frame, 2 * i), valueAt(film.outline.x, frame, 2 * i + 1)];
-      box.left = Math.min(box.left, x);
-      box.right = Math.max(box.right, x);
-      box.bottom = Math.min(box.bottom, y);
-      box.top = Math.max(box.top, y);
-    }
-  const margin = 12;
-  return { left: box.left - margin, right: box.right + margin, bottom: box.bottom - margin, top: box.top + margin };
+/** A layer with its colours, as a colour bar shows them. */
+export interface Coloured {
+  layer: Layer;
+  scale: Scale;
+  /** Ends of the scale beyond which there are values. */
+  clamped: { low: boolean; high: boolean };
 }
 
 /** A picture of the stage as it is. */
@@ -39,10 +33,9 @@ export interface View {
   pixels: number;
   matrix: HTMLCanvasElement;
   top: HTMLCanvasElement;
-  layer: Layer;
-  scale: Scale;
-  /** Ends of the scale beyond which there are values. */
-  clamped: { low: boolean; high: boolean };
+  /** What colours stand for: the layer, and the strain of fibres where they are drawn. */
+  bars: Coloured[];
+  title: string;
   time: number;
   dark: boolean;
 }
@@ -51,6 +44,7 @@ export class Stage {
   readonly element: HTMLElement;
   readonly shown = Object.fromEntries(overlays.map((o) => [o.key, o.on])) as Shown;
   readonly camera: Camera;
+  layer: Layer;
   follow = false;
   edge: Edge;
   /** The matrix as a field between the particles, not as the particles themselves. */
@@ -66,16 +60,25 @@ export class Stage {
   private viewListeners: (() => void)[] = [];
   private paintListeners: (() => void)[] = [];
   private layerListeners: (() => void)[] = [];
+  private scaleListeners: (() => void)[] = [];
   private readonly scales = new Map<Layer, LayerScale>();
+  private readonly sharedScales = new Map<Layer, LayerScale>();
+  /** Strain of the fibres; null without fibres. */
+  readonly fibreLayer: Layer | null;
 
   constructor(
     private readonly run: RunPage,
     private readonly film: Film,
     private readonly clock: Clock,
-    public layer: Layer,
-    private readonly usual: Usual,
+    /** All that it can be coloured by. */
+    readonly layers: Layer[],
+    private readonly ownUsual: Usual,
+    /** With other runs in view. */
+    private readonly shared: SharedScales | undefined,
     gone: AbortSignal,
   ) {
+    this.layer = layers[0];
+    this.fibreLayer = fibreLayer(film);
     const bottom = h("canvas", { class: "matrix" });
     this.element = h(
       "div",
@@ -137,11 +140,55 @@ export class Stage {
     this.draw();
   }
 
-  /** Of the layer that is shown. */
-  scale(): LayerScale {
-    let scale = this.scales.get(this.layer);
-    if (!scale) this.scales.set(this.layer, (scale = new LayerScale(this.layer, this.film)));
+  /** For what shows limits of colours, when others have changed them. */
+  onScale(listener: () => void): void {
+    this.scaleListeners.push(listener);
+  }
+
+  /** Colours and limits; of the layer that is shown, if none is named. */
+  scale(layer = this.layer): LayerScale {
+    const limits = this.shared?.on ? this.shared.of(layer) : undefined;
+    const scales = limits ? this.sharedScales : this.scales;
+    let scale = scales.get(layer);
+    if (!scale) scales.set(layer, (scale = new LayerScale(layer, this.film, limits)));
     return scale;
+  }
+
+  /** Of the strain of the fibres; in other colours than the layer beneath them. */
+  fibreScale(layer: Layer): LayerScale {
+    const scale = this.scale(layer);
+    const taken = this.scale().limits.map;
+    scale.limits.map = layer.maps.find((map) => map !== taken) ?? layer.maps[0];
+    return scale;
+  }
+
+  /** After a person has changed limits or colours here. */
+  scaleChanged(): void {
+    this.draw();
+    if (this.shared?.on) this.shared.tell(this);
+  }
+
+  /** Takes part in what runs share. */
+  share(gone: AbortSignal): void {
+    const changed = () => {
+      for (const listener of [...this.scaleListeners, ...this.viewListeners]) listener();
+      this.draw();
+    };
+    const coloured = this.fibreLayer ? [...this.layers, this.fibreLayer] : this.layers;
+    this.shared?.join(this, coloured, this.ownUsual, changed, gone);
+  }
+
+  private get usual(): Usual {
+    return this.shared?.on ? this.shared.usual : this.ownUsual;
+  }
+
+  /** Of how many rows of particles fibres are drawn in this view: every one, every second. */
+  fibreRows(): number {
+    return this.film.fibres ? fibreRows(this.film.fibres, this.run.geometry.spacing_um, this.camera) : 1;
+  }
+
+  get drawsFibres(): boolean {
+    return this.fibreLayer !== null && this.shown.fibres;
   }
 
   /** For what goes with each picture. */
@@ -183,6 +230,19 @@ export class Stage {
   zoom(factor: number): void {
     this.camera.zoom(factor);
     this.viewChanged();
+  }
+
+  /** Switches what is drawn over the matrix on or off. */
+  toggle(key: OverlayKey): void {
+    this.shown[key] = !this.shown[key];
+    this.viewChanged();
+  }
+
+  /** A size of its own for the picture, whatever room the page has [pixels of the page]; the first view. */
+  fix(width: number, height: number): void {
+    this.element.style.cssText = `position:fixed;left:0;top:0;border:0;min-height:0;width:${width}px;height:${height}px`;
+    this.fit();
+    this.camera.show(this.home);
   }
 
   setFollow(on: boolean): void {
@@ -230,17 +290,22 @@ export class Stage {
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
-    return { film, place, time, camera, tracks, shown, edge, spacing, arrows, usual, dark, darkGround };
+    const fibres = this.drawsFibres && this.fibreLayer ? this.fibreScale(this.fibreLayer).on(dark) : null;
+    return { film, place, time, camera, tracks, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
   }
 
   /** Paints at once and returns what has been painted; to be used before the browser goes on. */
   view(): View {
     this.paint();
-    const { camera, pixels, top, layer } = this;
+    const { camera, pixels, top } = this;
     const dark = isDark();
-    const time = this.clock.time;
-    const [scale, clamped] = [this.scale().on(dark), this.scale().clamped()];
-    return { camera, pixels, matrix: this.painter.canvas, top, layer, scale, clamped, time, dark };
+    const coloured = this.drawsFibres && this.fibreLayer ? [this.layer, this.fibreLayer] : [this.layer];
+    const bars = coloured.map((layer) => {
+      const scale = layer === this.fibreLayer ? this.fibreScale(layer) : this.scale(layer);
+      return { layer, scale: scale.on(dark), clamped: scale.clamped() };
+    });
+    const [title, time] = [this.run.title, this.clock.time];
+    return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
   }
 
   /** What lies over the matrix, by another pen. */

@@ -7,6 +7,8 @@ import { film } from "./frames";
 import { player } from "./player";
 import { plots } from "./plots";
 import "./run.css";
+import type { SharedScales } from "./matrix/shared";
+import type { Stage } from "./stage";
 import { protrusionTable, timeline } from "./timeline";
 
 /** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them again. */
@@ -31,8 +33,9 @@ function fitted(make: (width: number, gone: AbortSignal) => HTMLElement, gone: A
 export interface RunView {
   /** Player, path, protrusions. */
   parts: HTMLElement[];
-  /** Fulfilled when the film can be played, or cannot be. */
-  ready: Promise<void>;
+  /** Fulfilled when the film can be played, with its stage, or cannot be: with none. */
+  ready: Promise<Stage | null>;
+  clock: Clock;
   /** To be called before it is taken away. */
   stop: () => void;
 }
@@ -50,6 +53,7 @@ export interface Company {
   clock: Clock;
   /** Which of them this is, from 0: the first one has the controls of the clock. */
   place: number;
+  shared: SharedScales;
 }
 
 /**
@@ -81,18 +85,24 @@ export function runView(run: RunPage, alone: boolean, company?: Company): RunVie
       h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
     ),
   ];
+  let shown: Stage | null = null;
+  const opened = (made: Stage) => {
+    shown = made;
+  };
+  const role = { alone, leads, id: id("player"), shared: company?.shared, opened };
   const ready = film(run)
     .then((made) => {
-      if (gone.signal.aborted) return;
+      if (gone.signal.aborted) return null;
       stage.replaceChildren(
         made
-          ? player(run, made, clock, { alone, leads, id: id("player") }, gone.signal)
+          ? player(run, made, clock, role, gone.signal)
           : h(
               "p",
               { class: "notice" },
               "This run stored no frames, so there is nothing to play. Path, protrusions and tables are below.",
             ),
       );
+      return shown;
     })
     .catch((reason: unknown) => {
       stage.replaceChildren(
@@ -102,10 +112,12 @@ export function runView(run: RunPage, alone: boolean, company?: Company): RunVie
           `The frames cannot be shown: ${reason instanceof Error ? reason.message : String(reason)}.`,
         ),
       );
+      return null;
     });
   return {
     parts,
     ready,
+    clock,
     stop: () => {
       gone.abort();
       if (clock.playing) clock.toggle();

@@ -20,7 +20,7 @@ const lines = ([first, ...others]: string[]): HTMLElement | string =>
 export function claims(study: StudyPage): HTMLElement | null {
   if (!study.claims || study.claims.length === 0) return null;
   return table(
-    ["", "claim", "verdict", "published", "ours: mean [95 %]", "statistic"],
+    ["id", "claim", "verdict", "published", "ours: mean [95 %]", "statistic"],
     study.claims.map((c) => [
       c.id,
       c.claim,

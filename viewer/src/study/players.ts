@@ -3,6 +3,7 @@ import type { StudyPage, StudyPlayer } from "../contract";
 import { h, section } from "../dom";
 import { pretty } from "../numbers";
 import { onPrint } from "../paper";
+import { SharedScales } from "../run/matrix/shared";
 import { commonClock, runView, type RunView } from "../run/view";
 
 /** Unpacked when it comes near the window, or when the browser has nothing else to do, so that it can be printed. */
@@ -37,10 +38,13 @@ export function players(study: StudyPage, safe: (address: string | null) => stri
     }
     const both = [chosen, second];
     const clock = commonClock(both.map((p) => p.run));
-    views = both.map((p, k) => runView(p.run, false, { clock, place: k }));
-    link.replaceChildren(
-      h("p", { class: "note" }, "Limits of the colours and lengths of the arrows are those of each run: compare them by their scales."),
-    );
+    const shared = new SharedScales();
+    views = both.map((p, k) => runView(p.run, false, { clock, place: k, shared }));
+    const same = h("input", { type: "checkbox", name: "same-scales", checked: true });
+    same.addEventListener("change", () => {
+      shared.on = same.checked;
+    });
+    link.replaceChildren(h("label", { class: "choice" }, same, "Same limits of colours and lengths of arrows in both"));
     place.replaceChildren(
       h(
         "div",

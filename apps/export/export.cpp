@@ -1,0 +1,163 @@
+#include "apps/export/movie.hpp"
+#include "apps/export/panel.hpp"
+#include "apps/export/pictures.hpp"
+#include "apps/export/tools.hpp"
+#include "apps/run_output.hpp"
+#include "apps/terminal/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "run/finished_run.hpp"
+#include "run/own_files.hpp"
+#include "run/run_record.hpp"
+#include "store/field_file.hpp"
+#include "store/track_files.hpp"
+#include "store/vtk_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace matrigrate::apps {
+
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string output;
+  std::string layer; ///< empty: that of the kind
+  std::string panel; ///< times; empty: no panel
+  std::string size = "1280x720";
+  MovieOptions movie_options;
+  bool vtk = false, fields = false, tracks = false, svg = false, png = false, movie = false;
+  bool force = false;
+};
+
+bool is_wanted(const Options& options, std::string_view kind) {
+  const std::array<std::pair<std::string_view, bool>, 7> flags{{{"--vtk", options.vtk},
+                                                                {"--fields", options.fields},
+                                                                {"--tracks", options.tracks},
+                                                                {"--svg", options.svg},
+                                                                {"--png", options.png},
+                                                                {"--movie", options.movie},
+                                                                {"--panel", !options.panel.empty()}}};
+  return std::ranges::any_of(flags, [&](const auto& flag) { return flag.first == kind && flag.second; });
+}
+
+std::vector<ExportKind> wanted_kinds(const Options& options) {
+  std::vector<ExportKind> kinds;
+  std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
+                       [&](const ExportKind& kind) { return is_wanted(options, kind.option); });
+  if (kinds.empty())
+    throw UsageError("say what to export: --vtk, --fields, --tracks, --svg, --png, --movie or --panel");
+  return kinds;
+}
+
+void require_frames(const FinishedRun& run, const std::string& folder) {
+  if (!run.film.frames.empty()) return;
+  const bool kept = run.p.output.field_interval > 0.0;
+  throw InputOutputError(fmt::format("{}: holds no frames: {}", folder,
+                                     kept ? "neither fields.part nor fields.h5 has any"
+                                          : "the run was made with output.field_interval = 0"));
+}
+
+/// Makes room for what is exported: other kinds in the folder stay, the same kind is replaced if `force`.
+void prepare(const std::filesystem::path& to, const std::vector<ExportKind>& kinds, bool force) {
+  if (std::filesystem::exists(to / "run.json"))
+    throw InputOutputError(fmt::format("{}: is the folder of a run; export into another one", to.string()));
+  for (const ExportKind& kind : kinds)
+    if (const auto files = files_of(kind, to); !files.empty() && !force)
+      throw InputOutputError(fmt::format("{}: exists; {} --force replaces this kind of export, -o FOLDER writes it "
+                                         "somewhere else",
+                                         files.front().string(), kind.option));
+  make_output_folder(to, true);
+  for (const ExportKind& kind : kinds) std::ranges::for_each(files_of(kind, to), remove_file);
+}
+
+void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
+  const auto hash = run.record.find("trajectory_hash");
+  const bool finished = hash != run.record.end() && hash->is_string();
+  io::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
+}
+
+void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
+  write_file(to / "tracks_celltrackr.csv", io::celltrackr_csv(run.memory.rows));
+  write_file(to / "tracks_trackmate.csv", io::trackmate_csv(run.memory.rows));
+  write_file(to / "tracks_trackmate.xml", io::trackmate_xml(run.memory.rows));
+}
+
+/// The layer of a kind of export: what was asked for, or what it has by default.
+Layer layer_for(const Options& options, Layer by_default) {
+  return options.layer.empty() ? by_default : layer_of(options.layer);
+}
+
+int export_run(Options options) {
+  const std::vector<ExportKind> kinds = wanted_kinds(options);
+  const Layer layer = layer_for(options, Layer::displacement);
+  options.movie_options.layer = layer_for(options, Layer::degradation);
+  set_size(options.movie_options, options.size);
+  const FinishedRun run = read_run(options.folder);
+  if (options.vtk || options.fields || options.png || options.movie || !options.panel.empty()) {
+    require_frames(run, options.folder);
+    tell_lost_frames(run);
+  }
+  if (options.png || options.movie || !options.panel.empty()) require_layer(run, layer);
+  if (options.png) require_tool("rsvg-convert", "pictures of pixels", "librsvg2-bin");
+  if (options.movie) require_movie_tools();
+  const std::vector<std::size_t> moments =
+      options.panel.empty() ? std::vector<std::size_t>() : frames_at(run, options.panel);
+  const std::filesystem::path to =
+      options.output.empty() ? std::filesystem::path(options.folder) / "export" : std::filesystem::path(options.output);
+  prepare(to, kinds, options.force);
+  if (options.vtk) io::write_vtk(to, run.film);
+  if (options.fields) export_fields(run, to);
+  if (options.tracks) export_tracks(run, to);
+  if (options.svg) export_svg(run, to);
+  if (options.png) export_pictures(run, layer, to);
+  if (!options.panel.empty()) export_panel(run, moments, layer, to);
+  if (options.movie) export_movie(run, options.movie_options, to);
+  print(fmt::format("exported to {}\n", to.string()));
+  return done;
+}
+
+} // namespace
+
+void add_export(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("export", "Write a run in other formats: VTK, tracks, figures, a movie");
+  verb->footer("Adds to what the folder holds: several kinds may be exported one after the other.\n"
+               "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
+               "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
+               "--png calls rsvg-convert; --movie calls chromium, in which the player draws, and ffmpeg. They have to\n"
+               "be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("DIR", options->folder, "Folder of a run")->required();
+  verb->add_flag("--vtk", options->vtk,
+                 "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
+  verb->add_flag("--fields", options->fields,
+                 "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
+  verb->add_flag("--tracks", options->tracks, "The path for celltrackR (CSV) and TrackMate (CSV, XML)");
+  verb->add_flag("--svg", options->svg, "The contact sheet and the path, for a publication");
+  verb->add_flag("--png", options->png, "One picture per frame");
+  verb->add_option("--panel", options->panel,
+                   "panel.svg for a publication: frames at these times side by side, \"0 h, 1 h, 3 h, 6 h\"");
+  verb->add_flag("--movie", options->movie, "movie.mp4 of the player's view");
+  verb->add_option("--fps", options->movie_options.fps, "Of --movie: pictures a second (default: 30)")
+      ->check(CLI::Range(1.0, 120.0));
+  verb->add_option("--seconds", options->movie_options.seconds,
+                   "Of --movie: how long it takes (default: a second for 15 min of the run)")
+      ->check(CLI::Range(0.1, 3600.0));
+  verb->add_option("--size", options->size, "Of --movie: width and height in pixels (default: 1280x720)");
+  verb->add_flag("--follow", options->movie_options.follow, "Of --movie: the view stays on the cell");
+  verb->add_option("--layer", options->layer,
+                   "What the matrix is coloured by (default: displacement; of --movie degradation)");
+  verb->add_option("-o,--output", options->output, "Folder to write into (default: DIR/export)");
+  verb->add_flag("--force", options->force, "Replace an earlier export of the same kind");
+  verb->callback([options, &chosen] { chosen = [options] { return export_run(*options); }; });
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Programs that exports call.
+namespace matrigrate::apps {
+
+bool is_installed(const std::string& program);
+
+/// @throws InputOutputError naming the Debian package, if the program is not installed
+void require_tool(const std::string& program, const std::string& purpose, const std::string& package);
+
+/// Waits until the command has ended.
+/// @throws InputOutputError if it fails
+void call(const std::vector<std::string>& command);
+
+/// A folder that is gone with all that is in it at the end of this object.
+struct TemporaryFolder {
+  /// @throws InputOutputError if it cannot be made
+  explicit TemporaryFolder(const std::filesystem::path& in);
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+  std::filesystem::path path;
+};
+
+} // namespace matrigrate::apps

@@ -1,0 +1,131 @@
+/** What the matrix can be coloured by: one entry a quantity, with its colours, limits and legend. */
+import type { MapKey } from "../../colour";
+import { valueAt, type Field } from "../../unpack";
+import { solidFrom, usualDisplacement, type Film } from "../frames";
+
+export interface Layer {
+  key: string;
+  name: string;
+  unit: string;
+  /** Words for the two ends of the colour bar, where numbers alone say too little. */
+  ends?: [string, string];
+  note: string;
+  /** null: made from positions, as the displacement is. */
+  field: Field | null;
+  /** Smallest and largest value over the run, where they are known. */
+  range?: { low: number; high: number };
+  low: number;
+  high: number;
+  /** Of the matrix as it was at the start: what most of the picture shows. */
+  rest: number;
+  /** Colour maps that suit it; the first is taken until another is chosen. */
+  maps: readonly MapKey[];
+  /** The ends at which the program may have cut values off when it packed them. */
+  cut: { low: boolean; high: boolean };
+  /** Fluid has no strain and so none of these values: it is drawn as ground. */
+  solidOnly: boolean;
+}
+
+const sequential: MapKey[] = ["viridis", "cividis", "magma", "grey"];
+
+const limits = (field: Field): [number, number] => [field.offset, field.offset + 255 * field.scale];
+
+function stress(key: string, name: string, note: string, field: Field): Layer {
+  const [low, high] = limits(field);
+  return { key, name, unit: "Pa", note, field, low, high, rest: 0, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
+}
+
+export function layers(film: Film): Layer[] {
+  const largest = Math.max(...limits(film.pressure).map(Math.abs));
+  const out: Layer[] = [
+    {
+      key: "degradation",
+      name: "Degradation",
+      unit: "",
+      ends: ["fluid", "solid"],
+      note: "f_degr: 1 intact solid, 0 degraded to fluid.",
+      field: film.f,
+      low: 0,
+      high: 1,
+      rest: 1,
+      maps: ["gel", ...sequential],
+      cut: { low: false, high: false },
+      solidOnly: false,
+    },
+    {
+      key: "displacement",
+      name: "Displacement",
+      unit: "\u00b5m",
+      note: "Of the solid matrix since the start.",
+      field: null,
+      low: 0,
+      high: usualDisplacement(film),
+      rest: 0,
+      maps: sequential,
+      cut: { low: false, high: false },
+      solidOnly: true,
+    },
+    {
+      key: "pressure",
+      name: "Pressure",
+      unit: "Pa",
+      ends: ["pulled", "pressed"],
+      note: "In the matrix; positive where it is pressed.",
+      field: film.pressure,
+      low: -largest,
+      high: largest,
+      rest: 0,
+      maps: ["blueWhiteOrange", "purpleGreen", ...sequential],
+      cut: { low: true, high: true },
+      solidOnly: false,
+    },
+    stress("von_mises", "Von Mises", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
+  ];
+  if (film.fibreVonMises)
+    out.push(
+      stress(
+        "fibre_von_mises",
+        "Fibre von Mises",
+        "The part of the von Mises stress that the fibres carry (Eq. 11).",
+        film.fibreVonMises,
+      ),
+    );
+  return out;
+}
+
+/** Smallest and largest value over the whole run, as far as it was stored. */
+export function extremes(film: Film, layer: Layer): { low: number; high: number } {
+  if (layer.range) return layer.range;
+  if (layer.field) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const q of layer.field.q) {
+      if (q < low) low = q;
+      if (q > high) high = q;
+    }
+    const { offset, scale } = layer.field;
+    return { low: offset + scale * low, high: offset + scale * high };
+  }
+  let high = 0;
+  for (let frame = 0; frame < film.times.length; ++frame)
+    for (let i = 0; i < film.particles; ++i) {
+      if (valueAt(film.f, frame, i) < solidFrom) continue;
+      const dx = valueAt(film.x, frame, 2 * i) - valueAt(film.reference, 0, 2 * i);
+      const dy = valueAt(film.x, frame, 2 * i + 1) - valueAt(film.reference, 0, 2 * i + 1);
+      high = Math.max(high, dx * dx + dy * dy);
+    }
+  return { low: 0, high: Math.sqrt(high) };
+}
+
+/** What is drawn over the matrix. */
+export const overlays = [
+  { key: "fibres", name: "Fibres", on: true },
+  { key: "cell", name: "Cell", on: true },
+  { key: "protrusions", name: "Protrusions", on: true },
+  { key: "adhesions", name: "Adhesions", on: true },
+  { key: "path", name: "Path so far", on: true },
+  { key: "traction", name: "Traction", on: true },
+  { key: "polarization", name: "Polarization", on: false },
+  { key: "arrows", name: "Arrows", on: false },
+] as const;
+export type OverlayKey = (typeof overlays)[number]["key"];
+export type Shown = Record<OverlayKey, boolean>;

@@ -1,0 +1,100 @@
+/** From a value to a colour: the limits and the colour map with which a layer is drawn. */
+import { colourMaps, mapped, type MapKey, type Rgb } from "../../colour";
+import { extremes, type Layer } from "./layers";
+import type { Film } from "../frames";
+
+export interface Scale {
+  low: number;
+  high: number;
+  map: readonly Rgb[];
+  /** Whether areas beyond the limits are hatched: once a person has set limits of their own. */
+  hatched: boolean;
+}
+
+/** Limits and colour map of a layer, as a person may have changed them. Runs beside each other may share them. */
+export class Limits {
+  low: number;
+  high: number;
+  map: MapKey;
+  /** Those that it begins with. */
+  private readonly home: { low: number; high: number; map: MapKey };
+
+  constructor(layer: Layer) {
+    const { low, high } = layer;
+    this.home = { low, high, map: layer.maps[0] };
+    ({ low: this.low, high: this.high, map: this.map } = this.home);
+  }
+
+  /** Widens the limits, unless they have been set, so that the same layer of another run fits in. */
+  include(layer: Layer): void {
+    const { edited, home } = this;
+    home.low = Math.min(home.low, layer.low);
+    home.high = Math.max(home.high, layer.high);
+    if (!edited) ({ low: this.low, high: this.high } = home);
+  }
+
+  reset(): void {
+    ({ low: this.low, high: this.high, map: this.map } = this.home);
+  }
+
+  /** Returns whether these can be limits. */
+  set(low: number, high: number): boolean {
+    if (!Number.isFinite(low) || !Number.isFinite(high) || !(high > low)) return false;
+    [this.low, this.high] = [low, high];
+    return true;
+  }
+
+  get edited(): boolean {
+    return this.low !== this.home.low || this.high !== this.home.high;
+  }
+}
+
+/** How a layer of a run is coloured. */
+export class LayerScale {
+  private range: { low: number; high: number } | null = null;
+
+  constructor(
+    private readonly layer: Layer,
+    private readonly film: Film,
+    readonly limits = new Limits(layer),
+  ) {}
+
+  get low(): number {
+    return this.limits.low;
+  }
+
+  get high(): number {
+    return this.limits.high;
+  }
+
+  /** At which ends of the bar values of this run lie beyond it, or were cut off when they were stored. */
+  clamped(): { low: boolean; high: boolean } {
+    this.range ??= extremes(this.film, this.layer);
+    const { range, layer } = this;
+    const slack = 1e-6 * (this.high - this.low);
+    const stored = layer.field ? [layer.field.offset, layer.field.offset + 255 * layer.field.scale] : [NaN, NaN];
+    const isAt = (a: number, b: number) => Math.abs(a - b) <= slack;
+    return {
+      low: range.low < this.low - slack || (layer.cut.low && isAt(range.low, stored[0]) && this.low >= stored[0] - slack),
+      high:
+        range.high > this.high + slack || (layer.cut.high && isAt(range.high, stored[1]) && this.high <= stored[1] + slack),
+    };
+  }
+
+  on(dark: boolean): Scale {
+    return { low: this.low, high: this.high, map: colourMaps[this.limits.map].on(dark), hatched: this.limits.edited };
+  }
+}
+
+/** Whether most of a layer is dark, so that what is drawn on it should be light. */
+export function isDarkGround(layer: Layer, { map, low, high }: Scale): boolean {
+  return !isBright(...mapped(map, (layer.rest - low) / (high - low)));
+}
+
+/** Hatching: stripes across the picture, in pixels of the page. */
+export const hatchPeriod = 9;
+export const hatchWidth = 2.5;
+export const hatchStrength = 0.65;
+
+/** Stripes are dark on light colours and light on dark ones. */
+export const isBright = (r: number, g: number, b: number): boolean => 0.3 * r + 0.59 * g + 0.11 * b > 128;

@@ -1,0 +1,193 @@
+/** Draws what lies over the matrix: the cell with front and rear, its protrusions, adhesions, path, and arrows. */
+import { frontColour, phaseColours, phaseColoursOnDark, rearColour } from "../../colour";
+import type { FrameProtrusion, Tracks } from "../../contract";
+import { roundStep } from "../../numbers";
+import { valueAt } from "../../unpack";
+import {
+  paintArrowKeys,
+  paintArrows,
+  paintPolarization,
+  paintTraction,
+  pixelsPerForce,
+  pixelsPerUnit,
+  tractionColour,
+  type ArrowKey,
+  type ArrowKind,
+  type Usual,
+} from "./arrows";
+import type { Camera } from "../camera";
+import { paintEdge, type Edge } from "./edge";
+import { outlineAt, type Film, type Place } from "../frames";
+import type { Shown } from "../matrix/layers";
+import type { Scale } from "../matrix/scale";
+import { paintFibres } from "./fibres";
+import { edged, ink, labelFont, type Pen } from "./pen";
+
+export interface CellScene {
+  film: Film;
+  place: Place;
+  time: number;
+  camera: Camera;
+  tracks: Tracks;
+  shown: Shown;
+  edge: Edge;
+  spacing: number;
+  arrows: ArrowKind;
+  usual: Usual;
+  /** Colours of the strain of the fibres; null: they are not drawn. */
+  fibres: Scale | null;
+  dark: boolean;
+  /** The layer under the arrows is dark. */
+  darkGround: boolean;
+}
+
+/** Runs of entries that fulfil a condition around a ring, each as indices in order. */
+function runs(n: number, has: (i: number) => boolean): number[][] {
+  let start = 0;
+  while (start < n && has(start)) ++start;
+  if (start === n) return [Array.from({ length: n }, (_, i) => i)];
+  const out: number[][] = [];
+  let open: number[] | null = null;
+  for (let k = 1; k <= n; ++k) {
+    const i = (start + k) % n;
+    if (!has(i)) open = null;
+    else if (open) open.push(i);
+    else out.push((open = [i]));
+  }
+  return out;
+}
+
+function trace(c: Pen, camera: Camera, outline: Float32Array, indices: Iterable<number>): void {
+  let first = true;
+  for (const i of indices) {
+    const [x, y] = [camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1])];
+    if (first) c.moveTo(x, y);
+    else c.lineTo(x, y);
+    first = false;
+  }
+}
+
+function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32Array): void {
+  const n = film.outlinePoints;
+  const all = Array.from({ length: n }, (_, i) => i);
+  c.save();
+  c.beginPath();
+  trace(c, camera, outline, all);
+  c.closePath();
+  c.fillStyle = rearColour;
+  c.fill();
+  c.clip();
+  c.fillStyle = frontColour;
+  for (const run of runs(n, (i) => valueAt(film.outline.front, place.frame, i) > 0.5)) {
+    c.beginPath();
+    trace(c, camera, outline, run);
+    c.closePath();
+    c.fill();
+  }
+  c.restore();
+}
+
+function paintProtrusion(c: Pen, scene: CellScene, outline: Float32Array, p: FrameProtrusion, slot: number): void {
+  const { film, place, camera, dark } = scene;
+  const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
+  for (const run of runs(film.outlinePoints, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
+    c.beginPath();
+    trace(c, camera, outline, run);
+    edged(
+      c,
+      colour,
+      dark ? "#14171a" : "#ffffff",
+      Math.min(5, Math.max(2.2, 0.5 * camera.scale)),
+      p.phase === 3 ? [5, 4] : [],
+    );
+  }
+}
+
+function paintAdhesion(c: Pen, { camera, dark }: CellScene, outline: Float32Array, p: FrameProtrusion): void {
+  if (!p.anchor) return;
+  const [ax, ay] = [camera.toScreenX(p.anchor[0]), camera.toScreenY(p.anchor[1])];
+  const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
+  const edge = dark ? "#14171a" : "#ffffff";
+  c.beginPath();
+  c.moveTo(camera.toScreenX(outline[2 * p.centre]), camera.toScreenY(outline[2 * p.centre + 1]));
+  c.lineTo(ax, ay);
+  edged(c, colour, edge, 1.6);
+  c.beginPath();
+  c.arc(ax, ay, 2.5 + 5 * p.f_mat, 0, 2 * Math.PI);
+  c.fillStyle = colour;
+  c.fill();
+  c.lineWidth = 1.2;
+  c.strokeStyle = edge;
+  c.stroke();
+}
+
+function paintPath(c: Pen, { camera, tracks, time, dark }: CellScene): void {
+  c.beginPath();
+  for (let i = 0; i < tracks.t_s.length && tracks.t_s[i] <= time; ++i)
+    c.lineTo(camera.toScreenX(tracks.x_um[i]), camera.toScreenY(tracks.y_um[i]));
+  edged(c, dark ? "#ffffff" : "#1f2328", dark ? "#14171a" : "#ffffff", 1.6);
+  if (tracks.t_s.length === 0) return;
+  c.beginPath();
+  c.arc(camera.toScreenX(tracks.x_um[0]), camera.toScreenY(tracks.y_um[0]), 3.6, 0, 2 * Math.PI);
+  c.fillStyle = dark ? "#14171a" : "#ffffff";
+  c.fill();
+  c.lineWidth = 1.8;
+  c.strokeStyle = dark ? "#ffffff" : "#1f2328";
+  c.stroke();
+}
+
+function paintScaleBar(c: Pen, { camera, dark }: CellScene): void {
+  const most = (0.3 * camera.width) / camera.scale;
+  let length = roundStep(0.4 * most);
+  if (length > most) length *= 0.4;
+  const [x, y, w] = [14, camera.height - 18, length * camera.scale];
+  const text = `${Number(length.toPrecision(3))} \u00b5m`;
+  c.font = labelFont;
+  c.fillStyle = dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
+  c.fillRect(x - 7, y - 9, w + c.measureText(text).width + 23, 22);
+  c.fillStyle = dark ? "#f0f3f6" : "#1f2328";
+  c.fillRect(x, y, w, 4);
+  c.fillText(text, x + w + 8, y + 7);
+}
+
+/** Keys of the arrows that are shown. */
+function keys({ shown, arrows, usual, camera, dark, darkGround }: CellScene): ArrowKey[] {
+  const out: ArrowKey[] = [];
+  if (shown.traction && usual.force > 0)
+    out.push({ colour: tractionColour(dark), edge: ink(dark).edge, width: 3, unit: pixelsPerForce(usual), name: "nN traction" });
+  if (shown.arrows) {
+    const name = arrows === "velocity" ? "\u00b5m/h" : "\u00b5m displacement";
+    const { line, edge } = ink(darkGround);
+    out.push({ colour: line, edge, width: 1.4, unit: pixelsPerUnit(arrows, usual, camera), name });
+  }
+  return out;
+}
+
+export function paintCell(c: Pen, scene: CellScene): void {
+  const { film, place, camera, shown, usual, arrows, dark } = scene;
+  const outline = outlineAt(film, place);
+  const alive = film.protrusions[place.frame];
+  const part = (name: string) => c.part?.(name);
+  part("fibres");
+  if (scene.fibres) paintFibres(c, scene, scene.fibres);
+  part("arrows");
+  if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
+  part("cell");
+  if (shown.cell) paintBody(c, scene, outline);
+  part("protrusions");
+  if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
+  part("edge");
+  // Over the protrusions: whoever chose a colour for the edge wants to see it there above all.
+  if (shown.cell) paintEdge(c, camera, outline, scene.edge, place);
+  part("adhesions");
+  if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
+  part("path");
+  if (shown.path) paintPath(c, scene);
+  part("polarization");
+  if (shown.polarization) paintPolarization(c, camera, scene.tracks, scene.time, dark);
+  part("traction");
+  if (shown.traction) paintTraction(c, scene, outline, pixelsPerForce(usual));
+  part("scales");
+  paintScaleBar(c, scene);
+  paintArrowKeys(c, camera, keys(scene), dark);
+}

@@ -1,0 +1,86 @@
+/** The edge of the cell coloured by what its cortex does: maturation, or the force of its actomyosin. */
+import { css, gradient, lookUp, viridis, type Rgb } from "../../colour";
+import { h } from "../../dom";
+import { readable } from "../../numbers";
+import type { Field } from "../../unpack";
+import type { Camera } from "../camera";
+import { between, type Film, type Place } from "../frames";
+import type { Pen } from "./pen";
+
+export interface Edge {
+  key: string;
+  name: string;
+  unit: string;
+  field: Field | null;
+  high: number;
+}
+
+function largest(field: Field): number {
+  let q = 0;
+  for (const v of field.q) q = Math.max(q, v);
+  return field.offset + field.scale * q;
+}
+
+export const edges = (film: Film): Edge[] => [
+  { key: "plain", name: "plain", unit: "", field: null, high: 1 },
+  { key: "f_mat", name: "maturation f_mat", unit: "", field: film.outline.fMat, high: 1 },
+  {
+    key: "force",
+    name: "actomyosin force",
+    unit: "nN",
+    field: film.outline.force,
+    high: Number(largest(film.outline.force).toPrecision(2)) || 1,
+  },
+];
+
+const table = lookUp(viridis);
+
+export function paintEdge(
+  c: Pen,
+  camera: Camera,
+  outline: Float32Array,
+  edge: Edge,
+  place: Place,
+): void {
+  if (!edge.field) return;
+  const n = outline.length / 2;
+  c.lineCap = "round";
+  // First a light line all around, which sets the colours off from the cell and the matrix.
+  for (const ground of [true, false]) {
+    c.lineWidth = ground ? 7 : 4.5;
+    for (let i = 0; i < n; ++i) {
+      const k = (i + 1) % n;
+      const value = Math.min(1, Math.max(0, between(edge.field, place, i) / edge.high));
+      const at = 4 * Math.round(255 * value);
+      c.strokeStyle = ground ? "#ffffff" : css([table[at], table[at + 1], table[at + 2]] as Rgb);
+      c.beginPath();
+      c.moveTo(camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1]));
+      c.lineTo(camera.toScreenX(outline[2 * k]), camera.toScreenY(outline[2 * k + 1]));
+      c.stroke();
+    }
+  }
+}
+
+/** The choice and, once something is chosen, its colour bar. */
+export function edgeChoice(all: Edge[], chosen: (edge: Edge) => void): HTMLElement {
+  const select = h("select", { name: "edge" }, ...all.map((edge) => h("option", { value: edge.key }, edge.name)));
+  const bar = h("div", {});
+  select.addEventListener("change", () => {
+    const edge = all.find((e) => e.key === select.value) ?? all[0];
+    bar.replaceChildren(
+      ...(edge.field
+        ? [
+            h("p", { class: "legend-title" }, `Edge: ${edge.name}${edge.unit ? ` [${edge.unit}]` : ""}`),
+            h("div", { class: "bar", style: `background:${gradient(viridis)}` }),
+            h(
+              "div",
+              { class: "bar-numbers" },
+              ...[0, 0.5, 1].map((share) => h("span", {}, readable(share * edge.high, 3))),
+            ),
+          ]
+        : []),
+    );
+    chosen(edge);
+  });
+  return h("div", { class: "edge" }, h("label", {}, "Edge of the cell: ", select), bar);
+}

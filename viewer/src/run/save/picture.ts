@@ -1,0 +1,110 @@
+/** The present view as a picture of its own: PNG, SVG with the field inside as pixels, and what a recording films. */
+import { css, mapped } from "../../colour";
+import { readable, timeText } from "../../numbers";
+import { labelFont, ink, type Pen } from "../over/pen";
+import type { Coloured, Stage, View } from "../stage";
+import { escaped, SvgPen } from "../over/svg_pen";
+
+/** Beneath the view: time and title, and the colours with their limits [pixels of the page]. */
+const row = 44;
+const ground = (dark: boolean): string => (dark ? "#14171a" : "#ffffff");
+
+/** Of the strip beneath a view so wide, with so many colour bars. */
+export const stripHeight = (width: number, bars: number): number => row * (width < 700 ? bars : 1);
+
+/** @param right, y  upper right corner */
+function paintBar(c: Pen, { layer, scale, clamped }: Coloured, width: number, right: number, y: number, dark: boolean): void {
+  const left = right - width;
+  const steps = 64;
+  // Between whole pixels, so that no seams are seen.
+  const edge = (i: number) => Math.round(left + (width * i) / steps);
+  for (let i = 0; i < steps; ++i) {
+    c.fillStyle = css(mapped(scale.map, (i + 0.5) / steps));
+    c.fillRect(edge(i), y + 8, edge(i + 1) - edge(i), 11);
+  }
+  c.fillStyle = ink(dark).line;
+  c.font = "12px sans-serif";
+  const low = (clamped.low ? "\u2264 " : "") + readable(scale.low, 3);
+  const high = (clamped.high ? "\u2265 " : "") + readable(scale.high, 3);
+  c.fillText(low, left, y + 34);
+  c.fillText(high, right - c.measureText(high).width, y + 34);
+  const name = layer.name + (layer.unit ? ` [${layer.unit}]` : "");
+  c.fillText(name, left - c.measureText(name).width - 10, y + 18);
+}
+
+/** A text without its end, where it does not fit. */
+function fitted(c: Pen, text: string, width: number): string {
+  if (c.measureText(text).width <= width) return text;
+  let short = text;
+  while (short.length > 0 && c.measureText(`${short}\u2026`).width > width) short = short.slice(0, -1);
+  return `${short}\u2026`;
+}
+
+/** @param y  its upper edge */
+function paintStrip(c: Pen, { camera, dark, bars, title, time }: View, y: number): void {
+  c.part?.("legend");
+  const { width } = camera;
+  const height = stripHeight(width, bars.length);
+  c.fillStyle = ground(dark);
+  c.fillRect(0, y, width, height);
+  const bar = Math.min(200, (width < 700 ? 0.3 : 0.17) * width);
+  const apart = height > row ? 0 : bar + 130;
+  const room = width - 24 - bar - 110 - (bars.length - 1) * apart - 24;
+  c.fillStyle = ink(dark).line;
+  c.font = labelFont;
+  c.fillText(fitted(c, timeText(60 * Math.floor(time / 60)), room), 12, y + 19);
+  c.font = "12px sans-serif";
+  c.fillText(fitted(c, title, room), 12, y + 36);
+  bars.forEach((one, k) =>
+    paintBar(c, one, bar, width - 24 - (bars.length - 1 - k) * apart, y + (height > row ? k * row : 0), dark),
+  );
+}
+
+/** Draws the view and the strip on a canvas. Call right after the stage has painted: the card keeps a picture no longer. */
+export function paintPicture(canvas: HTMLCanvasElement, view: View): void {
+  const { camera, pixels, matrix, top, dark } = view;
+  const strip = stripHeight(camera.width, view.bars.length);
+  const [width, height] = [matrix.width, matrix.height + Math.round(strip * pixels)];
+  // Video wants even sizes; a size set anew would end a recording.
+  const [w, h] = [width + (width % 2), height + (height % 2)];
+  if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
+  const c = canvas.getContext("2d");
+  if (!c) return;
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  c.fillStyle = ground(dark);
+  c.fillRect(0, 0, w, h);
+  c.drawImage(matrix, 0, 0);
+  c.drawImage(top, 0, 0);
+  c.setTransform(pixels, 0, 0, pixels, 0, 0);
+  paintStrip(c, view, camera.height);
+}
+
+export function png(stage: Stage): Promise<Blob> {
+  const canvas = document.createElement("canvas");
+  paintPicture(canvas, stage.view());
+  return new Promise((done, failed) =>
+    canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png"),
+  );
+}
+
+/** Outline, protrusions, path, arrows and scales as paths; the matrix as an image. */
+export function svg(stage: Stage, title: string): Blob {
+  const view = stage.view();
+  const { width, height } = view.camera;
+  const strip = stripHeight(width, view.bars.length);
+  const [signs, legend] = [new SvgPen(), new SvgPen()];
+  stage.drawOver(signs);
+  paintStrip(legend, view, height);
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height + strip}" viewBox="0 0 ${width} ${height + strip}">
+<title>${escaped(title)}</title>
+<clipPath id="view"><rect width="${width}" height="${height}"/></clipPath>
+<rect width="${width}" height="${height + strip}" fill="${ground(view.dark)}"/>
+<image id="matrix" width="${width}" height="${height}" href="${view.matrix.toDataURL("image/png")}"/>
+<g clip-path="url(#view)">
+${signs.content()}
+</g>
+${legend.content()}
+</svg>
+`;
+  return new Blob([text], { type: "image/svg+xml" });
+}

@@ -1,0 +1,63 @@
+/** Buttons that take the present view away: link, PNG, SVG, WebM. */
+import type { RunPage } from "../../contract";
+import { h } from "../../dom";
+import type { Clock } from "../clock";
+import { linkButton } from "./link";
+import { momentTime } from "./moment";
+import { png, svg } from "./picture";
+import { record, recordable, type Recording } from "./record";
+import type { Stage } from "../stage";
+
+/** A title and a time as the name of a file. */
+export const fileName = (title: string, layer: string, time: number, ending: string): string =>
+  `${title.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "")}-${layer}-${momentTime(time)}.${ending}`;
+
+function download(blob: Blob, name: string): void {
+  const address = URL.createObjectURL(blob);
+  h("a", { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+
+/** @param alone  the address of the page is that of this run */
+export function saving(run: RunPage, clock: Clock, stage: Stage, alone: boolean, gone: AbortSignal): HTMLElement {
+  const told = h("span", { class: "told", role: "status" });
+  const tell = (text: string) => {
+    told.textContent = text;
+  };
+  const name = (ending: string) => fileName(run.title, stage.layer.key, clock.time, ending);
+  const button = (text: string, title: string, act: () => void | Promise<void>) => {
+    const made = h("button", { type: "button", title }, text);
+    made.addEventListener("click", () => {
+      void (async () => act())().catch((fault: unknown) => tell(`Not saved: ${String(fault)}`));
+    });
+    return made;
+  };
+  const save = (blob: Blob, ending: string) => {
+    const file = name(ending);
+    download(blob, file);
+    tell(`Saved ${file}.`);
+  };
+  const type = recordable();
+  let recording: Recording | null = null;
+  const film = button("Record WebM", "Films the player from now to the end, or until stopped", () => {
+    if (recording) return recording.stop();
+    film.textContent = "Stop recording";
+    recording = record(clock, stage, type ?? "", (made) => {
+      recording = null;
+      film.textContent = "Record WebM";
+      if (made && !gone.aborted) save(made, "webm");
+    });
+  });
+  gone.addEventListener("abort", () => recording?.stop());
+  return h(
+    "div",
+    { class: "saving", role: "group", "aria-label": "This view" },
+    alone ? linkButton(clock, stage, tell) : null,
+    button("Save PNG", "The view with time and colour bar", async () => save(await png(stage), "png")),
+    button("Save SVG", "Cell, path and arrows as vector graphics over the matrix as an image", () =>
+      save(svg(stage, run.title), "svg"),
+    ),
+    type ? film : null,
+    told,
+  );
+}

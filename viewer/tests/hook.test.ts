@@ -1,0 +1,57 @@
+/** `window.matrigrate`, by which other programs take pictures: they are those that the player saves. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { sampleRun } from "../sample/run";
+import { launch, open, settled } from "./browser";
+import { difference } from "./pictures";
+
+test("pictures of the hook are those of the player", async () => {
+  const browser = await launch(false);
+  const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
+  const { page, errors } = await open(browser, "run", JSON.stringify(run));
+  const taken = await page.evaluate(async () => {
+    const { matrigrate } = window;
+    if (!matrigrate) throw new Error("there is no hook");
+    await matrigrate.ready;
+    matrigrate.show({ width: 640, height: 480, layer: "pressure" });
+    const canvas = matrigrate.frame(3900);
+    return { data: canvas.toDataURL("image/png"), size: [canvas.width, canvas.height] };
+  });
+  assert.deepEqual(taken.size, [640, 480]);
+  assert.ok(await page.locator("input[value=pressure]").isChecked());
+  await page.locator(".scrub").evaluate((bar: HTMLInputElement) => {
+    bar.value = "3900";
+    bar.dispatchEvent(new Event("input"));
+  });
+  await settled(page);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save PNG" }).evaluate((button: HTMLButtonElement) => button.click()),
+  ]);
+  const saved = `data:image/png;base64,${readFileSync(await download.path()).toString("base64")}`;
+  assert.equal(await difference(page, taken.data, saved), 0);
+  const other = await page.evaluate(() => window.matrigrate!.frame(600).toDataURL("image/png"));
+  assert.ok((await difference(page, taken.data, other)) > 0.001, "the time changes nothing");
+  const followed = await page.evaluate(() => {
+    window.matrigrate!.show({ width: 640, height: 480, follow: true });
+    return window.matrigrate!.frame(600).toDataURL("image/png");
+  });
+  assert.ok((await difference(page, followed, other)) > 0.001, "following changes nothing");
+  const fault = await page.evaluate(() => {
+    try {
+      window.matrigrate!.show({ width: 640, height: 480, layer: "colour" });
+      return "";
+    } catch (reason) {
+      return String(reason);
+    }
+  });
+  assert.match(fault, /no layer "colour"/);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+  const empty = await open(browser, "run", JSON.stringify({ ...run, frames: null }));
+  const none = await empty.page.evaluate(() => window.matrigrate!.ready.then(() => "", String));
+  assert.match(none, /no frames/);
+  assert.deepEqual(empty.errors, []);
+  await browser.close();
+});
