@@ -8,12 +8,13 @@
 
 namespace matrigrate {
 
-double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p) {
+double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,
+                        double stiffness) {
   const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
   if (distance >= reach) return 0.0;
   const double pressure = p.degradation.pressure == DegradationPressure::solid
                               ? solid_pressure
-                              : std::max(solid_pressure, contact_pressure(distance, p));
+                              : std::max(solid_pressure, stiffness * contact_pressure(distance, p));
   if (pressure <= p.degradation.threshold) return 0.0;
   return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
 }
@@ -25,7 +26,9 @@ void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle>
   for (const NearbyParticle& e : nearby) {
     const std::uint32_t k = e.particle;
     if (ecm.f[k] <= 0.0) continue;
-    double rate = degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K), p);
+    const double stiffness = ecm.stiffness(k);
+    double rate =
+        degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K * stiffness), p, stiffness);
     const Vec2 x = ecm.x[k] - 0.5 * dt * ecm.v[k];
     const bool at_tip =
         std::ranges::any_of(tips, [&](const Vec2& tip) { return (x - tip).squaredNorm() < tip_reach2; });

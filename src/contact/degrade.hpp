@@ -14,8 +14,9 @@ namespace matrigrate {
 /// Rate at which an encounter degrades its particle [1/s]: the protrusion's or the body's, where the particle is closer
 /// than its reach and the pressure that degradation.pressure names is above p_th, else 0.
 /// @param on_protrusion  whether the closest segment belongs to a protrusion
-/// @param solid_pressure [kPa]
-double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p);
+/// @param solid_pressure [kPa]   @param stiffness  of the particle, E_k/E, which scales the contact pressure [-]
+double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,
+                        double stiffness = 1.0);
 
 /// Degrades for dt, after positions have moved by dt v: around the tips at tip_rate whatever the pressure, along
 /// protrusions and body by degradation_rate(); the faster one counts. Particles that reach f = 0 become fluid.

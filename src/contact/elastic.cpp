@@ -15,7 +15,7 @@ void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parame
   const double stiffness = moduli(p.ecm).K * width / p.contact.range;
   for (const NearbyParticle& e : nearby) {
     if (e.distance >= p.contact.range) continue;
-    const double f = ecm.f[e.particle];
+    const double f = ecm.f[e.particle] * ecm.stiffness(e.particle);
     const std::uint32_t a = first + e.segment;
     const std::uint32_t b = first + static_cast<std::uint32_t>(c.next(e.segment));
     const Vec2 F = f * contact_pressure(e.distance, p) * width * e.normal;

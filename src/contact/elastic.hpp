@@ -14,8 +14,8 @@ namespace matrigrate {
 /// Contact pressure K (1 - d/d_c) for d < d_c, else 0 [kPa].   @param distance  outside positive [um]
 double contact_pressure(double distance, const Parameters& p);
 
-/// Adds f_degr p_c dp t_z along the normal to the particle and its reaction to the ends of the segment, linearly
-/// implicit along the normal.
+/// Adds f_degr (E_k/E) p_c dp t_z along the normal to the particle and its reaction to the ends of the segment,
+/// linearly implicit along the normal.
 /// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
 void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p,
                          std::span<const NearbyParticle> nearby, double dt, std::uint32_t first, std::span<Vec2> force,

@@ -11,6 +11,8 @@ namespace matrigrate {
 
 namespace {
 
+constexpr double degree = std::numbers::pi / 180.0;
+
 /// A fibre as it stands: strain, and x_ij of its ends.
 struct Stretched {
   double strain;
@@ -25,12 +27,21 @@ Stretched stretched(const EcmState& ecm, const FibreNetwork& network, std::size_
 
 } // namespace
 
-bool joined(const Vec2& X, const FibreParameters& p) {
+bool joined(const Vec2& X, const FibreParameters& p, double direction) {
   if (p.arrangement == FibreArrangement::isotropic) return true;
-  constexpr double degree = std::numbers::pi / 180.0;
   constexpr double boundary = 1e-9; // pairs on it belong
-  const Vec2 direction(std::cos(degree * p.direction_deg), std::sin(degree * p.direction_deg));
-  return std::abs(X.dot(direction)) >= (std::cos(degree * p.half_angle_deg) - boundary) * X.norm();
+  const Vec2 along(std::cos(direction), std::sin(direction));
+  return std::abs(X.dot(along)) >= (std::cos(degree * p.half_angle_deg) - boundary) * X.norm();
+}
+
+bool joined(const Vec2& X, const FibreParameters& p) { return joined(X, p, degree * p.direction_deg); }
+
+double fibre_direction(const EcmState& ecm, const FibreParameters& p, std::size_t i, std::size_t j) {
+  if (ecm.fibre_direction.empty()) return degree * p.direction_deg;
+  const double a = ecm.fibre_direction[i];
+  const double b = ecm.fibre_direction[j];
+  if (a == b) return a;
+  return 0.5 * std::atan2(std::sin(2.0 * a) + std::sin(2.0 * b), std::cos(2.0 * a) + std::cos(2.0 * b)); // of axes
 }
 
 FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
@@ -45,7 +56,7 @@ FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const Fi
     for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) {
       const std::uint32_t j = all.index[k];
       const Vec2& X = ref.X_ij(k);
-      if (!joined(X, fibres)) continue;
+      if (!joined(X, fibres, fibre_direction(ecm, fibres, i, j))) continue;
       m_pairs.index.push_back(j);
       m_X_ij.push_back(X);
       m_length.push_back(X.norm());

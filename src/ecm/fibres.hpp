@@ -15,7 +15,12 @@ namespace matrigrate {
 
 /// Whether a fibre joins reference neighbours with separation X: always, or in a uniaxial matrix if X is within
 /// half_angle_deg of the direction, boundary included.
-bool joined(const Vec2& X, const FibreParameters& p);
+/// @param direction  of the fibres there [rad]
+bool joined(const Vec2& X, const FibreParameters& p, double direction);
+bool joined(const Vec2& X, const FibreParameters& p); ///< the same with fibres.direction_deg
+
+/// Direction of uniaxial fibres between particles i and j: the mean of the axes at both [rad].
+double fibre_direction(const EcmState& ecm, const FibreParameters& p, std::size_t i, std::size_t j);
 
 /// Pairs of reference neighbours that are permanently joined by a fibre. Weights, Eq. (4): w_ij = (W_ij/S_i +
 /// W_ij/S_j)/2, S_i the sum of W over i itself and all its neighbours [-].

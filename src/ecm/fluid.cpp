@@ -24,7 +24,7 @@ double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacen
   double sum = kernel.W(0.0);
   for (const std::uint32_t j : pairs.of(i))
     if (const double r2 = ecm.separation(i, j).squaredNorm(); r2 < reach2) sum += kernel.W(std::sqrt(r2));
-  return fluid_pressure(ecm.f[i], ecm.V0 * sum / rho_lattice, moduli(p).K);
+  return fluid_pressure(ecm.f[i], ecm.V0 * sum / rho_lattice, moduli(p).K * ecm.stiffness(i));
 }
 
 void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,

@@ -15,7 +15,7 @@ namespace matrigrate {
 double lattice_density(const EcmParameters& p);
 
 /// Pressure that particle i adds as fluid, (1 - f_i) K max(0, rho_sum / rho_lattice - 1), with rho_sum the summed
-/// density V_0 sum_j W_ij of all particles, itself included, at current positions [kPa].
+/// density V_0 sum_j W_ij of all particles, itself included, at current positions, and K_i in proportion to E_i [kPa].
 double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, const Kernel& kernel,
                       double rho_lattice, std::size_t i);
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "ecm/deformation.hpp"
+#include "ecm/graded.hpp"
 #include "ecm/law/material.hpp"
 
 #include <algorithm>
@@ -11,11 +12,6 @@
 namespace matrigrate {
 
 namespace {
-
-/// a_hg E V_0^2, what is common to all c_ij [nN um^2].
-double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
-  return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0;
-}
 
 /// Deviatoric stress of particle t of a row.   @param S  components xx, yx, xy, yy one after the other, by particles
 [[gnu::always_inline]] inline Tensor stress_of(const double* S, std::size_t t) {
@@ -103,6 +99,10 @@ void rates_of_row(std::size_t n, std::size_t begin, const TensorPlanes& before, 
 
 } // namespace
 
+double hourglass_scale(const EcmState& ecm, const EcmParameters& p) {
+  return p.hourglass_weight * p.youngs_modulus * ecm.V0 * ecm.V0;
+}
+
 void SolidFields::resize(std::size_t n) {
   fu.resize(n);
   H.resize(n);
@@ -129,7 +129,8 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
   return ordered_sum(ecm.size(), 0.0, [&](std::size_t i) {
     double sum = 0.0;
     for (std::uint32_t k = ref.pairs().first[i]; k < ref.pairs().first[i + 1]; ++k) {
-      const double c_ij = scale * ecm.f[i] * ecm.f[ref.pairs().index[k]] * ref.W_over_r2(k);
+      const std::uint32_t j = ref.pairs().index[k];
+      const double c_ij = scale * ecm.f[i] * ecm.f[j] * ref.W_over_r2(k) * mean_stiffness(ecm, i, j);
       sum += 0.25 * c_ij * hourglass_error(ecm, ref, F, i, k).squaredNorm();
     }
     return sum;
@@ -188,6 +189,7 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
   const double scale = hourglass_scale(ecm, p);
   const DegradationMoments& lattice = ref.lattice_moments();
   follow_deformation(ecm, ref, solid);
+  if (!ecm.E_ratio.empty()) return add_graded_elastic_forces(ecm, p, ref, solid, force);
   ref.each_row([&](const RowTerms& terms) {
     RowTensors sum;
     RowVectors hourglass;
@@ -234,8 +236,8 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
 }
 
 void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt) {
-  const SolidStateOf<double> now =
-      advanced({ecm.rho[i], components(ecm.S[i])}, components(L), moduli(p).G, dt, p.density_min, p.density_max);
+  const SolidStateOf<double> now = advanced({ecm.rho[i], components(ecm.S[i])}, components(L),
+                                            moduli(p).G * ecm.stiffness(i), dt, p.density_min, p.density_max);
   ecm.rho[i] = now.rho;
   ecm.S[i] = matrix(now.S);
 }
@@ -243,6 +245,7 @@ void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmPar
 DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                              double dt) {
   const double G = moduli(p).G;
+  const bool uniform = ecm.E_ratio.empty();
   parallel_for(ecm.size(), [&](std::size_t i) { solid.fu.set(i, ecm.f[i] * ecm.displacement(i)); });
   ref.each_row([&](const RowTerms& terms) {
     const std::size_t begin = terms.row.begin;
@@ -254,11 +257,11 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
     advance_row(n, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, rate, p, G, dt, to);
     for (std::size_t t = 0; t < n; ++t) {
       const std::size_t i = begin + t;
-      if (ecm.f[i] == 1.0) {
+      if (ecm.f[i] == 1.0 && uniform) {
         ecm.rho[i] = to.rho[t];
         ecm.S[i] = to.S[t];
       } else if (ecm.f[i] > 0.0) {
-        const Mat2& F = solid.F_partial[i];
+        const Mat2 F = solid.F(ecm, i);
         advance_stress_of(ecm, i, velocity_gradient(Mat2((Mat2::Identity() + H[t] - F) / dt), F), p, dt);
       }
     }

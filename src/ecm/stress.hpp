@@ -17,8 +17,12 @@ namespace matrigrate {
 Vec2 hourglass_error(const EcmState& ecm, const Reference& ref, const std::vector<Mat2>& F, std::size_t i,
                      std::uint32_t k);
 
+/// a_hg E V_0^2, what is common to all c_ij [nN um^2].
+double hourglass_scale(const EcmState& ecm, const EcmParameters& p);
+
 /// Penalty energy of hourglass modes over t_z [nN]: sum over pairs of 1/2 c_ij |e_ij|^2 with
-/// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2. The forces below contain exactly its negative gradient.
+/// c_ij = a_hg E V_0^2 f_i f_j W_0,ij / |X_ij|^2, E the mean of the pair. The forces below contain exactly its negative
+/// gradient.
 double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Reference& ref, const std::vector<Mat2>& F);
 
 /// Workspace of the sums over neighbours; structures of arrays, times f_degr where stated.
@@ -50,6 +54,7 @@ void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& 
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains J sigma F^-T and the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
+/// Where E varies, as ecm/graded.hpp says.
 /// @param solid  updated here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);

@@ -13,11 +13,11 @@ void add_current_elastic_forces(const EcmState& ecm, const EcmParameters& p, con
   const Kernel kernel(p.smoothing_length);
   const double K = moduli(p).K;
   parallel_for(ecm.size(), [&](std::size_t i) {
-    const Mat2 sigma_i = ecm.f[i] * cauchy_stress(ecm.rho[i], ecm.S[i], K);
+    const Mat2 sigma_i = ecm.f[i] * cauchy_stress(ecm.rho[i], ecm.S[i], K * ecm.stiffness(i));
     Vec2 sum = Vec2::Zero();
     for (const std::uint32_t j : pairs.of(i)) {
       const Vec2 x_ij = ecm.separation(i, j);
-      const Mat2 sigma_j = ecm.f[j] * cauchy_stress(ecm.rho[j], ecm.S[j], K);
+      const Mat2 sigma_j = ecm.f[j] * cauchy_stress(ecm.rho[j], ecm.S[j], K * ecm.stiffness(j));
       const double V_i_V_j = ecm.V0 * ecm.V0 / (ecm.rho[i] * ecm.rho[j]);
       sum += V_i_V_j * kernel.W_slope(x_ij.norm()) * ((sigma_i + sigma_j) * x_ij);
     }

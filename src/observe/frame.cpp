@@ -56,6 +56,7 @@ std::vector<double> fluid_pressures(const EcmState& ecm, const EcmParameters& p)
     if (ecm.period_x == 0.0 && !box.contains(ecm.x[i])) continue;
     part.x.push_back(ecm.x[i]);
     part.f.push_back(ecm.f[i]);
+    if (!ecm.E_ratio.empty()) part.E_ratio.push_back(ecm.E_ratio[i]);
     of_part.push_back(i);
   }
   const double rho_lattice = lattice_density(p);
@@ -76,7 +77,7 @@ MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w
     m.displacement.insert(m.displacement.end(), {fixed(u.x()), fixed(u.y())});
     m.velocity.insert(m.velocity.end(), {short_float(ecm.v[i].x()), short_float(ecm.v[i].y())});
     m.f_degr.push_back(static_cast<float>(ecm.f[i]));
-    m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K) : fluid[i])));
+    m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K * ecm.stiffness(i)) : fluid[i])));
     m.von_mises.push_back(solid ? short_float(Pa * von_mises(ecm.S[i])) : 0.0F);
   }
   if (!w.fibres.empty())

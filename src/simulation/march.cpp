@@ -8,7 +8,7 @@ namespace matrigrate {
 
 void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads,
            const std::function<bool(const State&)>& each_step) {
-  require_stable_step(p);
+  require_stable_step(p, w.limits);
   const double slack = 0.5 * shortest_step(p);
   while (s.t < t_end - slack) {
     if (p.run.integrator == Integrator::adaptive)

@@ -111,6 +111,14 @@ StepLimits step_limits(const Parameters& p) {
   return {.elastic_s = 2.0 / elastic, .fluid_s = 2.0 / fluid};
 }
 
+StepLimits step_limits(const Parameters& p, const EcmState& ecm) {
+  Parameters stiffest = p;
+  if (!ecm.E_ratio.empty()) stiffest.ecm.youngs_modulus *= std::ranges::max(ecm.E_ratio);
+  if (!ecm.fibre_direction.empty() && p.fibres.arrangement == FibreArrangement::uniaxial)
+    stiffest.fibres.arrangement = FibreArrangement::isotropic;
+  return step_limits(stiffest);
+}
+
 double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits) {
   if (p.run.integrator == Integrator::reference) return 0.0;
   const double both = 1.0 / limits.elastic_s + 1.0 / limits.fluid_s; // where solid and fluid meet, their rates add up
@@ -161,9 +169,11 @@ std::string fault_of_step(const Parameters& p, const StepLimits& limits) {
       fixed ? ", or run.integrator = \"adaptive\" for longer steps" : "");
 }
 
-void require_stable_step(const Parameters& p) {
-  if (const std::string fault = fault_of_step(p, step_limits(p)); !fault.empty()) throw NumericalFailure(fault);
+void require_stable_step(const Parameters& p, const StepLimits& limits) {
+  if (const std::string fault = fault_of_step(p, limits); !fault.empty()) throw NumericalFailure(fault);
 }
+
+void require_stable_step(const Parameters& p) { require_stable_step(p, step_limits(p)); }
 
 std::string describe(const StepLimits& limits) {
   return fmt::format(

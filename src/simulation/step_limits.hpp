@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
+#include "state/ecm.hpp"
 
 #include <string>
 
@@ -26,6 +27,10 @@ struct StepLimits {
 /// G, mu, h/dp, the lattice and the penalty, not on dp itself. For the compressed fluid: rate t_z V_0 K |g_raw|^2 /
 /// d(k).
 StepLimits step_limits(const Parameters& p);
+
+/// The same for a matrix that varies from place to place: as if its largest Young's modulus were everywhere, and as if
+/// all neighbours were joined by fibres where their direction varies.
+StepLimits step_limits(const Parameters& p, const EcmState& ecm);
 
 /// The adaptive integrator adds a drag on changes of the matrix's velocities, theta times its own drag, so that longer
 /// steps are stable. A mode of rate lambda then obeys
@@ -68,7 +73,8 @@ double rounded_down(double step);
 std::string fault_of_step(const Parameters& p, const StepLimits& limits);
 
 /// @throws NumericalFailure if run.time_step is too long, with a stable value
-void require_stable_step(const Parameters& p);
+void require_stable_step(const Parameters& p, const StepLimits& limits);
+void require_stable_step(const Parameters& p); ///< the same in a uniform matrix
 
 /// The limits in one sentence.
 std::string describe(const StepLimits& limits);

@@ -22,8 +22,13 @@ struct EcmState {
   std::vector<double> f;             ///< f_degr: 1 intact solid, 0 fluid [-]
   std::vector<std::uint8_t> clamped; ///< 1: moves as prescribed (rim, grips, walls)
 
+  // What varies from place to place, for good; empty where it does not.
+  std::vector<double> E_ratio;         ///< Young's modulus over ecm.youngs_modulus, > 0; empty: 1 everywhere [-]
+  std::vector<double> fibre_direction; ///< of uniaxial fibres; empty: fibres.direction_deg everywhere [rad]
+
   std::size_t size() const { return X.size(); }
-  Vec2 displacement(std::size_t i) const { return x[i] - X[i]; } ///< u [um]
+  double stiffness(std::size_t i) const { return E_ratio.empty() ? 1.0 : E_ratio[i]; } ///< E_i over E [-]
+  Vec2 displacement(std::size_t i) const { return x[i] - X[i]; }                       ///< u [um]
 
   /// x_i - x_j, to the nearest image of j where the matrix is periodic [um].
   Vec2 separation(std::size_t i, std::size_t j) const;

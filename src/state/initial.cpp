@@ -1,7 +1,12 @@
 #include "state/initial.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string_view>
 
 namespace matrigrate {
 
@@ -98,6 +103,35 @@ EcmState rectangle(const EcmParameters& ecm, double width, double height, double
       add(s, X, std::abs(X.x()) > free_half);
     }
   return at_rest(std::move(s));
+}
+
+namespace {
+
+/// The values of a field at all particles; none without a field.
+/// @param allowed  whether a value is
+template <class Allowed>
+std::vector<double> values(const std::function<double(const Vec2&)>& field, const EcmState& ecm, std::string_view name,
+                           const Allowed& allowed) {
+  std::vector<double> all;
+  if (!field) return all;
+  for (const Vec2& X : ecm.X) {
+    const double value = field(X);
+    if (!std::isfinite(value) || !allowed(value))
+      throw std::invalid_argument(
+          fmt::format("{} of the matrix is {} at ({:.4g}, {:.4g}) um", name, value, X.x(), X.y()));
+    all.push_back(value);
+  }
+  return all;
+}
+
+} // namespace
+
+void apply(const MatrixFields& fields, EcmState& ecm) {
+  ecm.E_ratio = values(fields.E_ratio, ecm, "E_ratio", [](double ratio) { return ratio > 0.0; });
+  ecm.fibre_direction = values(fields.fibre_direction, ecm, "fibre_direction", [](double) { return true; });
+  const std::vector<double> f = values(fields.f_degr, ecm, "f_degr", [](double a) { return a >= 0.0 && a <= 1.0; });
+  for (std::size_t i = 0; i < f.size(); ++i)
+    if (!ecm.clamped[i]) ecm.f[i] = std::min(ecm.f[i], f[i]);
 }
 
 } // namespace matrigrate

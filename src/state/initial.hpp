@@ -3,6 +3,7 @@
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"
 
+#include <functional>
 #include <vector>
 
 /// The bodies that a simulation can start from: particles on a lattice, at rest and free of stress.
@@ -29,5 +30,16 @@ EcmState strip(const EcmParameters& ecm, double width, double height);
 /// @param width   along x, grips included, rounded to whole columns [um]
 /// @param height  along y, rounded to whole rows [um]
 EcmState rectangle(const EcmParameters& ecm, double width, double height, double grip);
+
+/// Properties of a matrix as functions of the reference position [um]; what is not given stays uniform.
+struct MatrixFields {
+  std::function<double(const Vec2&)> E_ratio{};         ///< Young's modulus over ecm.youngs_modulus, > 0 [-]
+  std::function<double(const Vec2&)> f_degr{};          ///< at the start, in [0, 1]; never raises f [-]
+  std::function<double(const Vec2&)> fibre_direction{}; ///< of uniaxial fibres, from the x axis [rad]
+};
+
+/// Gives the particles of a matrix at rest their properties; clamped ones stay solid.
+/// @throws std::invalid_argument naming the place of a value that is out of range or not finite
+void apply(const MatrixFields& fields, EcmState& ecm);
 
 } // namespace matrigrate

@@ -77,8 +77,9 @@ Cell small_parts_of_cell(const Json& json) {
 
 /// The oldest format that can hold a state.
 int version_of(const State& s) {
-  const bool plain = s.cells.empty() || (s.cells.size() == 1 && s.cells.front().id == 0);
-  return plain ? one_cell_version : checkpoint_version;
+  const bool one = s.cells.empty() || (s.cells.size() == 1 && s.cells.front().id == 0);
+  const bool uniform = s.ecm.E_ratio.empty() && s.ecm.fibre_direction.empty();
+  return one && uniform ? one_cell_version : checkpoint_version;
 }
 
 /// Without a cell: as if of one without particles.
@@ -143,8 +144,10 @@ void require_consistent(const State& s) {
   const SolverMemory& memory = s.solver_memory;
   const bool knows_before = memory.v_before.empty() || memory.v_before.size() == node_count(s);
   const bool lags = memory.x_drag.empty() || memory.x_drag.size() == n;
-  const bool matrix = lags && knows_before && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n
-                      && s.ecm.S.size() == n && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
+  const auto one_each = [n](const std::vector<double>& field) { return field.empty() || field.size() == n; };
+  const bool matrix = one_each(s.ecm.E_ratio) && one_each(s.ecm.fibre_direction) && lags && knows_before
+                      && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n && s.ecm.S.size() == n
+                      && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
   const bool cortices = std::ranges::all_of(s.cells, [](const Cell& cell) {
     return cell.cortex.size() > 0 && cell.cortex.v.size() == cell.cortex.size()
            && cell.cortex.l0.size() == cell.cortex.size();
@@ -153,6 +156,8 @@ void require_consistent(const State& s) {
   for (const Cell& cell : s.cells)
     for (const Protrusion& p : cell.protrusions)
       if (p.centre >= cell.cortex.size()) throw std::invalid_argument("a protrusion has no place on the cortex");
+  if (!std::ranges::all_of(s.ecm.E_ratio, [](double ratio) { return std::isfinite(ratio) && ratio > 0.0; }))
+    throw std::invalid_argument("a Young's modulus of the matrix is not above 0");
   if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is no time");
 }
 
@@ -170,6 +175,8 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   file.write("/ecm/S", s.ecm.S, "kPa");
   file.write("/ecm/f", s.ecm.f, "1");
   file.write("/ecm/clamped", s.ecm.clamped);
+  if (!s.ecm.E_ratio.empty()) file.write("/ecm/E_ratio", s.ecm.E_ratio, "1");
+  if (!s.ecm.fibre_direction.empty()) file.write("/ecm/fibre_direction", s.ecm.fibre_direction, "rad");
   file.write("/v_before", s.solver_memory.v_before, "um/s");
   if (s.cells.empty()) write_cortex(file, {}, version, 0);
   for (std::size_t k = 0; k < s.cells.size(); ++k) write_cortex(file, s.cells[k].cortex, version, k);
@@ -209,6 +216,8 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     s.ecm.S = file.matrices("/ecm/S");
     s.ecm.f = file.doubles("/ecm/f");
     s.ecm.clamped = file.bytes("/ecm/clamped");
+    if (file.has("/ecm/E_ratio")) s.ecm.E_ratio = file.doubles("/ecm/E_ratio");
+    if (file.has("/ecm/fibre_direction")) s.ecm.fibre_direction = file.doubles("/ecm/fibre_direction");
     s.solver_memory.v_before = file.vectors("/v_before");
     const int version = file.has("/cortex/x") ? one_cell_version : checkpoint_version;
     for (std::size_t k = 0; k < s.cells.size(); ++k) s.cells[k].cortex = read_cortex(file, version, k);

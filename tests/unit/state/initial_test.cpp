@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 using namespace matrigrate;
 
@@ -63,4 +65,30 @@ TEST(Rectangle, IsCentredAndHeldAtBothEnds) {
   for (const Vec2& X : ecm.X) mean += X / 300.0;
   EXPECT_NEAR(mean.norm(), 0.0, 1e-12);
   for (std::size_t i = 0; i < ecm.size(); ++i) EXPECT_EQ(ecm.clamped[i] == 1, std::abs(ecm.X[i].x()) > 25.0);
+}
+
+TEST(MatrixFields, GiveEachParticleItsProperties) {
+  Parameters p;
+  p.ecm.radius = 30.0;
+  EcmState ecm = disc(p);
+  apply({.E_ratio = [](const Vec2& X) { return X.x() > 0.0 ? 2.0 : 1.0; }, .f_degr = [](const Vec2&) { return 0.5; }},
+        ecm);
+  ASSERT_EQ(ecm.E_ratio.size(), ecm.size());
+  EXPECT_TRUE(ecm.fibre_direction.empty());
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    EXPECT_EQ(ecm.stiffness(i), ecm.X[i].x() > 0.0 ? 2.0 : 1.0);
+    const bool hole = ecm.X[i].norm() < p.cell.radius;
+    EXPECT_EQ(ecm.f[i], ecm.clamped[i] ? 1.0 : hole ? 0.0 : ecm.f[i]);
+    EXPECT_TRUE(ecm.clamped[i] || ecm.f[i] <= 0.5);
+  }
+}
+
+TEST(MatrixFields, RefuseValuesOutOfRange) {
+  Parameters p;
+  p.ecm.radius = 30.0;
+  EcmState ecm = disc(p);
+  for (const double wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(apply({.E_ratio = [&](const Vec2&) { return wrong; }}, ecm), std::invalid_argument) << wrong;
+  for (const double wrong : {-0.1, 1.1})
+    EXPECT_THROW(apply({.f_degr = [&](const Vec2&) { return wrong; }}, ecm), std::invalid_argument) << wrong;
 }

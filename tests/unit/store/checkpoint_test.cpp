@@ -120,6 +120,25 @@ TEST(Checkpoint, HoldsSeveralCells) {
   EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
+TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
+  Checkpoint before = example();
+  EcmState& ecm = before.state.ecm;
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    ecm.E_ratio.push_back(1.0 + 1e-3 * static_cast<double>(i) / 3.0);
+    ecm.fibre_direction.push_back(0.1 * static_cast<double>(i));
+  }
+  const std::string image = io::checkpoint_image(before);
+  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
+  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  EXPECT_EQ(after.state.ecm.E_ratio, ecm.E_ratio);
+  EXPECT_EQ(after.state.ecm.fibre_direction, ecm.fibre_direction);
+  ecm.E_ratio[5] = 0.0;
+  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("a Young's modulus of the matrix is not above 0"));
+  ecm.E_ratio.pop_back();
+  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+}
+
 TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   const std::string image = io::checkpoint_image(example());
   EXPECT_TRUE(refusal("").ends_with("c.h5: is no checkpoint of matrigrate"));
