@@ -131,7 +131,7 @@ Json film_json(const Film& film) {
 }
 
 Json fibres_json(const Parameters& p) {
-  if (p.fibres.arrangement == FibreArrangement::none) return {};
+  if (p.fibres.arrangement == FibreArrangement::none || !p.fibres.field.direction_deg.empty()) return {};
   const Kernel kernel(p.ecm.smoothing_length);
   Json bonds = Json::array();
   for (const Vec2& X : lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length)) {
