@@ -27,6 +27,7 @@ libgtest-dev: the tests
 libbenchmark-dev: the benchmarks
 clang-format: the test of the formatting
 chromium: opens the pages of reports in their tests
+ffmpeg: encodes movies in their tests
 python3-h5py: opens fields in their tests
 python3-pip: installs the Python package in its tests
 python3-pandas: tables in the tests of the Python package
