@@ -30,6 +30,7 @@ libgtest-dev: the tests
 libbenchmark-dev: the benchmarks
 clang-format: the test of the formatting
 chromium: opens the pages of reports in their tests
+ffmpeg: encodes movies in their tests
 python3-h5py: opens fields in their tests
 python3-pip: installs the Python package in its tests
 pybind11-dev: the compiled module of the Python package

@@ -85,7 +85,7 @@ function compared(page: Page, one: string, other: string): Promise<{ mean: numbe
 async function prepared(browser: Browser, query: string, run: string): Promise<Page> {
   const { page } = await open(browser, "run", run, { viewport: { width: 800, height: 560 } }, query);
   await page.locator(".scrub").fill("3900");
-  for (const overlay of ["cell", "protrusions", "adhesions", "path"])
+  for (const overlay of ["fibres", "cell", "protrusions", "adhesions", "path"])
     await page.locator(`input[name=${overlay}]`).uncheck();
   return page;
 }

@@ -48,7 +48,8 @@ struct Moments {
       scenes.push_back(frame_scene(film.head, frame, {}));
       field.position.push_back(matrix_positions(film.head, frame));
       field.value.emplace_back(field.position.back().size(), 1.0);
-      field.value.back()[7] = std::numeric_limits<double>::quiet_NaN();
+      for (std::size_t i = 0; i < field.value.back().size(); ++i)
+        if (field.position.back()[i].norm() < 5.0) field.value.back()[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
   std::vector<CellScene> scenes;
