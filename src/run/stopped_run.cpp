@@ -31,7 +31,9 @@ constexpr const char* scenario_file = "scenario.resolved.toml";
 bool is_complete(const std::string& text) {
   const auto document = parse_document(text, scenario_file);
   const auto* table = std::get_if<toml::table>(&document);
-  const auto has = [&](const Row& row) { return static_cast<bool>((*table)[section_of(row)][key_of(row)]); };
+  const auto has = [&](const Row& row) {
+    return kind(row) == Kind::field || table->at_path(row.path).node() != nullptr;
+  };
   return table != nullptr && text.ends_with('\n') && std::ranges::all_of(schema(), has);
 }
 

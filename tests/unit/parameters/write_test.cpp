@@ -5,6 +5,7 @@
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -53,6 +54,9 @@ private:
     member(p) = m_random() >> 11;
   }
   void change(const Row&, bool& (*member)(Parameters&), Parameters& p, double) { member(p) = m_random() % 2 == 0; }
+  void change(const Row&, std::string& (*member)(Parameters&), Parameters& p, double) {
+    member(p) = m_random() % 2 == 0 ? "" : fmt::format("{} + \"\\\" hash=1", m_random()); // as it is kept, unread
+  }
   void change(const Row&, const Choice& choice, Parameters& p, double) {
     choice.set(p, m_random() % choice.names.size());
   }
