@@ -47,13 +47,13 @@ int run_program(int argc, char** argv) {
   app.footer("Exit codes: 0 done; 2 usage; 3 configuration; 4 numerical failure; 5 input or output;\n"
              "75 stopped by a signal; 130 by Ctrl-C.");
   Action chosen;
-  add_demo(app, chosen, {argv, argv + argc});
   add_new(app, chosen);
   add_list(app, chosen);
   add_check(app, chosen);
   add_explain(app, chosen);
   add_run(app, chosen, {argv, argv + argc});
   add_resume(app, chosen, {argv, argv + argc});
+  add_demo(app, chosen, {argv, argv + argc});
   add_report(app, chosen);
   add_open(app, chosen);
   add_diff(app, chosen);

@@ -11,13 +11,10 @@ _matrigrate() {
   local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} verb=matrigrate word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case ${verb}_$word in
-    matrigrate_demo|matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_report|matrigrate_open|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
+    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
     esac
   done
   case $verb:$previous in
-  matrigrate_demo:-o|matrigrate_demo:--output) _matrigrate_files -d; return ;;
-  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack curved-fibres" -- "$cur")); return ;;
-  matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack curved-fibres" -- "$cur")); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
@@ -34,6 +31,9 @@ _matrigrate() {
   matrigrate_resume:--hours) COMPREPLY=(); return ;;
   matrigrate_resume:--threads) COMPREPLY=(); return ;;
   matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
+  matrigrate_demo:-o|matrigrate_demo:--output) _matrigrate_files -d; return ;;
+  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack curved-fibres" -- "$cur")); return ;;
+  matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
   matrigrate_export:--panel) COMPREPLY=(); return ;;
   matrigrate_export:--fps) COMPREPLY=(); return ;;
@@ -69,9 +69,7 @@ _matrigrate() {
   esac
   case $verb in
   matrigrate)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "demo new list check explain run resume report open diff export validate selftest study reproduce info" -- "$cur")); fi ;;
-  matrigrate_demo)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --preset --hours --no-open" -- "$cur")); else COMPREPLY=(); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume demo report open diff export validate selftest study reproduce info" -- "$cur")); fi ;;
   matrigrate_new)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
@@ -84,6 +82,8 @@ _matrigrate() {
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --seed --hours --threads --set --wall-time --force --json --quiet" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_resume)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --at --set --seed --hours --threads --wall-time --previous --json --quiet" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_demo)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --preset --hours --no-open" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_report)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)

@@ -131,7 +131,6 @@ Field::Field(const std::string& text, const std::filesystem::path& folder) : m_t
 }
 
 Field::Field(Field&&) noexcept = default;
-Field& Field::operator=(Field&&) noexcept = default;
 Field::~Field() = default;
 
 double Field::at(const Vec2& x) const {

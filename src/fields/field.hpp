@@ -25,7 +25,6 @@ public:
   /// @throws InputOutputError if a file cannot be read
   Field(const std::string& text, const std::filesystem::path& folder);
   Field(Field&&) noexcept;
-  Field& operator=(Field&&) noexcept;
   ~Field();
 
   /// Its value at a point [um], in the unit of its parameter; may be NaN or infinite of a formula.

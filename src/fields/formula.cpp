@@ -37,7 +37,6 @@ Formula::Formula(const std::string& text) : m_parser(std::make_unique<Parser>())
 }
 
 Formula::Formula(Formula&&) noexcept = default;
-Formula& Formula::operator=(Formula&&) noexcept = default;
 Formula::~Formula() = default;
 
 double Formula::at(const Vec2& x) const {

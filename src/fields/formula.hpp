@@ -17,7 +17,6 @@ public:
   /// @throws std::invalid_argument saying what cannot be read, and where
   explicit Formula(const std::string& text);
   Formula(Formula&&) noexcept;
-  Formula& operator=(Formula&&) noexcept;
   ~Formula();
 
   /// Its value at a point [um]; NaN or infinite where the formula is so. Not to be called by several threads at once.

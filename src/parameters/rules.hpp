@@ -16,7 +16,8 @@ struct Rule {
   std::string_view name;
   /// All parameters that it depends on; the first one set on the command line, else in the file, is blamed.
   std::vector<std::string_view> keys;
-  std::function<std::string(const Parameters&)> broken; ///< what is wrong and what is allowed; empty where the rule holds
+  std::function<std::string(const Parameters&)>
+      broken; ///< what is wrong and what is allowed; empty where the rule holds
 };
 
 std::span<const Rule> rules();

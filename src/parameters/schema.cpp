@@ -134,7 +134,7 @@ constexpr std::array rows{
     Row{"fibres.plane_to_space", [](Parameters& p) -> bool& { return p.fibres.plane_to_space; }, "", none,
         "", "MODEL.md, D25", "Whether k_0 is taken times 8/15, as if the fibres were spread in space", numerical},
 
-    Row{"fibres.field.direction_deg", [](Parameters& p) -> std::string& { return p.fibres.field.direction_deg; }, "deg", closed(-180, 180),
+    Row{"fibres.field.direction_deg", [](Parameters& p) -> std::string& { return p.fibres.field.direction_deg; }, "deg", closed(-360, 360),
         "", "MODEL.md, D32", "Direction of uniaxial fibres from place to place, in place of fibres.direction_deg", optional},
 
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),

@@ -34,8 +34,8 @@ struct Choice {
 using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std::uint64_t& (*)(Parameters&),
                             bool& (*)(Parameters&), std::string& (*)(Parameters&), Choice>;
 
-/// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `optional` and `numerical` ones commented
-/// out.
+/// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `optional` and `numerical` ones
+/// commented out.
 enum class Audience { usual, optional, numerical };
 
 /// A parameter.

@@ -152,7 +152,7 @@ Json run_data(const RunReport& report) {
            {{"radius_um", report.p.ecm.radius},
             {"spacing_um", report.p.ecm.particle_spacing},
             {"n_particles", n},
-             {"n_outline", n_outline}}},
+            {"n_outline", n_outline}}},
           {"frames", plays ? frames_json(report) : Json()},
           {"tracks", tracks_json(report.cells)},
           {"protrusions", protrusions_json(report)},

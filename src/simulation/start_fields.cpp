@@ -63,7 +63,9 @@ std::string fault_of_field(const Parameters& p, const Row& row) {
     for (const Vec2& X : places(p)) {
       const double value = field->at(X);
       if (in_range(row, value)) continue; // never of NaN
-      return fmt::format("is {:g} at ({:.4g}, {:.4g}) um; write {}", value, X.x(), X.y(), allowed_text(row));
+      return fmt::format("is {} at ({:.4g}, {:.4g}) um; write {}",
+                         std::isfinite(value) ? fmt::format("{:g}", value) : "not finite", X.x(), X.y(),
+                         allowed_text(row));
     }
   } catch (const ConfigurationError& error) {
     return error.faults().front().message;

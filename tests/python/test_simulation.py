@@ -41,7 +41,7 @@ class TestSimulation(common.InTemporaryFolder):
         simulation.advance(hours=0.15)
         self.assertGreater(np.abs(x - before).max(), 0.01, "the view is of the simulation's own numbers")
         protrusion = simulation.cell.protrusions[0]
-        self.assertEqual((protrusion["id"], protrusion["phase"]), (1, "growing"))
+        self.assertEqual((protrusion["id"], protrusion["phase"], len(protrusion["anchor_um"])), (1, "maturing", 2))
         del simulation
         gc.collect()
         self.assertTrue(np.isfinite(ring).all(), "a view keeps its simulation alive")
