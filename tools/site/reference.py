@@ -10,11 +10,12 @@ import textwrap
 
 _groups = [
     ("Runs", ["run", "load", "Run", "Readouts", "meaning"]),
+    ("Steps", ["Simulation", "Cell", "Matrix"]),
     ("Fields", ["Fields", "Field"]),
     ("Studies", ["run_study", "load_study", "Study", "Runs"]),
     ("Scenarios", ["Scenario", "Section", "Parameter"]),
     ("Errors", ["MatrigrateError", "ConfigurationError", "Fault", "UnknownParameter", "NumericalError", "InputOutputError",
-                "InternalError", "Stopped", "KeyboardStop", "ProgramNotFound", "UsageError"]),
+                "InternalError", "Stopped", "KeyboardStop", "ProgramNotFound", "CoreNotFound", "UsageError"]),
 ]
 
 
