@@ -31,6 +31,8 @@ TABLES = [  # page, first cell and column after it of the header, results, label
      [f"force {F} nN" for F in (0.4, 0.8, 1.2, 1.6, 2)]),
     ("docs/validation.md", "12 runs | 1e-5 /s |", "initiation-rate-results.csv",
      [f"initiation_rate {r} 1/s" for r in ("1e-05", "3e-05", "6e-05", "8e-05", "0.0001")]),
+    ("docs/validation.md", "12 runs, 1/r_off_min |", "disassembly-rate-results.csv",
+     [f"r_off_min {r} 1/s" for r in ("0.0001852", "0.000278", "0.0004167", "0.0008333", "0.001667")]),
     ("docs/validation.md", "12 runs | 200 s |", "growth-time-results.csv",
      [f"growth_time {t} s" for t in (200, 300, 400, 500, 600)]),
     ("docs/validation.md", "12 runs, zeta_diss 80 /nN |", "sensitive-adhesions-results.csv", STIFFNESS),
