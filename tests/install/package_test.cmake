@@ -25,20 +25,20 @@ foreach(word "Package: matrigrate" libhdf5 libtbb libfmt libc6 python3-pandas)
     message(SEND_ERROR "the package does not name ${word}:\n${control}")
   endif()
 endforeach()
-run(text ${DPKG_DEB} -x ${package} ${FOLDER}/root)
+run(text ${DPKG_DEB} -x ${package} ${FOLDER}/unpacked)
 foreach(file bin/matrigrate include/matrigrate/simulation/advance.hpp lib/python3/dist-packages/matrigrate/__init__.py
              lib/python3/dist-packages/matrigrate/scenario.schema.json share/man/man1/matrigrate.1
              share/bash-completion/completions/matrigrate share/matrigrate/studies/stiffness.toml
              share/matrigrate/R/matrigrate.R share/doc/matrigrate/LICENSE)
-  if(NOT EXISTS ${FOLDER}/root/usr/${file} AND NOT EXISTS ${FOLDER}/root/usr/${file}.gz)
+  if(NOT EXISTS ${FOLDER}/unpacked/usr/${file} AND NOT EXISTS ${FOLDER}/unpacked/usr/${file}.gz)
     message(SEND_ERROR "not in the package: /usr/${file}")
   endif()
 endforeach()
-file(GLOB_RECURSE caches ${FOLDER}/root/*.pyc)
+file(GLOB_RECURSE caches ${FOLDER}/unpacked/*.pyc)
 if(caches)
   message(SEND_ERROR "in the package: ${caches}")
 endif()
-run(text ${FOLDER}/root/usr/bin/matrigrate check ${FOLDER}/root/usr/share/matrigrate/scenarios/baseline.toml)
+run(text ${FOLDER}/unpacked/usr/bin/matrigrate check ${FOLDER}/unpacked/usr/share/matrigrate/scenarios/baseline.toml)
 
 # The recipes of containers take their lists of packages from tools/setup.sh, and name files that exist.
 foreach(recipe Dockerfile matrigrate.def)

@@ -12,11 +12,11 @@ mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codenam
 debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
 [ ! -d /etc/apt/apt.conf.d ] || cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/" # proxies
 cp "$package" "$root/matrigrate.deb"
-in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
+in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
 in_root "apt-get update -q && apt-get install -y -q /matrigrate.deb"
 in_root "matrigrate selftest"
-in_root "cd /root && matrigrate new cell.toml && matrigrate run cell.toml --hours 0.1 --quiet && test -s cell-seed1/report.html"
-in_root "cd /root && python3 -c 'import matrigrate; print(matrigrate.load(\"cell-seed1\").readouts.v_migr_abs_um_per_h)'"
-in_root "cd /root && matrigrate check /usr/share/matrigrate/studies/stiffness.toml"
+in_root "cd /srv && matrigrate new cell.toml && matrigrate run cell.toml --hours 0.1 --quiet && test -s cell-seed1/report.html"
+in_root "cd /srv && python3 -c 'import matrigrate; print(matrigrate.load(\"cell-seed1\").readouts.v_migr_abs_um_per_h)'"
+in_root "cd /srv && matrigrate check /usr/share/matrigrate/studies/stiffness.toml"
 in_root "man -w matrigrate 2>/dev/null || test -e /usr/share/man/man1/matrigrate.1 -o -e /usr/share/man/man1/matrigrate.1.gz || echo 'manual pages are left out of this root'"
 echo "the package works in a bare Debian 12"
