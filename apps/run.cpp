@@ -32,11 +32,10 @@ struct Options {
 
 /// "cell-seed1-youngs_modulus-50Pa": the scenario, its seed, and what --set changes.
 std::string default_folder(const Options& options, const Parameters& p) {
-  constexpr std::size_t longest = 120;
+  constexpr std::size_t max_length = 120;
   std::string name = fmt::format("{}-seed{}", std::filesystem::path(options.file).stem().string(), p.run.seed);
   for (const std::string& change : options.parameters.overrides) name += tag_of(change);
-  if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), configuration_hash(p).substr(0, 8));
-  return name;
+  return name.substr(0, max_length); // a folder that another run has is refused
 }
 
 Parameters parameters_of(const Options& options) {

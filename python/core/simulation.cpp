@@ -15,6 +15,7 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ namespace matrigrate {
 namespace {
 
 using Array = py::array_t<double>;
+
+constexpr std::uint64_t all_steps = std::numeric_limits<std::uint64_t>::max();
 
 /// A read-only view of values that the simulation owns; it keeps the simulation alive.
 /// @param shape  after the first dimension, the number of values
@@ -67,20 +70,23 @@ public:
   }
 
   /// @param each  called between steps, at most ten times a second; may be None
-  void march_to(const py::object& self, double t_end, const py::object& each) {
+  /// @param max_steps  ends after so many, whatever t_end
+  void march_to(const py::object& self, double t_end, const py::object& each, std::uint64_t max_steps) {
     using Clock = std::chrono::steady_clock;
     auto next = Clock::now();
+    std::uint64_t done = 0;
     Loads loads;
     if (!m_matrix_force.is_none() || !m_cell_force.is_none())
       loads = [&](const State& s, std::span<Vec2> forces) { add_forces(self, s, forces); };
     const auto each_step = [&](const State&) {
       see();
-      if (Clock::now() < next) return true;
+      const bool goes_on = ++done < max_steps;
+      if (Clock::now() < next) return goes_on;
       next = Clock::now() + std::chrono::milliseconds(100);
       const py::gil_scoped_acquire held;
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (!each.is_none()) each(self);
-      return true;
+      return goes_on;
     };
     const py::gil_scoped_release released;
     march(m_state, m_p, m_workspace, t_end, loads, each_step);
@@ -182,13 +188,16 @@ PYBIND11_MODULE(_core, module) {
   py::class_<Simulation>(module, "Simulation")
       .def(py::init<const std::string&, const std::string&, const std::vector<std::string>&>())
       .def("march_to", [](const py::object& self, double t_end,
-                          const py::object& each) { self.cast<Simulation&>().march_to(self, t_end, each); })
+                          const py::object& each) { self.cast<Simulation&>().march_to(self, t_end, each, all_steps); })
+      .def("step",
+           [](const py::object& self) {
+             self.cast<Simulation&>().march_to(self, std::numeric_limits<double>::infinity(), py::none(), 1);
+           })
       .def("set_force", &Simulation::set_force)
       .def("trajectory_hash", &Simulation::trajectory_hash)
       .def_property_readonly("t", [](const Simulation& s) { return s.state().t; })
       .def_property_readonly("step", [](const Simulation& s) { return s.state().step; })
       .def_property_readonly("duration", [](const Simulation& s) { return s.parameters().run.duration; })
-      .def_property_readonly("longest_step", [](const Simulation& s) { return s.parameters().run.time_step; })
       .def_property_readonly("cell_count", [](const Simulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
       .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })

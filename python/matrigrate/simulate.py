@@ -104,7 +104,7 @@ def _default_folder(file: Path, seed: int | None, overrides: Mapping[str, Any]) 
     for key, value in overrides.items():
         if key not in ("run.seed", "run.threads"):
             name += f"-{key.rsplit('.', 1)[-1]}-" + re.sub(r"[^A-Za-z0-9._-]", "", _override(value))
-    return Path(name)
+    return Path(name[:120])
 
 
 class _Watch:

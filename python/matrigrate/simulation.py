@@ -157,11 +157,7 @@ class Simulation:
 
     def step(self) -> None:
         """One step, of run.time_step or as long as the adaptive integrator takes it."""
-        before = self.step_count
-        until = self.t
-        while self.step_count == before:
-            until += self._core.longest_step
-            self.advance(until=until)
+        self._core.step()
 
     def advance(self, *, hours: float | None = None, until: float | None = None,
                 progress: Callable[[Simulation], None] | None = None) -> None:

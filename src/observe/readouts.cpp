@@ -86,7 +86,7 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   ReadOuts out;
   add_protrusions(out, records, p.actomyosin);
   const double fibres = p.fibres.direction_deg * std::numbers::pi / 180.0;
-  const bool uniaxial = p.fibres.arrangement == FibreArrangement::uniaxial;
+  const bool uniaxial = p.fibres.arrangement == FibreArrangement::uniaxial && p.fibres.field.direction_deg.empty();
   if (uniaxial) {
     out.along = oriented(records, fibres, false);
     out.across = oriented(records, fibres, true);

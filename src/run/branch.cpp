@@ -23,19 +23,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Sections and keys that the start was made with: a state that exists cannot be given others.
-bool of_the_start(std::string_view path) {
+/// Parameters that the start was made with: a state that exists cannot be given others. Fields are kept by its
+/// particles, stiffness as a ratio to ecm.youngs_modulus.
+bool of_the_start(const Row& row, const Parameters& before) {
+  if (kind(row) == Kind::field) return true;
+  if (row.path == "ecm.youngs_modulus") return !before.ecm.fields.youngs_modulus.empty();
   constexpr std::array<std::string_view, 10> fixed{
       "ecm.radius",      "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice",  "ecm.cell_hole",
       "ecm.formulation", "cell.radius",          "cell.particles",       "cell.start_x", "cell.start_y"};
-  return std::ranges::find(fixed, path) != fixed.end();
+  return std::ranges::find(fixed, row.path) != fixed.end();
 }
 
 /// @throws ConfigurationError naming every parameter that the branch cannot change
 void require_same_start(const Parameters& before, const Parameters& after) {
   std::vector<Fault> faults;
   for (const Row& row : schema())
-    if (of_the_start(row.path) && value_text(row, before) != value_text(row, after))
+    if (of_the_start(row, before) && value_text(row, before) != value_text(row, after))
       faults.push_back({.file = "--set",
                         .key = std::string(row.path),
                         .message = fmt::format("a branch goes on with the bodies that there are, made with {}; only a "

@@ -1,6 +1,8 @@
 #include "run/estimate.hpp"
 
 #include "ecm/law/material.hpp"
+#include "simulation/start.hpp"
+#include "simulation/start_fields.hpp"
 #include "state/cortex.hpp"
 #include "state/initial.hpp"
 
@@ -84,11 +86,11 @@ RunCost run_cost(const Parameters& p, std::size_t particles) {
 }
 
 Derived derived(const Parameters& p) {
-  const EcmState ecm = disc(p);
+  const EcmState ecm = initial_state(p).ecm;
   const Moduli m = moduli(p.ecm);
   const auto clamped = static_cast<std::size_t>(std::ranges::count(ecm.clamped, 1));
   const int in_front = p.cell.particles / 2;
-  const StepLimits limits = step_limits(p);
+  const StepLimits limits = step_limits(as_stiff_everywhere(p));
   Parameters as_run = p;
   as_run.run.time_step = longest_step(p, limits);
   return {.K = m.K,

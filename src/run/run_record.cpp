@@ -51,6 +51,12 @@ Json value_of(const Json& record, const char* key) {
   return record.is_object() && record.contains(key) ? record.at(key) : Json();
 }
 
+/// "200 Pa", or the field: "max(50, 200 + 2*x) Pa"
+std::string stiffness_text(const Parameters& p) {
+  if (!p.ecm.fields.youngs_modulus.empty()) return p.ecm.fields.youngs_modulus + " Pa";
+  return fmt::format("{:.6g} Pa", Pa * p.ecm.youngs_modulus);
+}
+
 } // namespace
 
 Json record_of(const fs::path& folder) {
@@ -123,13 +129,14 @@ io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
 }
 
 std::string run_title(const Parameters& p, const std::string& scenario) {
-  return fmt::format("{}: E = {:.6g} Pa, seed {}", scenario, Pa * p.ecm.youngs_modulus, p.run.seed);
+  return fmt::format("{}: {}, seed {}", scenario,
+                     p.ecm.fields.youngs_modulus.empty() ? "E = " + stiffness_text(p) : "stiffness by a field",
+                     p.run.seed);
 }
 
 std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
-  std::vector<io::Fact> facts{{"scenario", scenario},
-                              {"Young's modulus E", fmt::format("{:.6g} Pa", Pa * p.ecm.youngs_modulus)},
-                              {"seed", fmt::format("{}", p.run.seed)}};
+  std::vector<io::Fact> facts{
+      {"scenario", scenario}, {"Young's modulus E", stiffness_text(p)}, {"seed", fmt::format("{}", p.run.seed)}};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
   };

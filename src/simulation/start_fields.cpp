@@ -42,6 +42,12 @@ std::vector<Vec2> places(const Parameters& p) { return lattice_patch(p.ecm, p.ec
 } // namespace
 
 MatrixFields matrix_fields(const Parameters& p) {
+  std::vector<Fault> faults;
+  for (const Row& row : schema())
+    if (kind(row) == Kind::field)
+      if (std::string fault = fault_of_field(p, row); !fault.empty())
+        faults.push_back({"", 0, 0, std::string(row.path), std::move(fault)});
+  if (!faults.empty()) throw ConfigurationError(std::move(faults));
   MatrixFields given;
   const auto E = field_of(p, "ecm.fields.youngs_modulus");
   if (E) {

@@ -13,7 +13,8 @@ namespace matrigrate {
 
 /// The fields of a scenario as functions of the reference position. A field whose values are those of the uniform
 /// matrix is left out, so that it gives the same bits.
-/// @throws ConfigurationError if a text or a file cannot be read any more
+/// @throws ConfigurationError with all faults: a text or a file that cannot be read any more, a value that is not
+/// allowed
 MatrixFields matrix_fields(const Parameters& p);
 
 /// What is wrong with the values of a field: one is not finite or out of range. Empty without a fault, or without a

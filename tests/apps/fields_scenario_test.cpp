@@ -36,6 +36,13 @@ TEST_F(FieldsOfScenarios, AreTheSameFromTheResolvedScenarioAndAfterAResumption) 
   EXPECT_EQ(hash("elsewhere/again"), hash("whole"));
   ASSERT_EQ(run("resume whole --at '60 s' --hours 0.05 --seed 1 -o branch --quiet").code, 0);
   EXPECT_EQ(hash("branch"), hash("whole")) << "a branch without a change";
+  for (const char* text :
+       {"ecm.fields.youngs_modulus=300 + x", "ecm.fields.f_degr=x > 0 ? 1 : 0", "ecm.youngs_modulus=300 Pa"}) {
+    const std::string change = text;
+    const Ended refused = run("resume whole --at '60 s' -o other --set '" + change + "'");
+    EXPECT_EQ(refused.code, 3) << change << refused.err;
+    EXPECT_FALSE(exists("other"));
+  }
   write("E.csv", "x_um,y_um,E_Pa\n-60,-60,100\n60,-60,300\n-60,60,100\n60,60,301\n");
   const Ended changed = run("run whole/scenario.resolved.toml -o changed --quiet");
   EXPECT_EQ(changed.code, 3);
@@ -49,6 +56,7 @@ TEST_F(FieldsOfScenarios, EveryFaultIsToldAtOnceWithItsPlaceAndNothingIsWritten)
   const Ended ended = run("run cell.toml -o out");
   EXPECT_EQ(ended.code, 3);
   EXPECT_FALSE(exists("out"));
+  EXPECT_EQ(run("explain cell.toml").code, 3);
   for (const char* part : {"cell.toml:7:", "cell.toml:8:", "cell.toml:12:", "ecm.fields.youngs_modulus: is -",
                            "channel.png", "allowed are 1000"})
     EXPECT_TRUE(contains(ended.err, part)) << part << "\n" << ended.err;

@@ -51,6 +51,12 @@ class TestSimulation(common.InTemporaryFolder):
         simulation.step()
         simulation.step()
         self.assertEqual((simulation.step_count, round(simulation.t, 9)), (2, 0.8))
+        adaptive = self.small()
+        for steps in range(1, 120):
+            before = adaptive.t
+            adaptive.step()
+            self.assertEqual(adaptive.step_count, steps, "also where steps are halved")
+            self.assertLessEqual(adaptive.t - before, 5 + 1e-9)
 
     def test_a_force_moves_the_cell(self):
         def pull(simulation):

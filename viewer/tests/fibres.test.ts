@@ -6,17 +6,9 @@ import { sampleRun } from "../sample/run";
 import { fibresOf } from "../src/run/bonds";
 import type { Film } from "../src/run/frames";
 import { fibreLayer, strainAt } from "../src/run/over/fibres";
-import type { Field } from "../src/unpack";
 import { launch, open, settled } from "./browser";
+import { field } from "./fields";
 
-const field = (values: number[], components: number, scale: number): Field => ({
-  q: Int16Array.from(values, (v) => Math.round(v / scale)),
-  frames: 1,
-  stride: values.length,
-  components,
-  scale,
-  offset: 0,
-});
 
 /** Particles of a square lattice, 5 by 5, and of a hexagonal one. */
 const square = Array.from({ length: 25 }, (_, i) => [2 * (i % 5) - 4, 2 * Math.floor(i / 5) - 4]);

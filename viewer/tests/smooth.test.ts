@@ -7,18 +7,10 @@ import type { Film } from "../src/run/frames";
 import { Camera } from "../src/run/camera";
 import type { Layer } from "../src/run/matrix/layers";
 import { resample, valueOn } from "../src/run/matrix/resample";
-import type { Field } from "../src/unpack";
 import { launch, open } from "./browser";
+import { field } from "./fields";
 
 const spacing = 2;
-const field = (values: number[], components: number, scale: number): Field => ({
-  q: Int16Array.from(values, (v) => Math.round(v / scale)),
-  frames: 1,
-  stride: values.length,
-  components,
-  scale,
-  offset: 0,
-});
 
 /** A square lattice with a value at each particle. */
 function lattice(value: (x: number, y: number) => number, solid: (x: number, y: number) => boolean) {
