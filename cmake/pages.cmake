@@ -13,6 +13,10 @@ if(NOT pages)
   file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/viewer
        ${PROJECT_SOURCE_DIR}/viewer/src/* ${PROJECT_SOURCE_DIR}/viewer/sample/* ${PROJECT_SOURCE_DIR}/viewer/tests/*)
   list(APPEND viewer_sources run.html study.html package.json package-lock.json tsconfig.json vite.config.ts)
+  file(GLOB_RECURSE stale RELATIVE ${viewer} ${viewer}/src/* ${viewer}/sample/* ${viewer}/tests/*)
+  list(REMOVE_ITEM stale ${viewer_sources}) # copies of files that have moved
+  list(TRANSFORM stale PREPEND ${viewer}/)
+  file(REMOVE ${stale})
   set(viewer_copies "")
   foreach(file ${viewer_sources})
     add_custom_command(OUTPUT ${viewer}/${file} DEPENDS ${PROJECT_SOURCE_DIR}/viewer/${file}
