@@ -15,8 +15,10 @@ if(NOT pages)
   list(APPEND viewer_sources run.html study.html package.json package-lock.json tsconfig.json vite.config.ts)
   file(GLOB_RECURSE stale RELATIVE ${viewer} ${viewer}/src/* ${viewer}/sample/* ${viewer}/tests/*)
   list(REMOVE_ITEM stale ${viewer_sources}) # copies of files that have moved
-  list(TRANSFORM stale PREPEND ${viewer}/)
-  file(REMOVE ${stale})
+  if(stale)
+    list(TRANSFORM stale PREPEND ${viewer}/)
+    file(REMOVE ${stale})
+  endif()
   set(viewer_copies "")
   foreach(file ${viewer_sources})
     add_custom_command(OUTPUT ${viewer}/${file} DEPENDS ${PROJECT_SOURCE_DIR}/viewer/${file}
