@@ -196,7 +196,7 @@ PYBIND11_MODULE(_core, module) {
       .def("set_force", &Simulation::set_force)
       .def("trajectory_hash", &Simulation::trajectory_hash)
       .def_property_readonly("t", [](const Simulation& s) { return s.state().t; })
-      .def_property_readonly("step", [](const Simulation& s) { return s.state().step; })
+      .def_property_readonly("step_count", [](const Simulation& s) { return s.state().step; })
       .def_property_readonly("duration", [](const Simulation& s) { return s.parameters().run.duration; })
       .def_property_readonly("cell_count", [](const Simulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })

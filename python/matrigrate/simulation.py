@@ -143,7 +143,7 @@ class Simulation:
     @property
     def step_count(self) -> int:
         """Steps done."""
-        return self._core.step
+        return self._core.step_count
 
     @property
     def duration(self) -> float:
