@@ -6,7 +6,7 @@ import { sampleRun } from "../sample/run";
 import { fibresOf } from "../src/run/bonds";
 import type { Film } from "../src/run/frames";
 import { fibreLayer, strainAt } from "../src/run/over/fibres";
-import { launch, open, settled } from "./browser";
+import { launch, open, settled, until } from "./browser";
 import { field } from "./fields";
 
 
@@ -70,15 +70,15 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   await page.locator(".scrub").fill("3900");
   const box = page.locator("input[name=fibres]");
   const legend = page.getByText("Fibre strain", { exact: true });
-  assert.ok((await box.isChecked()) && (await legend.isVisible()));
+  await until(async () => (await box.isChecked()) && (await legend.isVisible()), "fibres are drawn and explained");
   assert.ok(await page.getByText("beyond a strain of 0.075 they stiffen").isVisible());
   const drawn = await shot();
   await page.keyboard.press("b");
-  assert.ok(!(await box.isChecked()) && !(await legend.isVisible()));
+  await until(async () => !(await box.isChecked()) && !(await legend.isVisible()), "the key switches them off");
   const bare = await shot();
   assert.ok(bare !== drawn, "the key changes nothing");
   await box.check();
-  assert.ok((await shot()) === drawn);
+  await until(async () => (await shot()) === drawn, "the box draws them as before");
   assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /fibres by their strain/);
   const bars = () => page.locator(".legend-layer .bar").evaluateAll((all) => all.map((e) => e.getAttribute("style")));
   await page.locator("input[value=pressure]").check();

@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import type { RunPage } from "../src/contract";
 import { sampleRun } from "../sample/run";
-import { launch, open, until, type Opened } from "./browser";
+import { launch, open, settled, until, type Opened } from "./browser";
 
 /** A short run in a small disc for what does not depend on size. */
 const small = sampleRun({ radius: 90, interval: 600, end: 7200 });
@@ -101,6 +101,7 @@ test("plays, pauses, scrubs and steps", async () => {
   await page.keyboard.press(" ");
   await until(async () => (await time(page)) !== "0 min", "it plays");
   await page.keyboard.press(" ");
+  await settled(page);
   const still = await picture(page);
   await page.waitForTimeout(200);
   assert.ok((await picture(page)) === still, "does not pause");
