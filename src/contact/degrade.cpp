@@ -25,7 +25,7 @@ void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle>
   const double tip_reach2 = p.degradation.tip_distance * p.degradation.tip_distance;
   for (const NearbyParticle& e : nearby) {
     const std::uint32_t k = e.particle;
-    if (ecm.f[k] <= 0.0) continue;
+    if (ecm.f[k] <= 0.0 || ecm.in_obstacle(k)) continue;
     const double stiffness = ecm.stiffness(k);
     double rate =
         degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K * stiffness), p, stiffness);
@@ -42,7 +42,7 @@ void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle>
 std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby) {
   std::size_t count = 0;
   for (const NearbyParticle& e : nearby) {
-    if (ecm.f[e.particle] <= 0.0 || e.distance >= -p.contact.deepest_solid) continue;
+    if (ecm.f[e.particle] <= 0.0 || e.distance >= -p.contact.deepest_solid || ecm.in_obstacle(e.particle)) continue;
     fluidize(ecm, e.particle);
     ++count;
   }

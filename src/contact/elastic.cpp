@@ -15,14 +15,18 @@ void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parame
   const double stiffness = moduli(p.ecm).K * width / p.contact.range;
   for (const NearbyParticle& e : nearby) {
     if (e.distance >= p.contact.range) continue;
-    const double f = ecm.f[e.particle] * ecm.stiffness(e.particle);
+    const bool rigid = ecm.in_obstacle(e.particle);
+    const double f = rigid ? obstacle_contact : ecm.f[e.particle] * ecm.stiffness(e.particle);
     const std::uint32_t a = first + e.segment;
     const std::uint32_t b = first + static_cast<std::uint32_t>(c.next(e.segment));
     const Vec2 F = f * contact_pressure(e.distance, p) * width * e.normal;
     force[e.particle] += F;
     force[a] -= (1.0 - e.s) * F;
     force[b] -= e.s * F;
-    A.directed.add(dt * f * stiffness, {{e.particle, e.normal}, {a, -(1.0 - e.s) * e.normal}, {b, -e.s * e.normal}});
+    if (!rigid) A.directed.add_entry(e.particle, e.normal);
+    A.directed.add_entry(a, -(1.0 - e.s) * e.normal);
+    A.directed.add_entry(b, -e.s * e.normal);
+    A.directed.close(dt * f * stiffness);
   }
 }
 

@@ -73,7 +73,7 @@ std::vector<NearbyParticle> nearby_solid(const EcmState& ecm, const CortexState&
                                          double reach) {
   std::vector<NearbyParticle> found;
   for (const std::uint32_t k : grid.candidates(ecm.x)) {
-    if (ecm.f[k] <= 0.0 || ecm.clamped[k]) continue;
+    if (ecm.f[k] <= 0.0 || (ecm.clamped[k] && !ecm.in_obstacle(k))) continue;
     double d2 = reach * reach;
     ClosestPoint closest{0.0, Vec2::Zero()};
     std::uint32_t segment = std::numeric_limits<std::uint32_t>::max();

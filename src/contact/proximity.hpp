@@ -46,7 +46,8 @@ private:
   std::vector<std::uint32_t> m_segments;
 };
 
-/// The encounters of all free solid particles within the grid's reach, in the order of the particles.
+/// The encounters of all free solid particles, and of those of obstacles, within the grid's reach, in the order of the
+/// particles.
 /// @param reach  that of the grid [um]
 std::vector<NearbyParticle> nearby_solid(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid,
                                          double reach);

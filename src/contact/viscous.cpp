@@ -46,7 +46,8 @@ void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parame
   const double reach2 = kernel.support() * kernel.support();
   const Samples points = samples(c, p);
   for (const std::uint32_t k : grid.candidates(ecm.x)) {
-    if (ecm.clamped[k] || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
+    const bool rigid = ecm.in_obstacle(k);
+    if ((ecm.clamped[k] && !rigid) || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
     for (const std::uint32_t i : grid.near(ecm.x[k])) {
       const std::uint32_t a = first + i;
       const std::uint32_t b = first + static_cast<std::uint32_t>(c.next(i));
@@ -63,7 +64,10 @@ void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parame
         const double G =
             share
             * pair_drag(r2, kernel.W_slope(std::sqrt(r2)), shared_volume, p.ecm.viscosity, p.ecm.thickness, kernel.h());
-        A.links.add(G, {{k, 1.0}, {a, -(1.0 - point.s)}, {b, -point.s}});
+        if (!rigid) A.links.add_entry(k, 1.0);
+        A.links.add_entry(a, -(1.0 - point.s));
+        A.links.add_entry(b, -point.s);
+        A.links.close(G);
       }
     }
   }

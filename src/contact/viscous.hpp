@@ -13,6 +13,7 @@ namespace matrigrate {
 /// Adds the drag between the cortex and the matrix: a segment of current length l carries the volume l dp, sampled at
 /// points no further apart than contact.sample_spacing; each point meets particle k by pair_drag() (ecm) with their
 /// volumes, times f_degr,k and, on the outer side of the segment, contact.fluid_share times the rest.
+/// Obstacles do not move: their drag is that of a wall.
 /// @param first  node of particle 0 of the cortex
 void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, const SegmentGrid& grid,
                          std::uint32_t first, DragSystem& A);

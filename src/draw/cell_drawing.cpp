@@ -17,6 +17,7 @@ namespace {
 // both, its front lighter than its rear.
 constexpr std::array<std::string_view, matrix_classes> matrix_colours{"#cbb994", "#d9ccb0", "#e4dbc8", "#eee8dc",
                                                                       "#f8f6f1"};
+constexpr std::string_view obstacle_colour = "#3d4248";
 constexpr std::string_view rear_colour = "#0072b2";
 constexpr std::string_view front_colour = "#45c4b8";
 constexpr std::string_view path_colour = "#1f2328";
@@ -114,7 +115,7 @@ struct Entry {
   std::string words;
 };
 
-std::vector<Entry> legend_entries(MatrixColours matrix) {
+std::vector<Entry> legend_entries(MatrixColours matrix, bool obstacles) {
   std::vector<Entry> entries;
   std::string shades;
   for (std::size_t c = 0; c < matrix_classes; ++c)
@@ -124,6 +125,7 @@ std::vector<Entry> legend_entries(MatrixColours matrix) {
   else
     entries.push_back(
         {svg::rectangle(0.0, -7.0, 30.0, 14.0, fluid_colour()) + svg::frame(0.0, -7.0, 30.0, 14.0), "fluid matrix"});
+  if (obstacles) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
   entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, front_colour), "front"});
   entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, rear_colour), "rear"});
   for (std::size_t k = 0; k < phases; ++k)
@@ -147,7 +149,7 @@ std::string drawing_over(const std::string& ground, const CellScene& scene, cons
   // A nested svg element cuts off what lies outside, without an id.
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
-  out += ground;
+  out += ground + squares(scene.obstacles, without_cracks, obstacle_colour, scene, panel);
   for (const DrawnCell& cell : scene.cells)
     if (!cell.outline.empty()) out += area(cell.outline, panel, rear_colour) + area(cell.front, panel, front_colour);
   for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
@@ -176,7 +178,7 @@ std::string scale_bar(double x, double y, double most, const Panel& panel) {
          + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
 }
 
-CellLegend cell_legend(double width, MatrixColours matrix) {
+CellLegend cell_legend(double width, MatrixColours matrix, bool obstacles) {
   constexpr double sign_width = 30.0;
   constexpr double gap = 7.0;
   constexpr double entry_gap = 20.0;
@@ -184,7 +186,7 @@ CellLegend cell_legend(double width, MatrixColours matrix) {
   CellLegend legend;
   double x = 0.0;
   double y = 0.0;
-  for (const Entry& entry : legend_entries(matrix)) {
+  for (const Entry& entry : legend_entries(matrix, obstacles)) {
     const double entry_width = sign_width + gap + svg::text_width(entry.words, svg::tick_size);
     if (x > 0.0 && x + entry_width > width) {
       x = 0.0;

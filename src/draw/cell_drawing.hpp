@@ -54,6 +54,7 @@ struct CellLegend {
 
 /// What the matrix is coloured by: by how intact it is, or by a field that only solid has.
 enum class MatrixColours { degradation, field };
-CellLegend cell_legend(double width, MatrixColours matrix = MatrixColours::degradation);
+/// @param obstacles  whether there are any
+CellLegend cell_legend(double width, MatrixColours matrix = MatrixColours::degradation, bool obstacles = false);
 
 } // namespace matrigrate::io

@@ -41,7 +41,11 @@ CellScene frame_scene(const FrameHead& head, const Frame& frame, std::vector<std
   scene.radius = head.radius;
   scene.spacing = head.spacing;
   const std::vector<Vec2> x = matrix_positions(head, frame);
-  for (std::size_t i = 0; i < x.size(); ++i) scene.matrix[matrix_class(frame.matrix.f_degr[i])].push_back(x[i]);
+  const Bytes& obstacle = head.obstacle;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool rigid = !obstacle.empty() && obstacle[i] != 0;
+    (rigid ? scene.obstacles : scene.matrix[matrix_class(frame.matrix.f_degr[i])]).push_back(x[i]);
+  }
   const std::vector<Vec2> outlines = vectors(frame.outline.x);
   const std::vector<std::size_t> ends = outline_ends(frame.outline);
   const ProtrusionFrame& p = frame.protrusions;

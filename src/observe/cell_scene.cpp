@@ -71,7 +71,8 @@ CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vecto
   scene.t = s.t;
   scene.radius = p.ecm.radius;
   scene.spacing = p.ecm.particle_spacing;
-  for (std::size_t i = 0; i < s.ecm.size(); ++i) scene.matrix[matrix_class(s.ecm.f[i])].push_back(s.ecm.x[i]);
+  for (std::size_t i = 0; i < s.ecm.size(); ++i)
+    (s.ecm.in_obstacle(i) ? scene.obstacles : scene.matrix[matrix_class(s.ecm.f[i])]).push_back(s.ecm.x[i]);
   paths.resize(s.cells.size());
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     const Cell& cell = s.cells[k];

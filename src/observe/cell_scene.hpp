@@ -40,6 +40,7 @@ struct CellScene {
   double radius = 0.0;                                  ///< of the disc [um]
   double spacing = 0.0;                                 ///< of the matrix particles [um]
   std::array<std::vector<Vec2>, matrix_classes> matrix; ///< particles of each class, intact ones first [um]
+  std::vector<Vec2> obstacles;                          ///< particles of rigid obstacles, in no class [um]
   std::vector<DrawnCell> cells;
   std::vector<DrawnProtrusion> protrusions; ///< of all cells
 };

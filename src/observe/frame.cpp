@@ -187,7 +187,8 @@ std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
 }
 
 FrameHead frame_head(const State& s, const Parameters& p) {
-  FrameHead head{.radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}};
+  FrameHead head{
+      .radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}, .obstacle = s.ecm.obstacle};
   for (const Vec2& X : s.ecm.X) add(head.reference, X);
   return head;
 }

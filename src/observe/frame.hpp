@@ -66,6 +66,7 @@ struct FrameHead {
   double radius = 0.0;  ///< of the disc [um]
   double spacing = 0.0; ///< of the matrix particles [um]
   Floats reference;     ///< reference positions of the matrix particles [um]
+  Bytes obstacle{};     ///< 1: particle of a rigid obstacle; empty where there is none
 
   std::size_t particles() const { return reference.size() / 2; }
 };

@@ -33,6 +33,7 @@ struct RunParameters {
 struct EcmFieldParameters {
   std::string youngs_modulus; ///< in place of ecm.youngs_modulus [Pa]
   std::string f_degr;         ///< f_degr at the start [-]
+  std::string obstacle;       ///< from 1/2 on part of a rigid obstacle [-]
 };
 
 struct EcmParameters {

@@ -114,6 +114,8 @@ constexpr std::array rows{
         "", "MODEL.md, D32", "Young's modulus of the intact matrix from place to place, in place of ecm.youngs_modulus", optional},
     Row{"ecm.fields.f_degr", [](Parameters& p) -> std::string& { return p.ecm.fields.f_degr; }, "1", closed(0, 1),
         "", "MODEL.md, D32", "Intact share of the matrix at the start: 1 solid, 0 fluid (channels, holes, tracks)", optional},
+    Row{"ecm.fields.obstacle", [](Parameters& p) -> std::string& { return p.ecm.fields.obstacle; }, "1", closed(0, 1),
+        "", "MODEL.md, D33", "Rigid obstacles where it is 0.5 or more: they do not move and are never degraded (pillars, walls)", optional},
 
     Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
         "", methods, "Fibres between all neighbouring matrix particles, between those along one direction, or none"},

@@ -130,6 +130,14 @@ Json film_json(const Film& film) {
           {"protrusions", std::move(protrusions)}};
 }
 
+Json obstacles_json(const FrameHead& head) {
+  if (std::ranges::count(head.obstacle, std::uint8_t{1}) == 0) return {};
+  Json places = Json::array();
+  for (std::size_t i = 0; i < head.particles(); ++i)
+    if (head.obstacle[i] != 0) places.push_back({head.reference[2 * i], head.reference[2 * i + 1]});
+  return places;
+}
+
 Json fibres_json(const Parameters& p) {
   if (p.fibres.arrangement == FibreArrangement::none || !p.fibres.field.direction_deg.empty()) return {};
   const Kernel kernel(p.ecm.smoothing_length);

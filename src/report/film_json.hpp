@@ -14,6 +14,9 @@ inline void keep_what_is_played(Frame& frame) { Floats().swap(frame.matrix.veloc
 /// @return null if there are no frames
 nlohmann::ordered_json film_json(const Film& film);
 
+/// Places of the particles of rigid obstacles: [[x, y], ...] [um].   @return null without any
+nlohmann::ordered_json obstacles_json(const FrameHead& head);
+
 /// The fibres, which are the same at all times: between which particles, and from which strain on they stiffen. A
 /// fibre's strain follows from the positions of its ends.   @return null without fibres
 nlohmann::ordered_json fibres_json(const Parameters& p);

@@ -106,6 +106,8 @@ Json health_json(std::span<const HealthRow> rows) {
 Json frames_json(const RunReport& report) {
   Json json = film_json(*report.film);
   if (Json fibres = fibres_json(report.p); !fibres.is_null()) json["fibres"] = std::move(fibres);
+  if (Json obstacles = obstacles_json(report.film->head); !obstacles.is_null())
+    json["obstacles_um"] = std::move(obstacles);
   return json;
 }
 

@@ -56,6 +56,8 @@ MatrixFields matrix_fields(const Parameters& p) {
     if (std::ranges::any_of(places(p), [&](const Vec2& X) { return ratio(X) != 1.0; })) given.E_ratio = ratio;
   }
   if (const auto f = field_of(p, "ecm.fields.f_degr")) given.f_degr = [f](const Vec2& X) { return f->at(X); };
+  if (const auto obstacle = field_of(p, "ecm.fields.obstacle"))
+    given.obstacle = [obstacle](const Vec2& X) { return obstacle->at(X); };
   if (p.fibres.arrangement == FibreArrangement::uniaxial)
     if (const auto direction = field_of(p, "fibres.field.direction_deg"))
       given.fibre_direction = [direction](const Vec2& X) { return direction->at(X) * std::numbers::pi / 180.0; };
@@ -76,6 +78,22 @@ std::string fault_of_field(const Parameters& p, const Row& row) {
   } catch (const ConfigurationError& error) {
     return error.faults().front().message;
   }
+  return {};
+}
+
+std::string fault_of_obstacles(const Parameters& p) {
+  const Row& row = *find_row("ecm.fields.obstacle");
+  if (!fault_of_field(p, row).empty()) return {};
+  const auto obstacle = field_of(p, row.path);
+  if (!obstacle) return {};
+  const Vec2 start(p.cell.start_x, p.cell.start_y);
+  const double room = p.cell.radius + p.degradation.body_distance;
+  for (const Vec2& X : places(p))
+    if (in_obstacle(obstacle->at(X)) && (X - start).norm() < room)
+      return fmt::format(
+          "an obstacle lies on the cell, at ({:.4g}, {:.4g}) um; keep {:.4g} um around the cell's start at "
+          "({:.4g}, {:.4g}) um free, or move cell.start_x and cell.start_y",
+          X.x(), X.y(), room, start.x(), start.y());
   return {};
 }
 

@@ -21,6 +21,10 @@ MatrixFields matrix_fields(const Parameters& p);
 /// field.
 std::string fault_of_field(const Parameters& p, const Row& row);
 
+/// Where an obstacle lies on the cell or in the fluid margin around it at the start, in words. Empty without such a
+/// place, and with a fault of the field itself.
+std::string fault_of_obstacles(const Parameters& p);
+
 /// A field as `explain` shows it.
 struct FieldSummary {
   const Row* row = nullptr;

@@ -42,6 +42,9 @@ std::span<const Rule> start_rules() {
          const Parameters stiffest = as_stiff_everywhere(p);
          return fault_of_step(stiffest, step_limits(stiffest));
        }},
+      {"obstacles are clear of the cell",
+       {"ecm.fields.obstacle", "cell.start_x", "cell.start_y", "cell.radius", "degradation.body_distance"},
+       fault_of_obstacles},
       {"fibres lie on bonds",
        {"fibres.direction_deg", "fibres.half_angle_deg", "fibres.arrangement", "ecm.lattice", "ecm.smoothing_length",
         "ecm.particle_spacing"},

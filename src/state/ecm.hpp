@@ -25,10 +25,12 @@ struct EcmState {
   // What varies from place to place, for good; empty where it does not.
   std::vector<double> E_ratio;         ///< Young's modulus over ecm.youngs_modulus, > 0; empty: 1 everywhere [-]
   std::vector<double> fibre_direction; ///< of uniaxial fibres; empty: fibres.direction_deg everywhere [rad]
+  std::vector<std::uint8_t> obstacle;  ///< 1: in a rigid obstacle, clamped and never degraded; empty: there is none
 
   std::size_t size() const { return X.size(); }
   double stiffness(std::size_t i) const { return E_ratio.empty() ? 1.0 : E_ratio[i]; } ///< E_i over E [-]
-  Vec2 displacement(std::size_t i) const { return x[i] - X[i]; }                       ///< u [um]
+  bool in_obstacle(std::size_t i) const { return !obstacle.empty() && obstacle[i] != 0; }
+  Vec2 displacement(std::size_t i) const { return x[i] - X[i]; } ///< u [um]
 
   /// x_i - x_j, to the nearest image of j where the matrix is periodic [um].
   Vec2 separation(std::size_t i, std::size_t j) const;

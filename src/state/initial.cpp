@@ -132,6 +132,14 @@ void apply(const MatrixFields& fields, EcmState& ecm) {
   const std::vector<double> f = values(fields.f_degr, ecm, "f_degr", [](double a) { return a >= 0.0 && a <= 1.0; });
   for (std::size_t i = 0; i < f.size(); ++i)
     if (!ecm.clamped[i]) ecm.f[i] = std::min(ecm.f[i], f[i]);
+  const std::vector<double> o = values(fields.obstacle, ecm, "obstacle", [](double a) { return a >= 0.0 && a <= 1.0; });
+  if (std::ranges::none_of(o, in_obstacle)) return;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    ecm.obstacle.push_back(in_obstacle(o[i]) ? 1 : 0);
+    if (ecm.obstacle[i] == 0) continue;
+    ecm.clamped[i] = 1;
+    ecm.f[i] = 1.0;
+  }
 }
 
 } // namespace matrigrate

@@ -186,6 +186,7 @@ void write_head(MemoryFile& file, const FrameHead& head, std::span<const double>
   file.write("/matrix/radius", std::array{head.radius}, "um");
   file.write("/matrix/spacing", std::array{head.spacing}, "um");
   file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
+  if (!head.obstacle.empty()) file.write("/matrix/obstacle", head.obstacle, "1");
 }
 
 } // namespace

@@ -147,6 +147,7 @@ std::string log_head(const FrameHead& head) {
   put(content, head.radius);
   put(content, head.spacing);
   put_planes(content, head.reference);
+  if (!head.obstacle.empty()) put_planes(content, head.obstacle);
   return std::string(magic) + block(content);
 }
 
@@ -193,6 +194,7 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   m_head.radius = head.take<double>();
   m_head.spacing = head.take<double>();
   head.take_planes(m_head.reference);
+  if (!head.empty()) head.take_planes(m_head.obstacle);
 }
 
 std::optional<Frame> FrameReader::next() {

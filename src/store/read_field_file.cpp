@@ -66,6 +66,9 @@ Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
   const std::vector<double> spacing = file.doubles("/matrix/spacing");
   if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
   film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
+  if (file.has("/matrix/obstacle")) film.head.obstacle = file.bytes("/matrix/obstacle");
+  if (!film.head.obstacle.empty() && film.head.obstacle.size() != film.head.particles())
+    throw InputOutputError("its arrays do not belong together");
   for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
   if (whole != nullptr) whole->assign(times.size(), true);
   if (times.empty()) return film;

@@ -19,7 +19,7 @@ namespace matrigrate::io {
 namespace {
 
 bool same(const FrameHead& a, const FrameHead& b) {
-  return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference;
+  return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference && a.obstacle == b.obstacle;
 }
 
 /// Calls with each whole frame of the log, and then, while some are `missing`, with each one of the field file.

@@ -88,6 +88,8 @@ export interface Frames {
   protrusions: FrameProtrusion[][];
   /** Left out where there are no fibres. */
   fibres?: FibreData;
+  /** Places of the particles of rigid obstacles [um]; left out where there are none. */
+  obstacles_um?: [number, number][];
 }
 
 /** Columns of tracks.csv, all of one length. */

@@ -102,6 +102,17 @@ TEST(CellPicture, IsWellFormedAndSmall) {
     EXPECT_EQ(count(svg, std::string(">") + word + "<"), 1U) << word;
 }
 
+TEST(CellPicture, ShowsObstacles) {
+  const Parameters p = parameters(40.0);
+  State s = state(p);
+  EXPECT_EQ(count(cell_picture(cell_scene(s, p, {}), whole_disc(cell_scene(s, p, {}))), ">obstacle<"), 0U);
+  s.ecm.obstacle.assign(s.ecm.size(), 0);
+  s.ecm.obstacle[s.ecm.size() / 2] = 1;
+  const CellScene scene = cell_scene(s, p, {});
+  EXPECT_EQ(scene.obstacles.size(), 1U);
+  EXPECT_EQ(count(cell_picture(scene, whole_disc(scene)), ">obstacle<"), 1U);
+}
+
 TEST(CellPicture, LeavesOutWhatIsNotSeen) {
   const Parameters p = parameters(150.0);
   const CellScene scene = cell_scene(state(p), p, {});

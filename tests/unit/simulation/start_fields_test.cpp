@@ -58,6 +58,21 @@ TEST(StartFields, DirectionsOfFibresAreInRadians) {
     EXPECT_DOUBLE_EQ(s.ecm.fibre_direction[i], s.ecm.X[i].x() < 0.0 ? 0.0 : 0.5 * std::numbers::pi);
 }
 
+TEST(StartFields, ObstaclesAreClampedAndSolid) {
+  const State s =
+      initial_state(small({"ecm.fields.obstacle=abs(y) > 20 && abs(y) < 25 ? 1 : 0", "ecm.fields.f_degr=0*x"}));
+  ASSERT_EQ(s.ecm.obstacle.size(), s.ecm.size());
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) {
+    const double y = std::abs(s.ecm.X[i].y());
+    EXPECT_EQ(s.ecm.in_obstacle(i), y > 20.0 && y < 25.0);
+    if (s.ecm.in_obstacle(i)) {
+      EXPECT_EQ(s.ecm.f[i], 1.0);
+      EXPECT_NE(s.ecm.clamped[i], 0);
+    }
+  }
+  EXPECT_TRUE(initial_state(small({"ecm.fields.obstacle=0*x"})).ecm.obstacle.empty()) << "none: the bits of none";
+}
+
 TEST(StartFields, EveryFaultNamesItsPlace) {
   EXPECT_NE(fault_of("ecm.fields.youngs_modulus=200 + 10*x").find("um; write a formula in x and y"), std::string::npos)
       << fault_of("ecm.fields.youngs_modulus=200 + 10*x");
@@ -68,6 +83,9 @@ TEST(StartFields, EveryFaultNamesItsPlace) {
   EXPECT_NE(fault_of("ecm.fields.youngs_modulus=200 + z").find("cannot be read as a formula"), std::string::npos);
   EXPECT_NE(fault_of("ecm.fields.youngs_modulus=none.csv").find("none.csv"), std::string::npos);
   EXPECT_NE(fault_of("ecm.fields.stiffness=3").find("there is no such parameter"), std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.obstacle=x > 10 ? 1 : 0").find("an obstacle lies on the cell, at ("),
+            std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.obstacle=3*x").find("um; write a formula"), std::string::npos);
   EXPECT_NE(fault_of("fibres.field.direction_deg=1000 + x").find("um; write a formula"), std::string::npos);
 }
 

@@ -126,6 +126,7 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     ecm.E_ratio.push_back(1.0 + 1e-3 * static_cast<double>(i) / 3.0);
     ecm.fibre_direction.push_back(0.1 * static_cast<double>(i));
+    ecm.obstacle.push_back(i % 3 == 0 ? 1 : 0);
   }
   const std::string image = io::checkpoint_image(before);
   EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
@@ -133,6 +134,7 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
   EXPECT_EQ(after.state.ecm.E_ratio, ecm.E_ratio);
   EXPECT_EQ(after.state.ecm.fibre_direction, ecm.fibre_direction);
+  EXPECT_EQ(after.state.ecm.obstacle, ecm.obstacle);
   ecm.E_ratio[5] = 0.0;
   EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("a Young's modulus of the matrix is not above 0"));
   ecm.E_ratio.pop_back();

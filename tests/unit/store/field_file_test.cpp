@@ -65,6 +65,16 @@ TEST(FieldFile, GivesTheSameBitsBack) {
   EXPECT_EQ(field_file(run.film()), field_file(run.film())) << "no date in it";
 }
 
+TEST(FieldFile, HoldsObstacles) {
+  Film film = SmallRun().film();
+  EXPECT_FALSE(MemoryFile(field_file(film)).has("/matrix/obstacle"));
+  film.head.obstacle.assign(film.head.particles(), 0);
+  film.head.obstacle[7] = 1;
+  EXPECT_EQ(read_field_file(field_file(film)).head.obstacle, film.head.obstacle);
+  film.head.obstacle.pop_back();
+  EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
+}
+
 TEST(FieldFile, TellsSeveralCellsApart) {
   const Film film = TwoCells().film();
   const std::string image = field_file(film);

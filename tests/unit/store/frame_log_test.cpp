@@ -19,6 +19,13 @@ TEST(FrameLog, GivesTheSameBitsBack) {
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
 }
 
+TEST(FrameLog, HoldsObstacles) {
+  Film film = SmallRun().film();
+  film.head.obstacle.assign(film.head.particles(), 0);
+  film.head.obstacle[7] = 1;
+  EXPECT_EQ(read_log(log_bytes(film)).head.obstacle, film.head.obstacle);
+}
+
 TEST(FrameLog, TellsSeveralCellsApart) {
   const Film film = TwoCells().film();
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");

@@ -14,6 +14,8 @@ export interface Film {
   fibreVonMises: Field | null;
   /** null: none, or a page of an earlier version. */
   fibres: Fibres | null;
+  /** Places of the particles of rigid obstacles [um]. */
+  obstacles: [number, number][];
   outline: { x: Field; front: Field; protrusion: Field; fMat: Field; force: Field };
   protrusions: FrameProtrusion[][];
   particles: number;
@@ -61,6 +63,7 @@ export async function film(run: RunPage): Promise<Film | null> {
     vonMises,
     fibreVonMises,
     fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, reference) : null,
+    obstacles: frames.obstacles_um ?? [],
     outline: { x: ox, front, protrusion, fMat, force },
     protrusions: frames.protrusions,
     particles: frames.reference.per_frame,

@@ -13,6 +13,7 @@ import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { readable } from "../numbers";
 import { tractionColour } from "./over/arrows";
+import { obstacleColour, obstacleColourOnDark } from "./over/obstacles";
 import type { Layer } from "./matrix/layers";
 import type { LayerScale } from "./matrix/scale";
 
@@ -56,7 +57,7 @@ const sign = (...children: SVGElement[]) =>
   s("svg", { viewBox: "0 0 30 14", width: 30, height: 14, "aria-hidden": "true" }, ...children);
 
 /** The signs drawn over the matrix. */
-export function signs(): HTMLElement {
+export function signs(obstacles: boolean): HTMLElement {
   const dark = isDark();
   const colours = dark ? phaseColoursOnDark : phaseColours;
   const line = dark ? "#fff" : "#1f2328";
@@ -64,6 +65,12 @@ export function signs(): HTMLElement {
   return h(
     "ul",
     { class: "signs" },
+    obstacles
+      ? entry(
+          sign(s("rect", { width: 30, height: 14, fill: dark ? obstacleColourOnDark : obstacleColour })),
+          "rigid obstacle",
+        )
+      : null,
     entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: frontColour })), "front"),
     entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: rearColour })), "rear"),
     ...phaseNames.map((name, k) =>

@@ -187,6 +187,10 @@ export class Stage {
     return this.film.fibres ? fibreRows(this.film.fibres, this.run.geometry.spacing_um, this.camera) : 1;
   }
 
+  get hasObstacles(): boolean {
+    return this.film.obstacles.length > 0;
+  }
+
   get drawsFibres(): boolean {
     return this.fibreLayer !== null && this.shown.fibres;
   }

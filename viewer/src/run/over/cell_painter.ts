@@ -21,6 +21,7 @@ import { outlineAt, type Film, type Place } from "../frames";
 import type { Shown } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import { paintFibres } from "./fibres";
+import { paintObstacles } from "./obstacles";
 import { edged, ink, labelFont, type Pen } from "./pen";
 
 export interface CellScene {
@@ -168,6 +169,8 @@ export function paintCell(c: Pen, scene: CellScene): void {
   const outline = outlineAt(film, place);
   const alive = film.protrusions[place.frame];
   const part = (name: string) => c.part?.(name);
+  part("obstacles");
+  paintObstacles(c, film, camera, scene.spacing, scene.dark);
   part("fibres");
   if (scene.fibres) paintFibres(c, scene, scene.fibres);
   part("arrows");
