@@ -31,9 +31,12 @@ struct RunParameters {
 
 /// Fields of the matrix over the plane, as texts of formulas or files (fields/field.hpp); empty: the same everywhere.
 struct EcmFieldParameters {
-  std::string youngs_modulus; ///< in place of ecm.youngs_modulus [Pa]
-  std::string f_degr;         ///< f_degr at the start [-]
-  std::string obstacle;       ///< from 1/2 on part of a rigid obstacle [-]
+  std::string youngs_modulus;    ///< in place of ecm.youngs_modulus [Pa]
+  std::string f_degr;            ///< f_degr at the start [-]
+  std::string ligand;            ///< what adhesions need, over the usual [-]
+  std::string attractant;        ///< concentration of chemoattractant, at the start and at the rim [-]
+  std::string attractant_source; ///< release of chemoattractant [1/s]
+  std::string obstacle;          ///< from 1/2 on part of a rigid obstacle [-]
 };
 
 struct EcmParameters {
@@ -184,6 +187,17 @@ struct DegradationParameters {
   double threshold = 0.02; ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
 };
 
+/// Cues that the paper does not have; all off.
+struct CueParameters {
+  double chemotaxis = 0.0;     ///< weight of the occupancy of receptors in the propensity of initiation [-]
+  double half_occupancy = 1.0; ///< K_d, concentration at which half of the receptors bind [-]
+  double diffusion = 0.0;      ///< of the attractant; 0: it stays where it is [um^2/s]
+  double decay = 0.0;          ///< of the attractant [1/s]
+  double uptake = 0.0;         ///< of the attractant inside cells [1/s]
+  double haptotaxis = 0.0;     ///< weight of the ligand in the propensity of initiation [-]
+  double guidance = 0.0;       ///< weight of the fibres' direction in the propensity of initiation [-]
+};
+
 struct OutputParameters {
   double track_interval = 60.0;             ///< [s]
   double snapshot_interval = 1800.0;        ///< [s]
@@ -213,6 +227,7 @@ struct Parameters {
   AdhesionParameters adhesion;
   PolarizationParameters polarization;
   DegradationParameters degradation;
+  CueParameters cues;
   OutputParameters output;
   SolverParameters solver;
 };

@@ -41,6 +41,31 @@ std::string hole(const Parameters& p) {
       hole_radius, free_radius);
 }
 
+bool has_attractant(const Parameters& p) {
+  return !p.ecm.fields.attractant.empty() || !p.ecm.fields.attractant_source.empty();
+}
+
+std::string chemotaxis(const Parameters& p) {
+  if (p.cues.chemotaxis == 0.0 || has_attractant(p)) return {};
+  return "there is no attractant to sense; give ecm.fields.attractant or ecm.fields.attractant_source";
+}
+
+std::string haptotaxis(const Parameters& p) {
+  if (p.cues.haptotaxis == 0.0 || !p.ecm.fields.ligand.empty()) return {};
+  return "ligand is the same everywhere, so there is nothing to sense; give ecm.fields.ligand";
+}
+
+std::string guidance(const Parameters& p) {
+  if (p.cues.guidance == 0.0 || p.fibres.arrangement == FibreArrangement::uniaxial) return {};
+  return "there are no fibres along a direction to follow; set fibres.arrangement to uniaxial";
+}
+
+std::string source(const Parameters& p) {
+  if (p.ecm.fields.attractant_source.empty() || p.cues.diffusion > 0.0) return {};
+  return "attractant that is released but does not diffuse would pile up where it is; set cues.diffusion above 0 "
+         "um^2/s";
+}
+
 std::string resolution(const Parameters& p) {
   if (3.0 * p.ecm.particle_spacing <= p.cell.radius) return {};
   return fmt::format("particles {:.4g} um apart are too coarse for a cell of radius {:.4g} um; allowed is a spacing <= "
@@ -99,6 +124,12 @@ std::span<const Rule> rules() {
       {"a tip fits on a protrusion", {"protrusion.tip_half_width", "protrusion.half_width"}, tip_width},
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
+      {"there is attractant to sense",
+       {"cues.chemotaxis", "ecm.fields.attractant", "ecm.fields.attractant_source"},
+       chemotaxis},
+      {"there is ligand to sense", {"cues.haptotaxis", "ecm.fields.ligand"}, haptotaxis},
+      {"there are fibres to follow", {"cues.guidance", "fibres.arrangement"}, guidance},
+      {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},
   };
   return all;

@@ -4,6 +4,8 @@
 #include "cell/geometry.hpp"
 #include "cell/rest_length.hpp"
 #include "contact/degrade.hpp"
+#include "cues/diffusion.hpp"
+#include "cues/sensing.hpp"
 #include "protrusion/deflection.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/initiation.hpp"
@@ -36,6 +38,13 @@ std::vector<Vec2> tips_of(const Cell& cell, const Parameters& p, double dt) {
   return tips;
 }
 
+/// Entry by entry; an empty factor is 1 for all.
+std::vector<double> product(std::vector<double> a, std::span<const double> b) {
+  if (a.empty()) return {b.begin(), b.end()};
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] *= b[i];
+  return a;
+}
+
 } // namespace
 
 void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w) {
@@ -46,14 +55,20 @@ void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w
   }
 }
 
-void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt) {
+void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w) {
+  if (w.diffusion) w.diffusion->advance(s.ecm, p.cues.diffusion, attractant_loss(s, p.cues), dt);
+}
+
+void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+                         std::span<const double> given) {
   const Vec2 centre = centroid(cell.cortex);
   const std::vector<Vec2> n = normals(cell.cortex);
   deflect(cell, ecm, p, dt, n, [&](const Vec2& point) { return contains(cell.cortex, point); });
   update_protrusions(cell, ecm, now, p, dt);
   polarize(cell, p.polarization, centre, dt);
   const std::vector<std::uint8_t> of_front = front_of(cell);
-  initiate(cell, now, p, dt, {of_front, n, centre, area(cell.cortex) / initial_area(p.cell)});
+  const std::vector<double> propensity_with_cues = product(propensity(cell, ecm, p), given);
+  initiate(cell, now, p, dt, {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), propensity_with_cues});
   ratchet_rest_lengths(cell.cortex, p.cell, membership(cell, p).soft);
 }
 

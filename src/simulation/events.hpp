@@ -2,6 +2,8 @@
 
 #include "simulation/workspace.hpp"
 
+#include <span>
+
 /// Events at the end of a step of dt [s], after the motion of cell and matrix. Test:
 /// tests/physics/migration_test.cpp
 namespace matrigrate {
@@ -11,9 +13,16 @@ namespace matrigrate {
 /// (contact/degrade). Tips act from their positions in the middle of the step (MODEL.md, D15).
 void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w);
 
+/// Diffusion, decay and uptake of the chemoattractant (cues), where it diffuses.
+void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w);
+
 /// Deflection, transitions, polarization, initiation, and the ratchet of rest lengths of a cell (protrusion,
-/// cell/rest_length).   @param now  the end of the step
-void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt);
+/// cell/rest_length). Cues say where protrusions begin (cues/sensing).
+/// @param now    the end of the step
+/// @param given  factor on the initiation of each particle of the cortex from outside (Workspace::propensity); empty: 1
+///               for all [-]
+void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+                         std::span<const double> given = {});
 
 /// @throws NumericalFailure if a cell is too near the rim of the matrix (MODEL.md, D22)
 void require_inside(const State& s, const Parameters& p);

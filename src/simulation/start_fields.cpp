@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -55,9 +56,14 @@ MatrixFields matrix_fields(const Parameters& p) {
     const auto ratio = [E, uniform](const Vec2& X) { return E->at(X) / 1000.0 / uniform; }; // Pa to kPa
     if (std::ranges::any_of(places(p), [&](const Vec2& X) { return ratio(X) != 1.0; })) given.E_ratio = ratio;
   }
-  if (const auto f = field_of(p, "ecm.fields.f_degr")) given.f_degr = [f](const Vec2& X) { return f->at(X); };
-  if (const auto obstacle = field_of(p, "ecm.fields.obstacle"))
-    given.obstacle = [obstacle](const Vec2& X) { return obstacle->at(X); };
+  const auto as_it_is = [&](std::string_view path, std::function<double(const Vec2&)>& field) {
+    if (const auto of_text = field_of(p, path)) field = [of_text](const Vec2& X) { return of_text->at(X); };
+  };
+  as_it_is("ecm.fields.f_degr", given.f_degr);
+  as_it_is("ecm.fields.ligand", given.ligand);
+  as_it_is("ecm.fields.attractant", given.attractant);
+  as_it_is("ecm.fields.attractant_source", given.attractant_source);
+  as_it_is("ecm.fields.obstacle", given.obstacle);
   if (p.fibres.arrangement == FibreArrangement::uniaxial)
     if (const auto direction = field_of(p, "fibres.field.direction_deg"))
       given.fibre_direction = [direction](const Vec2& X) { return direction->at(X) * std::numbers::pi / 180.0; };

@@ -30,11 +30,17 @@ FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Referen
   return {ecm, p.ecm, p.fibres, reference};
 }
 
+std::optional<Diffusion> make_diffusion(const EcmState& ecm, const Parameters& p) {
+  if (ecm.attractant.empty() || p.cues.diffusion <= 0.0) return {};
+  return Diffusion(ecm, p.ecm);
+}
+
 } // namespace
 
 Workspace::Workspace(const State& s, const Parameters& p)
     : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
       neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p, p.run.time_step)), p.ecm.verlet_skin),
-      drag_cache(s.ecm, p.ecm), limits(step_limits(p, s.ecm)), solver(make_solver(s, p)) {}
+      drag_cache(s.ecm, p.ecm), diffusion(make_diffusion(s.ecm, p)), limits(step_limits(p, s.ecm)),
+      solver(make_solver(s, p)) {}
 
 } // namespace matrigrate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/proximity.hpp"
+#include "cues/diffusion.hpp"
 #include "ecm/drag_cache.hpp"
 #include "ecm/fibres.hpp"
 #include "ecm/reference.hpp"
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace matrigrate {
@@ -46,8 +48,12 @@ struct Workspace {
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
-  DragCache drag_cache;         ///< of the matrix
-  std::vector<CellShape> cells; ///< parallel to State::cells
+  DragCache drag_cache;               ///< of the matrix
+  std::optional<Diffusion> diffusion; ///< of the attractant, where it diffuses
+  std::vector<CellShape> cells;       ///< parallel to State::cells
+  /// Given from outside, as loads are: for each cell, a factor on the rate at which each particle of its cortex
+  /// initiates protrusions, >= 0 [-]; an empty one is 1 for all. Test: tests/physics/migration_test.cpp
+  std::vector<std::vector<double>> propensity;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
   Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]

@@ -9,11 +9,12 @@ PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2
   const double support = kernel.support();
   double sum = 0.0;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (std::abs(ecm.x[i].y() - point.y()) >= support || ecm.f[i] <= 0.0) continue; // most are far away
+    if (std::abs(ecm.x[i].y() - point.y()) >= support || ecm.f[i] <= 0.0 || ecm.ligand_at(i) <= 0.0)
+      continue; // most are far away
     const Vec2 d = nearest_image(ecm.x[i] - point, ecm.period_x);
     if (d.squaredNorm() >= support * support) continue;
     w.index.push_back(static_cast<std::uint32_t>(i));
-    w.weight.push_back(ecm.f[i] * kernel.W(d.norm()));
+    w.weight.push_back(ecm.f[i] * ecm.ligand_at(i) * kernel.W(d.norm()));
     sum += w.weight.back();
   }
   w.support = ecm.V0 * sum;

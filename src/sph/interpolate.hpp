@@ -10,13 +10,14 @@
 
 namespace matrigrate {
 
-/// Interpolation weights of a point of the solid: kernel times f_degr, normalised to sum 1. A force at the point is
-/// distributed to the particles with these weights, and the point moves with the weighted mean velocity.
-/// Test: tests/unit/sph/interpolate_test.cpp
+/// Interpolation weights of a point of the solid: kernel times f_degr and ligand, normalised to sum 1. A force at the
+/// point is distributed to the particles with these weights, and the point moves with the weighted mean velocity. Test:
+/// tests/unit/sph/interpolate_test.cpp
 struct PointWeights {
   std::vector<std::uint32_t> index;
   std::vector<double> weight;
-  double support = 0.0; ///< sum of V_0 f W before normalising: about 1 in intact matrix, 0 where there is no solid [-]
+  double support =
+      0.0; ///< sum of V_0 f L W before normalising: about 1 in intact matrix, 0 where there is no solid [-]
 };
 
 /// @param point  [um]

@@ -20,15 +20,19 @@ struct EcmState {
   std::vector<double> rho;           ///< density over rho_0 [-]
   std::vector<Mat2> S;               ///< deviatoric Cauchy stress, in-plane part [kPa]; S_zz = -(S_xx + S_yy)
   std::vector<double> f;             ///< f_degr: 1 intact solid, 0 fluid [-]
+  std::vector<double> attractant;    ///< concentration of chemoattractant, >= 0; empty: there is none [-]
   std::vector<std::uint8_t> clamped; ///< 1: moves as prescribed (rim, grips, walls)
 
   // What varies from place to place, for good; empty where it does not.
-  std::vector<double> E_ratio;         ///< Young's modulus over ecm.youngs_modulus, > 0; empty: 1 everywhere [-]
-  std::vector<double> fibre_direction; ///< of uniaxial fibres; empty: fibres.direction_deg everywhere [rad]
-  std::vector<std::uint8_t> obstacle;  ///< 1: in a rigid obstacle, clamped and never degraded; empty: there is none
+  std::vector<double> E_ratio;           ///< Young's modulus over ecm.youngs_modulus, > 0; empty: 1 everywhere [-]
+  std::vector<double> fibre_direction;   ///< of uniaxial fibres; empty: fibres.direction_deg everywhere [rad]
+  std::vector<double> ligand;            ///< share of the usual ligand on solid, >= 0; empty: 1 everywhere [-]
+  std::vector<double> attractant_source; ///< release of attractant; empty: none [1/s]
+  std::vector<std::uint8_t> obstacle;    ///< 1: in a rigid obstacle, clamped and never degraded; empty: there is none
 
   std::size_t size() const { return X.size(); }
   double stiffness(std::size_t i) const { return E_ratio.empty() ? 1.0 : E_ratio[i]; } ///< E_i over E [-]
+  double ligand_at(std::size_t i) const { return ligand.empty() ? 1.0 : ligand[i]; }
   bool in_obstacle(std::size_t i) const { return !obstacle.empty() && obstacle[i] != 0; }
   Vec2 displacement(std::size_t i) const { return x[i] - X[i]; } ///< u [um]
 

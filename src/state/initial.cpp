@@ -132,6 +132,11 @@ void apply(const MatrixFields& fields, EcmState& ecm) {
   const std::vector<double> f = values(fields.f_degr, ecm, "f_degr", [](double a) { return a >= 0.0 && a <= 1.0; });
   for (std::size_t i = 0; i < f.size(); ++i)
     if (!ecm.clamped[i]) ecm.f[i] = std::min(ecm.f[i], f[i]);
+  const auto not_negative = [](double a) { return a >= 0.0; };
+  ecm.ligand = values(fields.ligand, ecm, "ligand", not_negative);
+  ecm.attractant = values(fields.attractant, ecm, "attractant", not_negative);
+  ecm.attractant_source = values(fields.attractant_source, ecm, "attractant_source", not_negative);
+  if (!ecm.attractant_source.empty() && ecm.attractant.empty()) ecm.attractant.assign(ecm.size(), 0.0);
   const std::vector<double> o = values(fields.obstacle, ecm, "obstacle", [](double a) { return a >= 0.0 && a <= 1.0; });
   if (std::ranges::none_of(o, in_obstacle)) return;
   for (std::size_t i = 0; i < o.size(); ++i) {

@@ -36,10 +36,13 @@ inline bool in_obstacle(double value) { return value >= 0.5; }
 
 /// Properties of a matrix as functions of the reference position [um]; what is not given stays uniform.
 struct MatrixFields {
-  std::function<double(const Vec2&)> E_ratio{};         ///< Young's modulus over ecm.youngs_modulus, > 0 [-]
-  std::function<double(const Vec2&)> f_degr{};          ///< at the start, in [0, 1]; never raises f [-]
-  std::function<double(const Vec2&)> fibre_direction{}; ///< of uniaxial fibres, from the x axis [rad]
-  std::function<double(const Vec2&)> obstacle{};        ///< in [0, 1]; from 1/2 on part of a rigid obstacle [-]
+  std::function<double(const Vec2&)> E_ratio{};           ///< Young's modulus over ecm.youngs_modulus, > 0 [-]
+  std::function<double(const Vec2&)> f_degr{};            ///< at the start, in [0, 1]; never raises f [-]
+  std::function<double(const Vec2&)> fibre_direction{};   ///< of uniaxial fibres, from the x axis [rad]
+  std::function<double(const Vec2&)> ligand{};            ///< over the usual, >= 0 [-]
+  std::function<double(const Vec2&)> attractant{};        ///< concentration at the start, >= 0 [-]
+  std::function<double(const Vec2&)> attractant_source{}; ///< release, >= 0 [1/s]
+  std::function<double(const Vec2&)> obstacle{};          ///< in [0, 1]; from 1/2 on part of a rigid obstacle [-]
 };
 
 /// Gives the particles of a matrix at rest their properties; clamped ones stay solid, those of obstacles become clamped

@@ -1,0 +1,77 @@
+#include "cues/sensing.hpp"
+
+#include "cell/geometry.hpp"
+#include "contact/proximity.hpp"
+#include "sph/kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace matrigrate {
+
+namespace {
+
+/// Weighted sums over the matrix around a particle of the cortex.
+struct Surroundings {
+  double weight = 0.0;
+  double occupied = 0.0;
+  double ligand = 0.0;
+  Vec2 axis = Vec2::Zero(); ///< of the fibres, by twice their angle
+
+  void add(double W, const EcmState& ecm, std::size_t k, const Parameters& p) {
+    weight += W;
+    if (!ecm.attractant.empty()) occupied += W * occupancy(ecm.attractant[k], p.cues.half_occupancy);
+    ligand += W * ecm.f[k] * ecm.ligand_at(k);
+    const double angle =
+        ecm.fibre_direction.empty() ? p.fibres.direction_deg * std::numbers::pi / 180.0 : ecm.fibre_direction[k];
+    axis += W * Vec2(std::cos(2.0 * angle), std::sin(2.0 * angle));
+  }
+};
+
+std::vector<Surroundings> surroundings(const CortexState& c, const EcmState& ecm, const Parameters& p) {
+  const Kernel kernel(p.ecm.smoothing_length);
+  const double reach2 = kernel.support() * kernel.support();
+  const SegmentGrid grid(c, kernel.support());
+  std::vector<Surroundings> all(c.size());
+  for (const std::uint32_t k : grid.candidates(ecm.x))
+    for (const std::uint32_t i : grid.near(ecm.x[k])) { // segment i begins at particle i
+      const double r2 = (ecm.x[k] - c.x[i]).squaredNorm();
+      if (r2 < reach2) all[i].add(kernel.W(std::sqrt(r2)), ecm, k, p);
+    }
+  return all;
+}
+
+} // namespace
+
+double occupancy(double c, double K_d) { return c / (K_d + c); }
+
+std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters& p) {
+  const CueParameters& cues = p.cues;
+  if (cues.chemotaxis == 0.0 && cues.haptotaxis == 0.0 && cues.guidance == 0.0) return {};
+  const CortexState& c = cell.cortex;
+  const Vec2 centre = centroid(c);
+  const std::vector<Surroundings> around = surroundings(c, ecm, p);
+  std::vector<double> felt(c.size(), 0.0);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    if (around[i].weight <= 0.0) continue; // no matrix near: nothing is felt
+    const Vec2 outwards = c.x[i] - centre;
+    const double angle = 2.0 * std::atan2(outwards.y(), outwards.x());
+    felt[i] = (cues.chemotaxis * around[i].occupied + cues.haptotaxis * around[i].ligand
+               + cues.guidance * around[i].axis.dot(Vec2(std::cos(angle), std::sin(angle))))
+              / around[i].weight;
+  }
+  return felt;
+}
+
+std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p) {
+  std::vector<double> factor = felt(cell, ecm, p);
+  if (factor.empty()) return factor;
+  const double highest = std::ranges::max(factor); // so that no exponential overflows
+  double sum = 0.0;
+  for (double& a : factor) sum += a = std::exp(a - highest);
+  for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
+  return factor;
+}
+
+} // namespace matrigrate
