@@ -80,6 +80,7 @@ MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w
     m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K * ecm.stiffness(i)) : fluid[i])));
     m.von_mises.push_back(solid ? short_float(Pa * von_mises(ecm.S[i])) : 0.0F);
   }
+  for (const double c : ecm.attractant) m.attractant.push_back(short_float(c));
   if (!w.fibres.empty())
     for (const double stress : fibre_stress_field(ecm, p.fibres, w.fibres))
       m.fibre_von_mises.push_back(std::isnan(stress) ? 0.0F : short_float(Pa * stress));
@@ -145,7 +146,7 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
 } // namespace
 
 std::span<const FrameField<Floats>> float_fields() {
-  static constexpr std::array<FrameField<Floats>, 17> all{{
+  static constexpr std::array<FrameField<Floats>, 18> all{{
       {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
       {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
       {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
@@ -162,6 +163,7 @@ std::span<const FrameField<Floats>> float_fields() {
       {"protrusions/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.f_mat; }},
       {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
       {"outline/cell", "1", 1, [](Frame& f) -> Floats& { return f.outline.cell; }},
+      {"matrix/attractant", "1", 1, [](Frame& f) -> Floats& { return f.matrix.attractant; }},
       {"protrusions/cell", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.cell; }},
   }};
   return all;
@@ -190,6 +192,9 @@ FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{
       .radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}, .obstacle = s.ecm.obstacle};
   for (const Vec2& X : s.ecm.X) add(head.reference, X);
+  for (const double ratio : s.ecm.E_ratio)
+    head.youngs_modulus.push_back(static_cast<float>(Pa * ratio * p.ecm.youngs_modulus));
+  for (const double ligand : s.ecm.ligand) head.ligand.push_back(static_cast<float>(ligand));
   return head;
 }
 

@@ -26,6 +26,7 @@ struct MatrixFrame {
   Floats pressure;        ///< of the solid, or of the fluid, compression positive [Pa]
   Floats von_mises;       ///< of the solid; 0 in the fluid [Pa]
   Floats fibre_von_mises; ///< Eq. (11); 0 in the fluid; empty without fibres [Pa]
+  Floats attractant{};    ///< concentration; empty without attractant [-]
 };
 
 /// Particles of the cortex, around each cell, those of one cell after those of the other.
@@ -63,10 +64,12 @@ struct Frame {
 
 /// What is the same in all frames.
 struct FrameHead {
-  double radius = 0.0;  ///< of the disc [um]
-  double spacing = 0.0; ///< of the matrix particles [um]
-  Floats reference;     ///< reference positions of the matrix particles [um]
-  Bytes obstacle{};     ///< 1: particle of a rigid obstacle; empty where there is none
+  double radius = 0.0;     ///< of the disc [um]
+  double spacing = 0.0;    ///< of the matrix particles [um]
+  Floats reference;        ///< reference positions of the matrix particles [um]
+  Bytes obstacle{};        ///< 1: particle of a rigid obstacle; empty where there is none
+  Floats youngs_modulus{}; ///< of the intact matrix; empty where it is the same everywhere [Pa]
+  Floats ligand{};         ///< over the usual one; empty where it is the same everywhere [-]
 
   std::size_t particles() const { return reference.size() / 2; }
 };
@@ -87,6 +90,9 @@ struct FrameField {
 
   /// Whether only frames of several cells have it.
   bool of_several_cells() const { return name.ends_with("/cell"); }
+  /// Whether only frames with attractant have it.
+  bool of_attractant() const { return name == "matrix/attractant"; }
+  bool of_all() const { return !of_several_cells() && !of_attractant(); }
   const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
 };
 std::span<const FrameField<Floats>> float_fields();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace matrigrate::io {
 
@@ -43,7 +44,29 @@ Json particles_json(const Film& film) {
             {"von_mises", layer(film, [](const Frame& f) -> const Floats& { return f.matrix.von_mises; })}};
   if (!film.frames.front().matrix.fibre_von_mises.empty())
     json["fibre_von_mises"] = layer(film, [](const Frame& f) -> const Floats& { return f.matrix.fibre_von_mises; });
+  if (!film.frames.front().matrix.attractant.empty())
+    json["attractant"] = everywhere(film, [](const Frame& f) -> const Floats& { return f.matrix.attractant; });
+  const auto of_head = [&](const Floats& field) {
+    return everywhere(film, [&](const Frame&) -> const Floats& { return field; });
+  };
+  if (!film.head.youngs_modulus.empty()) json["youngs_modulus"] = of_head(film.head.youngs_modulus);
+  if (!film.head.ligand.empty()) json["ligand"] = of_head(film.head.ligand);
   return json;
+}
+
+/// Values of solid and fluid between their own limits.
+/// @param field  of a frame; may be that of all frames
+template <class Field>
+Json everywhere(const Film& film, const Field& field) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Frame& frame : film.frames)
+    for (const double value : field(frame)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  return packed({.scale = (high > low ? high - low : 1.0) / byte_range, .offset = low}, film.frames.size(),
+                [&](std::size_t k) -> const Floats& { return field(film.frames[k]); });
 }
 
 Json outline_json(const Film& film) {

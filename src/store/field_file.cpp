@@ -187,6 +187,8 @@ void write_head(MemoryFile& file, const FrameHead& head, std::span<const double>
   file.write("/matrix/spacing", std::array{head.spacing}, "um");
   file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
   if (!head.obstacle.empty()) file.write("/matrix/obstacle", head.obstacle, "1");
+  if (!head.youngs_modulus.empty()) file.write_rows("/matrix/youngs_modulus", head.youngs_modulus, 1, "Pa");
+  if (!head.ligand.empty()) file.write_rows("/matrix/ligand", head.ligand, 1, "1");
 }
 
 } // namespace

@@ -116,11 +116,12 @@ Frame frame_of(const std::string& content) {
   Taker taker(content);
   Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
   for (const auto& field : float_fields())
-    if (!field.of_several_cells()) taker.take_planes(field.of(frame));
+    if (field.of_all()) taker.take_planes(field.of(frame));
   for (const auto& field : byte_fields()) taker.take_planes(field.of(frame));
-  if (taker.empty()) return frame;
   for (const auto& field : float_fields())
-    if (field.of_several_cells()) taker.take_planes(field.of(frame));
+    if (field.of_several_cells() && !taker.empty()) taker.take_planes(field.of(frame));
+  for (const auto& field : float_fields())
+    if (field.of_attractant() && !taker.empty()) taker.take_planes(field.of(frame));
   return frame;
 }
 
@@ -131,11 +132,12 @@ bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
   const std::size_t alive = frame.protrusions.id.size();
   const bool several = !frame.outline.cell.empty();
   const auto right = [&](const auto& field) {
-    const std::size_t entries = field.of_several_cells() && !several     ? 0
-                                : field.name == "matrix/fibre_von_mises" ? fibres
-                                : field.name.starts_with("matrix/")      ? head.particles()
-                                : field.name.starts_with("protrusions/") ? alive
-                                                                         : outline;
+    const std::size_t entries = field.of_several_cells() && !several                       ? 0
+                                : field.of_attractant() && frame.matrix.attractant.empty() ? 0
+                                : field.name == "matrix/fibre_von_mises"                   ? fibres
+                                : field.name.starts_with("matrix/")                        ? head.particles()
+                                : field.name.starts_with("protrusions/")                   ? alive
+                                                                                           : outline;
     return field.in(frame).size() == entries * field.components;
   };
   return std::isfinite(frame.t) && std::ranges::all_of(float_fields(), right)
@@ -147,7 +149,11 @@ std::string log_head(const FrameHead& head) {
   put(content, head.radius);
   put(content, head.spacing);
   put_planes(content, head.reference);
-  if (!head.obstacle.empty()) put_planes(content, head.obstacle);
+  if (head.obstacle.empty() && head.youngs_modulus.empty() && head.ligand.empty())
+    return std::string(magic) + block(content);
+  put_planes(content, head.obstacle);
+  put_planes(content, head.youngs_modulus);
+  put_planes(content, head.ligand);
   return std::string(magic) + block(content);
 }
 
@@ -155,11 +161,13 @@ std::string log_frame(const Frame& frame) {
   std::string content;
   put(content, frame.t);
   for (const auto& field : float_fields())
-    if (!field.of_several_cells()) put_planes(content, field.in(frame));
+    if (field.of_all()) put_planes(content, field.in(frame));
   for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
-  if (!frame.outline.cell.empty())
+  const bool attractant = !frame.matrix.attractant.empty();
+  if (attractant || !frame.outline.cell.empty())
     for (const auto& field : float_fields())
       if (field.of_several_cells()) put_planes(content, field.in(frame));
+  if (attractant) put_planes(content, frame.matrix.attractant);
   return block(content);
 }
 
@@ -194,7 +202,10 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   m_head.radius = head.take<double>();
   m_head.spacing = head.take<double>();
   head.take_planes(m_head.reference);
-  if (!head.empty()) head.take_planes(m_head.obstacle);
+  if (head.empty()) return; // the same matrix everywhere
+  head.take_planes(m_head.obstacle);
+  head.take_planes(m_head.youngs_modulus);
+  head.take_planes(m_head.ligand);
 }
 
 std::optional<Frame> FrameReader::next() {

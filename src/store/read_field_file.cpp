@@ -67,7 +67,10 @@ Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
   if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
   film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
   if (file.has("/matrix/obstacle")) film.head.obstacle = file.bytes("/matrix/obstacle");
-  if (!film.head.obstacle.empty() && film.head.obstacle.size() != film.head.particles())
+  if (file.has("/matrix/youngs_modulus")) film.head.youngs_modulus = file.floats("/matrix/youngs_modulus");
+  if (file.has("/matrix/ligand")) film.head.ligand = file.floats("/matrix/ligand");
+  const auto one_each = [&](const auto& field) { return field.empty() || field.size() == film.head.particles(); };
+  if (!one_each(film.head.obstacle) || !one_each(film.head.youngs_modulus) || !one_each(film.head.ligand))
     throw InputOutputError("its arrays do not belong together");
   for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
   if (whole != nullptr) whole->assign(times.size(), true);

@@ -19,7 +19,8 @@ namespace matrigrate::io {
 namespace {
 
 bool same(const FrameHead& a, const FrameHead& b) {
-  return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference && a.obstacle == b.obstacle;
+  return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference && a.obstacle == b.obstacle
+         && a.youngs_modulus == b.youngs_modulus && a.ligand == b.ligand;
 }
 
 /// Calls with each whole frame of the log, and then, while some are `missing`, with each one of the field file.

@@ -53,6 +53,11 @@ export interface ParticleFrames {
   von_mises: Packed;
   /** Von Mises stress of the fibres [Pa], likewise; left out where there are no fibres. */
   fibre_von_mises?: Packed;
+  /** Concentration of the attractant, between its own limits; left out where there is none. */
+  attractant?: Packed;
+  /** Young's modulus of the intact matrix [Pa], and ligand over the usual one: the same in all frames; left out where the same everywhere. */
+  youngs_modulus?: Packed;
+  ligand?: Packed;
 }
 
 /** Particles of the cortex, around the cell, one entry a particle. */

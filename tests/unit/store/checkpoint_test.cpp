@@ -127,6 +127,9 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
     ecm.E_ratio.push_back(1.0 + 1e-3 * static_cast<double>(i) / 3.0);
     ecm.fibre_direction.push_back(0.1 * static_cast<double>(i));
     ecm.obstacle.push_back(i % 3 == 0 ? 1 : 0);
+    ecm.ligand.push_back(0.2 * static_cast<double>(i));
+    ecm.attractant.push_back(0.3 * static_cast<double>(i));
+    ecm.attractant_source.push_back(0.01 * static_cast<double>(i % 2));
   }
   const std::string image = io::checkpoint_image(before);
   EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
@@ -135,6 +138,9 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   EXPECT_EQ(after.state.ecm.E_ratio, ecm.E_ratio);
   EXPECT_EQ(after.state.ecm.fibre_direction, ecm.fibre_direction);
   EXPECT_EQ(after.state.ecm.obstacle, ecm.obstacle);
+  EXPECT_EQ(after.state.ecm.ligand, ecm.ligand);
+  EXPECT_EQ(after.state.ecm.attractant, ecm.attractant);
+  EXPECT_EQ(after.state.ecm.attractant_source, ecm.attractant_source);
   ecm.E_ratio[5] = 0.0;
   EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("a Young's modulus of the matrix is not above 0"));
   ecm.E_ratio.pop_back();

@@ -65,12 +65,19 @@ TEST(FieldFile, GivesTheSameBitsBack) {
   EXPECT_EQ(field_file(run.film()), field_file(run.film())) << "no date in it";
 }
 
-TEST(FieldFile, HoldsObstacles) {
+TEST(FieldFile, HoldsWhatVariesFromPlaceToPlace) {
   Film film = SmallRun().film();
   EXPECT_FALSE(MemoryFile(field_file(film)).has("/matrix/obstacle"));
   film.head.obstacle.assign(film.head.particles(), 0);
   film.head.obstacle[7] = 1;
-  EXPECT_EQ(read_field_file(field_file(film)).head.obstacle, film.head.obstacle);
+  film.head.youngs_modulus.assign(film.head.particles(), 150.0F);
+  film.head.ligand.assign(film.head.particles(), 2.0F);
+  for (Frame& frame : film.frames) frame.matrix.attractant.assign(film.head.particles(), 0.25F);
+  const Film read = read_field_file(field_file(film));
+  EXPECT_EQ(difference(read, film), "");
+  EXPECT_EQ(read.head.obstacle, film.head.obstacle);
+  EXPECT_EQ(read.head.youngs_modulus, film.head.youngs_modulus);
+  EXPECT_EQ(read.head.ligand, film.head.ligand);
   film.head.obstacle.pop_back();
   EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
 }

@@ -19,11 +19,17 @@ TEST(FrameLog, GivesTheSameBitsBack) {
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
 }
 
-TEST(FrameLog, HoldsObstacles) {
+TEST(FrameLog, HoldsWhatVariesFromPlaceToPlace) {
   Film film = SmallRun().film();
   film.head.obstacle.assign(film.head.particles(), 0);
   film.head.obstacle[7] = 1;
-  EXPECT_EQ(read_log(log_bytes(film)).head.obstacle, film.head.obstacle);
+  film.head.ligand.assign(film.head.particles(), 0.5F);
+  for (Frame& frame : film.frames) frame.matrix.attractant.assign(film.head.particles(), static_cast<float>(frame.t));
+  const Film read = read_log(log_bytes(film));
+  EXPECT_EQ(difference(read, film), "");
+  EXPECT_EQ(read.head.obstacle, film.head.obstacle);
+  EXPECT_EQ(read.head.ligand, film.head.ligand);
+  EXPECT_TRUE(read.head.youngs_modulus.empty());
 }
 
 TEST(FrameLog, TellsSeveralCellsApart) {

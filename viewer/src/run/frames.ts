@@ -12,6 +12,9 @@ export interface Film {
   pressure: Field;
   vonMises: Field;
   fibreVonMises: Field | null;
+  attractant: Field | null;
+  youngsModulus: Field | null;
+  ligand: Field | null;
   /** null: none, or a page of an earlier version. */
   fibres: Fibres | null;
   /** Places of the particles of rigid obstacles [um]. */
@@ -37,13 +40,16 @@ export async function film(run: RunPage): Promise<Film | null> {
   if (!frames || frames.times_s.length === 0) return null;
   const n = frames.times_s.length;
   const { particles: p, outline: o } = frames;
-  const [reference, x, f, pressure, vonMises, fibreVonMises] = await Promise.all([
+  const [reference, x, f, pressure, vonMises, fibreVonMises, attractant, youngsModulus, ligand] = await Promise.all([
     unpack(frames.reference, "reference positions", 1),
     unpack(p.x, "particle positions", n),
     unpack(p.f, "degradation", n),
     unpack(p.pressure, "pressure", n),
     unpack(p.von_mises, "von Mises stress", n),
     p.fibre_von_mises ? unpack(p.fibre_von_mises, "von Mises stress of the fibres", n) : null,
+    p.attractant ? unpack(p.attractant, "attractant", n) : null,
+    p.youngs_modulus ? unpack(p.youngs_modulus, "Young's modulus", n) : null,
+    p.ligand ? unpack(p.ligand, "ligand", n) : null,
   ]);
   const [ox, front, protrusion, fMat, force] = await Promise.all([
     unpack(o.x, "outline", n),
@@ -62,6 +68,9 @@ export async function film(run: RunPage): Promise<Film | null> {
     pressure,
     vonMises,
     fibreVonMises,
+    attractant,
+    youngsModulus,
+    ligand,
     fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, reference) : null,
     obstacles: frames.obstacles_um ?? [],
     outline: { x: ox, front, protrusion, fMat, force },

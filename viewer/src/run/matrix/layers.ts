@@ -35,6 +35,12 @@ function stress(key: string, name: string, note: string, field: Field): Layer {
   return { key, name, unit: "Pa", note, field, low, high, rest: 0, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
 }
 
+/** What the scenario gives the matrix from place to place; solid and fluid have it. */
+function given(key: string, name: string, unit: string, note: string, field: Field): Layer {
+  const [low, high] = limits(field);
+  return { key, name, unit, note, field, low, high, rest: low, maps: sequential, cut: { low: false, high: false }, solidOnly: false };
+}
+
 export function layers(film: Film): Layer[] {
   const largest = Math.max(...limits(film.pressure).map(Math.abs));
   const out: Layer[] = [
@@ -90,6 +96,11 @@ export function layers(film: Film): Layer[] {
         film.fibreVonMises,
       ),
     );
+  const { attractant, youngsModulus, ligand } = film;
+  if (youngsModulus)
+    out.push(given("youngs_modulus", "Young's modulus", "Pa", "Of the intact matrix, where it was at the start.", youngsModulus));
+  if (attractant) out.push(given("attractant", "Attractant", "", "Concentration of the chemoattractant.", attractant));
+  if (ligand) out.push(given("ligand", "Ligand", "", "On the solid, over the usual one; adhesions need it.", ligand));
   return out;
 }
 
