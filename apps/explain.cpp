@@ -1,8 +1,11 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/file.hpp"
+#include "draw/plot.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "simulation/start_fields.hpp"
+#include "state/cortex.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace matrigrate::apps {
@@ -22,6 +26,7 @@ struct Options {
   std::string file;
   std::vector<std::string> overrides;
   bool json = false;
+  std::string pictures; ///< folder; empty: none
 };
 
 std::string duration_text(double seconds) {
@@ -67,7 +72,7 @@ std::string description(const Parameters& p, const Derived& d) {
     add("fibres", fmt::format("{} bonds", d.bonds.count),
         d.bonds.mean_deg ? fmt::format("of each particle; mean direction {:.3g} degrees", *d.bonds.mean_deg)
                          : "of each particle; no mean direction");
-  for (const FieldSummary& field : field_summaries(p))
+  for (const FieldSummary& field : field_summaries(p).fields)
     add(fmt::format("field {}", key_of(*field.row)),
         fmt::format("{:.4g} to {:.4g}{}", field.low, field.high,
                     field.row->unit == "1" ? "" : fmt::format(" {}", field.row->unit)),
@@ -81,7 +86,7 @@ std::string description(const Parameters& p, const Derived& d) {
 
 Json fields_json(const Parameters& p) {
   Json list = Json::array();
-  for (const FieldSummary& field : field_summaries(p))
+  for (const FieldSummary& field : field_summaries(p).fields)
     list.push_back({{"key", field.row->path},
                     {"unit", field.row->unit},
                     {"source", field.source},
@@ -121,8 +126,33 @@ Json to_json(const Options& options, const Parameters& p, const Derived& d, cons
           {"warnings", found}};
 }
 
+/// Draws each field of a scenario, with the cell's outline at the start, into a new folder.
+void draw_fields(const Parameters& p, const std::string& folder) {
+  const FieldSummaries given = field_summaries(p);
+  if (given.fields.empty())
+    throw UsageError("the scenario has no fields to draw; docs/how-to/fields.md says how to give it some");
+  make_output_folder(folder, false);
+  const std::vector<Vec2> outline = round_cortex(p.cell).x;
+  for (const FieldSummary& field : given.fields) {
+    const std::string unit = field.row->unit == "1" ? std::string() : fmt::format(" [{}]", field.row->unit);
+    const io::ParticlePicture picture{.title = std::string(field.row->description),
+                                      .value_label = fmt::format("{}{}", key_of(*field.row), unit),
+                                      .position = given.places,
+                                      .value = field.values,
+                                      .particle_size = p.ecm.particle_spacing,
+                                      .outlines = {outline}};
+    const auto file = std::filesystem::path(folder) / fmt::format("{}.svg", field.row->path);
+    write_file(file, io::to_svg(picture, 900));
+    print(fmt::format("{}\n", file.string()));
+  }
+}
+
 int explain(const Options& options) {
   const Parameters p = read_parameters(options.file, options.overrides);
+  if (!options.pictures.empty()) {
+    draw_fields(p, options.pictures);
+    return done;
+  }
   const Derived d = derived(p);
   const std::vector<std::string> found = warnings(p, d);
   if (options.json) {
@@ -145,6 +175,7 @@ void add_explain(CLI::App& app, Action& chosen) {
   verb->add_option("FILE", options->file, "A scenario file")->required();
   verb->add_option("--set", options->overrides, "key=value, over the file; may be repeated")->allow_extra_args(false);
   verb->add_flag("--json", options->json, "Print the numbers as JSON");
+  verb->add_option("--pictures", options->pictures, "Draw the fields of the scenario into this new folder instead");
   verb->callback([options, &chosen] { chosen = [options] { return explain(*options); }; });
 }
 

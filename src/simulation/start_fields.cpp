@@ -103,18 +103,18 @@ std::string fault_of_obstacles(const Parameters& p) {
   return {};
 }
 
-std::vector<FieldSummary> field_summaries(const Parameters& p) {
-  std::vector<FieldSummary> all;
+FieldSummaries field_summaries(const Parameters& p) {
+  FieldSummaries all;
   for (const Row& row : schema()) {
     if (kind(row) != Kind::field) continue;
     const auto field = field_of(p, row.path);
     if (!field) continue;
-    FieldSummary summary{&row, field->description(), field->at(Vec2::Zero()), field->at(Vec2::Zero())};
-    for (const Vec2& X : places(p)) {
-      summary.low = std::min(summary.low, field->at(X));
-      summary.high = std::max(summary.high, field->at(X));
-    }
-    all.push_back(summary);
+    if (all.places.empty()) all.places = places(p);
+    FieldSummary summary{.row = &row, .source = field->description(), .values = {}};
+    for (const Vec2& X : all.places) summary.values.push_back(field->at(X));
+    summary.low = std::ranges::min(summary.values);
+    summary.high = std::ranges::max(summary.values);
+    all.fields.push_back(std::move(summary));
   }
   return all;
 }

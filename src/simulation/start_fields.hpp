@@ -30,10 +30,15 @@ struct FieldSummary {
   const Row* row = nullptr;
   std::string source;           ///< "a formula"; "a grid of 301 x 301 nodes from ..."
   double low = 0.0, high = 0.0; ///< over the particles, in the unit of the row
+  std::vector<double> values;   ///< at the particles' reference positions
 };
 
-/// Of those fields that are given.
-std::vector<FieldSummary> field_summaries(const Parameters& p);
+/// The fields that are given, and the places of their values: the particles of the matrix [um].
+struct FieldSummaries {
+  std::vector<Vec2> places;
+  std::vector<FieldSummary> fields;
+};
+FieldSummaries field_summaries(const Parameters& p);
 
 /// The uniform matrix as stiff as the stiffest place of a scenario: what bounds the step.
 Parameters as_stiff_everywhere(const Parameters& p);

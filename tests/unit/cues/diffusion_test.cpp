@@ -62,7 +62,7 @@ TEST_P(Lattices, AGaussianSpreads) {
   const std::vector<double> none(d.ecm.size(), 0.0);
   for (int n = 0; n < 100; ++n) diffusion.advance(d.ecm, D, none, dt);
   const double later = variance + 2.0 * D * 10.0;
-  EXPECT_NEAR(d.total() / before, 1.0, 1e-6) << "nothing is lost but at the far rim";
+  EXPECT_NEAR(d.total() / before, 1.0, 1e-4) << "nothing is lost but at the far rim";
   for (const double r : {0.0, 10.0, 20.0, 30.0})
     EXPECT_NEAR(d.at({r, 0.0}), variance / later * std::exp(-0.5 * r * r / later), 0.003) << r;
 }

@@ -96,12 +96,16 @@ TEST(StartFields, TheStiffestPlaceBoundsTheStep) {
 }
 
 TEST(StartFields, AreSummedUp) {
-  const std::vector<FieldSummary> all = field_summaries(small({"ecm.fields.youngs_modulus=200 + x"}));
+  const FieldSummaries given = field_summaries(small({"ecm.fields.youngs_modulus=200 + x"}));
+  const std::vector<FieldSummary>& all = given.fields;
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].row->path, "ecm.fields.youngs_modulus");
   EXPECT_EQ(all[0].source, "a formula");
   EXPECT_DOUBLE_EQ(all[0].low, 140.0);
   EXPECT_DOUBLE_EQ(all[0].high, 260.0);
+  ASSERT_EQ(all[0].values.size(), given.places.size());
+  for (std::size_t i = 0; i < given.places.size(); ++i)
+    EXPECT_DOUBLE_EQ(all[0].values[i], 200.0 + given.places[i].x());
 }
 
 } // namespace
