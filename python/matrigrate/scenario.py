@@ -7,81 +7,15 @@ import tempfile
 import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from . import _program, _schema
+from . import _arguments, _program, _schema
 from ._schema import Parameter, Value
-from .errors import ConfigurationError, Fault, InputOutputError, UnknownParameter
+from ._sections import Section as Section
+from ._sections import Sections, classes, help_text, of, unknown
+from .errors import ConfigurationError, Fault, InputOutputError
 
 _usual_adaptive_step = 5.0  # s; that of the reference is the schema's default
-
-
-class Section:
-    """The parameters of one section of a scenario, as attributes.
-
-    Reading gives a number in the documented unit; writing takes such a number, or a text with a unit.
-    """
-
-    _name = ""
-    _scenario: Scenario
-
-    def __init__(self, scenario: Scenario) -> None:
-        object.__setattr__(self, "_scenario", scenario)
-
-    def __getattr__(self, key: str) -> Value:
-        if key.startswith("_"):
-            raise AttributeError(key)
-        if f"{self._name}.{key}" in _classes:
-            return _classes[f"{self._name}.{key}"](self._scenario)
-        raise _unknown(f"{self._name}.{key}")
-
-    def __setattr__(self, key: str, value: Any) -> None:
-        self._scenario[f"{self._name}.{key}"] = value
-
-    def __dir__(self) -> list[str]:
-        return [p.key for p in _of(self._name)]
-
-    def __repr__(self) -> str:
-        lines = [f"[{self._name}] {_schema.sections()[self._name]}; * differs from its default"]
-        changed = self._scenario.changed()
-        for p in _of(self._name):
-            mark = "*" if p.path in changed else " "
-            value, unit = self._scenario[p.path], "" if p.unit == "1" else f" {p.unit}".rstrip()
-            shown = f"{value:g}{unit}" if isinstance(value, float) else f"{_schema.toml_text(value)}{unit}"
-            lines.append(f"{mark} {p.key:<20} {shown:<18} {p.meaning}; {p.allowed}")
-        return "\n".join(lines)
-
-
-def help_text(p: Parameter) -> str:
-    """What a parameter means, its unit and range, and where its default is from."""
-    unit = f" A bare number is in {p.unit}." if p.kind in ("quantity", "angle") else ""
-    return f"{p.meaning}; {p.allowed}.{unit} Default: {_schema.toml_text(p.default)} ({p.source})."
-
-
-def _of(section: str) -> list[Parameter]:
-    return [p for p in _schema.parameters().values() if p.path.rsplit(".", 1)[0] == section]
-
-
-def _attribute(p: Parameter) -> property:
-    def read(self: Section) -> Value:
-        return self._scenario[p.path]
-
-    def write(self: Section, value: Value) -> None:
-        self._scenario[p.path] = value
-
-    return property(read, write, doc=help_text(p))
-
-
-def _section_class(name: str, title: str) -> type[Section]:
-    attributes: dict[str, Any] = {p.key: _attribute(p) for p in _of(name)}
-    return type(name.title().replace(".", ""), (Section,), attributes | {"_name": name, "__doc__": title + "."})
-
-
-_classes = {name: _section_class(name, title) for name, title in _schema.sections().items()}
-
-
-def _unknown(path: str, is_section: bool = False) -> UnknownParameter:
-    return UnknownParameter(Fault(path, _schema.unknown_words(path, is_section)))
 
 
 def _plain(value: Any) -> Any:
@@ -89,7 +23,7 @@ def _plain(value: Any) -> Any:
     return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
 
 
-class Scenario(Mapping[str, Value]):
+class Scenario(Sections, Mapping[str, Value]):
     """All parameters of a simulation. What is not set has its default.
 
     >>> scenario = Scenario()
@@ -115,13 +49,13 @@ class Scenario(Mapping[str, Value]):
         """:param values: as in a file, ``{"ecm": {"radius": "60 um"}}``, or flat, ``{"ecm.radius": "60 um"}``
         :param name: of the folder of a run, where none is given
         """
-        self.name = name
+        self.name = _arguments.text("name", name)
         self._given: dict[str, Value] = {}
         faults: list[Fault] = []
-        for path, value, nested in _flat(values or {}):
+        for path, value, nested in _flat(_arguments.mapping("values", values)):
             try:
                 if nested:
-                    raise _unknown(path, is_section=True)
+                    raise unknown(path, is_section=True)
                 self[path] = value
             except ConfigurationError as error:
                 faults += error.faults
@@ -131,6 +65,7 @@ class Scenario(Mapping[str, Value]):
     @classmethod
     def preset(cls, name: str) -> Scenario:
         """One of the presets of ``matrigrate list``, such as "soft". Asks the program for it."""
+        _arguments.text("name", name, "the name of a preset")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "preset.toml"
             outcome = _program.call(["new", str(file), "--preset", name, "--schema", "none"])
@@ -141,7 +76,7 @@ class Scenario(Mapping[str, Value]):
     @classmethod
     def load(cls, file: str | os.PathLike[str]) -> Scenario:
         """A scenario file."""
-        path = Path(file)
+        path = _arguments.path("file", file)
         scenario = cls(_read(path), name=path.stem)
         for p in _schema.parameters().values():
             text = str(scenario._given.get(p.path, ""))
@@ -150,17 +85,13 @@ class Scenario(Mapping[str, Value]):
         return scenario
 
     def __getitem__(self, path: str) -> Value:
-        p = _schema.parameters().get(path)
-        if p is None:
-            raise _unknown(path)
+        p = _row(path)
         if path == "run.time_step" and path not in self._given and self["run.integrator"] == "adaptive":
             return _usual_adaptive_step
         return p.number(self._given.get(path, p.default))
 
     def __setitem__(self, path: str, value: Any) -> None:
-        p = _schema.parameters().get(path)
-        if p is None:
-            raise _unknown(path)
+        p = _row(path)
         value = _plain(value)
         fault = p.fault(value)
         if fault:
@@ -178,23 +109,23 @@ class Scenario(Mapping[str, Value]):
     def __len__(self) -> int:
         return len(_schema.parameters())
 
-    def __getattr__(self, name: str) -> Any:
-        if name in _classes:
-            return _classes[name](self)
-        if name.startswith("_"):
-            raise AttributeError(name)
-        raise _unknown(name, is_section=True)
+    if not TYPE_CHECKING:  # else no checker would find a section that does not exist
+
+        def __getattr__(self, name):
+            if name.startswith("_"):
+                raise AttributeError(name)
+            raise unknown(name, is_section=True)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if name in _classes:
+        if name in classes:
             raise ConfigurationError(Fault(name, "is a section; set one of its parameters, such as "
-                                                 f"{_of(name)[0].path}"))
+                                                 f"{of(name)[0].path}"))
         if name not in ("name", "_given"):
-            raise _unknown(name, is_section=True)
+            raise unknown(name, is_section=True)
         object.__setattr__(self, name, value)
 
     def __dir__(self) -> list[str]:
-        return [*_classes, *(n for n in super().__dir__() if n not in _classes)]
+        return [*classes, *(n for n in super().__dir__() if n not in classes)]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scenario) and dict(self) == dict(other)
@@ -228,20 +159,17 @@ class Scenario(Mapping[str, Value]):
         >>> print(Scenario().help("ecm.viscosity"))
         Viscosity of the matrix, intact or degraded (mu); > 0 and <= 1e9 Pa s. A bare number is in Pa s. Default: "1000 Pa s" (Heck et al. 2020, Table 1).
         """
-        if path not in _schema.parameters():
-            raise _unknown(path)
-        return help_text(_schema.parameters()[path])
+        return help_text(_row(path))
 
     def unit(self, path: str) -> str:
         """The unit of a bare number, and of what reading gives: "Pa"; "1" of ratios and counts, empty of words."""
-        self[path]
-        return _schema.parameters()[path].unit
+        return _row(path).unit
 
     def toml(self) -> str:
         """The text of a scenario file: what was set, each with its meaning and range."""
         text = "# A scenario of Matrigrate. What is left out has its default.\n"
         for section, title in _schema.sections().items():
-            rows = [p for p in _of(section) if p.path in self._given]
+            rows = [p for p in of(section) if p.path in self._given]
             text += f"\n# {title}\n[{section}]\n" if rows else ""
             for p in rows:
                 text += f"# {p.meaning}; {p.allowed}\n{p.key} = {_schema.toml_text(self._given[p.path])}\n"
@@ -252,9 +180,9 @@ class Scenario(Mapping[str, Value]):
 
         An existing file is kept, unless ``overwrite``.
         """
+        path = _arguments.path("file", file)
         if _program.find() is not None:
             self.check()
-        path = Path(file)
         try:
             with open(path, "w" if overwrite else "x", encoding="utf-8") as out:
                 out.write(self.toml())
@@ -274,17 +202,24 @@ class Scenario(Mapping[str, Value]):
         return _program.TemporaryScenario(self.name, self.toml())
 
 
+def _row(path: str) -> Parameter:
+    p = _schema.parameters().get(_arguments.text("path", path, 'a name such as "ecm.youngs_modulus"'))
+    if p is None:
+        raise unknown(path)
+    return p
+
+
 def _flat(values: Mapping[str, Any]) -> Iterator[tuple[str, Any, bool]]:
     """Path, value, and whether it is a table that is no section."""
     for name, value in values.items():
-        if name in _classes and isinstance(value, Mapping):
+        if name in classes and isinstance(value, Mapping):
             for key, inner in value.items():
                 path = f"{name}.{key}"
-                if path in _classes:
+                if path in classes:
                     yield from _flat({path: inner})
                 else:
                     yield path, inner, False
-        elif name in _classes:
+        elif name in classes:
             raise ConfigurationError(Fault(name, f"is a section; write [{name}] and its keys below, each on a line"))
         else:
             yield name, value, isinstance(value, Mapping)

@@ -3,20 +3,26 @@ from __future__ import annotations
 
 import importlib.machinery
 import importlib.util
+import math
 import os
 import sys
 import weakref
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _arguments
+from ._files import read_text
 from ._schema import toml_text
 from .errors import MatrigrateError
 from .scenario import Scenario
+
+if TYPE_CHECKING:
+    from . import _core
 
 Floats = NDArray[np.float64]
 
@@ -25,7 +31,7 @@ class Matrix:
     """The particles of the matrix now. Arrays are read-only views of the simulation's own numbers: they change with it,
     and cost no copy."""
 
-    def __init__(self, core: Any) -> None:
+    def __init__(self, core: _core.Simulation) -> None:
         self._core = core
 
     def __len__(self) -> int:
@@ -65,8 +71,13 @@ class Matrix:
 class Cell:
     """A cell now. Arrays are read-only views, as those of Matrix."""
 
-    def __init__(self, core: Any, index: int) -> None:
+    def __init__(self, core: _core.Simulation, index: int) -> None:
         self._core, self._index = core, index
+
+    @property
+    def index(self) -> int:
+        """Its place among the cells of the simulation, from 0."""
+        return self._index
 
     @property
     def x(self) -> Floats:
@@ -77,6 +88,11 @@ class Cell:
     def v(self) -> Floats:
         """Their velocities in the last step [um/s], shape (n, 2)."""
         return self._core.cell_v(self._index)
+
+    @property
+    def normals(self) -> Floats:
+        """Outward unit normals at the particles of the cortex, shape (n, 2); computed when asked for, so no view."""
+        return self._core.cell_normals(self._index)
 
     @property
     def rest_lengths(self) -> Floats:
@@ -90,45 +106,73 @@ class Cell:
 
     @property
     def protrusions(self) -> list[dict[str, Any]]:
-        """Those that live: id, centre (index of the central particle), phase, since_s, and anchor_um while adhered."""
+        """Those that live: id, centre (index of the central particle), phase, since_s [s], and anchor_um [um] while
+        adhered.
+
+        :raises RuntimeError: while the simulation computes in another thread
+        """
         return self._core.cell_protrusions(self._index)
 
 
 class Simulation:
     """A simulation in memory: nothing is written. The same scenario has the bits of ``matrigrate run``.
 
-    >>> simulation = Simulation(overrides={"ecm.radius": "60 um"})         # doctest: +SKIP
-    >>> simulation.advance(hours=0.1)                                      # doctest: +SKIP
-    >>> simulation.cell.x.mean(axis=0)                                     # doctest: +SKIP
+    >>> simulation = Simulation(seed=3, overrides={"ecm.radius": "60 um", "run.integrator": "adaptive"})
+    >>> simulation.advance(hours=0.01)
+    >>> simulation.cell.x.shape, round(simulation.t)
+    ((235, 2), 35)
 
     A force of one's own is a function of the simulation that returns an array [nN], or None:
 
-    >>> def pull(simulation):                                              # doctest: +SKIP
+    >>> def pull(simulation):
     ...     return np.tile([1e-3, 0.0], (len(simulation.cell.x), 1))
-    >>> simulation = Simulation(cell_force=pull)                           # doctest: +SKIP
+    >>> pulled = Simulation(overrides={"ecm.radius": "60 um"}, cell_force=pull)
+    >>> pulled.step()
+
+    A cue of one's own is a function of the simulation and a cell that returns a factor on the rate at which each particle
+    of that cell's cortex initiates protrusions:
+
+    >>> def towards_x(simulation, cell):
+    ...     return np.exp(cell.normals[:, 0])
+    >>> cued = Simulation(overrides={"ecm.radius": "60 um"}, cue=towards_x)
+    >>> cued.step()
     """
 
     def __init__(self, scenario: Scenario | str | os.PathLike[str] | None = None, *, seed: int | None = None,
                  overrides: Mapping[str, Any] | None = None,
                  force: Callable[[Simulation], Floats | None] | None = None,
-                 cell_force: Callable[[Simulation], Floats | None] | None = None) -> None:
+                 cell_force: Callable[[Simulation], Floats | None] | None = None,
+                 cue: Callable[[Simulation, Cell], Floats | None] | None = None, cue_every: int = 1) -> None:
         """:param scenario: a Scenario or the path of a scenario file; the defaults if left out
         :param seed: of the random numbers
         :param overrides: further parameters, ``{"ecm.youngs_modulus": "50 Pa"}``
         :param force: called in each step; returns forces on the particles of the matrix [nN], shape (n, 2), or None
         :param cell_force: the same for the particles of the cortex (of all cells, one after the other)
+        :param cue: called for each cell before a step; returns factors on the rate of initiation of its particles [-],
+            finite and >= 0, shape (n,), or None for 1; with protrusion.number > 0, weights in the draw of the particle
+        :param cue_every: steps between two calls of the cue, which the factors of the first hold for; >= 1
         :raises ConfigurationError: with all that is wrong with the scenario
+        :raises InputOutputError: if the file of the scenario cannot be read
         :raises CoreNotFound: if the package was installed without its compiled module
         """
+        for what, function in (("force", force), ("cell_force", cell_force), ("cue", cue)):
+            _arguments.function(what, function)
+        if isinstance(cue_every, bool) or not isinstance(cue_every, int) or cue_every < 1:
+            raise ValueError(f"cue_every is {cue_every!r}; a whole number of steps >= 1 is expected")
         name, text = _text_of(scenario)
         words = [f"{key}={value if isinstance(value, str) else toml_text(value)}"
-                 for key, value in (overrides or {}).items()]
+                 for key, value in _arguments.mapping("overrides", overrides).items()]
         words += [] if seed is None else [f"run.seed={seed}"]
-        self._core = core().Simulation(text, name, words)
+        self._core: _core.Simulation = core().Simulation(text, name, words)
         me = weakref.ref(self)  # a cycle through the compiled object would never be freed
-        self._core.set_force(*(None if f is None else (lambda _, f=f: f(me())) for f in (force, cell_force)))
+
+        def with_me(function: Callable[[Simulation], Floats | None] | None) -> Callable[[object], Floats | None] | None:
+            return None if function is None else lambda _: function(_alive(me))
+
+        self._core.set_force(with_me(force), with_me(cell_force))
+        self._core.set_cue(None if cue is None else lambda _, k: cue(_alive(me), _alive(me).cells[k]), cue_every)
         self.matrix = Matrix(self._core)  #: the particles of the matrix
-        self.cells = [Cell(self._core, k) for k in range(self._core.cell_count)]  #: the cells; one so far
+        self.cells: list[Cell] = [Cell(self._core, k) for k in range(self._core.cell_count)]  #: the cells; one so far
 
     @property
     def cell(self) -> Cell:
@@ -152,11 +196,18 @@ class Simulation:
 
     @property
     def trajectory_hash(self) -> str:
-        """What run.json of a run that ended now would say: equal ones mean equal bits."""
+        """What run.json of a run that ended now would say: equal ones mean equal bits.
+
+        :raises RuntimeError: while the simulation computes in another thread
+        """
         return self._core.trajectory_hash()
 
     def step(self) -> None:
-        """One step, of run.time_step or as long as the adaptive integrator takes it."""
+        """One step, of run.time_step or as long as the adaptive integrator takes it.
+
+        :raises NumericalError: if the step fails
+        :raises RuntimeError: if this simulation is computing: from a function of one's own, or in another thread
+        """
         self._core.step()
 
     def advance(self, *, hours: float | None = None, until: float | None = None,
@@ -169,9 +220,14 @@ class Simulation:
         :param until: simulated time to go on to [s]
         :param progress: called with the simulation at most ten times a second
         :raises NumericalError: if a step fails
+        :raises ValueError: if hours or until is negative or no finite number
+        :raises RuntimeError: if this simulation is computing: from a function of one's own, or in another thread
         """
         if hours is not None and until is not None:
             raise ValueError("give hours or until, not both")
+        for name, value, unit in (("hours", hours, "h"), ("until", until, "s")):
+            _require_time(name, value, unit)
+        _arguments.function("progress", progress)
         end = self.t + 3600.0 * hours if hours is not None else until if until is not None else self.duration
         self._core.march_to(float(end), None if progress is None else lambda _: progress(self))
 
@@ -200,9 +256,26 @@ def core() -> ModuleType:
     return module
 
 
+def _alive(me: weakref.ref[Simulation]) -> Simulation:
+    simulation = me()
+    assert simulation is not None  # it is computing
+    return simulation
+
+
 def _text_of(scenario: Scenario | str | os.PathLike[str] | None) -> tuple[str, str]:
+    """Name and text. A file is read as the program reads it, with the faults of `Scenario.load`."""
     if scenario is None:
         return "scenario", ""
     if isinstance(scenario, Scenario):
         return scenario.name, scenario.toml()
-    return str(scenario), Path(scenario).read_text(encoding="utf-8")
+    file = _arguments.path("scenario", scenario, "a Scenario or the path of a file")
+    return str(file), read_text(file).removeprefix("\ufeff")
+
+
+def _require_time(name: str, value: float | None, unit: str) -> None:
+    if value is None:
+        return
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise _arguments.wrong(name, value, f"a number [{unit}]")
+    if not (math.isfinite(value) and value >= 0):
+        raise ValueError(f"{name} is {value}; a finite number [{unit}] >= 0 is expected")

@@ -1,15 +1,17 @@
 """Scenarios in Python: the schema, defaults, words and files are those of the program."""
+import ast
 import doctest
 import importlib
 import json
 import subprocess
+import sys
 import tomllib
 import unittest
 
 import common
 import matrigrate
 import numpy as np
-from matrigrate import Scenario, _schema, _units
+from matrigrate import Scenario, _schema, _sections, _units
 
 wrong = [  # what the program and Python must say the same of
     ("ecm", "youngs_modulus", value) for value in
@@ -155,9 +157,34 @@ class Objects(unittest.TestCase):
         self.assertEqual(repr(scenario), 'Scenario(a: ecm.radius="60 um")')
 
 
+class Stub(unittest.TestCase):
+    def test_is_that_of_the_schema(self):
+        done = subprocess.run([sys.executable, "-B", common.source / "tools" / "stubs.py", "--compare"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_names_are_those_at_run_time(self):
+        text = (common.source / "python" / "matrigrate" / "_sections.pyi").read_text(encoding="utf-8")
+        module = ast.parse(text).body
+        classes = {node.name: node for node in module if isinstance(node, ast.ClassDef) and node.name != "_Quantity"}
+        functions = {node.name for node in module if isinstance(node, ast.FunctionDef)}
+        ours = {name: thing for name, thing in vars(_sections).items()
+                if getattr(thing, "__module__", "") == _sections.__name__ and not name.startswith("_")}
+        self.assertEqual(set(classes) | functions, set(ours))
+        for name, node in classes.items():
+            members = {member.name if isinstance(member, ast.FunctionDef) else member.target.id for member in node.body
+                       if isinstance(member, (ast.FunctionDef, ast.AnnAssign))} - {"__init__"}
+            with self.subTest(name):
+                self.assertEqual(members, {key for key in vars(ours[name]) if not key.startswith("_")})
+        section = Scenario().ecm.fields
+        self.assertEqual((type(section).__name__, type(section).__module__), ("EcmFields", "matrigrate._sections"))
+        self.assertIn("fields", dir(Scenario().ecm))
+
+
 def load_tests(_, tests, __):
     tests.addTests(doctest.DocTestSuite(importlib.import_module("matrigrate.scenario")))
     tests.addTests(doctest.DocTestSuite(_schema))
+    tests.addTests(doctest.DocTestSuite(_sections))
     return tests
 
 

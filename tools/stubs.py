@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Types of the sections and parameters of a scenario for editors and type checkers, made from the schema.
+
+stubs.py            writes python/matrigrate/_sections.pyi anew
+stubs.py --compare  says whether it is that of the schema, and fails if it is not
+"""
+import ast
+import pathlib
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(root / "python"))
+
+from matrigrate import _schema, _sections  # noqa: E402
+
+stub = root / "python" / "matrigrate" / "_sections.pyi"
+head = '''"""Made from scenario.schema.json by tools/stubs.py; do not edit.
+
+Reading a parameter gives a number in the unit that its docstring names; writing takes such a number or a text with a unit.
+A wrong name, unit or range raises matrigrate.ConfigurationError.
+"""
+from typing import Any, Literal
+
+from ._schema import Parameter
+from .errors import UnknownParameter
+from .scenario import Scenario
+
+class _Quantity:
+    def __get__(self, section: Section, owner: Any = None) -> float: ...
+    def __set__(self, section: Section, value: float | str) -> None: ...
+
+'''
+
+
+def doc(text: str, indent: str) -> str:
+    quoted = text.replace("\\", "\\\\")
+    return f'{indent}"""{quoted}{" " if quoted.endswith(chr(34)) else ""}"""\n'
+
+
+def type_of(p: _schema.Parameter) -> str:
+    if p.kind == "choice":
+        return f"Literal[{', '.join(f'{choice!r}'.replace(chr(39), chr(34)) for choice in p.choices)}]"
+    return {"quantity": "_Quantity", "angle": "_Quantity", "ratio": "float", "integer": "int", "boolean": "bool",
+            "field": "str"}[p.kind]
+
+
+def section(name: str, title: str) -> str:
+    text = f"class {_sections.class_name(name)}(Section):\n" + doc(title + ".", "    ")
+    for within in _sections.inner(name):
+        text += reads(within, within.rsplit(".", 1)[1])
+    for p in _sections.of(name):
+        text += f"    {p.key}: {type_of(p)}\n" + doc(_sections.help_text(p), "    ")
+    return text + "\n"
+
+
+def reads(name: str, attribute: str) -> str:
+    return (f"    @property\n    def {attribute}(self) -> {_sections.class_name(name)}:\n"
+            + doc(_schema.sections()[name] + ".", "        "))
+
+
+def signatures() -> str:
+    """The functions of the module as they stand in its source."""
+    source = (root / "python" / "matrigrate" / "_sections.py").read_text(encoding="utf-8")
+    text = ""
+    for node in ast.parse(source).body:
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            text += f"def {node.name}({ast.unparse(node.args)}) -> {ast.unparse(node.returns)}: ...\n"
+    return text
+
+
+def made() -> str:
+    text = head + "class Section:\n" + doc(_sections.Section.__doc__.strip(), "    ")
+    text += "    def __init__(self, scenario: Scenario) -> None: ...\n\n"
+    for name, title in _schema.sections().items():
+        text += section(name, title)
+    text += "class Sections:\n" + doc(_sections.Sections.__doc__, "    ")
+    text += "".join(reads(name, name) for name in _schema.sections() if "." not in name)
+    return text + "\nclasses: dict[str, type[Section]]\n\n" + signatures()
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--compare"]:
+        if not stub.is_file() or stub.read_text(encoding="utf-8") != made():
+            sys.exit(f"{stub.relative_to(root)} is not that of the schema: tools/stubs.py writes it anew")
+    elif sys.argv[1:]:
+        sys.exit(__doc__)
+    else:
+        stub.write_text(made(), encoding="utf-8")
