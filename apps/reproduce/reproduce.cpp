@@ -22,17 +22,20 @@ namespace {
 
 bool chosen_by(std::string_view row, const std::string& id) { return id == "all" || row.starts_with(id); }
 
+/// Of the paper's claims and, where they are asked for by name, of the experiments beside it.
 std::vector<const study::Claim*> chosen_claims(const std::string& id) {
   std::vector<const study::Claim*> chosen;
   for (const study::Claim& claim : study::claims())
     if (chosen_by(claim.id, id)) chosen.push_back(&claim);
+  for (const study::Claim& claim : study::experiment_claims())
+    if (claim.id.starts_with(id)) chosen.push_back(&claim);
   return chosen;
 }
 
 /// @throws UsageError if there is no such row
 void check_id(const std::string& id) {
-  std::vector<std::string> ids{"A", "B", "C", "D", "E", "F", "V", "all"};
-  for (const study::Claim& claim : study::claims()) ids.emplace_back(claim.id);
+  std::vector<std::string> ids{"A", "B", "C", "D", "E", "F", "V", "X", "all"};
+  for (const study::Claim& claim : study::all_claims()) ids.emplace_back(claim.id);
   for (const PartRow& row : part_rows()) ids.emplace_back(row.id);
   if (std::ranges::find(ids, id) != ids.end()) return;
   throw UsageError(fmt::format("there is no row \"{}\"{}\nThe rows are: {}", id, did_you_mean(nearest(id, ids)),
@@ -129,10 +132,12 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       "on\n"
       "verification cases (matrigrate validate), by rules on the quantity that each claims, F1 on the frames of two "
       "runs.\n"
+      "X rows are experiments beside the paper (docs/validation.md).\n"
       "--from judges by kept tables and runs nothing: matrigrate reproduce all --from docs/validation");
   const auto options = std::make_shared<ReproduceOptions>();
   options->command = command_text(command_line);
-  verb->add_option("ID", options->id, "A, B, C, D, E, F, V, all, or one row such as A2")->required();
+  verb->add_option("ID", options->id, "A, B, C, D, E, F, V, X, all, or one row such as A2; all leaves X out")
+      ->required();
   verb->add_option("-o,--output", options->folder, "Folder for studies and verdicts (default: reproduce)");
   verb->add_option("--replicates", options->replicates, "Runs at each point (default: as many as the paper)")
       ->check(CLI::Range(1, 100000));

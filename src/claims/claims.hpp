@@ -20,10 +20,11 @@
 namespace matrigrate::study {
 
 /// What a row of the table is for: closures were chosen on calibration rows, no predicted row was looked at before they
-/// were frozen (MODEL.md, "The choice of the closures"), and verification rows test parts of the model.
-enum class RowKind { calibration, predicted, verification };
+/// were frozen (MODEL.md, "The choice of the closures"), verification rows test parts of the model, and experiment rows
+/// go beyond the paper.
+enum class RowKind { calibration, predicted, verification, experiment };
 
-/// Of a row by its id: A1 to A7 and D are for calibration, V and F for verification.
+/// Of a row by its id: A1 to A7 and D are for calibration, V and F for verification, X are experiments.
 RowKind row_kind(std::string_view id);
 std::string to_string(RowKind kind);
 
@@ -37,6 +38,13 @@ struct Claim {
 
 /// Rows A to E, in their order.
 std::span<const Claim> claims();
+
+/// Rows X: what experiments beside the paper found, and whether the model with its frozen closures shows it. They are
+/// not among the paper's thirty.
+std::span<const Claim> experiment_claims();
+
+/// Rows A to E and X.
+std::vector<Claim> all_claims();
 
 /// A claim, or a verification beside them, with what became of it.
 struct JudgedClaim {
@@ -69,6 +77,8 @@ std::vector<Claim> kept_claims();
 namespace readout {
 inline constexpr std::string_view v_abs = "v_migr_abs_um_per_h";
 inline constexpr std::string_view v_path = "v_migr_path_60s_um_per_h";
+inline constexpr std::string_view v_path_600s = "v_migr_path_600s_um_per_h";
+inline constexpr std::string_view index_x = "migration_index_x";
 inline constexpr std::string_view n = "n_protrusions";
 inline constexpr std::string_view tau = "tau_prot_min";
 inline constexpr std::string_view length = "l_prot_um";
@@ -81,5 +91,7 @@ inline constexpr std::string_view f_mat_across = "f_mat_across";
 inline constexpr std::string_view ruptured_along = "share_ruptured_along";
 inline constexpr std::string_view ruptured_across = "share_ruptured_across";
 } // namespace readout
+
+inline constexpr double random_angle_deg = 45.0; ///< mean angle of random directions to a line
 
 } // namespace matrigrate::study

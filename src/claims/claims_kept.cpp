@@ -12,7 +12,6 @@ Group fibres(std::size_t number) { return {"kept-protrusions-fibres", number - 1
 constexpr double runs_plain = 17;
 constexpr double runs_fibres = 18; // the paper has 17 to 19
 constexpr double near = 0.25;
-constexpr double random_angle_deg = 45.0; ///< mean angle of random directions to a line
 
 Finding d1(const Evidence& e) {
   return Judge(e)

@@ -7,12 +7,28 @@
 namespace matrigrate::study {
 
 RowKind row_kind(std::string_view id) {
+  if (id.starts_with('X')) return RowKind::experiment;
   if (id.starts_with('V') || id.starts_with('F')) return RowKind::verification;
   return id.starts_with('D') || (id.starts_with('A') && id != "A8") ? RowKind::calibration : RowKind::predicted;
 }
 
 std::string to_string(RowKind kind) {
-  return kind == RowKind::calibration ? "calibration" : kind == RowKind::predicted ? "predicted" : "verification";
+  switch (kind) {
+  case RowKind::calibration:
+    return "calibration";
+  case RowKind::predicted:
+    return "predicted";
+  case RowKind::verification:
+    return "verification";
+  default:
+    return "experiment";
+  }
+}
+
+std::vector<Claim> all_claims() {
+  std::vector<Claim> all(claims().begin(), claims().end());
+  all.insert(all.end(), experiment_claims().begin(), experiment_claims().end());
+  return all;
 }
 
 std::string why_not(const Finding& finding) {
@@ -24,7 +40,7 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
   const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
   std::vector<std::string> parts;
-  for (const RowKind kind : {RowKind::calibration, RowKind::predicted, RowKind::verification}) {
+  for (const RowKind kind : {RowKind::calibration, RowKind::predicted, RowKind::verification, RowKind::experiment}) {
     const auto of_kind = [&](const JudgedClaim& c) { return row_kind(c.id) == kind; };
     if (const auto all = count(of_kind); all > 0)
       parts.push_back(fmt::format("{} of {} {}", count([&](const JudgedClaim& c) { return of_kind(c) && holds(c); }),

@@ -184,6 +184,12 @@ Judge& Judge::within(Group g, std::string_view readout, double low, double high)
   return *this;
 }
 
+Judge& Judge::above(Group g, std::string_view readout, double bound) {
+  const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
+  condition(fmt::format("{} at {} lies above {:.3g} with its interval", readout, label(g), bound),
+            fmt::format("from {:.3g}", mean.low), std::isfinite(mean.low), mean.low > bound);
+  return *this;
+}
 Judge& Judge::below(Group g, std::string_view readout, double bound) {
   const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
   condition(fmt::format("{} at {} lies below {:.3g} with its interval", readout, label(g), bound),

@@ -65,6 +65,8 @@ public:
   Judge& within(Group g, std::string_view readout, double low, double high);
   /// The 95 % interval of the mean lies below a bound.
   Judge& below(Group g, std::string_view readout, double bound);
+  /// The 95 % interval of the mean lies above a bound.
+  Judge& above(Group g, std::string_view readout, double bound);
   /// The means of b and a are in a ratio below a bound.
   Judge& ratio_below(Group a, Group b, std::string_view readout, double bound);
   /// Pearson's r over all runs of a study is significant and has this sign; or is not significant.

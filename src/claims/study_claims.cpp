@@ -88,7 +88,7 @@ std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std
   study::Evidence all;
   all.emplace(*name, study::Ensemble{study.study, results});
   std::vector<study::JudgedClaim> judged;
-  for (const study::Claim& claim : study::claims()) {
+  for (const study::Claim& claim : study::all_claims()) {
     if (std::ranges::find(claim.studies, *name) == claim.studies.end()) continue;
     study::Evidence evidence; // of this claim alone, so that a single study is not named in each sentence
     for (const std::string_view other : claim.studies) {
@@ -113,7 +113,7 @@ std::string claims_caveat(const study::Study& study) {
 }
 
 std::string claims_caveat(const std::string& id, const study::Evidence& evidence) {
-  const auto claims = study::claims();
+  const auto claims = study::all_claims();
   const auto claim = std::ranges::find(claims, id, &study::Claim::id);
   std::vector<std::string_view> names;
   if (claim != claims.end()) names = claim->studies;

@@ -49,6 +49,8 @@ TEST(Judge, EachCondition) {
   EXPECT_TRUE(holds([&](Judge& j) { j.within(a, f, 1.0, 1.2); }));
   EXPECT_TRUE(holds([&](Judge& j) { j.below(a, f, 1.5); }));
   EXPECT_FALSE(holds([&](Judge& j) { j.below(a, f, 1.2); }));
+  EXPECT_TRUE(holds([&](Judge& j) { j.above(a, f, 0.9); }));
+  EXPECT_FALSE(holds([&](Judge& j) { j.above(a, f, 1.1); }));
   EXPECT_TRUE(holds([&](Judge& j) { j.ratio_below(a, b, f, 2.0); }));
   EXPECT_TRUE(holds([&](Judge& j) { j.mean_above("s", f, 1.0); }));
   EXPECT_FALSE(holds([&](Judge& j) { j.none_above("s", f, 2.0); }));
@@ -116,18 +118,19 @@ TEST(Judge, IsUndecidedWithoutRuns) {
 
 TEST(Claims, AreComplete) {
   std::set<std::string> ids;
-  for (const Claim& claim : claims()) {
+  for (const Claim& claim : all_claims()) {
     ids.emplace(claim.id);
     EXPECT_EQ(claim.judge({}).verdict, Verdict::undecided) << claim.id;
     for (const std::string_view name : claim.studies)
       EXPECT_TRUE(std::filesystem::exists(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name))) << name;
   }
-  EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2", "B3", "B4", "C1",
-                                        "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1", "E2", "E3", "E4", "E5"}));
+  EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2",
+                                        "B3", "B4", "C1", "C2", "C3", "C4", "C5", "D1", "D2", "D3",
+                                        "D4", "E1", "E2", "E3", "E4", "E5", "X1", "X2", "X3"}));
 }
 
 TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
-  for (const Claim& claim : claims()) {
+  for (const Claim& claim : all_claims()) {
     Evidence e;
     for (const std::string_view name : claim.studies) {
       const Study s = read_study(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name));
@@ -156,6 +159,7 @@ TEST(Claims, AreThirtyWithThePartsAndHaveAKind) {
   EXPECT_EQ(row_kind("V2"), RowKind::verification);
   EXPECT_EQ(row_kind("A7"), RowKind::calibration);
   EXPECT_EQ(row_kind("A8"), RowKind::predicted);
+  EXPECT_EQ(row_kind("X1"), RowKind::experiment);
 }
 
 TEST(Claims, TableSaysWhyNot) {
