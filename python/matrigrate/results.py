@@ -45,6 +45,7 @@ _meanings = {
     "share_ruptured_across": "share of adhesions across uniaxial fibres that ended by rupture",
     "share_f_adh_rel_low": "share of mature adhesions that ended below f_adh_rel = 0.5",
     "share_2_or_3_protrusions": "share of times with two or three protrusions",
+    "migration_index_x": "way along x over the length of the path, sampled every 600 s",
 }
 
 
