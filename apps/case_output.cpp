@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace matrigrate::apps {
 

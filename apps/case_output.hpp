@@ -3,7 +3,7 @@
 #include "report/page.hpp"
 #include "validation/case.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <optional>

@@ -5,6 +5,7 @@
 #include "simulation/start_rules.hpp"
 #include "study/read_study.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -9,6 +9,7 @@
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

@@ -9,6 +9,7 @@
 #include "run/run_record.hpp"
 #include "store/csv.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

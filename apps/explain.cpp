@@ -7,6 +7,7 @@
 #include "simulation/start_fields.hpp"
 #include "state/cortex.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>

@@ -2,6 +2,8 @@
 #include "apps/verbs.hpp"
 #include "run/provenance.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace matrigrate::apps {

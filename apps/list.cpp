@@ -5,6 +5,7 @@
 #include "study/read_study.hpp"
 #include "validation/case.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "base/failure.hpp"
 #include "run/provenance.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <fcntl.h>

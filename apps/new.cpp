@@ -6,6 +6,7 @@
 #include "parameters/scan.hpp"
 #include "parameters/write.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -2,6 +2,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

@@ -6,6 +6,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

@@ -5,6 +5,8 @@
 #include "apps/verbs.hpp"
 #include "run/branch.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace matrigrate::apps {

@@ -9,7 +9,10 @@
 #include "store/trajectory_hash.hpp"
 #include "study_runs/child.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 

@@ -8,7 +8,10 @@
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 

@@ -2,12 +2,14 @@
 
 #include "run/status.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 /// The verbs of the program, one file each. A verb adds itself to the command line; when it is given, it sets what is
 /// to be done. Exit codes and exceptions are brought together in main.cpp and nowhere else.

@@ -15,6 +15,7 @@
 #include "store/vtk_files.hpp"
 #include "study_runs/study_folder.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "store/base64.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 

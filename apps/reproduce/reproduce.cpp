@@ -10,6 +10,7 @@
 #include "simulation/step_limits.hpp"
 #include "study_runs/child.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

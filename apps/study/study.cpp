@@ -2,6 +2,8 @@
 #include "apps/study/verbs.hpp"
 #include "apps/verbs.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace matrigrate::apps {

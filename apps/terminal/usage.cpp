@@ -3,6 +3,7 @@
 #include "apps/verbs.hpp"
 #include "parameters/nearest.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,8 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+} // namespace CLI
 
 /// What is wrong with a command line. Test: tests/apps/usage_test.cpp
 namespace matrigrate::apps {

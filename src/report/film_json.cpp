@@ -5,6 +5,8 @@
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -30,6 +32,21 @@ Packing positions(const FrameHead& head) {
   return {.wide = true, .components = 2, .scale = std::max(0.005, 1.05 * (head.radius + head.spacing) / reach)};
 }
 
+/// Values of solid and fluid between their own limits.
+/// @param field  of a frame; may be that of all frames
+template <class Field>
+Json everywhere(const Film& film, const Field& field) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Frame& frame : film.frames)
+    for (const double value : field(frame)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  return packed({.scale = (high > low ? high - low : 1.0) / byte_range, .offset = low}, film.frames.size(),
+                [&](std::size_t k) -> const Floats& { return field(film.frames[k]); });
+}
+
 Json particles_json(const Film& film) {
   Floats x;
   const auto positions_of = [&](std::size_t k) -> const Floats& {
@@ -52,21 +69,6 @@ Json particles_json(const Film& film) {
   if (!film.head.youngs_modulus.empty()) json["youngs_modulus"] = of_head(film.head.youngs_modulus);
   if (!film.head.ligand.empty()) json["ligand"] = of_head(film.head.ligand);
   return json;
-}
-
-/// Values of solid and fluid between their own limits.
-/// @param field  of a frame; may be that of all frames
-template <class Field>
-Json everywhere(const Film& film, const Field& field) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Frame& frame : film.frames)
-    for (const double value : field(frame)) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  return packed({.scale = (high > low ? high - low : 1.0) / byte_range, .offset = low}, film.frames.size(),
-                [&](std::size_t k) -> const Floats& { return field(film.frames[k]); });
 }
 
 Json outline_json(const Film& film) {

@@ -3,7 +3,7 @@
 #include "observe/frame.hpp"
 #include "parameters/parameters.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// The frames of a run as the report's player takes them (viewer/README.md). Test: tests/unit/report/run_page_test.cpp
 namespace matrigrate::io {

@@ -3,6 +3,8 @@
 #include "store/base64.hpp"
 #include "store/deflate.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 

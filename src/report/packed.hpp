@@ -2,7 +2,7 @@
 
 #include "observe/frame.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <functional>
 

@@ -3,6 +3,8 @@
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 #include "observe/frame.hpp"
 #include "store/run_files.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <span>
 #include <string>

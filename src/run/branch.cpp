@@ -11,6 +11,7 @@
 #include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,7 @@
 #include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iterator>

@@ -7,6 +7,7 @@
 #include "run/stopped_run.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string>

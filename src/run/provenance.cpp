@@ -1,14 +1,17 @@
 #include "run/provenance.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <build_info.hpp>
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
-#include <boost/version.hpp>
 #include <fmt/format.h>
+#include <xxhash.h>
+
+#include <boost/version.hpp>
 #include <tbb/version.h>
 #include <toml++/toml.h>
-#include <xxhash.h>
 
 #include <array>
 #include <fstream>

@@ -3,6 +3,8 @@
 #include "run/stopped_run.hpp"
 #include "simulation/start.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <utility>
 
 namespace matrigrate::run {

@@ -17,6 +17,7 @@
 #include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <malloc.h>
 

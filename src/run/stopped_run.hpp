@@ -3,7 +3,7 @@
 #include "run/simulate.hpp"
 #include "store/checkpoint.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <string>

@@ -7,6 +7,7 @@
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <xxhash.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <stdexcept>
 

@@ -1,5 +1,7 @@
 #include "store/state_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <stdexcept>
 

@@ -5,6 +5,8 @@
 #include "store/checkpoint.hpp"
 #include "store/csv.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <system_error>

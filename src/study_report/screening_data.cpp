@@ -3,6 +3,7 @@
 #include "study/design/designs.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,8 @@
 #include "run/run_record.hpp"
 #include "store/csv.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>

@@ -2,6 +2,8 @@
 
 #include "parameters/schema.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace matrigrate::study {

@@ -4,6 +4,7 @@
 #include "store/deflate.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <limits>
 

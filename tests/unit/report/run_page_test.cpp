@@ -7,6 +7,7 @@
 #include "unit/observe/frames.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <stdexcept>
 

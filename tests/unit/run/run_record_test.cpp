@@ -1,6 +1,7 @@
 #include "run/run_record.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace matrigrate::run {
 namespace {

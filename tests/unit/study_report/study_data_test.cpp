@@ -6,6 +6,7 @@
 #include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace matrigrate::study {
 namespace {
