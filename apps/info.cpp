@@ -3,6 +3,7 @@
 #include "run/provenance.hpp"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 
