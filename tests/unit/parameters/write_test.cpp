@@ -66,7 +66,9 @@ private:
     if (member == nullptr) return true;
     const double value = (*member)(p);
     const units::Unit unit = unit_of(row);
-    return value > units::to_internal(row.range.low, unit) && value < units::to_internal(row.range.high, unit);
+    const double low = units::to_internal(row.range.low, unit);
+    const bool above = value > low || (value == 0.0 && low == 0.0 && row.range.low_allowed); // 0 stays 0
+    return above && value < units::to_internal(row.range.high, unit);
   }
 
   std::mt19937_64 m_random;
