@@ -13,6 +13,7 @@
 #include "store/field_file.hpp"
 #include "store/track_files.hpp"
 #include "store/vtk_files.hpp"
+#include "study_runs/study_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -96,8 +97,37 @@ Layer layer_for(const Options& options, Layer by_default) {
   return options.layer.empty() ? by_default : layer_of(options.layer);
 }
 
+std::filesystem::path output_of(const Options& options) {
+  return options.output.empty() ? std::filesystem::path(options.folder) / "export"
+                                : std::filesystem::path(options.output);
+}
+
+/// The tracks of all runs of a study that are done, in one file.
+int export_study_tracks(const Options& options) {
+  const study::StudyFolder study = study::open_study(options.folder);
+  const std::vector<study::Result> results = study::results(study.study, study.runs, study.folder);
+  const auto runs = std::ranges::count_if(results, [](const study::Result& r) { return r.standing.done(); });
+  if (runs == 0)
+    throw InputOutputError(fmt::format("{0}: none of its {1} runs is done; matrigrate study run "
+                                       "{0}/study.resolved.toml computes them",
+                                       options.folder, results.size()));
+  const std::string text = study::tracks_csv(study.study, results, study.folder);
+  const std::filesystem::path to = output_of(options);
+  prepare(to, {{.option = "--tracks", .names = R"(tracks\.csv)"}}, options.force);
+  write_file(to / "tracks.csv", text);
+  print(
+      fmt::format("exported the tracks of {} of {} runs to {}\n", runs, results.size(), (to / "tracks.csv").string()));
+  return done;
+}
+
+bool is_study(const std::string& folder) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(std::filesystem::path(folder) / "study.resolved.toml", error);
+}
+
 int export_run(Options options) {
   const std::vector<ExportKind> kinds = wanted_kinds(options);
+  if (options.tracks && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
   const Layer layer = layer_for(options, Layer::displacement);
   options.movie_options.layer = layer_for(options, Layer::degradation);
   set_size(options.movie_options, options.size);
@@ -111,8 +141,7 @@ int export_run(Options options) {
   if (options.movie) require_movie_tools();
   const std::vector<std::size_t> moments =
       options.panel.empty() ? std::vector<std::size_t>() : frames_at(run, options.panel);
-  const std::filesystem::path to =
-      options.output.empty() ? std::filesystem::path(options.folder) / "export" : std::filesystem::path(options.output);
+  const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
   if (options.vtk) io::write_vtk(to, run.film);
   if (options.fields) export_fields(run, to);
@@ -128,19 +157,22 @@ int export_run(Options options) {
 } // namespace
 
 void add_export(CLI::App& app, Action& chosen) {
-  CLI::App* verb = app.add_subcommand("export", "Write a run in other formats: VTK, tracks, figures, a movie");
+  CLI::App* verb = app.add_subcommand(
+      "export", "Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks");
   verb->footer("Adds to what the folder holds: several kinds may be exported one after the other.\n"
                "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
                "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
+               "Of a study, --tracks writes tracks.csv: the rows of all its runs that are done, in one table.\n"
                "--png calls rsvg-convert; --movie calls chromium, in which the player draws, and ffmpeg. They have to\n"
                "be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
   const auto options = std::make_shared<Options>();
-  verb->add_option("DIR", options->folder, "Folder of a run")->required();
+  verb->add_option("DIR", options->folder, "Folder of a run; with --tracks alone, also of a study")->required();
   verb->add_flag("--vtk", options->vtk,
                  "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
   verb->add_flag("--fields", options->fields,
                  "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
-  verb->add_flag("--tracks", options->tracks, "The path for celltrackR (CSV) and TrackMate (CSV, XML)");
+  verb->add_flag("--tracks", options->tracks,
+                 "The path for celltrackR (CSV) and TrackMate (CSV, XML); of a study, all paths in one CSV");
   verb->add_flag("--svg", options->svg, "The contact sheet and the path, for a publication");
   verb->add_flag("--png", options->png, "One picture per frame");
   verb->add_option("--panel", options->panel,

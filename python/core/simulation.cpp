@@ -1,11 +1,13 @@
 // The module matrigrate._core: a simulation that is stepped from Python. What users see is matrigrate.Simulation
 // (python/matrigrate/simulation.py); its words and checks are there.
 #include "base/failure.hpp"
+#include "cell/geometry.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
+#include "simulation/step_limits.hpp"
 #include "state/dof.hpp"
 #include "store/trajectory_hash.hpp"
 
@@ -15,9 +17,12 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace py = pybind11;
@@ -58,6 +63,7 @@ public:
 
   /// As in run.json of a run that ends now.
   std::string trajectory_hash() const {
+    require_rest();
     io::TrajectoryHash hash(m_hash);
     if (m_seen < m_state.step) hash.add(m_state);
     return hash.text();
@@ -69,30 +75,69 @@ public:
     m_cell_force = std::move(cells);
   }
 
+  /// Propensity of initiation from Python: called with simulation and cell, returns a factor for each particle of that
+  /// cell's cortex [-] or None.   @param every  steps between two calls
+  void set_cue(py::object cue, std::uint64_t every) {
+    m_cue = std::move(cue);
+    m_cue_every = every;
+  }
+
   /// @param each  called between steps, at most ten times a second; may be None
   /// @param max_steps  ends after so many, whatever t_end
+  /// @throws std::runtime_error  where a march of this simulation is under way: a function of the user's, or another
+  /// thread, called it
   void march_to(const py::object& self, double t_end, const py::object& each, std::uint64_t max_steps) {
+    if (m_marching) throw std::runtime_error(std::string("advance and step cannot be called ") + while_it_computes);
+    const Set marching(m_marching);
     using Clock = std::chrono::steady_clock;
     auto next = Clock::now();
     std::uint64_t done = 0;
+    const double last_start = t_end - 0.5 * shortest_step(m_p); // as march() has it
     Loads loads;
     if (!m_matrix_force.is_none() || !m_cell_force.is_none())
       loads = [&](const State& s, std::span<Vec2> forces) { add_forces(self, s, forces); };
-    const auto each_step = [&](const State&) {
+    const auto each_step = [&](const State& s) {
       see();
       const bool goes_on = ++done < max_steps;
-      if (Clock::now() < next) return goes_on;
-      next = Clock::now() + std::chrono::milliseconds(100);
-      const py::gil_scoped_acquire held;
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!each.is_none()) each(self);
+      if (Clock::now() >= next) {
+        next = Clock::now() + std::chrono::milliseconds(100);
+        tell(self, each);
+      }
+      if (goes_on && s.t < last_start) ask_cue(self);
       return goes_on;
     };
+    const Set computing(m_computing);
     const py::gil_scoped_release released;
+    if (m_state.t < last_start) ask_cue(self);
     march(m_state, m_p, m_workspace, t_end, loads, each_step);
   }
 
+  /// @throws std::runtime_error  while a thread without Python's lock changes the state
+  void require_rest() const {
+    if (m_computing) throw std::runtime_error(std::string("this cannot be read ") + while_it_computes);
+  }
+
 private:
+  static constexpr const char* while_it_computes =
+      "while this simulation computes: wait until advance has returned, in whatever thread it was called";
+
+  /// Sets a flag for the life of this object. Flags change with Python's lock held.
+  struct Set {
+    explicit Set(bool& flag, bool to = true) : flag(flag), to(to) { flag = to; }
+    Set(const Set&) = delete;
+    Set& operator=(const Set&) = delete;
+    ~Set() { flag = !to; }
+    bool& flag;
+    bool to;
+  };
+
+  /// Python's lock, for a function of the user's between two parts of the computation.
+  struct Called {
+    py::gil_scoped_acquire held;
+    Set at_rest;
+    explicit Called(bool& computing) : at_rest(computing, false) {}
+  };
+
   /// Adds to the hash what a run adds to it at its rows of tracks.csv.
   void see() {
     if (!m_rows.due(m_state.t)) return;
@@ -100,6 +145,41 @@ private:
     hash.add(m_state);
     m_hash = hash.value();
     m_seen = m_state.step;
+  }
+
+  /// Ctrl-C, and what the user wants to be told.
+  void tell(const py::object& self, const py::object& each) {
+    const Called called(m_computing);
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!each.is_none()) each(self);
+  }
+
+  /// The propensities of the next step, where new ones are due.
+  void ask_cue(const py::object& self) {
+    if (m_cue.is_none()) return;
+    if (!m_workspace.propensity.empty() && m_state.step < m_cued_at + m_cue_every) return;
+    const Called called(m_computing);
+    std::vector<std::vector<double>> propensity;
+    for (std::size_t k = 0; k < m_state.cells.size(); ++k)
+      propensity.push_back(factors(m_cue(self, k), m_state.cells[k].cortex.size()));
+    m_workspace.propensity = std::move(propensity);
+    m_cued_at = m_state.step;
+  }
+
+  /// What a cue returned for a cell of n particles.
+  static std::vector<double> factors(const py::object& returned, std::size_t n) {
+    if (returned.is_none()) return {};
+    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(returned);
+    if (!array || array.ndim() != 1 || array.shape(0) != static_cast<py::ssize_t>(n)) {
+      PyErr_Clear();
+      throw py::value_error("cue must return an array of shape (" + std::to_string(n) + ",), or None");
+    }
+    std::vector<double> values(array.data(), array.data() + n);
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(values[i] >= 0.0 && std::isfinite(values[i])))
+        throw py::value_error("cue must return finite factors >= 0, and that of particle " + std::to_string(i) + " is "
+                              + std::string(py::str(py::float_(values[i]))));
+    return values;
   }
 
   /// Adds an array of Python to the forces of nodes. @param what  for messages: "force"
@@ -116,8 +196,8 @@ private:
     for (std::size_t i = 0; i < forces.size(); ++i) forces[i] += Vec2(values[2 * i], values[2 * i + 1]);
   }
 
-  void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) const {
-    const py::gil_scoped_acquire held;
+  void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) {
+    const Called called(m_computing);
     const std::size_t matrix = s.ecm.size();
     if (!m_matrix_force.is_none()) add(m_matrix_force(self), forces.subspan(0, matrix), "force");
     if (!m_cell_force.is_none()) add(m_cell_force(self), forces.subspan(matrix), "cell_force");
@@ -131,6 +211,11 @@ private:
   std::uint64_t m_seen = 0; ///< step of the last state in it
   py::object m_matrix_force = py::none();
   py::object m_cell_force = py::none();
+  py::object m_cue = py::none();
+  std::uint64_t m_cue_every = 1;
+  std::uint64_t m_cued_at = 0; ///< step of the last call of the cue
+  bool m_marching = false;     ///< march_to() is under way
+  bool m_computing = false;    ///< in it, no function of the user's is
 };
 
 /// A protrusion that lives, as a dictionary.
@@ -194,6 +279,7 @@ PYBIND11_MODULE(_core, module) {
              self.cast<Simulation&>().march_to(self, std::numeric_limits<double>::infinity(), py::none(), 1);
            })
       .def("set_force", &Simulation::set_force)
+      .def("set_cue", &Simulation::set_cue)
       .def("trajectory_hash", &Simulation::trajectory_hash)
       .def_property_readonly("t", [](const Simulation& s) { return s.state().t; })
       .def_property_readonly("step_count", [](const Simulation& s) { return s.state().step; })
@@ -210,9 +296,16 @@ PYBIND11_MODULE(_core, module) {
            })
       .def("cell_x", [cell](const py::object& self, std::size_t k) { return vectors(cell(self, k).cortex.x, self); })
       .def("cell_v", [cell](const py::object& self, std::size_t k) { return vectors(cell(self, k).cortex.v, self); })
+      .def("cell_normals",
+           [cell](const py::object& self, std::size_t k) {
+             const std::vector<Vec2> n = normals(cell(self, k).cortex);
+             return Array({static_cast<py::ssize_t>(n.size()), py::ssize_t{2}},
+                          reinterpret_cast<const double*>(n.data()));
+           })
       .def("cell_l0", [cell](const py::object& self, std::size_t k) { return view(cell(self, k).cortex.l0, self); })
       .def("cell_polarization", [cell](const py::object& self, std::size_t k) { return cell(self, k).polarization; })
       .def("cell_protrusions", [cell](const py::object& self, std::size_t k) {
+        self.cast<const Simulation&>().require_rest();
         py::list list;
         for (const Protrusion& protrusion : cell(self, k).protrusions) list.append(described(protrusion));
         return list;

@@ -116,22 +116,25 @@ class Cell:
 class Simulation:
     """A simulation in memory: nothing is written. The same scenario has the bits of ``matrigrate run``.
 
-    >>> simulation = Simulation(overrides={"ecm.radius": "60 um"})         # doctest: +SKIP
-    >>> simulation.advance(hours=0.1)                                      # doctest: +SKIP
-    >>> simulation.cell.x.mean(axis=0)                                     # doctest: +SKIP
+    >>> simulation = Simulation(seed=3, overrides={"ecm.radius": "60 um", "run.integrator": "adaptive"})
+    >>> simulation.advance(hours=0.01)
+    >>> simulation.cell.x.shape, round(simulation.t)
+    ((235, 2), 35)
 
     A force of one's own is a function of the simulation that returns an array [nN], or None:
 
-    >>> def pull(simulation):                                              # doctest: +SKIP
+    >>> def pull(simulation):
     ...     return np.tile([1e-3, 0.0], (len(simulation.cell.x), 1))
-    >>> simulation = Simulation(cell_force=pull)                           # doctest: +SKIP
+    >>> pulled = Simulation(overrides={"ecm.radius": "60 um"}, cell_force=pull)
+    >>> pulled.step()
 
     A cue of one's own is a function of the simulation and a cell that returns a factor on the rate at which each particle
     of that cell's cortex initiates protrusions:
 
-    >>> def towards_x(simulation, cell):                                   # doctest: +SKIP
+    >>> def towards_x(simulation, cell):
     ...     return np.exp(cell.normals[:, 0])
-    >>> simulation = Simulation(cue=towards_x)                             # doctest: +SKIP
+    >>> cued = Simulation(overrides={"ecm.radius": "60 um"}, cue=towards_x)
+    >>> cued.step()
     """
 
     def __init__(self, scenario: Scenario | str | os.PathLike[str] | None = None, *, seed: int | None = None,
@@ -156,6 +159,8 @@ class Simulation:
                 raise TypeError(f"{what} is {type_words(function)}; a function is expected")
         if isinstance(cue_every, bool) or not isinstance(cue_every, int) or cue_every < 1:
             raise ValueError(f"cue_every is {cue_every!r}; a whole number of steps >= 1 is expected")
+        if overrides is not None and not isinstance(overrides, Mapping):
+            raise TypeError(f"overrides is {type_words(overrides)}; a dictionary of parameters is expected")
         name, text = _text_of(scenario)
         words = [f"{key}={value if isinstance(value, str) else toml_text(value)}"
                  for key, value in (overrides or {}).items()]

@@ -6,8 +6,18 @@
 #include "simulation/motion.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace matrigrate {
+
+namespace {
+
+std::span<const double> propensity_of(std::size_t cell, const Workspace& w) {
+  return cell < w.propensity.size() ? std::span<const double>(w.propensity[cell]) : std::span<const double>();
+}
+
+} // namespace
 
 std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                    const StepBounds& bounds) {
@@ -28,7 +38,8 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
 
   // events
   degrade_around_cells(s, p, dt, w);
-  for (Cell& cell : s.cells) advance_protrusions(cell, s.ecm, s.now(), p, dt);
+  for (std::size_t k = 0; k < s.cells.size(); ++k)
+    advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, propensity_of(k, w));
   require_inside(s, p);
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);

@@ -46,14 +46,15 @@ void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w
   }
 }
 
-void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt) {
+void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+                         std::span<const double> propensity) {
   const Vec2 centre = centroid(cell.cortex);
   const std::vector<Vec2> n = normals(cell.cortex);
   deflect(cell, ecm, p, dt, n, [&](const Vec2& point) { return contains(cell.cortex, point); });
   update_protrusions(cell, ecm, now, p, dt);
   polarize(cell, p.polarization, centre, dt);
   const std::vector<std::uint8_t> of_front = front_of(cell);
-  initiate(cell, now, p, dt, {of_front, n, centre, area(cell.cortex) / initial_area(p.cell)});
+  initiate(cell, now, p, dt, {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), propensity});
   ratchet_rest_lengths(cell.cortex, p.cell, membership(cell, p).soft);
 }
 

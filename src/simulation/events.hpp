@@ -2,6 +2,8 @@
 
 #include "simulation/workspace.hpp"
 
+#include <span>
+
 /// Events at the end of a step of dt [s], after the motion of cell and matrix. Test:
 /// tests/physics/migration_test.cpp
 namespace matrigrate {
@@ -12,8 +14,10 @@ namespace matrigrate {
 void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w);
 
 /// Deflection, transitions, polarization, initiation, and the ratchet of rest lengths of a cell (protrusion,
-/// cell/rest_length).   @param now  the end of the step
-void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt);
+/// cell/rest_length).   @param now  the end of the step   @param propensity  of initiation, of each particle of the
+/// cortex (Workspace::propensity); empty: 1 for all [-]
+void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+                         std::span<const double> propensity = {});
 
 /// @throws NumericalFailure if a cell is too near the rim of the matrix (MODEL.md, D22)
 void require_inside(const State& s, const Parameters& p);

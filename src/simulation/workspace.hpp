@@ -48,6 +48,9 @@ struct Workspace {
   VerletList neighbours;
   DragCache drag_cache;         ///< of the matrix
   std::vector<CellShape> cells; ///< parallel to State::cells
+  /// Given from outside, as loads are: for each cell, a factor on the rate at which each particle of its cortex
+  /// initiates protrusions, >= 0 [-]; an empty one is 1 for all. Test: tests/physics/migration_test.cpp
+  std::vector<std::vector<double>> propensity;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
   Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]

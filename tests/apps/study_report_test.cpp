@@ -57,10 +57,10 @@ TEST_F(StudyReport, IsMadeAnew) {
   ASSERT_EQ(run("study run e.toml").code, 0);
   const json before = data("e-study/report.html");
   std::filesystem::remove(folder / "e-study/report.html");
-  const Ended tracks = run("export e-study --tracks"); // of one run at a time
-  EXPECT_EQ(tracks.code, 5);
-  EXPECT_TRUE(contains(tracks.err, "e-study: is the folder of a study; name one of its runs, e-study/runs/NAME"))
-      << tracks.err;
+  const Ended picture = run("export e-study --svg"); // of one run at a time
+  EXPECT_EQ(picture.code, 5);
+  EXPECT_TRUE(contains(picture.err, "e-study: is the folder of a study; name one of its runs, e-study/runs/NAME"))
+      << picture.err;
   const Ended ended = run("report e-study");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.out, "open e-study/report.html\n");

@@ -173,3 +173,24 @@ TEST(Migration, StopsAtTheRim) {
     EXPECT_NE(std::string(failure.what()).find("rim"), std::string::npos) << failure.what();
   }
 }
+
+TEST(Migration, ProtrusionsBeginWhereThePropensityLetsThem) {
+  const Parameters p = hasty();
+  const auto with_propensity = [&p](auto factor_at) {
+    State s = initial_state(p);
+    Workspace w(s, p);
+    for (int k = 0; k < 300; ++k) {
+      w.propensity.assign(1, {});
+      for (const Vec2& x : s.cells[0].cortex.x) w.propensity[0].push_back(factor_at(x));
+      advance(s, p, p.run.time_step, w);
+    }
+    return s;
+  };
+  EXPECT_TRUE(same_bits(migrated(p, 300), with_propensity([](const Vec2&) { return 1.0; })));
+  EXPECT_EQ(with_propensity([](const Vec2&) { return 0.0; }).cells[0].initiated, 0U);
+  const Cell above = with_propensity([](const Vec2& x) { return x.y() < 0.0 ? 0.0 : 1.0; }).cells[0];
+  EXPECT_GT(above.initiated, 0U);
+  const CortexState start = round_cortex(p.cell);
+  for (const ProtrusionRecord& r : above.ended) EXPECT_GT(start.x[r.centre].y(), -1.0);
+  for (const Protrusion& protrusion : above.protrusions) EXPECT_GT(start.x[protrusion.centre].y(), -1.0);
+}

@@ -33,6 +33,12 @@ stopifnot(
   nrow(together) == sum(sapply(unique(results$run), function(run) nrow(read_tracks(file.path(runs, "study", "runs", run)))))
 )
 
+exported <- utils::read.csv(file.path(runs, "exported", "tracks.csv"), check.names = FALSE)
+stopifnot(
+  identical(names(exported)[1:5], c("run", "label", "ecm.youngs_modulus_Pa", "replicate", "seed")),
+  exported$run == together$id, exported$t_s == together$t_s, exported$x_um == together$x_um, exported$y_um == together$y_um
+)
+
 refused("no folder of a run or a study", read_tracks("nowhere"))
 refused("no folder of a study", read_results(file.path(runs, "run")))
 refused("no such file", read_results(file.path(runs, "study"), "none.csv"))

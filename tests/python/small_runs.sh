@@ -31,5 +31,7 @@ ecm.youngs_modulus = "200 Pa"
 TOML
 "$1" run cell.toml -o run --quiet >/dev/null
 "$1" study run study.toml -o study --quiet >/dev/null
+"$1" export study --tracks -o exported >/dev/null
+"$1" export study --tracks >/dev/null
 "$1" run cell.toml -o failed --quiet --set ecm.radius="40 um" --set ecm.youngs_modulus="50 Pa" 2>/dev/null && exit 1
 test -f failed/run.json

@@ -11,6 +11,7 @@ import common
 import h5py
 import matrigrate
 import numpy as np
+import pandas
 
 
 class Runs(unittest.TestCase):
@@ -135,6 +136,10 @@ class Studies(unittest.TestCase):
         self.assertEqual(len(tracks), sum(len(run.tracks) for run in self.study.runs.values()))
         self.assertEqual(tracks["run"].nunique(), 4)
         self.assertEqual(tracks.attrs["units"]["x_um"], "um")
+        exported = pandas.read_csv(common.runs / "exported" / "tracks.csv", keep_default_na=False, na_values=[""])
+        exported["label"] = exported["label"].str.removeprefix("'")  # the guard against spreadsheets
+        self.assertEqual(list(exported.columns), list(tracks.columns))
+        pandas.testing.assert_frame_equal(exported, tracks, check_dtype=False, check_exact=True)
         self.assertEqual(len(self.study.protrusions()), int(self.study.results["n_protrusions"].sum()))
 
 

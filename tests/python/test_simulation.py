@@ -1,4 +1,6 @@
 """A simulation that is stepped from Python."""
+import ast
+import doctest
 import gc
 import os
 import resource
@@ -13,6 +15,9 @@ import common
 import matrigrate
 
 SMALL = {"ecm.radius": "60 um", "run.integrator": "adaptive", "run.time_step": "5 s"}
+
+
+OFTEN = {"protrusion.initiation_rate": "2e-3 1/s", "protrusion.growth_time": "60 s", "adhesion.maturation_time": "30 s"}
 
 
 class TestSimulation(common.InTemporaryFolder):
@@ -93,17 +98,153 @@ class TestSimulation(common.InTemporaryFolder):
         with self.assertRaisesRegex(ZeroDivisionError, "mine"):
             simulation.advance(until=60)
         self.assertGreater(simulation.t, 10)
-        with self.assertRaises(TypeError):
-            matrigrate.Simulation(3.0)
         with self.assertRaises(IndexError):
             simulation._core.cell_x(1)
+
+    def test_a_cue_of_ones_changes_no_bit(self):
+        free, ones, none = self.small(overrides=OFTEN), self.small(
+            overrides=OFTEN, cue=lambda s, cell: np.ones(len(cell.x))), self.small(overrides=OFTEN, cue=lambda s, cell: None)
+        for simulation in (free, ones, none):
+            simulation.advance(until=120)
+        self.assertGreater(len(free.cell.protrusions), 0)
+        self.assertEqual({free.trajectory_hash}, {ones.trajectory_hash, none.trajectory_hash})
+
+    def test_protrusions_begin_where_the_cue_lets_them(self):
+        x_at_start = {}
+
+        def right_half(simulation, cell):
+            self.assertEqual((cell.index, cell.x.shape, cell.normals.shape), (0, (235, 2), (235, 2)))
+            self.assertIs(simulation.cells[cell.index], cell)
+            self.assertFalse(cell.x.flags.writeable or cell.x.flags.owndata)
+            outwards = ((cell.x - cell.x.mean(axis=0)) * cell.normals).sum(axis=1)
+            self.assertGreater(outwards.mean(), 0)
+            np.testing.assert_allclose(np.hypot(*cell.normals.T), 1.0)
+            x_at_start[simulation.step_count] = cell.x[:, 0].copy()
+            return cell.x[:, 0] >= 0
+
+        simulation, begun = self.small(overrides=OFTEN, cue=right_half), {}
+        while simulation.t < 600:
+            simulation.step()
+            for protrusion in simulation.cell.protrusions:
+                begun.setdefault(protrusion["id"], x_at_start[simulation.step_count - 1][protrusion["centre"]])
+        self.assertGreater(len(begun), 3)
+        self.assertTrue(all(x >= 0 for x in begun.values()), begun)
+        silent = self.small(overrides=OFTEN, cue=lambda s, cell: np.zeros(len(cell.x)))
+        silent.advance(until=300)
+        self.assertEqual(silent.cell.protrusions, [])
+
+    def test_a_cue_every_few_steps(self):
+        asked = []
+        simulation = self.small(cue=lambda s, cell: asked.append(s.step_count), cue_every=4)
+        simulation.advance(until=30)
+        while simulation.step_count < 10:
+            simulation.step()
+        self.assertEqual(asked, list(range(0, simulation.step_count, 4)))
+        for wrong in (0, -1, 1.5, "2", True):
+            with self.assertRaisesRegex(ValueError, "a whole number of steps >= 1 is expected"):
+                self.small(cue=lambda s, cell: None, cue_every=wrong)
+
+    def test_wrong_cues(self):
+        for returned, words in ((np.ones(3), r"cue must return an array of shape \(235,\), or None"),
+                                (np.ones((235, 2)), "of shape"), ("text", "of shape"), ({}, "of shape"),
+                                (np.full(235, np.nan), "particle 0 is nan"), (np.full(235, np.inf), "particle 0 is inf"),
+                                (np.arange(235) - 3.5 == 0.5, None), (3.0 - np.arange(235), "particle 4 is -1.0")):
+            simulation = self.small(cue=lambda s, cell, returned=returned: returned)
+            if words is None:
+                simulation.step()
+                continue
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                simulation.advance(until=10)
+            self.assertEqual(simulation.step_count, 0, "nothing was computed")
+
+        def fails(simulation, cell):
+            if simulation.step_count == 5:
+                raise ZeroDivisionError("mine")
+
+        simulation, plain = self.small(cue=fails), self.small()
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            simulation.advance(until=60)
+        self.assertEqual(simulation.step_count, 5)
+        simulation._core.set_cue(None, 1)
+        for one in (simulation, plain):
+            one.advance(until=60)
+        self.assertEqual(simulation.trajectory_hash, plain.trajectory_hash, "it goes on as if nothing had been")
+
+    def test_calls_from_inside(self):
+        for name in ("force", "cell_force", "cue", "progress"):
+            def again(simulation, cell=None):
+                simulation.step()
+
+            simulation = self.small(**({} if name == "progress" else {name: again}))
+            with self.subTest(name), self.assertRaisesRegex(RuntimeError, "cannot be called while this simulation computes"):
+                simulation.advance(until=10, **({"progress": again} if name == "progress" else {}))
+            self.assertIsInstance(simulation.trajectory_hash, str, "at rest again")
+        seen = []
+        simulation = self.small(force=lambda s: seen.append((s.trajectory_hash, s.cell.protrusions)))
+        simulation.advance(until=10)
+        self.assertGreater(len(seen), 1, "functions can read all of it")
+
+    def test_calls_from_another_thread(self):
+        simulation, met = self.small(overrides={"ecm.radius": "100 um"}), []
+        worker = threading.Thread(target=lambda: simulation.advance(until=120))
+        worker.start()
+        while worker.is_alive():
+            for use in (simulation.step, lambda: simulation.cell.protrusions, lambda: simulation.trajectory_hash):
+                try:
+                    use()
+                except RuntimeError as error:
+                    met.append(str(error))
+            simulation.matrix.x.mean()
+            time.sleep(0.001)
+        self.assertTrue(any("step cannot be called" in words for words in met), met[:3])
+        self.assertTrue(any("this cannot be read" in words for words in met), met[:3])
+
+    def test_views_stay_those_of_the_simulation(self):
+        simulation = self.small(overrides=OFTEN)
+        views = {(body, name): getattr(getattr(simulation, body), name)
+                 for body, names in (("matrix", ("x", "X", "v", "f_degr", "density", "deviatoric_stress")),
+                                     ("cell", ("x", "v", "rest_lengths"))) for name in names}
+        simulation.advance(until=300)
+        for (body, name), view in views.items():
+            now = getattr(getattr(simulation, body), name)
+            self.assertEqual(view.__array_interface__["data"], now.__array_interface__["data"], (body, name))
+
+    def test_wrong_types(self):
+        for arguments, words in (({"force": 3}, "force is a number; a function"), ({"cell_force": "x"}, "cell_force is a string"),
+                                 ({"cue": np.ones(3)}, "cue is of the type ndarray"), ({"overrides": 3}, "overrides is a number"),
+                                 ({"scenario": 3.0}, "scenario is a number; a Scenario or the path")):
+            with self.subTest(words), self.assertRaisesRegex(TypeError, words):
+                matrigrate.Simulation(**arguments)
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "run.seed"):
+            matrigrate.Simulation(seed=1.5)
+        simulation = self.small()
+        for arguments, error, words in (({"hours": -1}, ValueError, r"hours is -1; a finite number \[h\] >= 0"),
+                                        ({"until": float("nan")}, ValueError, "until is nan"),
+                                        ({"until": float("inf")}, ValueError, "until is inf"),
+                                        ({"hours": "1"}, TypeError, "hours is a string"),
+                                        ({"hours": 1, "until": 1}, ValueError, "not both"),
+                                        ({"progress": 3}, TypeError, "progress is a number")):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                simulation.advance(**arguments)
+        self.assertEqual(simulation.step_count, 0)
+        for value in (np.nan, np.inf):
+            broken = self.small(force=lambda s, value=value: np.full(s.matrix.x.shape, value))
+            with self.assertRaises(matrigrate.NumericalError):
+                broken.advance(until=10)
+            self.assertTrue(np.isfinite(broken.matrix.x).all())
 
     def test_wrong_scenarios(self):
         with self.assertRaises(matrigrate.ConfigurationError) as caught:
             self.small(overrides={"ecm.youngs_modulus": "-1 Pa", "ecm.radiu": 3})
         self.assertEqual(sorted(f.key for f in caught.exception.faults), ["ecm.radiu", "ecm.youngs_modulus"])
-        with self.assertRaises(FileNotFoundError):
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "none.toml: cannot be read: No such file"):
             matrigrate.Simulation("none.toml")
+        for text, error, words in ((b"\xff", matrigrate.InputOutputError, "bad.toml: is damaged: it is no text"),
+                                   (b"[ecm", matrigrate.ConfigurationError, "bad.toml:1:"),
+                                   (b"replicates = 3", matrigrate.ConfigurationError, "replicates")):
+            (self.folder / "bad.toml").write_bytes(text)
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                matrigrate.Simulation("bad.toml")
         broken = self.small(overrides={"run.integrator": "reference", "run.time_step": "0.4 s"},
                             force=lambda s: np.full(s.matrix.x.shape, 1e6))
         with self.assertRaises(matrigrate.NumericalError):
@@ -141,6 +282,19 @@ class TestSimulation(common.InTemporaryFolder):
             use()
         grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
         self.assertLess(grown, 20_000, "kB")
+
+
+class Stub(unittest.TestCase):
+    def test_names_are_those_of_the_module(self):
+        text = (common.source / "python" / "matrigrate" / "_core.pyi").read_text(encoding="utf-8")
+        node = next(node for node in ast.parse(text).body if isinstance(node, ast.ClassDef))
+        ours = {name for name in vars(matrigrate.simulation.core().Simulation) if not name.startswith("_")}
+        self.assertEqual({member.name for member in node.body} - {"__init__"}, ours)
+
+
+def load_tests(_, tests, __):
+    tests.addTests(doctest.DocTestSuite(matrigrate.simulation))
+    return tests
 
 
 if __name__ == "__main__":

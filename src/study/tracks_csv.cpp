@@ -1,0 +1,74 @@
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "store/csv.hpp"
+#include "store/row_file.hpp"
+#include "study/results.hpp"
+
+#include <fmt/format.h>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr std::size_t largest_tracks = std::size_t{1} << 28;
+
+/// tracks.csv of a run, whole.
+std::string tracks_of(const std::filesystem::path& file) {
+  std::string text = read_file(file, largest_tracks);
+  if (!text.ends_with('\n')) throw InputOutputError(fmt::format("{}: is damaged: it is cut short", file.string()));
+  try {
+    io::read_csv(text);
+  } catch (const InputOutputError& error) {
+    throw InputOutputError(fmt::format("{}: is damaged: {}", file.string(), error.what()));
+  }
+  return text;
+}
+
+/// A line without its end.
+std::string line_of(const std::vector<io::Field>& fields) {
+  std::string line = io::csv_line(fields);
+  line.pop_back();
+  return line;
+}
+
+/// The columns before those of tracks.csv.
+std::string front_names(const Study& study) {
+  std::vector<std::string> names{"run", "label"};
+  for (const std::string& name : swept_columns(study)) names.push_back(name);
+  for (const char* name : {"replicate", "seed"}) names.emplace_back(name);
+  return line_of({names.begin(), names.end()});
+}
+
+std::string front_values(const Study& study, const Run& run) {
+  const Point& point = study.points[run.point];
+  const std::vector<std::string> swept = swept_values(study, point);
+  std::vector<io::Field> row{std::string_view(run.hash), std::string_view(point.label)};
+  for (const std::string& value : swept) row.emplace_back(std::string_view(value));
+  row.insert(row.end(), {std::uint64_t{run.replicate}, run.seed});
+  return line_of(row);
+}
+
+} // namespace
+
+std::string tracks_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder) {
+  std::string header, text;
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
+    const std::string tracks = tracks_of(file);
+    std::size_t at = tracks.find('\n') + 1;
+    if (header.empty()) header = tracks.substr(0, at);
+    if (tracks.substr(0, at) != header)
+      throw InputOutputError(fmt::format("{}: has other columns than those of earlier runs", file.string()));
+    const std::string front = front_values(study, r.run);
+    while (at < tracks.size()) {
+      const std::size_t end = tracks.find('\n', at) + 1;
+      text.append(front).append(1, ',').append(tracks, at, end - at);
+      at = end;
+    }
+  }
+  return header.empty() ? std::string() : front_names(study) + "," + header + text;
+}
+
+} // namespace matrigrate::study
