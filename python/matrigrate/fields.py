@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _arguments
 from ._files import _pandas
 from .errors import InputOutputError
 
@@ -50,13 +51,13 @@ class Fields(Mapping[str, Field]):
     """
 
     def __init__(self, file: str | Path) -> None:
-        self.file = Path(file)
+        self.file = _arguments.path("file", file)
         with _opened(self.file) as opened:
             try:
                 self.times: np.ndarray[Any, Any] = opened["time"][:]
                 """Simulated time of each frame [s]."""
                 self._fields = {name: _field(self.file, opened[name]) for name in _names(opened)}
-            except (KeyError, AttributeError):
+            except (KeyError, AttributeError, TypeError, ValueError):
                 raise InputOutputError(f"{self.file}: is no file of frames of this program", self.file.parent) from None
 
     def __getitem__(self, name: str) -> Field:
@@ -76,14 +77,22 @@ class Fields(Mapping[str, Field]):
         return f"Fields({str(self.file)!r}: {len(self.times)} frames{span})\n{rows}"
 
     def nearest(self, t: float) -> int:
-        """The number of the frame nearest to a time. :param t: simulated time [s]"""
+        """The number of the frame nearest to a time. :param t: simulated time [s]
+
+        :raises TypeError: if that is no number
+        """
+        if isinstance(t, bool) or not isinstance(t, (int, float, np.integer, np.floating)):
+            raise _arguments.wrong("t", t, "a number [s]")
         if not len(self.times):
             raise InputOutputError(f"{self.file}: holds no frames", self.file.parent)
         return int(np.abs(self.times - t).argmin())
 
     def frame(self, k: int) -> dict[str, np.ndarray[Any, Any]]:
         """All arrays of matrix and outline in frame k, by their names."""
-        number = range(len(self.times))[k]
+        try:
+            number = range(len(self.times))[k]
+        except IndexError:
+            raise IndexError(f"frame {k}: there are {len(self.times)} frames") from None
         return {name: field[number] for name, field in self._fields.items() if self._has_frames(field)}
 
     @cached_property
@@ -128,6 +137,8 @@ class Fields(Mapping[str, Field]):
             columns |= parts
             units |= dict.fromkeys(parts, field.units)
         frames = columns.pop("frame", np.zeros(0, dtype="u4"))
+        if len(frames) and frames.max() >= len(self.times) or len({len(values) for values in columns.values()}) > 1:
+            raise InputOutputError(f"{self.file}: is damaged: {group} do not fit its frames", self.file.parent)
         table = _pandas().DataFrame({"frame": frames, "t_s": self.times[frames], **columns})
         table.attrs["units"] = units | {"frame": "1", "t_s": "s"}
         return table

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _arguments
 from ._files import unit_of
 from .results import Run, meaning
 from .studies import Study
@@ -23,8 +24,8 @@ _words = {"f_degr": "intact share", "von_mises": "von Mises stress", "fibre_von_
 
 def path(run: Run | Mapping[str, Run], axes: Axes | None = None) -> Axes:
     """The path of the cell's centre of mass [um], from its ring to its dot; of several runs by their names."""
+    runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     axes = axes or _new_axes()
-    runs = {"": run} if isinstance(run, Run) else dict(run)
     for k, (name, one) in enumerate(runs.items()):
         x, y, colour = one.tracks["x_um"], one.tracks["y_um"], _colours[k % len(_colours)]
         axes.plot(x, y, color=colour, linewidth=1.2, label=name or None)
@@ -46,8 +47,8 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     """
     from matplotlib.collections import EllipseCollection
 
+    fields = _arguments.one_of("run", run, Run).fields
     axes = axes or _new_axes()
-    fields = run.fields
     k = len(fields.times) - 1 if t is None else fields.nearest(t)
     shown = fields[f"matrix/{field}"]
     values, place = shown[k].astype(float), fields["matrix/position"][k][:, :2]
@@ -77,6 +78,7 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
 
 def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None = None) -> Axes:
     """Box plots of a read-out, a box for each point of a study, with a dot for each run."""
+    _arguments.one_of("study", study, Study)
     axes = axes or _new_axes()
     done = study.results[study.results["status"] == "done"]
     if readout not in done.columns:
@@ -99,8 +101,8 @@ def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None 
 def msd(results: Run | Study, axes: Axes | None = None) -> Axes:
     """Mean square displacement [um^2] over lags [min], both logarithmic; of a study for each point, with its standard
     error. The dashed lines have the slopes of a random walk (1) and of a straight path (2)."""
+    table = _arguments.one_of("results", results, Run, Study).msd
     axes = axes or _new_axes()
-    table = results.msd
     groups = [("", table)] if isinstance(results, Run) else list(table.groupby("point", sort=False))
     for k, (name, rows) in enumerate(groups):
         colour, lag = _colours[k % len(_colours)], rows["lag_s"] / 60

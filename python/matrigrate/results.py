@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import _arguments
 from ._files import read_json, read_table, read_text, unit_of
 from .errors import InputOutputError
 from .fields import Fields
@@ -67,6 +68,7 @@ class Readouts(Mapping[str, float]):
     """
 
     def __init__(self, values: Mapping[str, Any]) -> None:
+        _arguments.mapping("values", values, "a dictionary of read-outs")
         self._values: dict[str, float] = {name: float("nan") if value is None else value
                                           for name, value in values.items()}
 
@@ -109,12 +111,14 @@ class Run:
     """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = Path(folder)
+        self.folder = _arguments.path("folder", folder, "the path of a run")
         _require_run(self.folder)
         self.record: dict[str, Any] = read_json(self.folder / "run.json")
         """run.json: version, seed, steps, wall_time_s, trajectory_hash, lineage and more, as when the run was loaded."""
         if not isinstance(self.record.get("status"), str):
             raise InputOutputError(f"{self.folder / 'run.json'}: is damaged: it has no status", self.folder)
+        if not isinstance(self.record.get("seed", 0), int):
+            raise InputOutputError(f"{self.folder / 'run.json'}: is damaged: its seed is no whole number", self.folder)
 
     def __repr__(self) -> str:
         reached = self.record.get("t_s") if self.record.get("exit_code") is not None else None  # else of a checkpoint
@@ -165,7 +169,12 @@ class Run:
     @cached_property
     def readouts(self) -> Readouts:
         """The paper's read-outs by name, with units; written when the run ends."""
-        return Readouts(read_json(self._existing("summary.json")))
+        path = self._existing("summary.json")
+        values = read_json(path)
+        for name, value in values.items():
+            if isinstance(value, (str, bool, dict)):
+                raise InputOutputError(f"{path}: is damaged: {name} is no number", self.folder)
+        return Readouts(values)
 
     @cached_property
     def scenario(self) -> dict[str, Any]:
@@ -232,5 +241,6 @@ def load(folder: str | os.PathLike[str]) -> Run:
     """Loads the folder of a run, whether it is done or not.
 
     :raises InputOutputError: if it is none, or is damaged
+    :raises TypeError: if it is no path
     """
     return Run(folder)

@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _program, _schema
-from ._schema import Value
+from . import _arguments, _program, _schema
+from ._schema import Parameter, Value
 from ._sections import Section as Section
 from ._sections import Sections, classes, help_text, of, unknown
 from .errors import ConfigurationError, Fault, InputOutputError
@@ -49,10 +49,10 @@ class Scenario(Sections, Mapping[str, Value]):
         """:param values: as in a file, ``{"ecm": {"radius": "60 um"}}``, or flat, ``{"ecm.radius": "60 um"}``
         :param name: of the folder of a run, where none is given
         """
-        self.name = name
+        self.name = _arguments.text("name", name)
         self._given: dict[str, Value] = {}
         faults: list[Fault] = []
-        for path, value, nested in _flat(values or {}):
+        for path, value, nested in _flat(_arguments.mapping("values", values)):
             try:
                 if nested:
                     raise unknown(path, is_section=True)
@@ -65,6 +65,7 @@ class Scenario(Sections, Mapping[str, Value]):
     @classmethod
     def preset(cls, name: str) -> Scenario:
         """One of the presets of ``matrigrate list``, such as "soft". Asks the program for it."""
+        _arguments.text("name", name, "the name of a preset")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "preset.toml"
             outcome = _program.call(["new", str(file), "--preset", name, "--schema", "none"])
@@ -75,7 +76,7 @@ class Scenario(Sections, Mapping[str, Value]):
     @classmethod
     def load(cls, file: str | os.PathLike[str]) -> Scenario:
         """A scenario file."""
-        path = Path(file)
+        path = _arguments.path("file", file)
         scenario = cls(_read(path), name=path.stem)
         for p in _schema.parameters().values():
             text = str(scenario._given.get(p.path, ""))
@@ -84,17 +85,13 @@ class Scenario(Sections, Mapping[str, Value]):
         return scenario
 
     def __getitem__(self, path: str) -> Value:
-        p = _schema.parameters().get(path)
-        if p is None:
-            raise unknown(path)
+        p = _row(path)
         if path == "run.time_step" and path not in self._given and self["run.integrator"] == "adaptive":
             return _usual_adaptive_step
         return p.number(self._given.get(path, p.default))
 
     def __setitem__(self, path: str, value: Any) -> None:
-        p = _schema.parameters().get(path)
-        if p is None:
-            raise unknown(path)
+        p = _row(path)
         value = _plain(value)
         fault = p.fault(value)
         if fault:
@@ -162,14 +159,11 @@ class Scenario(Sections, Mapping[str, Value]):
         >>> print(Scenario().help("ecm.viscosity"))
         Viscosity of the matrix, intact or degraded (mu); > 0 and <= 1e9 Pa s. A bare number is in Pa s. Default: "1000 Pa s" (Heck et al. 2020, Table 1).
         """
-        if path not in _schema.parameters():
-            raise unknown(path)
-        return help_text(_schema.parameters()[path])
+        return help_text(_row(path))
 
     def unit(self, path: str) -> str:
         """The unit of a bare number, and of what reading gives: "Pa"; "1" of ratios and counts, empty of words."""
-        self[path]
-        return _schema.parameters()[path].unit
+        return _row(path).unit
 
     def toml(self) -> str:
         """The text of a scenario file: what was set, each with its meaning and range."""
@@ -186,9 +180,9 @@ class Scenario(Sections, Mapping[str, Value]):
 
         An existing file is kept, unless ``overwrite``.
         """
+        path = _arguments.path("file", file)
         if _program.find() is not None:
             self.check()
-        path = Path(file)
         try:
             with open(path, "w" if overwrite else "x", encoding="utf-8") as out:
                 out.write(self.toml())
@@ -206,6 +200,13 @@ class Scenario(Sections, Mapping[str, Value]):
 
     def _as_file(self) -> _program.TemporaryScenario:
         return _program.TemporaryScenario(self.name, self.toml())
+
+
+def _row(path: str) -> Parameter:
+    p = _schema.parameters().get(_arguments.text("path", path, 'a name such as "ecm.youngs_modulus"'))
+    if p is None:
+        raise unknown(path)
+    return p
 
 
 def _flat(values: Mapping[str, Any]) -> Iterator[tuple[str, Any, bool]]:

@@ -10,7 +10,7 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any
 
-from . import _program
+from . import _arguments, _program
 from ._schema import toml_text
 from .errors import KeyboardStop
 from .results import Run, load
@@ -43,14 +43,17 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     :raises InputOutputError: if the folder holds another run, or cannot be written
     :raises ProgramNotFound: without the program
     """
+    overrides = _arguments.mapping("overrides", overrides)
+    _arguments.function("progress", progress)
+    folder = None if out is None else _arguments.path("out", out)
     with _file_of(scenario) as file:
         words = ["run", str(file), "--json", "--quiet"]
         for option, value in (("--seed", seed), ("--hours", hours), ("--threads", threads), ("--wall-time", wall_time)):
             words += [] if value is None else [option, str(value)]
-        for key, value in (overrides or {}).items():
+        for key, value in overrides.items():
             words += ["--set", f"{key}={_override(value)}"]
         words += ["--force"] if force else []
-        folder = Path(out) if out is not None else _default_folder(file, seed, overrides or {})
+        folder = folder or _default_folder(file, seed, overrides)
         watch = _Watch(folder, progress) if progress is not None else None
         try:
             outcome = _program.call([*words, "-o", str(folder)], watch)
@@ -71,7 +74,8 @@ def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None =
     :param jobs: runs at a time; as many as there are cores if left out
     :raises NumericalError: if a run failed; the others are done, and ``load_study`` reads them
     """
-    folder = Path(out) if out is not None else Path(f"{Path(file).stem}-study")
+    file = _arguments.path("file", file, "the path of a study file")
+    folder = _arguments.path("out", out) if out is not None else Path(f"{file.stem}-study")
     words = ["study", "run", str(file), "-o", str(folder), "--quiet"] + ([] if jobs is None else ["--jobs", str(jobs)])
     try:
         outcome = _program.call(words)
@@ -84,7 +88,7 @@ def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None =
 def _file_of(scenario: Scenario | str | os.PathLike[str]) -> AbstractContextManager[Path]:
     if isinstance(scenario, Scenario):
         return scenario._as_file()
-    return nullcontext(Path(scenario))
+    return nullcontext(_arguments.path("scenario", scenario, "a Scenario or the path of a file"))
 
 
 def _override(value: Any) -> str:

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _arguments
 from ._files import read_text
-from ._schema import toml_text, type_words
+from ._schema import toml_text
 from .errors import MatrigrateError
 from .scenario import Scenario
 
@@ -155,15 +156,12 @@ class Simulation:
         :raises CoreNotFound: if the package was installed without its compiled module
         """
         for what, function in (("force", force), ("cell_force", cell_force), ("cue", cue)):
-            if function is not None and not callable(function):
-                raise TypeError(f"{what} is {type_words(function)}; a function is expected")
+            _arguments.function(what, function)
         if isinstance(cue_every, bool) or not isinstance(cue_every, int) or cue_every < 1:
             raise ValueError(f"cue_every is {cue_every!r}; a whole number of steps >= 1 is expected")
-        if overrides is not None and not isinstance(overrides, Mapping):
-            raise TypeError(f"overrides is {type_words(overrides)}; a dictionary of parameters is expected")
         name, text = _text_of(scenario)
         words = [f"{key}={value if isinstance(value, str) else toml_text(value)}"
-                 for key, value in (overrides or {}).items()]
+                 for key, value in _arguments.mapping("overrides", overrides).items()]
         words += [] if seed is None else [f"run.seed={seed}"]
         self._core: _core.Simulation = core().Simulation(text, name, words)
         me = weakref.ref(self)  # a cycle through the compiled object would never be freed
@@ -229,8 +227,7 @@ class Simulation:
             raise ValueError("give hours or until, not both")
         for name, value, unit in (("hours", hours, "h"), ("until", until, "s")):
             _require_time(name, value, unit)
-        if progress is not None and not callable(progress):
-            raise TypeError(f"progress is {type_words(progress)}; a function is expected")
+        _arguments.function("progress", progress)
         end = self.t + 3600.0 * hours if hours is not None else until if until is not None else self.duration
         self._core.march_to(float(end), None if progress is None else lambda _: progress(self))
 
@@ -271,15 +268,14 @@ def _text_of(scenario: Scenario | str | os.PathLike[str] | None) -> tuple[str, s
         return "scenario", ""
     if isinstance(scenario, Scenario):
         return scenario.name, scenario.toml()
-    if not isinstance(scenario, (str, os.PathLike)):
-        raise TypeError(f"scenario is {type_words(scenario)}; a Scenario or the path of a file is expected")
-    return str(scenario), read_text(Path(scenario)).removeprefix("\ufeff")
+    file = _arguments.path("scenario", scenario, "a Scenario or the path of a file")
+    return str(file), read_text(file).removeprefix("\ufeff")
 
 
 def _require_time(name: str, value: float | None, unit: str) -> None:
     if value is None:
         return
     if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise TypeError(f"{name} is {type_words(value)}; a number [{unit}] is expected")
+        raise _arguments.wrong(name, value, f"a number [{unit}]")
     if not (math.isfinite(value) and value >= 0):
         raise ValueError(f"{name} is {value}; a finite number [{unit}] >= 0 is expected")

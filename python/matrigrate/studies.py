@@ -7,6 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import _arguments
 from ._files import _pandas, read_table
 from .errors import InputOutputError
 from .results import Run, load
@@ -22,8 +23,8 @@ class Runs(Mapping[str, Run]):
     """The runs of a study by the names of their folders. Each is loaded when it is asked for."""
 
     def __init__(self, folder: Path) -> None:
-        self._folder = folder
-        self._names = sorted(path.parent.name for path in folder.glob("*/run.json"))
+        self._folder = _arguments.path("folder", folder)
+        self._names = sorted(path.parent.name for path in self._folder.glob("*/run.json"))
 
     def __getitem__(self, name: str) -> Run:
         if name not in self._names:
@@ -44,7 +45,7 @@ class Study:
     """The folder of a study. Tables are those of ``matrigrate study collect``, with units in their column names."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = Path(folder)
+        self.folder = _arguments.path("folder", folder, "the path of a study")
         if (self.folder / "study.resolved.toml").is_file():
             return
         if not self.folder.exists():
@@ -79,6 +80,7 @@ class Study:
     def table(self, name: str) -> pandas.DataFrame:
         """Any table of the study by its name: "correlations", "paths", "adhesions", with targets "discrepancy", of
         screening designs "effects"."""
+        _arguments.text("name", name, "the name of a table")
         return self._table(name if name.endswith(".csv") else f"{name}.csv")
 
     @property

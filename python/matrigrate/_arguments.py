@@ -1,0 +1,52 @@
+"""What functions are called with: of the right type, or a TypeError that names the argument."""
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from ._schema import type_words
+
+
+def wrong(name: str, value: Any, expected: str) -> TypeError:
+    """The exception for an argument of a wrong type.
+
+    >>> print(wrong("folder", 3, "a path"))
+    folder is a number; a path is expected
+    """
+    return TypeError(f"{name} is {type_words(value)}; {expected} is expected")
+
+
+def path(name: str, value: Any, expected: str = "a path") -> Path:
+    """A path. :raises TypeError: if it is none"""
+    if not isinstance(value, (str, os.PathLike)):
+        raise wrong(name, value, expected)
+    return Path(value)
+
+
+def text(name: str, value: Any, expected: str = "a text") -> str:
+    """A text. :raises TypeError: if it is none"""
+    if not isinstance(value, str):
+        raise wrong(name, value, expected)
+    return value
+
+
+def mapping(name: str, value: Any, expected: str = "a dictionary of parameters") -> Mapping[str, Any]:
+    """A dictionary, empty for None. :raises TypeError: if it is none"""
+    if value is not None and not isinstance(value, Mapping):
+        raise wrong(name, value, expected)
+    return value or {}
+
+
+def one_of(name: str, value: Any, *types: type) -> Any:
+    """What is of one of some types. :raises TypeError: if it is of none"""
+    if not isinstance(value, types):
+        raise wrong(name, value, " or ".join(f"a {one.__name__}" for one in types))
+    return value
+
+
+def function(name: str, value: Any) -> None:
+    """A function, or None. :raises TypeError: if it is neither"""
+    if value is not None and not callable(value):
+        raise wrong(name, value, "a function")
