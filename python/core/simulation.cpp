@@ -122,13 +122,16 @@ private:
       "while this simulation computes: wait until advance has returned, in whatever thread it was called";
 
   /// Sets a flag for the life of this object. Flags change with Python's lock held.
-  struct Set {
-    explicit Set(bool& flag, bool to = true) : flag(flag), to(to) { flag = to; }
+  class Set {
+  public:
+    explicit Set(bool& flag, bool to = true) : m_flag(flag), m_to(to) { m_flag = m_to; }
     Set(const Set&) = delete;
     Set& operator=(const Set&) = delete;
-    ~Set() { flag = !to; }
-    bool& flag;
-    bool to;
+    ~Set() { m_flag = !m_to; }
+
+  private:
+    bool& m_flag;
+    bool m_to;
   };
 
   /// Python's lock, for a function of the user's between two parts of the computation.

@@ -269,6 +269,27 @@ class TestSimulation(common.InTemporaryFolder):
             time.sleep(0.001)
         self.assertGreater(counted, 20)
 
+    def test_another_thread_counts_within_a_step(self):
+        simulation = matrigrate.Simulation(overrides={"ecm.radius": "250 um"})
+        simulation.step()
+        shares = []
+        for _ in range(6):  # one will do: other programs may take the processor away
+            began, times = threading.Event(), []
+
+            def one_step(began=began):
+                began.set()
+                simulation.step()
+
+            worker = threading.Thread(target=one_step)
+            worker.start()
+            began.wait()
+            start = time.perf_counter()
+            while worker.is_alive():
+                times.append(time.perf_counter())
+            longest_gap = np.diff([start, *times, time.perf_counter()]).max()
+            shares.append(longest_gap / (time.perf_counter() - start))
+        self.assertLess(min(shares), 0.5, "of a step in which the counting stood still")
+
     def test_no_leak(self):
         def use():
             simulation = self.small(overrides={"ecm.radius": "40 um"}, force=lambda s: None)
