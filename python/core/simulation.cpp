@@ -169,6 +169,9 @@ private:
     m_cued_at = m_state.step;
   }
 
+  /// As Python writes it.
+  static std::string text_of(double value) { return py::str(py::float_(value)); }
+
   /// What a cue returned for a cell of n particles.
   static std::vector<double> factors(const py::object& returned, std::size_t n) {
     if (returned.is_none()) return {};
@@ -181,7 +184,7 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       if (!(values[i] >= 0.0 && std::isfinite(values[i])))
         throw py::value_error("cue must return finite factors >= 0, and that of particle " + std::to_string(i) + " is "
-                              + std::string(py::str(py::float_(values[i]))));
+                              + text_of(values[i]));
     return values;
   }
 
@@ -196,7 +199,13 @@ private:
                             + ", 2), or None");
     }
     const double* values = array.data();
-    for (std::size_t i = 0; i < forces.size(); ++i) forces[i] += Vec2(values[2 * i], values[2 * i + 1]);
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const Vec2 force(values[2 * i], values[2 * i + 1]);
+      if (!force.allFinite())
+        throw py::value_error(std::string(what) + " must return finite forces, and that of particle "
+                              + std::to_string(i) + " is " + text_of(std::isfinite(force.x()) ? force.y() : force.x()));
+      forces[i] += force;
+    }
   }
 
   void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) {
