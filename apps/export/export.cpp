@@ -13,9 +13,9 @@
 #include "store/field_file.hpp"
 #include "store/track_files.hpp"
 #include "store/vtk_files.hpp"
+#include "study/tracks_csv.hpp"
 #include "study_runs/study_folder.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -122,13 +122,16 @@ private:
       "while this simulation computes: wait until advance has returned, in whatever thread it was called";
 
   /// Sets a flag for the life of this object. Flags change with Python's lock held.
-  struct Set {
-    explicit Set(bool& flag, bool to = true) : flag(flag), to(to) { flag = to; }
+  class Set {
+  public:
+    explicit Set(bool& flag, bool to = true) : m_flag(flag), m_to(to) { m_flag = m_to; }
     Set(const Set&) = delete;
     Set& operator=(const Set&) = delete;
-    ~Set() { flag = !to; }
-    bool& flag;
-    bool to;
+    ~Set() { m_flag = !m_to; }
+
+  private:
+    bool& m_flag;
+    bool m_to;
   };
 
   /// Python's lock, for a function of the user's between two parts of the computation.
@@ -166,6 +169,9 @@ private:
     m_cued_at = m_state.step;
   }
 
+  /// As Python writes it.
+  static std::string text_of(double value) { return py::str(py::float_(value)); }
+
   /// What a cue returned for a cell of n particles.
   static std::vector<double> factors(const py::object& returned, std::size_t n) {
     if (returned.is_none()) return {};
@@ -178,7 +184,7 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       if (!(values[i] >= 0.0 && std::isfinite(values[i])))
         throw py::value_error("cue must return finite factors >= 0, and that of particle " + std::to_string(i) + " is "
-                              + std::string(py::str(py::float_(values[i]))));
+                              + text_of(values[i]));
     return values;
   }
 
@@ -193,7 +199,13 @@ private:
                             + ", 2), or None");
     }
     const double* values = array.data();
-    for (std::size_t i = 0; i < forces.size(); ++i) forces[i] += Vec2(values[2 * i], values[2 * i + 1]);
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const Vec2 force(values[2 * i], values[2 * i + 1]);
+      if (!force.allFinite())
+        throw py::value_error(std::string(what) + " must return finite forces, and that of particle "
+                              + std::to_string(i) + " is " + text_of(std::isfinite(force.x()) ? force.y() : force.x()));
+      forces[i] += force;
+    }
   }
 
   void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) {

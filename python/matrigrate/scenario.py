@@ -64,7 +64,11 @@ class Scenario(Sections, Mapping[str, Value]):
 
     @classmethod
     def preset(cls, name: str) -> Scenario:
-        """One of the presets of ``matrigrate list``, such as "soft". Asks the program for it."""
+        """One of the presets of ``matrigrate list``, such as "soft". Asks the program for it.
+
+        :raises ConfigurationError: if there is none of that name
+        :raises ProgramNotFound: without the program
+        """
         _arguments.text("name", name, "the name of a preset")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "preset.toml"
@@ -75,7 +79,11 @@ class Scenario(Sections, Mapping[str, Value]):
 
     @classmethod
     def load(cls, file: str | os.PathLike[str]) -> Scenario:
-        """A scenario file."""
+        """A scenario file.
+
+        :raises ConfigurationError: with all that is wrong with it
+        :raises InputOutputError: if it cannot be read
+        """
         path = _arguments.path("file", file)
         scenario = cls(_read(path), name=path.stem)
         for p in _schema.parameters().values():
@@ -179,6 +187,9 @@ class Scenario(Sections, Mapping[str, Value]):
         """Writes a scenario file that the program accepts, after asking the program, where it is installed.
 
         An existing file is kept, unless ``overwrite``.
+
+        :raises ConfigurationError: with all that the program finds wrong; nothing was written
+        :raises InputOutputError: if the file exists or cannot be written
         """
         path = _arguments.path("file", file)
         if _program.find() is not None:

@@ -41,6 +41,9 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     :raises ConfigurationError: with all that is wrong with the scenario; nothing was written
     :raises NumericalError: if the run fails; its ``folder`` can be loaded
     :raises InputOutputError: if the folder holds another run, or cannot be written
+    :raises Stopped: if a signal or ``wall_time`` stopped it, with a checkpoint
+    :raises UsageError: if the program refuses an option
+    :raises TypeError: if scenario, out, overrides or progress is of a wrong type
     :raises ProgramNotFound: without the program
     """
     overrides = _arguments.mapping("overrides", overrides)
@@ -73,6 +76,10 @@ def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None =
     :param out: folder of the study; ``<file>-study`` if left out
     :param jobs: runs at a time; as many as there are cores if left out
     :raises NumericalError: if a run failed; the others are done, and ``load_study`` reads them
+    :raises ConfigurationError: with all that is wrong with the study
+    :raises InputOutputError: if the file cannot be read, or the folder holds another study
+    :raises TypeError: if file or out is no path
+    :raises ProgramNotFound: without the program
     """
     file = _arguments.path("file", file, "the path of a study file")
     folder = _arguments.path("out", out) if out is not None else Path(f"{file.stem}-study")

@@ -143,5 +143,6 @@ def load_study(folder: str | os.PathLike[str]) -> Study:
     """Loads the folder of a study, whether all its runs are done or not.
 
     :raises InputOutputError: if it is none, or is damaged
+    :raises TypeError: if it is no path
     """
     return Study(folder)

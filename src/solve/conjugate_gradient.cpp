@@ -56,7 +56,7 @@ SolveReport ConjugateGradient::solve(const DragSystem& A, std::span<Vec2> v) {
     ++report.iterations;
   }
   report.residual = std::sqrt(r2 / F2);
-  report.converged = r2 <= goal;
+  report.converged = std::isfinite(F2) && r2 <= goal; // with infinite forces any residual would do
   return report;
 }
 

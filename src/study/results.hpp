@@ -69,12 +69,6 @@ std::vector<std::string> swept_values(const Study& study, const Point& point);
 /// machine, so that two computations of a study can be compared byte by byte.
 std::string results_csv(const Study& study, const std::vector<Result>& results);
 
-/// The rows of tracks.csv of all runs that are done, point by point, behind the columns run, label, swept parameters,
-/// replicate and seed of results.csv; empty if none is done.
-/// @throws InputOutputError if tracks.csv of one of them cannot be read, is damaged, or has columns of its own
-std::string tracks_csv(const Study& study, const std::vector<Result>& results,
-                       const std::filesystem::path& study_folder);
-
 /// "Pa" -> "_Pa", "1/s" -> "_per_s", "nN s/um" -> "_nN_s_per_um"; nothing for a ratio.
 std::string unit_suffix(std::string_view unit);
 

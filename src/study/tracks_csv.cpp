@@ -1,8 +1,9 @@
+#include "study/tracks_csv.hpp"
+
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "store/csv.hpp"
 #include "store/row_file.hpp"
-#include "study/results.hpp"
 
 #include <fmt/format.h>
 

@@ -1,22 +1,33 @@
 #!/usr/bin/env bash
-# Installs the Debian package in a bare Debian 12 and uses it there: a run, the run in Python, a study. Needs root, apt and
-# some 700 MB.
+# Installs the Debian package in a bare Debian 12 and uses it there: a run, the run in Python, a study, and the steps of
+# docs/tutorial.md and docs/python.md as they are written (those in R are left out). Needs root, apt and some 1.5 GB.
 #   tests/long/package.sh PACKAGE.deb
 set -euo pipefail
 package=$(realpath "$1")
+source=$(realpath "$(dirname "$0")/../..")
 [ "$(id -u)" -eq 0 ] || { echo "needs root, for chroot" >&2; exit 1; }
 command -v debootstrap >/dev/null || apt-get install -y --no-install-recommends debootstrap
 root=$(mktemp -d)
-trap 'rm -rf "$root"' EXIT
+trap 'umount "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$root"' EXIT
 mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | head -1)
 debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
 [ ! -d /etc/apt/apt.conf.d ] || cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/" # proxies
 cp "$package" "$root/matrigrate.deb"
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
 in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
 in_root "apt-get update -q && apt-get install -y -q /matrigrate.deb"
 in_root "matrigrate selftest"
 in_root "cd /srv && matrigrate new cell.toml && matrigrate run cell.toml --hours 0.1 --quiet && test -s cell-seed1/report.html"
 in_root "cd /srv && python3 -c 'import matrigrate; print(matrigrate.load(\"cell-seed1\").readouts.v_migr_abs_um_per_h)'"
 in_root "cd /srv && matrigrate check /usr/share/matrigrate/studies/stiffness.toml"
+pages=$root/srv/pages # a clone as far as the pages need it, with what the package installed in place of python/ and R/
+mkdir -p "$pages/tests"
+cp -r "$source/docs" "$pages/docs"
+cp -r "$source/tests/docs" "$source/tests/python" "$pages/tests/"
+ln -s /usr/lib/python3/dist-packages "$pages/python"
+ln -s /usr/share/matrigrate/R "$pages/R"
+in_root "cd /srv && MATRIGRATE=/usr/bin/matrigrate python3 -B pages/tests/docs/test_page.py docs/tutorial.md"
+in_root "cd /srv && MATRIGRATE=/usr/bin/matrigrate MATRIGRATE_SMALL_RUNS=none python3 -B pages/tests/python/test_tutorial.py"
+in_root "python3 -c 'import matrigrate; matrigrate.simulation.core()'"
 in_root "man -w matrigrate 2>/dev/null || test -e /usr/share/man/man1/matrigrate.1 -o -e /usr/share/man/man1/matrigrate.1.gz || echo 'manual pages are left out of this root'"
 echo "the package works in a bare Debian 12"

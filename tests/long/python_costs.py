@@ -21,11 +21,23 @@ FULL = {"run.integrator": "reference", "run.threads": 1}  # the paper's baseline
 SHORT = {"ecm.radius": "40 um", "run.integrator": "adaptive"}
 
 
-def trap(simulation):
+class Trap:
     """An optical trap on the matrix: a spring to the reference positions that fades over 20 um around (30, 0) um [nN]."""
-    matrix = simulation.matrix
-    away = matrix.X - (30.0, 0.0)
-    return 1e-4 * np.exp(-(away**2).sum(axis=1, keepdims=True) / 800.0) * (matrix.X - matrix.x)
+
+    stiffness = None
+
+    def __call__(self, simulation):
+        matrix = simulation.matrix
+        if self.stiffness is None:  # does not change
+            self.stiffness = 1e-4 * np.exp(-((matrix.X - (30.0, 0.0))**2).sum(axis=1, keepdims=True) / 800.0)
+        return self.stiffness * (matrix.X - matrix.x)
+
+
+def moving_trap(simulation):
+    """The same trap, on its way at 1 um/min, so that all of it is computed in each step."""
+    matrix, centre = simulation.matrix, 30.0 + simulation.t / 60.0
+    dx, dy = matrix.X[:, 0] - centre, matrix.X[:, 1]
+    return (1e-4 * np.exp(-(dx * dx + dy * dy) / 800.0))[:, None] * (matrix.X - matrix.x)
 
 
 def wind(simulation):
@@ -54,7 +66,7 @@ def cost(steps, **functions):
     for simulation in (plain, with_functions):
         turn(simulation)
     turns = [(turn(plain), turn(with_functions)) for _ in range(steps // TURN)]
-    return [statistics.median(column) / TURN for column in zip(*turns)], len(plain.matrix)
+    return [statistics.median(column) / TURN for column in zip(*turns, strict=True)], len(plain.matrix)
 
 
 def resident():
@@ -69,7 +81,7 @@ def short_simulation(k):
     def force(simulation):
         if k % 10 == 0 and simulation.t > 20:
             raise ZeroDivisionError
-        return trap(simulation)
+        return moving_trap(simulation)
 
     simulation = matrigrate.Simulation(overrides=SHORT, seed=k, force=force, cell_force=wind, cue=source)
     try:
@@ -84,8 +96,9 @@ def main():
     options.add_argument("--steps", type=int, default=400)
     options.add_argument("--simulations", type=int, default=1000)
     chosen, failed = options.parse_args(), False
-    for name, functions in (("force on the matrix", {"force": trap}), ("force on the cortex", {"cell_force": wind}),
-                            ("cue", {"cue": source}), ("all three", {"force": trap, "cell_force": wind, "cue": source})):
+    for name, functions in (("force on the matrix", {"force": Trap()}), ("force that moves", {"force": moving_trap}),
+                            ("force on the cortex", {"cell_force": wind}), ("cue", {"cue": source}),
+                            ("all", {"force": Trap(), "cell_force": wind, "cue": source})):
         (without, with_functions), particles = cost(chosen.steps, **functions)
         share = with_functions / without - 1.0
         failed |= name.startswith("force") and share >= 0.2

@@ -113,15 +113,19 @@ TEST(Advance, StopsWithItsReasonWhenTheSolverGivesUp) {
   EXPECT_EQ(s.step, 0U);
 }
 
-TEST(Advance, StopsBeforeAForceThatIsNotANumberSpreads) {
-  const Parameters p = small();
-  State s = start(p);
-  Workspace w(s, p);
-  const Loads load = [](const State&, std::span<Vec2> force) {
-    force[force.size() / 3] += Vec2(std::numeric_limits<double>::quiet_NaN(), 0.0);
-  };
-  EXPECT_THROW(advance(s, p, p.run.time_step, w, load), NumericalFailure);
-  for (const Vec2& x : s.ecm.x) EXPECT_TRUE(x.allFinite());
+TEST(Advance, StopsBeforeAForceThatIsNoFiniteNumberSpreads) {
+  Parameters p = small();
+  for (const SolverMethod method : {SolverMethod::multigrid, SolverMethod::conjugate_gradient})
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200}) {
+      p.solver.method = method;
+      State s = start(p);
+      Workspace w(s, p);
+      const Loads load = [value](const State&, std::span<Vec2> force) { force[force.size() / 3] += Vec2(value, 0.0); };
+      EXPECT_THROW(advance(s, p, p.run.time_step, w, load), NumericalFailure) << value;
+      EXPECT_EQ(s.step, 0U);
+      for (const Vec2& x : s.ecm.x) EXPECT_TRUE(x.allFinite());
+    }
 }
 
 TEST(Advance, StopsWhenAParticleWouldLeapOverItsNeighbours) {

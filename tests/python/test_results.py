@@ -136,7 +136,8 @@ class Studies(unittest.TestCase):
         self.assertEqual(len(tracks), sum(len(run.tracks) for run in self.study.runs.values()))
         self.assertEqual(tracks["run"].nunique(), 4)
         self.assertEqual(tracks.attrs["units"]["x_um"], "um")
-        exported = pandas.read_csv(common.runs / "exported" / "tracks.csv", keep_default_na=False, na_values=[""])
+        exported = pandas.read_csv(common.runs / "exported" / "tracks.csv", keep_default_na=False, na_values=[""],
+                                   float_precision="round_trip")
         exported["label"] = exported["label"].str.removeprefix("'")  # the guard against spreadsheets
         self.assertEqual(list(exported.columns), list(tracks.columns))
         pandas.testing.assert_frame_equal(exported, tracks, check_dtype=False, check_exact=True)

@@ -127,7 +127,7 @@ class TestSimulation(common.InTemporaryFolder):
             simulation.step()
             for protrusion in simulation.cell.protrusions:
                 begun.setdefault(protrusion["id"], x_at_start[simulation.step_count - 1][protrusion["centre"]])
-        self.assertGreater(len(begun), 3)
+        self.assertGreater(len(begun), 2)
         self.assertTrue(all(x >= 0 for x in begun.values()), begun)
         silent = self.small(overrides=OFTEN, cue=lambda s, cell: np.zeros(len(cell.x)))
         silent.advance(until=300)
@@ -229,9 +229,10 @@ class TestSimulation(common.InTemporaryFolder):
         self.assertEqual(simulation.step_count, 0)
         for value in (np.nan, np.inf):
             broken = self.small(force=lambda s, value=value: np.full(s.matrix.x.shape, value))
-            with self.assertRaises(matrigrate.NumericalError):
+            with self.assertRaisesRegex(ValueError, f"force must return finite forces, and that of particle 0 is {value}"):
                 broken.advance(until=10)
-            self.assertTrue(np.isfinite(broken.matrix.x).all())
+            self.assertEqual(broken.step_count, 0)
+            np.testing.assert_array_equal(broken.matrix.x, broken.matrix.X)
 
     def test_wrong_scenarios(self):
         with self.assertRaises(matrigrate.ConfigurationError) as caught:
@@ -241,7 +242,7 @@ class TestSimulation(common.InTemporaryFolder):
             matrigrate.Simulation("none.toml")
         for text, error, words in ((b"\xff", matrigrate.InputOutputError, "bad.toml: is damaged: it is no text"),
                                    (b"[ecm", matrigrate.ConfigurationError, "bad.toml:1:"),
-                                   (b"replicates = 3", matrigrate.ConfigurationError, "replicates")):
+                                   (b"replicates = 3", matrigrate.ConfigurationError, "bad.toml: is a study of many runs")):
             (self.folder / "bad.toml").write_bytes(text)
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 matrigrate.Simulation("bad.toml")
@@ -268,6 +269,27 @@ class TestSimulation(common.InTemporaryFolder):
             counted += 1
             time.sleep(0.001)
         self.assertGreater(counted, 20)
+
+    def test_another_thread_counts_within_a_step(self):
+        simulation = matrigrate.Simulation(overrides={"ecm.radius": "250 um"})
+        simulation.step()
+        shares = []
+        for _ in range(6):  # one will do: other programs may take the processor away
+            began, times = threading.Event(), []
+
+            def one_step(began=began):
+                began.set()
+                simulation.step()
+
+            worker = threading.Thread(target=one_step)
+            worker.start()
+            began.wait()
+            start = time.perf_counter()
+            while worker.is_alive():
+                times.append(time.perf_counter())
+            longest_gap = np.diff([start, *times, time.perf_counter()]).max()
+            shares.append(longest_gap / (time.perf_counter() - start))
+        self.assertLess(min(shares), 0.5, "of a step in which the counting stood still")
 
     def test_no_leak(self):
         def use():

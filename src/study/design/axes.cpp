@@ -2,8 +2,6 @@
 
 #include "parameters/schema.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace matrigrate::study {
