@@ -15,9 +15,10 @@ _matrigrate() {
     esac
   done
   case $verb:$previous in
-  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack curved-fibres" -- "$cur")); return ;;
+  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres" -- "$cur")); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
+  matrigrate_explain:--pictures) COMPREPLY=(); return ;;
   matrigrate_run:-o|matrigrate_run:--output) _matrigrate_files -d; return ;;
   matrigrate_run:--seed) COMPREPLY=(); return ;;
   matrigrate_run:--hours) COMPREPLY=(); return ;;
@@ -32,7 +33,7 @@ _matrigrate() {
   matrigrate_resume:--threads) COMPREPLY=(); return ;;
   matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
   matrigrate_demo:-o|matrigrate_demo:--output) _matrigrate_files -d; return ;;
-  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack curved-fibres" -- "$cur")); return ;;
+  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres" -- "$cur")); return ;;
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
   matrigrate_export:--panel) COMPREPLY=(); return ;;
@@ -77,7 +78,7 @@ _matrigrate() {
   matrigrate_check)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_explain)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json --pictures" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_run)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --seed --hours --threads --set --wall-time --force --json --quiet" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_resume)

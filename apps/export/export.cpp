@@ -16,6 +16,7 @@
 #include "study/tracks_csv.hpp"
 #include "study_runs/study_folder.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
