@@ -2,6 +2,7 @@
 
 #include "observe/cell_scene.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,6 +55,7 @@ struct CellLegend {
 
 /// What the matrix is coloured by: by how intact it is, or by a field that only solid has.
 enum class MatrixColours { degradation, field };
-CellLegend cell_legend(double width, MatrixColours matrix = MatrixColours::degradation);
+/// @param cells  number of cells, of which each has a colour
+CellLegend cell_legend(double width, std::size_t cells, MatrixColours matrix = MatrixColours::degradation);
 
 } // namespace matrigrate::io

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/cells.hpp"
 #include "contact/proximity.hpp"
 #include "ecm/drag_cache.hpp"
 #include "ecm/fibres.hpp"
@@ -46,8 +47,9 @@ struct Workspace {
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
-  DragCache drag_cache;         ///< of the matrix
-  std::vector<CellShape> cells; ///< parallel to State::cells
+  DragCache drag_cache;           ///< of the matrix
+  std::vector<CellShape> cells;   ///< parallel to State::cells
+  std::vector<CellTouch> touches; ///< of cells with each other, at x(t)
   DragSystem drag;
   std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
   Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]
