@@ -64,6 +64,8 @@ Json parameters_that_differ(const Side& a, const Side& b) {
   for (const Row& row : schema())
     if (const std::string left = value_text(row, a.p), right = value_text(row, b.p); left != right)
       list.push_back({row.path, left, right});
+  if (const std::string left = cells_text(a.p), right = cells_text(b.p); left != right)
+    list.push_back({"cells", left, right});
   return list;
 }
 

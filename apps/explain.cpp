@@ -39,12 +39,14 @@ std::string duration_text(double seconds) {
 
 std::string description(const Parameters& p, const Derived& d) {
   std::string text;
-  text += fmt::format("A cell of {:.4g} um radius in a disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio "
+  const std::size_t cells = cell_starts(p).size();
+  text += fmt::format("{} of {:.4g} um radius in a disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio "
                       "{:.4g},\nviscosity {:.4g} Pa s), "
                       "clamped at its rim, followed for {} in steps of {}{:.4g} s.\n\n",
-                      p.cell.radius, p.ecm.radius, 1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio,
-                      1e3 * p.ecm.viscosity, duration_text(p.run.duration),
-                      p.run.integrator == Integrator::adaptive ? "up to " : "", d.longest_step);
+                      cells == 1 ? std::string("A cell") : fmt::format("{} cells", cells), p.cell.radius, p.ecm.radius,
+                      1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity,
+                      duration_text(p.run.duration), p.run.integrator == Integrator::adaptive ? "up to " : "",
+                      d.longest_step);
   const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
     text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
   };
@@ -99,6 +101,7 @@ Json fields_json(const Parameters& p) {
 Json to_json(const Options& options, const Parameters& p, const Derived& d, const std::vector<std::string>& found) {
   const auto quicker = with_longer_steps(p, d);
   return {{"file", options.file},
+          {"cells", cell_starts(p).size()},
           {"bulk_modulus_Pa", 1e3 * d.K},
           {"shear_modulus_Pa", 1e3 * d.G},
           {"shear_relaxation_s", d.shear_time},

@@ -69,11 +69,15 @@ int run_scenario(const Options& options) {
 } // namespace
 
 void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line) {
-  CLI::App* verb = app.add_subcommand("run", "Simulate one cell; write tracks, protrusions, read-outs and pictures");
+  CLI::App* verb =
+      app.add_subcommand("run", "Simulate a cell, or several; write tracks, protrusions, read-outs and pictures");
   verb->footer(
-      "Writes scenario.resolved.toml, run.json, tracks.csv, protrusions.csv, health.csv, msd.csv, summary.csv,\n"
-      "summary.json, snapshots/t_<seconds>s.svg, snapshots.svg, report.html, the frames in fields.h5 and fields.xdmf\n"
-      "(fields.part while it runs), and the exact state in checkpoint.h5, checkpoint_prev.h5 and checkpoints/.\n"
+      "Writes scenario.resolved.toml, run.json, tracks.csv, protrusions.csv, health.csv, msd.csv, summary.csv, "
+      "group.csv\n"
+      "(of several cells), summary.json, snapshots/t_<seconds>s.svg, snapshots.svg, report.html, the frames in "
+      "fields.h5\n"
+      "and fields.xdmf (fields.part while it runs), and the exact state in checkpoint.h5, checkpoint_prev.h5 and "
+      "checkpoints/.\n"
       "Rows are written as they come. Running scenario.resolved.toml again gives\n"
       "the same bits, and so the same trajectory_hash in run.json.\n"
       "A folder that holds the same scenario and seed is resumed from its checkpoint, to the same bits as without the\n"

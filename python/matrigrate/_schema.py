@@ -189,10 +189,19 @@ def parameters() -> dict[str, Parameter]:
             if entry.get("type") != "object"}
 
 
+@functools.cache
+def cell_parameters() -> dict[str, Parameter]:
+    """The keys of one table of [[cells]]."""
+    entries = _document()["properties"]["cells"]["items"]["properties"]
+    return {key: _parameter(f"cells.{key}", entry) for key, entry in entries.items()}
+
+
 def _section_entries() -> list[tuple[str, dict[str, Any]]]:
     """Sections and what the schema says of them, those inside of others ("ecm.fields") after these."""
     found: list[tuple[str, dict[str, Any]]] = []
     for name, entry in _document()["properties"].items():
+        if entry["type"] == "array":  # [[cells]]
+            continue
         found.append((name, entry))
         found += [(f"{name}.{inner}", table) for inner, table in entry["properties"].items()
                   if table.get("type") == "object"]

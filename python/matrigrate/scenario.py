@@ -51,6 +51,7 @@ class Scenario(Sections, Mapping[str, Value]):
         """
         self.name = _arguments.text("name", name)
         self._given: dict[str, Value] = {}
+        self._cells: list[dict[str, Value]] = []
         faults: list[Fault] = []
         for path, value, nested in _flat(_arguments.mapping("values", values)):
             try:
@@ -98,7 +99,38 @@ class Scenario(Sections, Mapping[str, Value]):
             return _usual_adaptive_step
         return p.number(self._given.get(path, p.default))
 
+    @property
+    def cells(self) -> list[tuple[float, float]]:
+        """Centres of several cells at the start [um]; empty: one cell, at cell.start_x, cell.start_y.
+
+        >>> scenario = Scenario()
+        >>> scenario.cells = [(-20, 0), {"x": "20 um", "y": 0}]
+        >>> scenario.cells
+        [(-20.0, 0.0), (20.0, 0.0)]
+        """
+        rows = _schema.cell_parameters()
+        return [(float(rows["x"].number(cell["x"])), float(rows["y"].number(cell["y"]))) for cell in self._cells]
+
+    def _set_cells(self, cells: Any) -> None:
+        rows = _schema.cell_parameters()
+        found: list[dict[str, Value]] = []
+        faults: list[Fault] = []
+        for k, cell in enumerate(cells, start=1):
+            one = dict(cell) if isinstance(cell, Mapping) else dict(zip(rows, cell, strict=True))
+            one = {key: _plain(value) for key, value in one.items()}
+            faults += [Fault(f"cells[{k}].{key}", "there is no such key; a cell has x and y") for key in one if key not in rows]
+            faults += [Fault(f"cells[{k}]", f'has no {key}; write it like {key} = "40 um"') for key in rows if key not in one]
+            wrong = {key: rows[key].fault(value) for key, value in one.items() if key in rows}
+            faults += [Fault(f"cells[{k}].{key}", fault) for key, fault in wrong.items() if fault]
+            found.append(one)
+        if faults:
+            raise ConfigurationError(faults)
+        self._cells = found
+
     def __setitem__(self, path: str, value: Any) -> None:
+        if path == "cells":
+            self._set_cells(value)
+            return
         p = _row(path)
         value = _plain(value)
         fault = p.fault(value)
@@ -128,7 +160,10 @@ class Scenario(Sections, Mapping[str, Value]):
         if name in classes:
             raise ConfigurationError(Fault(name, "is a section; set one of its parameters, such as "
                                                  f"{of(name)[0].path}"))
-        if name not in ("name", "_given"):
+        if name == "cells":
+            self._set_cells(value)
+            return
+        if name not in ("name", "_given", "_cells"):
             raise unknown(name, is_section=True)
         object.__setattr__(self, name, value)
 
@@ -136,13 +171,14 @@ class Scenario(Sections, Mapping[str, Value]):
         return [*classes, *(n for n in super().__dir__() if n not in classes)]
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scenario) and dict(self) == dict(other)
+        return isinstance(other, Scenario) and dict(self) == dict(other) and self.cells == other.cells
 
     __hash__ = None  # type: ignore[assignment] # it can change
 
     def __repr__(self) -> str:
         changed = ", ".join(f"{path}={_schema.toml_text(value)}" for path, value in self.changed().items())
-        return f"Scenario({self.name}: {changed or 'all defaults'})"
+        cells = f"{len(self._cells)} cells" if self._cells else ""
+        return f"Scenario({self.name}: {', '.join(filter(None, (cells, changed))) or 'all defaults'})"
 
     def __copy__(self) -> Scenario:
         return self.copy()
@@ -159,7 +195,9 @@ class Scenario(Sections, Mapping[str, Value]):
 
     def copy(self, name: str | None = None) -> Scenario:
         """A scenario of the same values, to be changed apart from this one."""
-        return Scenario(self._given, name=name or self.name)
+        made = Scenario(self._given, name=name or self.name)
+        made._cells = [dict(cell) for cell in self._cells]
+        return made
 
     def help(self, path: str) -> str:
         """What a parameter means, its unit, range and default.
@@ -181,6 +219,8 @@ class Scenario(Sections, Mapping[str, Value]):
             text += f"\n# {title}\n[{section}]\n" if rows else ""
             for p in rows:
                 text += f"# {p.meaning}; {p.allowed}\n{p.key} = {_schema.toml_text(self._given[p.path])}\n"
+        for cell in self._cells:
+            text += "\n[[cells]]\n" + "".join(f"{key} = {_schema.toml_text(value)}\n" for key, value in cell.items())
         return text
 
     def save(self, file: str | os.PathLike[str], *, overwrite: bool = False) -> Path:

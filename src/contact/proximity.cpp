@@ -69,27 +69,33 @@ std::vector<std::uint32_t> SegmentGrid::candidates(std::span<const Vec2> points)
   return found;
 }
 
+std::optional<NearestSegment> closest_segment(const Vec2& point, const CortexState& c, const SegmentGrid& grid,
+                                              double reach) {
+  double d2 = reach * reach;
+  ClosestPoint closest{0.0, Vec2::Zero()};
+  std::uint32_t segment = std::numeric_limits<std::uint32_t>::max();
+  for (const std::uint32_t i : grid.near(point)) {
+    const ClosestPoint q = closest_point(point, c.x[i], c.x[c.next(i)]);
+    if (q.from.squaredNorm() >= d2) continue;
+    d2 = q.from.squaredNorm();
+    closest = q;
+    segment = i;
+  }
+  if (segment == std::numeric_limits<std::uint32_t>::max()) return {};
+  const Vec2 out = outward_at(c, segment, closest.s);
+  const double d = std::sqrt(d2);
+  const double sign = closest.from.dot(out) < 0.0 ? -1.0 : 1.0;
+  const Vec2 n = d > 1e-9 ? Vec2(sign * closest.from / d) : Vec2(outward(c, segment).normalized());
+  return NearestSegment{segment, closest.s, sign * d, n};
+}
+
 std::vector<NearbyParticle> nearby_solid(const EcmState& ecm, const CortexState& c, const SegmentGrid& grid,
                                          double reach) {
   std::vector<NearbyParticle> found;
   for (const std::uint32_t k : grid.candidates(ecm.x)) {
     if (ecm.f[k] <= 0.0 || (ecm.clamped[k] && !ecm.in_obstacle(k))) continue;
-    double d2 = reach * reach;
-    ClosestPoint closest{0.0, Vec2::Zero()};
-    std::uint32_t segment = std::numeric_limits<std::uint32_t>::max();
-    for (const std::uint32_t i : grid.near(ecm.x[k])) {
-      const ClosestPoint q = closest_point(ecm.x[k], c.x[i], c.x[c.next(i)]);
-      if (q.from.squaredNorm() >= d2) continue;
-      d2 = q.from.squaredNorm();
-      closest = q;
-      segment = i;
-    }
-    if (segment == std::numeric_limits<std::uint32_t>::max()) continue;
-    const Vec2 out = outward_at(c, segment, closest.s);
-    const double d = std::sqrt(d2);
-    const double sign = closest.from.dot(out) < 0.0 ? -1.0 : 1.0;
-    const Vec2 n = d > 1e-9 ? Vec2(sign * closest.from / d) : Vec2(outward(c, segment).normalized());
-    found.push_back({k, segment, closest.s, sign * d, n});
+    if (const auto near = closest_segment(ecm.x[k], c, grid, reach))
+      found.push_back({k, near->segment, near->s, near->distance, near->normal});
   }
   return found;
 }

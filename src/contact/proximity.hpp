@@ -5,6 +5,7 @@
 #include "state/ecm.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct NearbyParticle {
   double s;        ///< closest point along the segment, 0 at its first end and 1 at its second [-]
   double distance; ///< outside the cell positive [um]
   Vec2 normal;     ///< unit vector of growing distance, at the particle
+};
+
+/// The closest place of a cortex to a point.
+struct NearestSegment {
+  std::uint32_t segment;
+  double s;        ///< along the segment, 0 at its first end and 1 at its second [-]
+  double distance; ///< outside the cell positive [um]
+  Vec2 normal;     ///< unit vector of growing distance, at the point
 };
 
 /// Segments of the cortex in a grid, to find those near a point.
@@ -45,6 +54,11 @@ private:
   std::vector<std::uint32_t> m_first;
   std::vector<std::uint32_t> m_segments;
 };
+
+/// The segment of a cortex that is closest to a point within the grid's reach, if there is one.
+/// @param reach  that of the grid [um]
+std::optional<NearestSegment> closest_segment(const Vec2& point, const CortexState& c, const SegmentGrid& grid,
+                                              double reach);
 
 /// The encounters of all free solid particles, and of those of obstacles, within the grid's reach, in the order of the
 /// particles.

@@ -1,5 +1,6 @@
 #include "draw/cell_drawing.hpp"
 
+#include "draw/cell_colours.hpp"
 #include "draw/svg.hpp"
 #include "draw/ticks.hpp"
 #include "state/protrusion.hpp"
@@ -18,8 +19,6 @@ namespace {
 constexpr std::array<std::string_view, matrix_classes> matrix_colours{"#cbb994", "#d9ccb0", "#e4dbc8", "#eee8dc",
                                                                       "#f8f6f1"};
 constexpr std::string_view obstacle_colour = "#3d4248";
-constexpr std::string_view rear_colour = "#0072b2";
-constexpr std::string_view front_colour = "#45c4b8";
 constexpr std::string_view path_colour = "#1f2328";
 
 constexpr std::size_t phases = std::variant_size_v<Phase>;
@@ -101,12 +100,24 @@ std::string protrusion(const DrawnProtrusion& drawn, const Panel& panel) {
   return out;
 }
 
-std::string path(const DrawnCell& cell, const Panel& panel) {
+std::string path(const DrawnCell& cell, const Panel& panel, std::string_view colour) {
   if (cell.path.empty()) return {};
   const Vec2 start = panel.at(cell.path.front());
-  return edged(curve(cell.path, panel, false), path_colour, 1.6, "")
+  return edged(curve(cell.path, panel, false), colour, 1.6, "")
          + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"3.2\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.6\"/>\n",
-                       svg::coordinate(start.x()), svg::coordinate(start.y()), path_colour);
+                       svg::coordinate(start.x()), svg::coordinate(start.y()), colour);
+}
+
+/// The number of a cell in its middle, dark on a light disc.
+std::string number_of(const DrawnCell& cell, std::size_t index, const Panel& panel) {
+  Vec2 sum = Vec2::Zero();
+  for (const Vec2& x : cell.outline) sum += x;
+  const Vec2 middle = panel.at(sum / static_cast<double>(cell.outline.size()));
+  constexpr double size = 13.0;
+  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"9\" fill=\"#ffffff\" fill-opacity=\"0.85\"/>\n",
+                     svg::coordinate(middle.x()), svg::coordinate(middle.y()))
+         + svg::text(middle.x(), middle.y() + 0.35 * size, std::to_string(index + 1),
+                     {.size = size, .anchor = svg::Anchor::middle, .bold = true});
 }
 
 /// The drawn sign and the words of an entry of the legend.
@@ -115,7 +126,30 @@ struct Entry {
   std::string words;
 };
 
-std::vector<Entry> legend_entries(MatrixColours matrix, bool obstacles) {
+/// A rectangle, front over rear.
+std::string both_halves(const CellColours& colours) {
+  return svg::rectangle(0.0, -7.0, 15.0, 14.0, colours.rear) + svg::rectangle(15.0, -7.0, 15.0, 14.0, colours.front);
+}
+
+/// One for each colour: "cell 1, 9".
+std::vector<Entry> cell_entries(std::size_t cells) {
+  std::vector<Entry> entries;
+  if (cells < 2) {
+    const CellColours colours = cell_colours(0, cells);
+    return {{svg::rectangle(0.0, -7.0, 30.0, 14.0, colours.front), "front"},
+            {svg::rectangle(0.0, -7.0, 30.0, 14.0, colours.rear), "rear"}};
+  }
+  for (std::size_t k = 0; k < std::min(cells, cell_colour_count); ++k) {
+    std::string words = fmt::format("cell {}", k + 1);
+    for (std::size_t j = k + cell_colour_count; j < cells && words.size() < 16; j += cell_colour_count)
+      words += fmt::format(", {}", j + 1);
+    entries.push_back({both_halves(cell_colours(k, cells)), words});
+  }
+  entries.back().words += cells > 3 * cell_colour_count ? ", ...; rear, front" : "; rear, front";
+  return entries;
+}
+
+std::vector<Entry> legend_entries(MatrixColours matrix, const CellScene& scene) {
   std::vector<Entry> entries;
   std::string shades;
   for (std::size_t c = 0; c < matrix_classes; ++c)
@@ -125,9 +159,8 @@ std::vector<Entry> legend_entries(MatrixColours matrix, bool obstacles) {
   else
     entries.push_back(
         {svg::rectangle(0.0, -7.0, 30.0, 14.0, fluid_colour()) + svg::frame(0.0, -7.0, 30.0, 14.0), "fluid matrix"});
-  if (obstacles) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
-  entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, front_colour), "front"});
-  entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, rear_colour), "rear"});
+  if (!scene.obstacles.empty()) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
+  for (Entry& entry : cell_entries(scene.cells.size())) entries.push_back(std::move(entry));
   for (std::size_t k = 0; k < phases; ++k)
     entries.push_back({edged("M1 0h28", phase_colours[k], 4.0, phase_dashes[k]), std::string(phase_names[k])});
   entries.push_back({adhesion({3.0, 0.0}, {25.0, 0.0}, phase_colours[2]), "adhesion"});
@@ -150,10 +183,16 @@ std::string drawing_over(const std::string& ground, const CellScene& scene, cons
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
   out += ground + squares(scene.obstacles, without_cracks, obstacle_colour, scene, panel);
-  for (const DrawnCell& cell : scene.cells)
-    if (!cell.outline.empty()) out += area(cell.outline, panel, rear_colour) + area(cell.front, panel, front_colour);
+  const std::size_t n = scene.cells.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const DrawnCell& cell = scene.cells[k];
+    const CellColours colours = cell_colours(k, n);
+    if (!cell.outline.empty()) out += area(cell.outline, panel, colours.rear) + area(cell.front, panel, colours.front);
+  }
   for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
-  for (const DrawnCell& cell : scene.cells) out += path(cell, panel);
+  for (std::size_t k = 0; k < n; ++k) out += path(scene.cells[k], panel, n > 1 ? cell_colours(k, n).rear : path_colour);
+  for (std::size_t k = 0; k < n && n > 1; ++k)
+    if (!scene.cells[k].outline.empty()) out += number_of(scene.cells[k], k, panel);
   return out + "</svg>\n";
 }
 
@@ -178,7 +217,7 @@ std::string scale_bar(double x, double y, double most, const Panel& panel) {
          + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
 }
 
-CellLegend cell_legend(double width, MatrixColours matrix, bool obstacles) {
+CellLegend cell_legend(double width, const CellScene& scene, MatrixColours matrix) {
   constexpr double sign_width = 30.0;
   constexpr double gap = 7.0;
   constexpr double entry_gap = 20.0;
@@ -186,7 +225,7 @@ CellLegend cell_legend(double width, MatrixColours matrix, bool obstacles) {
   CellLegend legend;
   double x = 0.0;
   double y = 0.0;
-  for (const Entry& entry : legend_entries(matrix, obstacles)) {
+  for (const Entry& entry : legend_entries(matrix, scene)) {
     const double entry_width = sign_width + gap + svg::text_width(entry.words, svg::tick_size);
     if (x > 0.0 && x + entry_width > width) {
       x = 0.0;

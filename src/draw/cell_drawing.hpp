@@ -2,6 +2,7 @@
 
 #include "observe/cell_scene.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +55,7 @@ struct CellLegend {
 
 /// What the matrix is coloured by: by how intact it is, or by a field that only solid has.
 enum class MatrixColours { degradation, field };
-/// @param obstacles  whether there are any
-CellLegend cell_legend(double width, MatrixColours matrix = MatrixColours::degradation, bool obstacles = false);
+/// @param scene  whose cells and obstacles are to be told apart
+CellLegend cell_legend(double width, const CellScene& scene, MatrixColours matrix = MatrixColours::degradation);
 
 } // namespace matrigrate::io

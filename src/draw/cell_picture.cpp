@@ -18,8 +18,8 @@ constexpr double room_around_cell = 12.0; ///< [um]
 constexpr double bar_height = 30.0;       ///< of the line with the scale bar [pixel]
 
 /// Scale bar and legend below the panels. @return their SVG and where it ends [pixel]
-CellLegend footer(double top, double width, const Panel& panel, bool obstacles) {
-  const CellLegend legend = cell_legend(width - 2.0 * margin, MatrixColours::degradation, obstacles);
+CellLegend footer(double top, double width, const Panel& panel, const CellScene& scene) {
+  const CellLegend legend = cell_legend(width - 2.0 * margin, scene);
   CellLegend out;
   out.svg =
       scale_bar(margin, top + 8.0, 0.5 * panel.side, panel)
@@ -55,7 +55,7 @@ std::string cell_picture(const CellScene& scene, const Box& box, int width) {
   check(width);
   const double top = margin + svg::text_height(1, svg::title_size);
   const Panel panel{.box = box, .left = margin, .top = top, .side = width - 2.0 * margin};
-  const CellLegend below = footer(top + panel.side, width, panel, !scene.obstacles.empty());
+  const CellLegend below = footer(top + panel.side, width, panel, scene);
   const std::string title = time_text(scene.t);
   const std::string body =
       svg::text(margin, margin + svg::title_size - 4.0, title, {.size = svg::title_size, .bold = true})
@@ -83,7 +83,7 @@ std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most, i
     body += drawing(scene, panel, IntactMatrix::area) + svg::frame(panel.left, panel.top, side, side);
     bottom = panel.top + side;
   }
-  const CellLegend below = footer(bottom, width, panel, !scenes.empty() && !scenes.front().obstacles.empty());
+  const CellLegend below = footer(bottom, width, panel, scenes.empty() ? CellScene{} : scenes.front());
   return svg::document(width, below.height, "The cell over time", body + below.svg);
 }
 

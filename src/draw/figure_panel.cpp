@@ -80,9 +80,8 @@ std::string figure_panel(std::span<const CellScene> scenes, const FigureField* f
   }
   const double bottom = margin + heading + height;
   body += scale_bar(margin, bottom + 8.0, 0.5 * side, panel);
-  const bool obstacles = !scenes.front().obstacles.empty();
-  const CellLegend legend = cell_legend(
-      width - 2.0 * margin, field == nullptr ? MatrixColours::degradation : MatrixColours::field, obstacles);
+  const CellLegend legend = cell_legend(width - 2.0 * margin, scenes.front(),
+                                        field == nullptr ? MatrixColours::degradation : MatrixColours::field);
   body += fmt::format("<g transform=\"translate({})\">\n{}</g>\n", svg::point(margin, bottom + bar_height), legend.svg);
   return svg::document(width, bottom + bar_height + legend.height + 0.5 * margin, "The cell at chosen times", body);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 /// Every parameter of a simulation, in internal units: um, s, nN; stress in kPa, viscosity in nN s/um^2 = 1000 Pa s.
 /// Defaults are Table 1 of Heck et al. 2020 and the interpretations of MODEL.md. Their names, units, ranges and sources
@@ -121,11 +122,20 @@ struct CellParameters {
   double liquid_drag = 0.04;        ///< gamma_liquid [nN s/um^2]; times t_z a particle's drag
 };
 
+/// Contact of cells with each other (MODEL.md, D38, D39).
+struct CellContactParameters {
+  double repulsion = 0.5;      ///< pressure at which two cortices touch [kPa]
+  double range = 1.0;          ///< gap below which they repel each other [um]
+  double adhesion = 0.0;       ///< largest pull per area [kPa]
+  double adhesion_range = 1.0; ///< width of the gaps, beyond `range`, over which they pull [um]
+};
+
 struct ContactParameters {
   double range = 1.4;          ///< d_c [um]
   double sample_spacing = 0.8; ///< points of the viscous coupling on a segment are no further apart [um]
   double fluid_share = 0.1;    ///< of the viscous coupling to solid, with the fluid outside the cell [-]
   double deepest_solid = 0.3;  ///< a solid particle deeper inside the cell becomes fluid at once [um]
+  CellContactParameters cells;
 };
 
 struct ActomyosinParameters {
@@ -216,6 +226,12 @@ struct SolverParameters {
   int max_iterations = 5000;
 };
 
+/// Where one of several cells starts.
+struct CellStart {
+  double x = 0.0; ///< of its centre [um]
+  double y = 0.0; ///< of its centre [um]
+};
+
 struct Parameters {
   RunParameters run;
   EcmParameters ecm;
@@ -230,6 +246,10 @@ struct Parameters {
   CueParameters cues;
   OutputParameters output;
   SolverParameters solver;
+  std::vector<CellStart> cells; ///< of several cells; empty: one, which starts at (cell.start_x, cell.start_y)
 };
+
+/// Where the cells start, in the order of their ids: Parameters::cells, or the one at cell.start_x, cell.start_y.
+std::vector<CellStart> cell_starts(const Parameters& p);
 
 } // namespace matrigrate

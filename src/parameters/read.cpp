@@ -7,6 +7,7 @@
 #include "parameters/fault_list.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
+#include "parameters/read_cells.hpp"
 #include "parameters/scan.hpp"
 #include "parameters/schema.hpp"
 
@@ -90,6 +91,7 @@ public:
   Parameters finish(std::span<const Rule> more) {
     if (!m_refused) {
       follow_integrator();
+      check_cells();
       check_rules(rules());
       check_rules(more);
     }
@@ -122,12 +124,14 @@ private:
       const auto* nested = node.as_table();
       const std::string path = section.empty() ? key : fmt::format("{}.{}", section, key);
       const Place place = place_of(file, name.source());
-      if (find_row(path) != nullptr)
+      if (find_row(path) != nullptr || path == "cells")
         take(path, node, place_of(file, node.source()));
       else if (nested != nullptr && is_section(path))
         visit(*nested, path, file);
       else if (is_section(path))
-        complain(place, path, fmt::format("is a section; write [{}] and its keys below, each on a line", path));
+        complain(place, path,
+                 fmt::format("is a section; write [{}] and its keys below, each on a line{}", path,
+                             path == "cell" ? "; several cells are [[cells]], with x and y each" : ""));
       else
         unknown(path, nested != nullptr || node.is_array_of_tables(), place);
     }
@@ -139,12 +143,39 @@ private:
   }
 
   void take(const std::string& path, const toml::node& node, const Place& place) {
+    if (path == "cells") return take_cells(node, place);
     const Row* row = find_row(path);
     if (row == nullptr) return unknown(path, false, place);
     m_given.insert_or_assign(path, place);
     std::string fault = assign(*row, given_by(node), m_parameters);
     if (fault.empty() && kind(*row) == Kind::field) fault = complete_field(*row, place);
     if (!fault.empty()) complain(place, path, fault);
+  }
+
+  void take_cells(const toml::node& node, const Place& place) {
+    CellsRead read = read_cells(node);
+    m_parameters.cells = std::move(read.starts);
+    m_given.insert_or_assign("cells", place);
+    m_cell_places.clear();
+    const auto within = [&](const toml::source_region& source) {
+      return place.file == command_line ? place : place_of(place.file, source);
+    };
+    for (const toml::source_region& source : read.places) m_cell_places.push_back(within(source));
+    for (CellsRead::Fault& fault : read.faults) {
+      m_blamed.insert("cells");
+      complain(within(fault.place), fault.key, std::move(fault.message));
+    }
+  }
+
+  /// Only where each single value is good, as check_rules().
+  void check_cells() {
+    for (const std::string_view key : {"cells", "cell.radius", "ecm.radius", "contact.cells.range"})
+      if (m_blamed.contains(key)) return;
+    if (m_cell_places.empty()) return;
+    for (CellFault& fault : cell_faults(m_parameters)) {
+      const Place& place = m_cell_places[fault.cell];
+      m_faults.add({place.file, place.line, place.column, cell_key(fault.cell), std::move(fault.message)});
+    }
   }
 
   /// Makes the text of a field the same from any folder. One with a fingerprint is so already; its file is read when
@@ -168,7 +199,8 @@ private:
   void check_rules(std::span<const Rule> which) {
     for (const Rule& rule : which) {
       const auto blamed = [&](std::string_view key) { return m_blamed.contains(key); };
-      if (std::ranges::any_of(rule.keys, blamed)) continue;
+      const bool told = rule.name == several_cells_rule && (!m_cell_places.empty() || m_blamed.contains("cells"));
+      if (told || std::ranges::any_of(rule.keys, blamed)) continue;
       const std::string fault = rule.broken(m_parameters);
       if (fault.empty()) continue;
       const std::string key(key_to_blame(rule));
@@ -195,6 +227,7 @@ private:
   FaultList m_faults;
   bool m_refused = false;
   std::map<std::string, Place, std::less<>> m_given;
+  std::vector<Place> m_cell_places;            ///< of the cells that were given
   std::set<std::string, std::less<>> m_blamed; ///< keys with a fault of their own
 };
 

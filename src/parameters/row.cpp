@@ -118,7 +118,25 @@ bool same(const Parameters& a, const Parameters& b) {
                             [&](auto member) { return member(p) == member(q); }},
                       row.member);
   };
-  return std::ranges::all_of(schema(), agrees);
+  return std::ranges::all_of(schema(), agrees) && cells_text(a) == cells_text(b);
+}
+
+std::vector<CellStart> cell_starts(const Parameters& p) {
+  if (!p.cells.empty()) return p.cells;
+  return {{p.cell.start_x, p.cell.start_y}};
+}
+
+std::string cells_text(const Parameters& p) {
+  std::string text;
+  Parameters one;
+  for (const CellStart& start : p.cells) {
+    one.cells.assign(1, start);
+    std::string keys;
+    for (const Row& row : cell_rows())
+      keys += fmt::format("{}{} = {}", keys.empty() ? "" : ", ", key_of(row), value_text(row, one));
+    text += fmt::format("{}{{ {} }}", text.empty() ? "" : ", ", keys);
+  }
+  return fmt::format("[{}]", text);
 }
 
 } // namespace matrigrate

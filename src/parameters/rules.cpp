@@ -31,7 +31,7 @@ std::string room(const Parameters& p) {
 }
 
 std::string hole(const Parameters& p) {
-  if (!room(p).empty()) return {}; // said already
+  if (!room(p).empty() || !p.cells.empty()) return {}; // said already, or by cell_faults()
   const double hole_radius = std::hypot(p.cell.start_x, p.cell.start_y) + p.cell.radius + p.degradation.body_distance;
   const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
   if (hole_radius < free_radius) return {};
@@ -64,6 +64,16 @@ std::string source(const Parameters& p) {
   if (p.ecm.fields.attractant_source.empty() || p.cues.diffusion > 0.0) return {};
   return "attractant that is released but does not diffuse would pile up where it is; set cues.diffusion above 0 "
          "um^2/s";
+}
+
+std::string one_start(const Parameters& p) {
+  if (p.cells.empty() || (p.cell.start_x == 0.0 && p.cell.start_y == 0.0)) return {};
+  return "is the start of a single cell, but [[cells]] says where several start; leave it out, or at 0";
+}
+
+std::string several_cells(const Parameters& p) {
+  const std::vector<CellFault> faults = cell_faults(p);
+  return faults.empty() ? "" : fmt::format("cell {} {}", faults.front().cell + 1, faults.front().message);
 }
 
 std::string resolution(const Parameters& p) {
@@ -119,6 +129,10 @@ std::span<const Rule> rules() {
        {"cell.radius", "cell.start_x", "cell.start_y", "degradation.body_distance", "ecm.radius",
         "ecm.smoothing_length"},
        hole},
+      {"a single start is that of a single cell", {"cell.start_x", "cell.start_y"}, one_start},
+      {several_cells_rule,
+       {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length", "contact.cells.range"},
+       several_cells},
       {"the matrix resolves the cell", {"ecm.particle_spacing", "cell.radius"}, resolution},
       {"a protrusion fits on the cortex", {"protrusion.half_width", "cell.particles"}, protrusion_width},
       {"a tip fits on a protrusion", {"protrusion.tip_half_width", "protrusion.half_width"}, tip_width},
@@ -133,6 +147,31 @@ std::span<const Rule> rules() {
       {"not too many steps", {"run.time_step", "run.duration"}, steps},
   };
   return all;
+}
+
+std::vector<CellFault> cell_faults(const Parameters& p) {
+  std::vector<CellFault> faults;
+  if (!room(p).empty()) return faults;
+  const double most = p.ecm.radius - 2.0 * p.ecm.smoothing_length - p.cell.radius - p.degradation.body_distance;
+  const double least = 2.0 * p.cell.radius + p.contact.cells.range;
+  for (std::size_t k = 0; k < p.cells.size(); ++k) {
+    const CellStart& a = p.cells[k];
+    const double off = std::hypot(a.x, a.y);
+    if (off >= most)
+      faults.push_back(
+          {k,
+           fmt::format("lies {:.4g} um from the centre of the disc, and with its radius and its margin it needs matrix "
+                       "that is free; allowed is < {:.4g} um, or a larger ecm.radius",
+                       off, most)});
+    for (std::size_t j = 0; j < k; ++j) {
+      const double distance = std::hypot(a.x - p.cells[j].x, a.y - p.cells[j].y);
+      if (distance < least * (1.0 - 1e-12))
+        faults.push_back({k, fmt::format("lies {:.4g} um from cell {}, centre to centre; allowed is >= {:.4g} um, two "
+                                         "radii and the range of the repulsion of cells",
+                                         distance, j + 1, least)});
+    }
+  }
+  return faults;
 }
 
 } // namespace matrigrate

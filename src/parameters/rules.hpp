@@ -2,6 +2,7 @@
 
 #include "parameters/parameters.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -21,5 +22,18 @@ struct Rule {
 };
 
 std::span<const Rule> rules();
+
+/// What is wrong with the start of one of several cells.
+struct CellFault {
+  std::size_t cell = 0; ///< index into Parameters::cells
+  std::string message;
+};
+
+/// Cells that reach the clamped rim or lie outside of the disc, and cells that lie closer than the range of their
+/// repulsion: one fault for each cell, and for each pair at the later one. None without Parameters::cells.
+std::vector<CellFault> cell_faults(const Parameters& p);
+
+/// The rule that tells the first of cell_faults().
+inline constexpr std::string_view several_cells_rule = "several cells have room";
 
 } // namespace matrigrate

@@ -52,6 +52,7 @@ constexpr std::array all_sections{
     Section{"fibres.field", "Fields of the fibres"},
     Section{"cell", "The cell"},
     Section{"contact", "Contact of cell and matrix"},
+    Section{"contact.cells", "Contact of cells with each other"},
     Section{"actomyosin", "Contraction of the cortex"},
     Section{"protrusion", "Initiation and growth of protrusions"},
     Section{"adhesion", "Adhesion, maturation and disassembly"},
@@ -179,6 +180,15 @@ constexpr std::array rows{
         "", "MODEL.md, D12", "Points of the viscous coupling on a segment are no further apart", numerical},
     Row{"contact.deepest_solid", [](Parameters& p) -> double& { return p.contact.deepest_solid; }, "um", above(0, 20),
         "", "MODEL.md, D13", "A solid particle deeper inside the cell becomes fluid at once", numerical},
+
+    Row{"contact.cells.repulsion", [](Parameters& p) -> double& { return p.contact.cells.repulsion; }, "Pa", above(0, 1e7),
+        "", "MODEL.md, D38", "Pressure between two cells whose cortices touch", optional},
+    Row{"contact.cells.range", [](Parameters& p) -> double& { return p.contact.cells.range; }, "um", above(0, 20),
+        "", "MODEL.md, D38", "Gap below which two cells repel each other", optional},
+    Row{"contact.cells.adhesion", [](Parameters& p) -> double& { return p.contact.cells.adhesion; }, "Pa", closed(0, 1e6),
+        "", "MODEL.md, D39", "Largest pull per area between two cells, 0 for cells that do not stick to each other", optional},
+    Row{"contact.cells.adhesion_range", [](Parameters& p) -> double& { return p.contact.cells.adhesion_range; }, "um", above(0, 20),
+        "", "MODEL.md, D39", "Width of the gaps, beyond contact.cells.range, over which two cells pull at each other", optional},
 
     Row{"actomyosin.force", [](Parameters& p) -> double& { return p.actomyosin.force; }, "nN", closed(0, 1000),
         "F_am", table_1, "Actomyosin force of a strand at full maturation"},
@@ -315,11 +325,21 @@ constexpr std::array rows{
     Row{"solver.max_iterations", [](Parameters& p) -> int& { return p.solver.max_iterations; }, "1", closed(1, 1000000),
         "", chosen, "Iterations after which the solver gives up", numerical},
 };
+
+double& start_x(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).x; }
+double& start_y(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).y; }
+
+constexpr std::array rows_of_cells{
+    Row{"cells.x", start_x, "um", closed(-2000, 2000), "", chosen, "Centre of a cell at the start"},
+    Row{"cells.y", start_y, "um", closed(-2000, 2000), "", chosen, "Centre of a cell at the start"},
+};
 // clang-format on
 
 } // namespace
 
 std::span<const Row> schema() { return rows; }
+
+std::span<const Row> cell_rows() { return rows_of_cells; }
 
 std::span<const Section> sections() { return all_sections; }
 

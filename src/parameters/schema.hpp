@@ -64,6 +64,16 @@ enum class Kind { quantity, ratio, angle, integer, boolean, choice, field };
 std::span<const Row> schema();
 std::span<const Section> sections();
 
+/// The keys of one table of [[cells]]; their members are those of the last of Parameters::cells.
+std::span<const Row> cell_rows();
+
+/// What [[cells]] is about, in a sentence.
+inline constexpr std::string_view cells_title =
+    "Several cells: one [[cells]] for each, with its centre; without any one cell at cell.start_x, cell.start_y";
+
+/// Largest number of cells.
+inline constexpr std::size_t most_cells = 1000;
+
 /// @return the row of a dotted path, or null
 const Row* find_row(std::string_view path);
 
@@ -84,6 +94,9 @@ std::string allowed_text(const Row& row);
 
 /// Whether the value is within the range of a row, both in its unit.
 bool in_range(const Row& row, double value);
+
+/// The starts of several cells as one line: "[{ x = \"0 um\", y = \"40 um\" }, ...]"; "[]" without.
+std::string cells_text(const Parameters& p);
 
 /// Whether two sets of parameters agree in the bits of every row.
 bool same(const Parameters& a, const Parameters& b);

@@ -106,6 +106,20 @@ Json& section_schema(Json& file, std::string_view name) {
   return *object;
 }
 
+/// [[cells]], an array of tables.
+Json cells_schema() {
+  Json table{{"type", "object"}, {"additionalProperties", false}};
+  for (const Row& row : cell_rows()) {
+    table["required"].push_back(key_of(row));
+    table["properties"][std::string(key_of(row))] = row_schema(row);
+  }
+  return {{"type", "array"},
+          {"description", cells_title},
+          {"minItems", 1},
+          {"maxItems", most_cells},
+          {"items", std::move(table)}};
+}
+
 /// Text of a cell of a table in Markdown.
 std::string cell(std::string_view text) {
   std::string escaped;
@@ -119,6 +133,12 @@ std::string to_toml(const Parameters& p) {
   std::string text = "# Every parameter of a simulation. Running this file again gives the same bits.\n";
   for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
                    [&](const Row& row) { text += comment(row) + assignment(row, p); });
+  Parameters one;
+  for (const CellStart& start : p.cells) {
+    one.cells.assign(1, start);
+    text += "\n[[cells]]\n";
+    for (const Row& row : cell_rows()) text += assignment(row, one);
+  }
   return text;
 }
 
@@ -126,10 +146,11 @@ std::string values_text(const Parameters& p) {
   std::string text;
   for (const Row& row : schema()) {
     const std::string value = value_text(row, p);
-    if (kind(row) == Kind::field && value == "\"\"") continue; // as if there were no such parameter
+    if (kind(row) == Kind::field && value == "\"\"") continue;               // as if there were no such parameter
+    if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
     text += fmt::format("{} = {}\n", row.path, value);
   }
-  return text;
+  return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));
 }
 
 std::string new_scenario(const Preset& preset, const std::string& schema) {
@@ -165,6 +186,7 @@ std::string json_schema() {
                    [&](const Row& row) {
                      section_schema(file, section_of(row))["properties"][std::string(key_of(row))] = row_schema(row);
                    });
+  file["properties"]["cells"] = cells_schema();
   return file.dump(2) + "\n";
 }
 
@@ -204,6 +226,12 @@ std::string parameters_markdown() {
         text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} |\n", key_of(row), value_text(row, {}),
                             cell(allowed_text(row)), cell(row.symbol), cell(row.description), cell(row.source));
       });
+  text += fmt::format("\n## [[cells]] {}\n\n"
+                      "1 to {} tables. Their order numbers the cells, from 1. No key may be left out.\n\n"
+                      "| key | allowed | meaning |\n|---|---|---|\n",
+                      cells_title, most_cells);
+  for (const Row& row : cell_rows())
+    text += fmt::format("| `{}` | {} | {} |\n", key_of(row), cell(allowed_text(row)), cell(row.description));
   return text;
 }
 

@@ -128,6 +128,11 @@ Json changed_parameters(const Parameters& p) {
                       {"value", bare(value_text(row, p))},
                       {"default", bare(value_text(row, defaults))},
                       {"meaning", row.description}});
+  if (!p.cells.empty())
+    list.push_back({{"name", "cells"},
+                    {"value", bare(cells_text(p))},
+                    {"default", ""},
+                    {"meaning", "Centres of the cells at the start"}});
   return list;
 }
 

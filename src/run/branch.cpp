@@ -45,6 +45,10 @@ void require_same_start(const Parameters& before, const Parameters& after) {
                         .message = fmt::format("a branch goes on with the bodies that there are, made with {}; only a "
                                                "new run can have {}",
                                                value_text(row, before), value_text(row, after))});
+  if (cells_text(before) != cells_text(after))
+    faults.push_back({.file = "--set",
+                      .key = "cells",
+                      .message = "a branch goes on with the cells that there are; only a new run can have others"});
   if (!faults.empty()) throw ConfigurationError(std::move(faults));
 }
 

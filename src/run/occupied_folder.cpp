@@ -56,6 +56,8 @@ std::string differences(const fs::path& folder, const Parameters& p, RunObserver
     if (before != now && row.path != "run.threads")
       lines.push_back(fmt::format("  {}: {} there, {} here", row.path, before, now));
   }
+  if (cells_text(there) != cells_text(p))
+    lines.push_back(fmt::format("  cells: {} there, {} here", bare(cells_text(there)), bare(cells_text(p))));
   if (lines.empty()) return "  it was written by another version of the program\n";
   return listed(std::move(lines), "\n") + "\n";
 }

@@ -24,7 +24,7 @@ struct Place {
 constexpr std::string_view exports = "export";
 constexpr std::array<Place, 4> places{{
     {"",
-     R"(checkpoint(_prev|_next)?\.h5|scenario\.resolved\.toml|run\.json|(tracks|protrusions|health|msd|summary)\.csv|)"
+     R"(checkpoint(_prev|_next)?\.h5|scenario\.resolved\.toml|run\.json|(tracks|protrusions|health|group|msd|summary)\.csv|)"
      R"(summary\.json|(snapshots|failure)\.svg|report\.html|fields\.(h5|xdmf|part))"},
     {"checkpoints", R"(t_[0-9.]+s\.h5)"},
     {"snapshots", R"(t_[0-9.]+s(_displacement|_fibre_stress)?\.svg)"},

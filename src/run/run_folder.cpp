@@ -89,6 +89,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
   m_protrusions.emplace(m_folder / "protrusions.csv", protrusion_columns(s), ended_rows(s, p));
   m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
+  if (s.cells.size() > 1) m_group.emplace(m_folder / "group.csv", io::group_columns(), fields_of(m_memory.group));
   if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
   if (m_memory.rows.empty()) return;
   for (Cadence* cadence :
@@ -215,6 +216,10 @@ void RunFolder::add_row(const State& s, const Workspace& w) {
   io::TrajectoryHash trajectory(m_memory.trajectory);
   trajectory.add(s);
   m_memory.trajectory = trajectory.value();
+  if (m_group) {
+    m_memory.group.push_back(group_row(s, m_memory.rows, m_p));
+    m_group->add(io::fields(m_memory.group.back()));
+  }
   for (const TrackRow& row : track_rows(s)) {
     m_tracks->add(io::fields(row));
     m_memory.rows.push_back(row);

@@ -92,6 +92,7 @@ private:
   std::optional<io::RowFile> m_tracks;
   std::optional<io::RowFile> m_protrusions;
   std::optional<io::RowFile> m_health;
+  std::optional<io::RowFile> m_group; ///< of several cells
   std::optional<io::FrameLog> m_frames;
   Cadence m_row_cadence;
   Cadence m_snapshot_cadence;

@@ -6,6 +6,7 @@
 #include "cell/geometry.hpp"
 #include "cell/repulsion.hpp"
 #include "cell/spring.hpp"
+#include "contact/cells.hpp"
 #include "contact/elastic.hpp"
 #include "contact/viscous.hpp"
 #include "ecm/fibres.hpp"
@@ -80,6 +81,7 @@ void describe_cells(const State& s, const Parameters& p, Workspace& w) {
     shape.nearby = nearby_solid(s.ecm, cell.cortex, SegmentGrid(cell.cortex, reach), reach);
     shape.anchor_weights = anchor_weights(cell, s.ecm, p.ecm);
   }
+  w.touches = cell_touches(s.cells, cell_reach(p.contact.cells));
 }
 
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w) {
@@ -110,6 +112,7 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);
+  add_cell_contact(s, w.touches, p, dt, w.force, w.drag);
   if (loads) {
     const Vec2 inner = sum(w.force);
     loads(s, w.force);

@@ -2,13 +2,20 @@
 
 #include "simulation/start_fields.hpp"
 
+#include <cstdint>
+
 namespace matrigrate {
 
 State initial_state(const Parameters& p) {
   State s;
   s.ecm = disc(p);
   apply(matrix_fields(p), s.ecm);
-  s.cells.emplace_back().cortex = round_cortex(p.cell);
+  for (const CellStart& start : cell_starts(p)) {
+    const auto id = static_cast<std::uint32_t>(s.cells.size());
+    Cell& cell = s.cells.emplace_back();
+    cell.id = id;
+    cell.cortex = round_cortex(p.cell, start);
+  }
   return s;
 }
 

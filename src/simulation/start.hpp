@@ -5,8 +5,8 @@
 
 namespace matrigrate {
 
-/// Initial state of a migration, at rest: the disc of matrix with its fields and a hole of fluid, and the round cell in
-/// it.
+/// Initial state of a migration, at rest: the disc of matrix with its fields and a hole of fluid for
+/// each cell, and the round cells in them.
 /// @throws ConfigurationError if the file of a field is not there any more, or has changed
 State initial_state(const Parameters& p);
 

@@ -92,14 +92,16 @@ std::string fault_of_obstacles(const Parameters& p) {
   if (!fault_of_field(p, row).empty()) return {};
   const auto obstacle = field_of(p, row.path);
   if (!obstacle) return {};
-  const Vec2 start(p.cell.start_x, p.cell.start_y);
   const double room = p.cell.radius + p.degradation.body_distance;
-  for (const Vec2& X : places(p))
-    if (in_obstacle(obstacle->at(X)) && (X - start).norm() < room)
-      return fmt::format(
-          "an obstacle lies on the cell, at ({:.4g}, {:.4g}) um; keep {:.4g} um around the cell's start at "
-          "({:.4g}, {:.4g}) um free, or move cell.start_x and cell.start_y",
-          X.x(), X.y(), room, start.x(), start.y());
+  for (const Vec2& X : places(p)) {
+    if (!in_obstacle(obstacle->at(X))) continue;
+    for (const CellStart& start : cell_starts(p))
+      if ((X - Vec2(start.x, start.y)).norm() < room)
+        return fmt::format(
+            "an obstacle lies on a cell, at ({:.4g}, {:.4g}) um; keep {:.4g} um around the cell's start at "
+            "({:.4g}, {:.4g}) um free, or move the cell",
+            X.x(), X.y(), room, start.x, start.y);
+  }
   return {};
 }
 

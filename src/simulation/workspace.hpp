@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/cells.hpp"
 #include "contact/proximity.hpp"
 #include "cues/diffusion.hpp"
 #include "ecm/drag_cache.hpp"
@@ -51,6 +52,7 @@ struct Workspace {
   DragCache drag_cache;               ///< of the matrix
   std::optional<Diffusion> diffusion; ///< of the attractant, where it diffuses
   std::vector<CellShape> cells;       ///< parallel to State::cells
+  std::vector<CellTouch> touches;     ///< of cells with each other, at x(t)
   /// Given from outside, as loads are: for each cell, a factor on the rate at which each particle of its cortex
   /// initiates protrusions, >= 0 [-]; an empty one is 1 for all. Test: tests/physics/migration_test.cpp
   std::vector<std::vector<double>> propensity;

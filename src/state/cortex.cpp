@@ -17,6 +17,12 @@ CortexState round_cortex(const CellParameters& p) {
   return s;
 }
 
+CortexState round_cortex(CellParameters p, const CellStart& start) {
+  p.start_x = start.x;
+  p.start_y = start.y;
+  return round_cortex(p);
+}
+
 double initial_segment_length(const CellParameters& p) {
   return 2.0 * p.radius * std::sin(std::numbers::pi / p.particles);
 }

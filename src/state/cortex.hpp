@@ -34,6 +34,9 @@ struct CortexState {
 /// The round cell of the start: cell.particles on a circle around (cell.start_x, cell.start_y), at rest, unstretched.
 CortexState round_cortex(const CellParameters& p);
 
+/// The same around another centre.
+CortexState round_cortex(CellParameters p, const CellStart& start);
+
 /// Length of a segment of the round cell, l_0,init [um].
 double initial_segment_length(const CellParameters& p);
 

@@ -63,9 +63,9 @@ EcmState disc(const Parameters& p) {
   s = at_rest(std::move(s));
   if (p.ecm.cell_hole) {
     const double hole_radius = p.cell.radius + p.degradation.body_distance;
-    const Vec2 centre(p.cell.start_x, p.cell.start_y);
-    for (std::size_t i = 0; i < s.size(); ++i)
-      if ((s.X[i] - centre).norm() < hole_radius) s.f[i] = 0.0;
+    for (const CellStart& start : cell_starts(p))
+      for (std::size_t i = 0; i < s.size(); ++i)
+        if ((s.X[i] - Vec2(start.x, start.y)).norm() < hole_radius) s.f[i] = 0.0;
   }
   return s;
 }

@@ -17,7 +17,7 @@ double particle_area(const EcmParameters& ecm);
 std::vector<Vec2> lattice_patch(const EcmParameters& ecm, double reach);
 
 /// The matrix of the paper: a disc around the origin whose particles within 2h of the rim are clamped. With
-/// ecm.cell_hole the disc of the cell and a margin of degradation.body_distance around it start as fluid (f = 0).
+/// ecm.cell_hole the disc of each cell and a margin of degradation.body_distance around it start as fluid (f = 0).
 EcmState disc(const Parameters& p);
 
 /// A layer between two rigid walls, periodic along x. The wall rows, of thickness 2h, lie outside `height`.

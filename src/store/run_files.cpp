@@ -75,6 +75,25 @@ std::vector<Field> fields(const HealthRow& row) {
           row.force_imbalance};
 }
 
+std::vector<std::string_view> group_columns() {
+  return {"t_s",        "x_um",   "y_um",       "spread_um", "speed_um_per_h", "order", "direction_deg",
+          "nearest_um", "gap_um", "n_contacts", "step"};
+}
+
+std::vector<Field> fields(const GroupRow& row) {
+  return {row.t,
+          row.centre.x(),
+          row.centre.y(),
+          row.spread,
+          row.speed,
+          row.order,
+          row.direction * 180.0 / std::numbers::pi,
+          row.nearest,
+          row.gap,
+          count(row.contacts),
+          row.step};
+}
+
 std::vector<std::string_view> protrusion_columns() {
   return {"id",      "centre_particle", "t_initiation_s", "t_adhesion_s", "t_mature_s", "t_disassembly_s",
           "t_end_s", "length_um",       "direction_deg",  "f_mat",        "force_nN",   "f_adh_rel",

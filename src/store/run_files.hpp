@@ -1,6 +1,7 @@
 #pragma once
 
 #include "observe/displacement_statistics.hpp"
+#include "observe/group.hpp"
 #include "observe/health.hpp"
 #include "observe/readouts.hpp"
 #include "observe/tracks.hpp"
@@ -24,6 +25,10 @@ std::vector<Field> fields(const TrackRow& row);
 /// health.csv.
 std::vector<std::string_view> health_columns();
 std::vector<Field> fields(const HealthRow& row);
+
+/// group.csv, of several cells.
+std::vector<std::string_view> group_columns();
+std::vector<Field> fields(const GroupRow& row);
 
 /// protrusions.csv of a single cell. That of several has the column `cell`, its number, before the others; so have
 /// msd.csv and summary.csv.

@@ -63,6 +63,25 @@ HealthRow health_of(const Json& json) {
           .force_imbalance = number(json.at(17))};
 }
 
+/// What is not defined is null.
+Json json_of(const GroupRow& row) {
+  return {row.t,     row.step,      to_json(row.centre), row.spread, row.speed,
+          row.order, row.direction, row.nearest,         row.gap,    row.contacts};
+}
+
+GroupRow group_of(const Json& json) {
+  return {.t = number(json.at(0)),
+          .step = integer<std::uint64_t>(json.at(1)),
+          .centre = vector(json.at(2)),
+          .spread = number(json.at(3)),
+          .speed = number(json.at(4)),
+          .order = number(json.at(5)),
+          .direction = number(json.at(6)),
+          .nearest = number(json.at(7)),
+          .gap = number(json.at(8)),
+          .contacts = integer<std::size_t>(json.at(9))};
+}
+
 Json json_of(const StepHealth& counts) {
   return {counts.solve.iterations, counts.solve.residual, counts.solve.converged, counts.density_bounds,
           counts.orphans,          counts.torn,           counts.engulfed,        counts.list_builds};
@@ -149,17 +168,18 @@ Json list(const std::vector<T>& all) {
 } // namespace
 
 std::string to_text(const RunMemory& memory) {
-  return Json{{"rows", list(memory.rows)},
-              {"health", list(memory.health)},
-              {"last", memory.last ? json_of(*memory.last) : Json()},
-              {"most_iterations", memory.watch.most_iterations},
-              {"largest_residual", memory.watch.largest_residual},
-              {"counts", json_of(memory.counts)},
-              {"scenes", list(memory.scenes)},
-              {"frames", memory.frames},
-              {"trajectory", memory.trajectory},
-              {"march_wall_time_s", memory.march_wall_time}}
-      .dump();
+  Json json{{"rows", list(memory.rows)},
+            {"health", list(memory.health)},
+            {"last", memory.last ? json_of(*memory.last) : Json()},
+            {"most_iterations", memory.watch.most_iterations},
+            {"largest_residual", memory.watch.largest_residual},
+            {"counts", json_of(memory.counts)},
+            {"scenes", list(memory.scenes)},
+            {"frames", memory.frames},
+            {"trajectory", memory.trajectory},
+            {"march_wall_time_s", memory.march_wall_time}};
+  if (!memory.group.empty()) json["group"] = list(memory.group);
+  return json.dump();
 }
 
 RunMemory parse_memory(const std::string& text) {
@@ -171,6 +191,8 @@ RunMemory parse_memory(const std::string& text) {
     if (!json.at("last").is_null()) memory.last = health_of(json.at("last"));
     memory.watch = {.most_iterations = integer<int>(json.at("most_iterations")),
                     .largest_residual = number(json.at("largest_residual"))};
+    if (json.contains("group"))
+      for (const Json& row : json.at("group")) memory.group.push_back(group_of(row));
     memory.counts = counts_of(json.at("counts"));
     for (const Json& scene : json.at("scenes")) memory.scenes.push_back(scene_of(scene));
     memory.frames = json.at("frames").get<std::vector<double>>();

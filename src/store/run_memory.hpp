@@ -1,6 +1,7 @@
 #pragma once
 
 #include "observe/cell_scene.hpp"
+#include "observe/group.hpp"
 #include "observe/health.hpp"
 #include "observe/tracks.hpp"
 
@@ -16,6 +17,7 @@ namespace matrigrate::io {
 struct RunMemory {
   std::vector<TrackRow> rows;    ///< of tracks.csv
   std::vector<HealthRow> health; ///< of health.csv
+  std::vector<GroupRow> group;   ///< of group.csv
   HealthWatch watch;             ///< since the last row
   std::optional<HealthRow> last; ///< of the last checkpoint's state: a run that goes on from it has not made its step
   StepHealth counts;             ///< since the start

@@ -61,6 +61,24 @@ class LikeTheProgram(common.InTemporaryFolder):
                 self.assertEqual(faults, [])
                 setattr(getattr(Scenario(), section), key, value)
 
+    def test_cells(self):
+        scenario = Scenario({"cells": [{"x": "-0.02 mm", "y": 0}, {"x": 20, "y": "1 um"}], "ecm": {"radius": 90}})
+        self.assertEqual(scenario.cells, [(-20.0, 0.0), (20.0, 1.0)])
+        (self.folder / "pair.toml").write_text(scenario.toml())
+        matrigrate._program.check(self.folder / "pair.toml")
+        self.assertEqual(Scenario.load(self.folder / "pair.toml"), scenario)
+        self.assertEqual(scenario.copy(), scenario)
+        moved = scenario.copy()
+        moved.cells = [(0, 0)]
+        self.assertNotEqual(moved, scenario)
+        (self.folder / "bad.toml").write_text('[[cells]]\nx = "1 Pa"\ny = 4000\n[[cells]]\nx = 0\n')
+        with self.assertRaises(matrigrate.ConfigurationError) as ours:
+            Scenario.load(self.folder / "bad.toml")
+        with self.assertRaises(matrigrate.ConfigurationError) as theirs:
+            matrigrate._program.check(self.folder / "bad.toml")
+        self.assertEqual({(f.key, f.message) for f in ours.exception.faults},
+                         {(f.key, f.message) for f in theirs.exception.faults})
+
     def test_many_faults_at_once(self):
         table = {"ecm": {"radius": -1, "a": 2}, "emc": {"x": 1}, "typo": 3}
         (self.folder / "bad.toml").write_text("typo = 3\n[ecm]\nradius = -1\na = 2\n[emc]\nx = 1\n")

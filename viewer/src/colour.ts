@@ -12,8 +12,27 @@ export const phaseColours = ["#f0a500", "#d55e00", "#8b1a6b", "#6e7781"];
 /** The same on a dark page, where the plum of contraction would be lost. */
 export const phaseColoursOnDark = ["#f0a500", "#e8743b", "#d469b8", "#9aa4b0"];
 
-export const frontColour = "#45c4b8";
-export const rearColour = "#0072b2";
+/** The front of a cell is lighter than its rear. */
+export interface CellColours {
+  rear: string;
+  front: string;
+}
+const single: CellColours = { rear: "#0072b2", front: "#45c4b8" };
+const several: CellColours[] = [
+  { rear: "#0072b2", front: "#73b9e2" },
+  { rear: "#1b7837", front: "#7fc78d" },
+  { rear: "#7b3294", front: "#c2a5cf" },
+  { rear: "#8a4f14", front: "#dfc27d" },
+  { rear: "#b2182b", front: "#f09c8c" },
+  { rear: "#01665e", front: "#5ab4ac" },
+  { rear: "#4d4d4d", front: "#b0b0b0" },
+  { rear: "#c51b7d", front: "#f1b6da" },
+];
+/** Number of colours for several cells, the same as in src/draw/cell_colours.cpp; they repeat beyond, and numbers tell those apart. */
+export const cellColourCount = several.length;
+/** @param cell  from 0   @param cells  how many there are; a single one has colours of its own */
+export const cellColours = (cell: number, cells: number): CellColours =>
+  cells > 1 ? several[cell % several.length] : single;
 
 export const viridis: Rgb[] = [
   [68, 1, 84],

@@ -31,6 +31,8 @@ export interface FrameProtrusion {
   /** As in protrusions.csv. */
   id: number;
   phase: PhaseNumber;
+  /** Number of its cell, from 1; left out where there is one cell, as everywhere below. */
+  cell?: number;
   /** Index of its centre (tip) particle on the outline. */
   centre: number;
   /** Where it adheres [um]; null while it does not. */
@@ -60,8 +62,10 @@ export interface ParticleFrames {
   ligand?: Packed;
 }
 
-/** Particles of the cortex, around the cell, one entry a particle. */
+/** Particles of the cortex, around the cell, one entry a particle; those of one cell after those of the other. */
 export interface OutlineFrames {
+  /** Number of the cell of each particle. */
+  cell?: number[];
   /** Positions [um]. */
   x: Packed;
   /** 1 in the front of the cell, 0 in its rear. */
@@ -97,8 +101,9 @@ export interface Frames {
   obstacles_um?: [number, number][];
 }
 
-/** Columns of tracks.csv, all of one length. */
+/** Columns of tracks.csv, all of one length; of several cells those of one after those of the other. */
 export interface Tracks {
+  cell?: number[];
   t_s: number[];
   x_um: number[];
   y_um: number[];
@@ -112,6 +117,7 @@ export interface Tracks {
 
 /** A row of protrusions.csv; null where that has not happened. */
 export interface ProtrusionRow {
+  cell?: number;
   id: number;
   centre_particle: number;
   t_initiation_s: number;
@@ -132,6 +138,7 @@ export interface ProtrusionRow {
 }
 
 export interface NamedValue {
+  cell?: number;
   /** As in the file the value comes from. */
   name: string;
   /** In words, with the unit in square brackets. */

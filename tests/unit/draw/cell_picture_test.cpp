@@ -1,6 +1,7 @@
 #include "draw/cell_picture.hpp"
 
 #include "base/time_text.hpp"
+#include "draw/cell_colours.hpp"
 #include "unit/draw/markup.hpp"
 
 #include "cell/geometry.hpp"
@@ -132,10 +133,26 @@ TEST(CellPicture, ShowsEveryCell) {
   const auto drawn = [](const CellScene& scene, std::string_view colour) {
     return count(cell_picture(scene, whole_disc(scene)), "<path fill=\"" + std::string(colour) + "\"");
   };
-  for (const char* colour : {"#0072b2", "#45c4b8"}) { // rear, front
-    EXPECT_EQ(drawn(one, colour), 1U);
-    EXPECT_EQ(drawn(both, colour), 2U);
-  }
+  for (const std::string_view colour : {cell_colours(0, 1).rear, cell_colours(0, 1).front})
+    EXPECT_EQ(drawn(one, colour), 1U) << colour;
+  for (const std::size_t k : {0U, 1U})
+    for (const std::string_view colour : {cell_colours(k, 2).rear, cell_colours(k, 2).front})
+      EXPECT_EQ(drawn(both, colour), 1U) << colour;
+  const std::string picture = cell_picture(both, whole_disc(both));
+  ASSERT_TRUE(parsed(picture));
+  for (const char* word : {"1", "2", "cell 1", "cell 2; rear, front"})
+    EXPECT_EQ(count(picture, std::string(">") + word + "<"), 1U) << word;
+}
+
+TEST(CellPicture, NumbersCellsWhoseColourRepeats) {
+  const Parameters p = parameters(40.0);
+  State s = state(p);
+  s.cells[0].protrusions.clear();
+  while (s.cells.size() < 20) s.cells.push_back(s.cells[0]);
+  const CellScene scene = cell_scene(s, p, {});
+  const std::string picture = cell_picture(scene, whole_disc(scene));
+  for (const char* word : {"20", "cell 1, 9, 17", "cell 8, 16; rear, front"})
+    EXPECT_EQ(count(picture, std::string(">") + word + "<"), 1U) << word;
 }
 
 /// Times over the panels of a sheet of n scenes, an hour apart [h].

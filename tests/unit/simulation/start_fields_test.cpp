@@ -83,8 +83,7 @@ TEST(StartFields, EveryFaultNamesItsPlace) {
   EXPECT_NE(fault_of("ecm.fields.youngs_modulus=200 + z").find("cannot be read as a formula"), std::string::npos);
   EXPECT_NE(fault_of("ecm.fields.youngs_modulus=none.csv").find("none.csv"), std::string::npos);
   EXPECT_NE(fault_of("ecm.fields.stiffness=3").find("there is no such parameter"), std::string::npos);
-  EXPECT_NE(fault_of("ecm.fields.obstacle=x > 10 ? 1 : 0").find("an obstacle lies on the cell, at ("),
-            std::string::npos);
+  EXPECT_NE(fault_of("ecm.fields.obstacle=x > 10 ? 1 : 0").find("an obstacle lies on a cell, at ("), std::string::npos);
   EXPECT_NE(fault_of("ecm.fields.obstacle=3*x").find("um; write a formula"), std::string::npos);
   EXPECT_NE(fault_of("fibres.field.direction_deg=1000 + x").find("um; write a formula"), std::string::npos);
 }
@@ -104,8 +103,7 @@ TEST(StartFields, AreSummedUp) {
   EXPECT_DOUBLE_EQ(all[0].low, 140.0);
   EXPECT_DOUBLE_EQ(all[0].high, 260.0);
   ASSERT_EQ(all[0].values.size(), given.places.size());
-  for (std::size_t i = 0; i < given.places.size(); ++i)
-    EXPECT_DOUBLE_EQ(all[0].values[i], 200.0 + given.places[i].x());
+  for (std::size_t i = 0; i < given.places.size(); ++i) EXPECT_DOUBLE_EQ(all[0].values[i], 200.0 + given.places[i].x());
 }
 
 } // namespace

@@ -3,6 +3,7 @@ import type { FrameProtrusion, Frames, RunPage } from "../contract";
 import { unpack, valueAt, type Field } from "../unpack";
 import { fibresOf, type Fibres } from "./bonds";
 import type { Box } from "./camera";
+import { cellParts, type CellPart } from "./cells";
 
 export interface Film {
   times: number[];
@@ -23,6 +24,8 @@ export interface Film {
   protrusions: FrameProtrusion[][];
   particles: number;
   outlinePoints: number;
+  /** Which of them belong to which cell. */
+  cells: CellPart[];
 }
 
 /** Below this f_degr a particle counts as fluid where only the solid has a value. */
@@ -77,6 +80,7 @@ export async function film(run: RunPage): Promise<Film | null> {
     protrusions: frames.protrusions,
     particles: frames.reference.per_frame,
     outlinePoints: o.x.per_frame,
+    cells: cellParts(o.x.per_frame, o.cell),
   };
 }
 

@@ -1,13 +1,13 @@
 /** What the colours and signs of the stage mean, with units and numbers. */
 import {
+  cellColourCount,
+  cellColours,
   css,
-  frontColour,
   gelOnDark,
   gelOnLight,
   gradient,
   phaseColours,
   phaseColoursOnDark,
-  rearColour,
 } from "../colour";
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
@@ -56,8 +56,27 @@ export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
 const sign = (...children: SVGElement[]) =>
   s("svg", { viewBox: "0 0 30 14", width: 30, height: 14, "aria-hidden": "true" }, ...children);
 
+const half = (x: number, width: number, fill: string) => s("rect", { x, width, height: 14, fill });
+
+/** Front and rear of a single cell; of several the colours of each: "cell 1, 9". */
+function cellSigns(cells: number): [SVGElement, string][] {
+  if (cells < 2) {
+    const { front, rear } = cellColours(0, cells);
+    return [
+      [sign(s("rect", { width: 30, height: 14, rx: 2, fill: front })), "front"],
+      [sign(s("rect", { width: 30, height: 14, rx: 2, fill: rear })), "rear"],
+    ];
+  }
+  return Array.from({ length: Math.min(cells, cellColourCount) }, (_, k) => {
+    const { front, rear } = cellColours(k, cells);
+    const numbers = Array.from({ length: Math.ceil((cells - k) / cellColourCount) }, (_, n) => 1 + k + n * cellColourCount);
+    const words = `cell ${numbers.slice(0, 4).join(", ")}${numbers.length > 4 ? ", \u2026" : ""}${k === 0 ? " (rear, front)" : ""}`;
+    return [sign(half(0, 15, rear), half(15, 15, front)), words];
+  });
+}
+
 /** The signs drawn over the matrix. */
-export function signs(obstacles: boolean): HTMLElement {
+export function signs(cells: number, obstacles: boolean): HTMLElement {
   const dark = isDark();
   const colours = dark ? phaseColoursOnDark : phaseColours;
   const line = dark ? "#fff" : "#1f2328";
@@ -71,8 +90,7 @@ export function signs(obstacles: boolean): HTMLElement {
           "rigid obstacle",
         )
       : null,
-    entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: frontColour })), "front"),
-    entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: rearColour })), "rear"),
+    ...cellSigns(cells).map(([picture, words]) => entry(picture, words)),
     ...phaseNames.map((name, k) =>
       entry(
         sign(

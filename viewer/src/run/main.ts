@@ -8,10 +8,16 @@ import { hook } from "./save/hook";
 import { runView } from "./view";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
+  const several = values.some((v) => v.cell !== undefined);
   return table(
-    ["what", "value", "name in files"],
-    values.map((v) => [pretty(v.meaning), readable(v.value), h("code", {}, v.name)]),
-    { numeric: [1], caption },
+    [...(several ? ["cell"] : []), "what", "value", "name in files"],
+    values.map((v) => [
+      ...(several ? [String(v.cell ?? "")] : []),
+      pretty(v.meaning),
+      readable(v.value),
+      h("code", {}, v.name),
+    ]),
+    { numeric: several ? [0, 2] : [1], caption },
   );
 }
 

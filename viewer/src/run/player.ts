@@ -5,6 +5,7 @@ import { h, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
 import { usual } from "./over/arrows";
 import type { Clock } from "./clock";
+import { ofCell } from "./cells";
 import { description } from "./describe";
 import { placeAt, type Film } from "./frames";
 import { attachKeys, keyList } from "./keys";
@@ -45,7 +46,7 @@ function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
       h(
         "tr",
         {},
-        h("td", {}, h("span", { class: `dot phase${p.phase}` }), `${p.id} ${phaseNames[p.phase]}`),
+        h("td", {}, h("span", { class: `dot phase${p.phase}` }), `${ofCell(p.cell)}${p.id} ${phaseNames[p.phase]}`),
         h("td", { class: "number" }, p.anchor ? readable(p.f_mat, 2) : "\u2013"),
         h("td", { class: "number" }, p.anchor ? readable(p.force_nN, 2) : "\u2013"),
       ),

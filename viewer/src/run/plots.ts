@@ -1,8 +1,9 @@
 /** Small line plots of the run, with a cursor at the player's time; a click or a drag in one sets that time. */
 import { palette } from "../colour";
 import type { Tracks } from "../contract";
-import { h, s } from "../dom";
+import { h, isDark, s } from "../dom";
 import { readable, roundStep, ticks } from "../numbers";
+import { coloursOf, tracksOfCells, type CellTracks } from "./cells";
 import type { Clock } from "./clock";
 
 /** Drawn once in these units and scaled by the browser only down, so that text keeps a readable size. */
@@ -86,18 +87,29 @@ export const hours = (clock: Clock): Axis => {
 const line = (made: Frame, x: number[], y: number[]): string =>
   x.map((v, i) => `${i === 0 ? "M" : "L"}${made.x(v).toFixed(1)} ${made.y(y[i]).toFixed(1)}`).join("");
 
-/** A quantity over time [s]. */
+/** A quantity of a cell over time [s]. */
+interface Curve {
+  t: number[];
+  values: number[];
+  /** Of several cells: which; its colour. */
+  name: string;
+  colour: string | undefined;
+}
+
+const tint = (colour: string | undefined, what: "stroke" | "fill" = "stroke") => (colour ? { style: `${what}:${colour}` } : {});
+
+/** One curve for each cell. */
 function overTime(
   clock: Clock,
   width: number,
-  t: number[],
-  values: number[],
+  curves: Curve[],
   label: string,
   fromZero: boolean,
   gone: AbortSignal,
 ): SVGSVGElement {
-  const high = Math.max(...values, fromZero ? 1e-9 : -Infinity);
-  const low = fromZero ? 0 : Math.min(...values);
+  const all = curves.flatMap((curve) => curve.values);
+  const high = all.reduce((a, b) => Math.max(a, b), fromZero ? 1e-9 : -Infinity);
+  const low = fromZero ? 0 : all.reduce((a, b) => Math.min(a, b), Infinity);
   const room = 0.06 * (high - low || 1);
   const yAxis = {
     low: fromZero ? 0 : low - room,
@@ -106,20 +118,29 @@ function overTime(
     ticks: ticks(fromZero ? 0 : low - room, high + room, 4),
   };
   const made = frame(width, 210, hours(clock), yAxis, `${label} over time`);
-  const inHours = t.map((v) => v / 3600);
-  made.svg.append(s("path", { class: "curve", d: line(made, inHours, values) }));
   const cursor = s("path", { class: "cursor" });
-  const dot = s("circle", { class: "here", r: 4.5 });
+  const dots = curves.map((curve) => s("circle", { class: "here", r: 4.5, ...tint(curve.colour, "fill") }));
   const words = s("text", { class: "value", y: margin.top + 10 });
-  made.svg.append(cursor, dot, words);
+  for (const curve of curves)
+    made.svg.append(
+      s(
+        "path",
+        { class: "curve", d: line(made, curve.t.map((v) => v / 3600), curve.values), ...tint(curve.colour) },
+        ...(curve.name ? [s("title", {}, curve.name)] : []),
+      ),
+    );
+  made.svg.append(cursor, ...dots, words);
   const update = () => {
-    const i = nearest(t, clock.time);
     const at = made.x(clock.time / 3600);
     cursor.setAttribute("d", `M${at} ${margin.top}V${210 - margin.bottom}`);
-    if (values[i] === undefined) return;
-    dot.setAttribute("cx", String(made.x(inHours[i])));
-    dot.setAttribute("cy", String(made.y(values[i])));
-    words.textContent = readable(values[i], 3);
+    curves.forEach(({ t, values }, k) => {
+      const i = nearest(t, clock.time);
+      if (values[i] === undefined) return;
+      dots[k].setAttribute("cx", String(made.x(t[i] / 3600)));
+      dots[k].setAttribute("cy", String(made.y(values[i])));
+      // Of several cells the curves say it.
+      if (curves.length === 1) words.textContent = readable(values[i], 3);
+    });
     const leftward = at > 0.8 * width;
     words.setAttribute("x", String(at + (leftward ? -7 : 7)));
     words.setAttribute("text-anchor", leftward ? "end" : "start");
@@ -151,13 +172,16 @@ export function speeds(tracks: Tracks): { t: number[]; v: number[] } {
   return out;
 }
 
-/** The path with both axes to the same scale; the part so far is strong, the rest faint. */
-function path(clock: Clock, width: number, tracks: Tracks, gone: AbortSignal): SVGSVGElement {
+/** The paths with both axes to the same scale; the part so far is strong, the rest faint. */
+function path(clock: Clock, width: number, cells: CellTracks[], gone: AbortSignal): SVGSVGElement {
   const height = Math.min(width, 430);
-  const [xs, ys] = [tracks.x_um, tracks.y_um];
-  const centre = (v: number[]) => 0.5 * (Math.max(...v) + Math.min(...v));
+  const every = cells.flatMap(({ tracks }, k) => tracks.t_s.map((t, i) => ({ t, x: tracks.x_um[i], y: tracks.y_um[i], k })));
+  const [xs, ys] = [every.map((at) => at.x), every.map((at) => at.y)];
+  const most = (v: number[]) => v.reduce((a, b) => Math.max(a, b));
+  const least = (v: number[]) => v.reduce((a, b) => Math.min(a, b));
+  const centre = (v: number[]) => 0.5 * (most(v) + least(v));
   const [w, k] = [width - margin.left - margin.right, height - margin.top - margin.bottom];
-  const span = (v: number[]) => Math.max(...v) - Math.min(...v);
+  const span = (v: number[]) => most(v) - least(v);
   const scale = 1.12 * Math.max(span(xs) / w, span(ys) / k, 10 / w);
   const axis = (v: number[], pixels: number, label: string): Axis => {
     const [low, high] = [centre(v) - 0.5 * scale * pixels, centre(v) + 0.5 * scale * pixels];
@@ -168,57 +192,77 @@ function path(clock: Clock, width: number, tracks: Tracks, gone: AbortSignal): S
     height,
     axis(xs, w, "x [\u00b5m]"),
     axis(ys, k, "y [\u00b5m]"),
-    "Path of the centre of mass",
+    cells.length > 1 ? "Paths of the centres of mass" : "Path of the centre of mass",
   );
-  const soFar = s("path", { class: "curve" });
-  const here = s("circle", { class: "here", r: 5 });
   const bar = 0.4 * roundStep(0.5 * scale * w);
+  const updates = cells.map(({ number, tracks: { t_s, x_um, y_um } }) => {
+    const ofLine = colour(number, cells.length);
+    const own = tint(ofLine);
+    const soFar = s("path", { class: "curve", ...own });
+    const here = s("circle", { class: "here", r: 5, ...tint(ofLine, "fill") }, ...(cells.length > 1 ? [s("title", {}, `cell ${number}`)] : []));
+    made.svg.append(
+      s("path", { class: "curve faint", d: line(made, x_um, y_um), ...own }),
+      soFar,
+      s("circle", { class: "start", cx: made.x(x_um[0]), cy: made.y(y_um[0]), r: 4.5, ...own }, s("title", {}, "start")),
+      here,
+    );
+    return () => {
+      const i = nearest(t_s, clock.time);
+      soFar.setAttribute("d", line(made, x_um.slice(0, i + 1), y_um.slice(0, i + 1)));
+      here.setAttribute("cx", String(made.x(x_um[i])));
+      here.setAttribute("cy", String(made.y(y_um[i])));
+    };
+  });
   made.svg.append(
-    s("path", { class: "curve faint", d: line(made, xs, ys) }),
-    soFar,
-    s("circle", { class: "start", cx: made.x(xs[0]), cy: made.y(ys[0]), r: 4.5 }, s("title", {}, "start")),
-    here,
     s("path", { class: "scale-bar", d: `M${margin.left + 14} ${height - margin.bottom - 14}h${bar / scale}` }),
     s("text", { class: "value", x: margin.left + 14, y: height - margin.bottom - 22 }, `${readable(bar)} \u00b5m`),
   );
   const update = () => {
-    const i = nearest(tracks.t_s, clock.time);
-    soFar.setAttribute("d", line(made, xs.slice(0, i + 1), ys.slice(0, i + 1)));
-    here.setAttribute("cx", String(made.x(xs[i])));
-    here.setAttribute("cy", String(made.y(ys[i])));
+    for (const one of updates) one();
   };
   clock.onChange(update, gone);
   update();
   onPick(made, (px, py) => {
-    const away = xs.map((x, i) => Math.hypot(made.x(x) - px, made.y(ys[i]) - py));
-    clock.jump(tracks.t_s[away.indexOf(Math.min(...away))]);
+    const away = every.map(({ x, y }) => Math.hypot(made.x(x) - px, made.y(y) - py));
+    clock.jump(every[away.indexOf(least(away))].t);
   });
   return made.svg;
 }
 
 const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
 
+/** Of several cells; of one the style sheet has it. */
+const colour = (number: number, cells: number) =>
+  cells > 1 ? coloursOf(number, cells)[isDark() ? "front" : "rear"] : undefined;
+
 /** @param gone  when these plots are taken away */
 export function plots(tracks: Tracks, clock: Clock, width: number, gone: AbortSignal): HTMLElement {
   if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
-  const speed = speeds(tracks);
+  const cells = tracksOfCells(tracks);
+  const curves = (of: (own: Tracks) => { t: number[]; v: number[] }): Curve[] =>
+    cells.map(({ number, tracks: own }) => {
+      const { t, v } = of(own);
+      return { t, values: v, name: cells.length > 1 ? `cell ${number}` : "", colour: colour(number, cells.length) };
+    });
   const column = width > 800 ? Math.floor((width - 32) / 2) : width;
   return h(
     "div",
     { class: "plots", style: `--first:${palette[0]}` },
     figure(
-      path(clock, column, tracks, gone),
-      "Path of the centre of mass. The ring is the start, the dot the time of the player.",
+      path(clock, column, cells, gone),
+      cells.length > 1
+        ? "Paths of the centres of mass, in the colours of the cells. The rings are the starts, the dots the time of the player."
+        : "Path of the centre of mass. The ring is the start, the dot the time of the player.",
     ),
     h(
       "div",
       {},
       figure(
-        overTime(clock, column, speed.t, speed.v, "speed [\u00b5m/h]", true, gone),
+        overTime(clock, column, curves(speeds), "speed [\u00b5m/h]", true, gone),
         "Speed: displacement over ten minutes.",
       ),
       figure(
-        overTime(clock, column, tracks.t_s, tracks.area_um2, "area [\u00b5m\u00b2]", false, gone),
+        overTime(clock, column, curves((own) => ({ t: own.t_s, v: own.area_um2 })), "area [\u00b5m\u00b2]", false, gone),
         "Area inside the cortex.",
       ),
     ),

@@ -2,6 +2,7 @@
 import { phaseNames, type ProtrusionRow } from "../contract";
 import { h, s, table } from "../dom";
 import { readable, timeText } from "../numbers";
+import { coloursOf } from "./cells";
 import type { Clock } from "./clock";
 import { frame, hours, onPick } from "./plots";
 
@@ -32,7 +33,7 @@ const causeText = (row: ProtrusionRow): string =>
   row.cause ? (causes[row.cause] ?? row.cause) : row.t_mature_s !== null ? "still adheres" : "still alive";
 
 function story(row: ProtrusionRow): string {
-  const lines = [`Protrusion ${row.id}: ${causeText(row)}`, `initiated at ${timeText(row.t_initiation_s)}`];
+  const lines = [`${row.cell === undefined ? "Protrusion" : `Cell ${row.cell}, protrusion`} ${row.id}: ${causeText(row)}`, `initiated at ${timeText(row.t_initiation_s)}`];
   if (row.length_um !== null) lines.push(`length ${readable(row.length_um, 3)} \u00b5m at the end of growth`);
   if (row.f_mat !== null) lines.push(`matured to f_mat = ${readable(row.f_mat, 2)}`);
   if (row.t_disassembly_s !== null && row.t_mature_s !== null)
@@ -51,6 +52,9 @@ function remark(row: ProtrusionRow, wide: boolean): string {
   return parts.join(wide ? ", " : " ");
 }
 
+/** "3", or of several cells "2/3": the third of cell 2. */
+const rowName = (row: ProtrusionRow): string => (row.cell === undefined ? String(row.id) : `${row.cell}/${row.id}`);
+
 /** @param gone  when this timeline is taken away */
 export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gone: AbortSignal): HTMLElement {
   if (rows.length === 0) return h("p", {}, "No protrusion was initiated.");
@@ -65,6 +69,7 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
     "Phases of each protrusion over time; the table below has the numbers",
   );
   const wide = width > 700;
+  const cells = Math.max(1, ...rows.map((row) => row.cell ?? 1));
   const right = made.x(clock.end / 3600);
   const remarks = s("g", { class: "remarks" });
   rows.forEach((row, k) => {
@@ -81,8 +86,10 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
       {},
       s("title", {}, story(row)),
       s("rect", { class: "row", x: made.x(0), y, width: right - made.x(0), height: pitch }),
-      s("text", { x: made.x(0) - 8, y: y + 15.5, "text-anchor": "end" }, String(row.id)),
+      s("text", { x: made.x(0) - 8, y: y + 15.5, "text-anchor": "end" }, rowName(row)),
     );
+    if (row.cell !== undefined)
+      group.append(s("rect", { x: made.x(0) - 5, y: y + 1, width: 4, height: pitch - 2, fill: coloursOf(row.cell, cells).rear }));
     for (const bar of all)
       group.append(
         s("rect", {
@@ -105,7 +112,7 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
     made.svg.append(group);
   });
   // Above the numbers: turned by a quarter it would be cut off where there are few rows.
-  made.svg.append(s("text", { x: 2, y: 13 }, "protrusion"));
+  made.svg.append(s("text", { x: 2, y: 13 }, rows[0].cell === undefined ? "protrusion" : "cell/protrusion"));
   const cursor = s("path", { class: "cursor" });
   made.svg.append(cursor, remarks);
   const update = () => cursor.setAttribute("d", `M${made.x(clock.time / 3600)} ${top}V${height - bottom}`);
@@ -136,7 +143,9 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
 
 export function protrusionTable(rows: ProtrusionRow[]): HTMLElement {
   const minutes = (seconds: number | null) => (seconds === null ? "\u2013" : (seconds / 60).toFixed(1));
+  const several = rows.some((row) => row.cell !== undefined);
   const heads = [
+    ...(several ? ["cell"] : []),
     "id",
     "initiated [min]",
     "adhered [min]",
@@ -152,6 +161,7 @@ export function protrusionTable(rows: ProtrusionRow[]): HTMLElement {
   return table(
     heads,
     rows.map((row) => [
+      ...(several ? [String(row.cell)] : []),
       String(row.id),
       minutes(row.t_initiation_s),
       minutes(row.t_adhesion_s),
@@ -164,6 +174,6 @@ export function protrusionTable(rows: ProtrusionRow[]): HTMLElement {
       readable(row.f_adh_rel, 3),
       causeText(row),
     ]),
-    { numeric: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9], caption: "Protrusions" },
+    { numeric: heads.map((_, k) => k).slice(0, -1), caption: "Protrusions" },
   );
 }

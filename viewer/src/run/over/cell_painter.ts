@@ -1,5 +1,5 @@
 /** Draws what lies over the matrix: the cell with front and rear, its protrusions, adhesions, path, and arrows. */
-import { frontColour, phaseColours, phaseColoursOnDark, rearColour } from "../../colour";
+import { phaseColours, phaseColoursOnDark } from "../../colour";
 import type { FrameProtrusion, Tracks } from "../../contract";
 import { roundStep } from "../../numbers";
 import { valueAt } from "../../unpack";
@@ -16,6 +16,7 @@ import {
   type Usual,
 } from "./arrows";
 import type { Camera } from "../camera";
+import { coloursOf, tracksOfCells, type CellPart } from "../cells";
 import { paintEdge, type Edge } from "./edge";
 import { outlineAt, type Film, type Place } from "../frames";
 import type { Shown } from "../matrix/layers";
@@ -68,18 +69,21 @@ function trace(c: Pen, camera: Camera, outline: Float32Array, indices: Iterable<
   }
 }
 
-function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32Array): void {
-  const n = film.outlinePoints;
-  const all = Array.from({ length: n }, (_, i) => i);
+/** Runs of points of one cell, as indices on the outline of all. */
+const runsOf = ({ first, end }: CellPart, has: (i: number) => boolean): number[][] =>
+  runs(end - first, (i) => has(first + i)).map((run) => run.map((i) => first + i));
+
+function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32Array, cell: CellPart): void {
+  const { rear, front } = coloursOf(cell.number, film.cells.length);
   c.save();
   c.beginPath();
-  trace(c, camera, outline, all);
+  trace(c, camera, outline, Array.from({ length: cell.end - cell.first }, (_, i) => cell.first + i));
   c.closePath();
-  c.fillStyle = rearColour;
+  c.fillStyle = rear;
   c.fill();
   c.clip();
-  c.fillStyle = frontColour;
-  for (const run of runs(n, (i) => valueAt(film.outline.front, place.frame, i) > 0.5)) {
+  c.fillStyle = front;
+  for (const run of runsOf(cell, (i) => valueAt(film.outline.front, place.frame, i) > 0.5)) {
     c.beginPath();
     trace(c, camera, outline, run);
     c.closePath();
@@ -88,10 +92,29 @@ function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32A
   c.restore();
 }
 
+/** The number of a cell in its middle: colours repeat, and not everybody sees them. */
+function paintNumber(c: Pen, camera: Camera, outline: Float32Array, cell: CellPart): void {
+  const middle = [0, 1].map((k) => {
+    let sum = 0;
+    for (let i = cell.first; i < cell.end; ++i) sum += outline[2 * i + k];
+    return sum / (cell.end - cell.first);
+  });
+  const [x, y] = [camera.toScreenX(middle[0]), camera.toScreenY(middle[1])];
+  const text = String(cell.number);
+  c.font = labelFont;
+  c.beginPath();
+  c.arc(x, y, 10, 0, 2 * Math.PI);
+  c.fillStyle = "rgba(255,255,255,.85)";
+  c.fill();
+  c.fillStyle = "#1f2328";
+  c.fillText(text, x - 0.5 * c.measureText(text).width, y + 5);
+}
+
 function paintProtrusion(c: Pen, scene: CellScene, outline: Float32Array, p: FrameProtrusion, slot: number): void {
   const { film, place, camera, dark } = scene;
   const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
-  for (const run of runs(film.outlinePoints, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
+  const cell = film.cells.find(({ first, end }) => p.centre >= first && p.centre < end) ?? film.cells[0];
+  for (const run of runsOf(cell, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
     c.beginPath();
     trace(c, camera, outline, run);
     edged(
@@ -122,18 +145,19 @@ function paintAdhesion(c: Pen, { camera, dark }: CellScene, outline: Float32Arra
   c.stroke();
 }
 
-function paintPath(c: Pen, { camera, tracks, time, dark }: CellScene): void {
+/** @param colour  of the line */
+function paintPath(c: Pen, { camera, time, dark }: CellScene, tracks: Tracks, colour: string): void {
   c.beginPath();
   for (let i = 0; i < tracks.t_s.length && tracks.t_s[i] <= time; ++i)
     c.lineTo(camera.toScreenX(tracks.x_um[i]), camera.toScreenY(tracks.y_um[i]));
-  edged(c, dark ? "#ffffff" : "#1f2328", dark ? "#14171a" : "#ffffff", 1.6);
+  edged(c, colour, dark ? "#14171a" : "#ffffff", 1.6);
   if (tracks.t_s.length === 0) return;
   c.beginPath();
   c.arc(camera.toScreenX(tracks.x_um[0]), camera.toScreenY(tracks.y_um[0]), 3.6, 0, 2 * Math.PI);
   c.fillStyle = dark ? "#14171a" : "#ffffff";
   c.fill();
   c.lineWidth = 1.8;
-  c.strokeStyle = dark ? "#ffffff" : "#1f2328";
+  c.strokeStyle = colour;
   c.stroke();
 }
 
@@ -176,18 +200,26 @@ export function paintCell(c: Pen, scene: CellScene): void {
   part("arrows");
   if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
   part("cell");
-  if (shown.cell) paintBody(c, scene, outline);
+  if (shown.cell) for (const cell of film.cells) paintBody(c, scene, outline, cell);
   part("protrusions");
   if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
   part("edge");
   // Over the protrusions: whoever chose a colour for the edge wants to see it there above all.
-  if (shown.cell) paintEdge(c, camera, outline, scene.edge, place);
+  if (shown.cell) paintEdge(c, camera, outline, film.cells, scene.edge, place);
   part("adhesions");
   if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
   part("path");
-  if (shown.path) paintPath(c, scene);
+  const tracks = tracksOfCells(scene.tracks);
+  const lineOf = (number: number) => {
+    if (tracks.length === 1) return ink(dark).line;
+    const { rear, front } = coloursOf(number, tracks.length);
+    return dark ? front : rear;
+  };
+  if (shown.path) for (const one of tracks) paintPath(c, scene, one.tracks, lineOf(one.number));
   part("polarization");
-  if (shown.polarization) paintPolarization(c, camera, scene.tracks, scene.time, dark);
+  if (shown.polarization) for (const one of tracks) paintPolarization(c, camera, one.tracks, scene.time, dark);
+  part("numbers");
+  if (shown.cell && film.cells.length > 1) for (const cell of film.cells) paintNumber(c, camera, outline, cell);
   part("traction");
   if (shown.traction) paintTraction(c, scene, outline, pixelsPerForce(usual));
   part("scales");

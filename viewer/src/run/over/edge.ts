@@ -4,6 +4,7 @@ import { h } from "../../dom";
 import { readable } from "../../numbers";
 import type { Field } from "../../unpack";
 import type { Camera } from "../camera";
+import type { CellPart } from "../cells";
 import { between, type Film, type Place } from "../frames";
 import type { Pen } from "./pen";
 
@@ -39,25 +40,26 @@ export function paintEdge(
   c: Pen,
   camera: Camera,
   outline: Float32Array,
+  cells: CellPart[],
   edge: Edge,
   place: Place,
 ): void {
   if (!edge.field) return;
-  const n = outline.length / 2;
   c.lineCap = "round";
   // First a light line all around, which sets the colours off from the cell and the matrix.
   for (const ground of [true, false]) {
     c.lineWidth = ground ? 7 : 4.5;
-    for (let i = 0; i < n; ++i) {
-      const k = (i + 1) % n;
-      const value = Math.min(1, Math.max(0, between(edge.field, place, i) / edge.high));
-      const at = 4 * Math.round(255 * value);
-      c.strokeStyle = ground ? "#ffffff" : css([table[at], table[at + 1], table[at + 2]] as Rgb);
-      c.beginPath();
-      c.moveTo(camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1]));
-      c.lineTo(camera.toScreenX(outline[2 * k]), camera.toScreenY(outline[2 * k + 1]));
-      c.stroke();
-    }
+    for (const { first, end } of cells)
+      for (let i = first; i < end; ++i) {
+        const k = i + 1 === end ? first : i + 1;
+        const value = Math.min(1, Math.max(0, between(edge.field, place, i) / edge.high));
+        const at = 4 * Math.round(255 * value);
+        c.strokeStyle = ground ? "#ffffff" : css([table[at], table[at + 1], table[at + 2]] as Rgb);
+        c.beginPath();
+        c.moveTo(camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1]));
+        c.lineTo(camera.toScreenX(outline[2 * k]), camera.toScreenY(outline[2 * k + 1]));
+        c.stroke();
+      }
   }
 }
 

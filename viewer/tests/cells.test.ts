@@ -1,0 +1,86 @@
+/** Several cells: each has its colour and its number, in the player, the legend, the plots and the tables. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { groupOf } from "../sample/group";
+import { sampleRun } from "../sample/run";
+import { cellColourCount, cellColours } from "../src/colour";
+import { cellParts, tracksOfCells } from "../src/run/cells";
+import { launch, open } from "./browser";
+
+const one = () => sampleRun({ radius: 110, interval: 600, end: 7200, fibres: false });
+const shifts: [number, number][] = [
+  [-40, 0],
+  [40, 0],
+  [0, 55],
+];
+
+let browser: Browser;
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
+
+/** How many pixels of the upper canvas have a colour. */
+async function pixelsOf(page: Page, colour: string): Promise<number> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return page.evaluate((wanted) => {
+    const canvas = document.querySelector<HTMLCanvasElement>(".stage canvas.cell")!;
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+    const [r, g, b] = [1, 3, 5].map((k) => parseInt(wanted.slice(k, k + 2), 16));
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] === r && data[i + 1] === g && data[i + 2] === b) ++count;
+    return count;
+  }, colour);
+}
+
+test("points and rows are told apart by the number of the cell", () => {
+  assert.deepEqual(cellParts(3, undefined), [{ number: 1, first: 0, end: 3 }]);
+  assert.deepEqual(cellParts(4, [1, 1, 2, 2]), [
+    { number: 1, first: 0, end: 2 },
+    { number: 2, first: 2, end: 4 },
+  ]);
+  const { tracks } = one();
+  assert.equal(tracksOfCells(tracks)[0].tracks, tracks);
+});
+
+test("each of several cells has a colour of its own, and a single one those that it had", () => {
+  const all = Array.from({ length: cellColourCount }, (_, k) => cellColours(k, 2));
+  assert.equal(new Set(all.flatMap(({ rear, front }) => [rear, front])).size, 2 * cellColourCount);
+  assert.deepEqual(cellColours(0, 1), { rear: "#0072b2", front: "#45c4b8" });
+  assert.deepEqual(cellColours(cellColourCount, 20), cellColours(0, 20));
+});
+
+test("the player draws each cell in its colours, and the page says which cell", async () => {
+  const { page, errors } = await open(browser, "run", JSON.stringify(await groupOf(one(), shifts)));
+  await page.locator(".scrub").fill("6000");
+  for (const k of [0, 1, 2]) {
+    const { rear, front } = cellColours(k, 3);
+    assert.ok((await pixelsOf(page, rear)) > 100, `rear of cell ${k + 1}`);
+    assert.ok((await pixelsOf(page, front)) > 100, `front of cell ${k + 1}`);
+  }
+  assert.equal(await pixelsOf(page, cellColours(0, 1).front), 0);
+  const signs = await page.locator(".panel .signs").textContent();
+  assert.match(signs ?? "", /cell 1 \(rear, front\)cell 2cell 3/);
+  assert.match((await page.locator(".run-player .unseen").allTextContents()).join(" "), /Cell 3 at x/);
+  assert.match((await page.locator(".present").textContent()) ?? "", /cell 1, \d+ /);
+  assert.equal(await page.locator("#path .plot").first().locator(".curve.faint").count(), 3);
+  assert.equal(await page.locator("#path .plot").nth(1).locator(".curve").count(), 3);
+  assert.match((await page.locator("#protrusions .plot").textContent()) ?? "", /2\/1/);
+  assert.equal(await page.locator("#readouts th").first().textContent(), "cell");
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("a single cell has neither numbers nor a column for them", async () => {
+  const { page, errors } = await open(browser, "run", JSON.stringify(one()));
+  await page.locator(".scrub").fill("6000");
+  assert.ok((await pixelsOf(page, cellColours(0, 1).front)) > 100);
+  assert.equal(await pixelsOf(page, cellColours(0, 2).front), 0);
+  assert.doesNotMatch((await page.locator(".panel .signs").textContent()) ?? "", /cell 1/);
+  assert.equal(await page.locator("#readouts th").first().textContent(), "what");
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
