@@ -61,6 +61,7 @@ FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const Fi
       m_X_ij.push_back(X);
       m_length.push_back(X.norm());
       m_weight.push_back(0.5 * kernel.W(X.norm()) * (1.0 / sum[i] + 1.0 / sum[j]));
+      if (!ecm.fibre_ratio.empty()) m_weight.back() *= 0.5 * (ecm.fibre_ratio[i] + ecm.fibre_ratio[j]);
     }
     m_pairs.first.push_back(static_cast<std::uint32_t>(m_pairs.index.size()));
   }

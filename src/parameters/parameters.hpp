@@ -73,6 +73,7 @@ enum class FibreForce { axial, vectorial };
 /// Fields of the fibres over the plane, as EcmFieldParameters.
 struct FibreFieldParameters {
   std::string direction_deg; ///< in place of fibres.direction_deg [degrees]
+  std::string stiffness;     ///< in place of fibres.stiffness [Pa]
 };
 
 struct FibreParameters {

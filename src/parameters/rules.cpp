@@ -60,6 +60,11 @@ std::string guidance(const Parameters& p) {
   return "there are no fibres along a direction to follow; set fibres.arrangement to uniaxial";
 }
 
+std::string fibre_stiffness(const Parameters& p) {
+  if (p.fibres.field.stiffness.empty() || p.fibres.stiffness > 0.0) return {};
+  return "a field of the stiffness of fibres is taken relative to fibres.stiffness; set that above 0 Pa";
+}
+
 std::string source(const Parameters& p) {
   if (p.ecm.fields.attractant_source.empty() || p.cues.diffusion > 0.0) return {};
   return "attractant that is released but does not diffuse would pile up where it is; set cues.diffusion above 0 "
@@ -143,6 +148,7 @@ std::span<const Rule> rules() {
        chemotaxis},
       {"there is ligand to sense", {"cues.haptotaxis", "ecm.fields.ligand"}, haptotaxis},
       {"there are fibres to follow", {"cues.guidance", "fibres.arrangement"}, guidance},
+      {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},
       {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},
   };

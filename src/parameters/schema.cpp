@@ -146,6 +146,8 @@ constexpr std::array rows{
 
     Row{"fibres.field.direction_deg", [](Parameters& p) -> std::string& { return p.fibres.field.direction_deg; }, "deg", closed(-360, 360),
         "", "MODEL.md, D32", "Direction of uniaxial fibres from place to place, in place of fibres.direction_deg", optional},
+    Row{"fibres.field.stiffness", [](Parameters& p) -> std::string& { return p.fibres.field.stiffness; }, "Pa", closed(0, 1e7),
+        "", "MODEL.md, D32", "Stiffness of the fibres from place to place, in place of fibres.stiffness", optional},
 
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),
         "R", table_1, "Radius of the cell at the start"},

@@ -56,6 +56,11 @@ MatrixFields matrix_fields(const Parameters& p) {
     const auto ratio = [E, uniform](const Vec2& X) { return E->at(X) / 1000.0 / uniform; }; // Pa to kPa
     if (std::ranges::any_of(places(p), [&](const Vec2& X) { return ratio(X) != 1.0; })) given.E_ratio = ratio;
   }
+  const auto k_0 = field_of(p, "fibres.field.stiffness");
+  if (k_0 && p.fibres.arrangement != FibreArrangement::none && p.fibres.stiffness > 0.0) {
+    const double uniform = p.fibres.stiffness;
+    given.fibre_ratio = [k_0, uniform](const Vec2& X) { return k_0->at(X) / 1000.0 / uniform; }; // Pa to kPa
+  }
   const auto as_it_is = [&](std::string_view path, std::function<double(const Vec2&)>& field) {
     if (const auto of_text = field_of(p, path)) field = [of_text](const Vec2& X) { return of_text->at(X); };
   };
@@ -123,11 +128,14 @@ FieldSummaries field_summaries(const Parameters& p) {
 
 Parameters as_stiff_everywhere(const Parameters& p) {
   Parameters stiffest = p;
-  if (const auto E = field_of(p, "ecm.fields.youngs_modulus")) {
-    stiffest.ecm.youngs_modulus = 0.0;
-    for (const Vec2& X : places(p))
-      stiffest.ecm.youngs_modulus = std::max(stiffest.ecm.youngs_modulus, E->at(X) / 1000.0);
-  }
+  const auto highest = [&](std::string_view path, double& value) {
+    const auto field = field_of(p, path);
+    if (!field) return;
+    value = 0.0;
+    for (const Vec2& X : places(p)) value = std::max(value, field->at(X) / 1000.0); // Pa to kPa
+  };
+  highest("ecm.fields.youngs_modulus", stiffest.ecm.youngs_modulus);
+  highest("fibres.field.stiffness", stiffest.fibres.stiffness);
   return stiffest;
 }
 

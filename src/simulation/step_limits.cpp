@@ -114,6 +114,7 @@ StepLimits step_limits(const Parameters& p) {
 StepLimits step_limits(const Parameters& p, const EcmState& ecm) {
   Parameters stiffest = p;
   if (!ecm.E_ratio.empty()) stiffest.ecm.youngs_modulus *= std::ranges::max(ecm.E_ratio);
+  if (!ecm.fibre_ratio.empty()) stiffest.fibres.stiffness *= std::ranges::max(ecm.fibre_ratio);
   if (!ecm.fibre_direction.empty() && p.fibres.arrangement == FibreArrangement::uniaxial)
     stiffest.fibres.arrangement = FibreArrangement::isotropic;
   return step_limits(stiffest);

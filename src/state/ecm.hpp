@@ -26,6 +26,7 @@ struct EcmState {
   // What varies from place to place, for good; empty where it does not.
   std::vector<double> E_ratio;           ///< Young's modulus over ecm.youngs_modulus, > 0; empty: 1 everywhere [-]
   std::vector<double> fibre_direction;   ///< of uniaxial fibres; empty: fibres.direction_deg everywhere [rad]
+  std::vector<double> fibre_ratio;       ///< stiffness of fibres over fibres.stiffness, >= 0; empty: 1 everywhere [-]
   std::vector<double> ligand;            ///< share of the usual ligand on solid, >= 0; empty: 1 everywhere [-]
   std::vector<double> attractant_source; ///< release of attractant; empty: none [1/s]
   std::vector<std::uint8_t> obstacle;    ///< 1: in a rigid obstacle, clamped and never degraded; empty: there is none

@@ -133,6 +133,7 @@ void apply(const MatrixFields& fields, EcmState& ecm) {
   for (std::size_t i = 0; i < f.size(); ++i)
     if (!ecm.clamped[i]) ecm.f[i] = std::min(ecm.f[i], f[i]);
   const auto not_negative = [](double a) { return a >= 0.0; };
+  ecm.fibre_ratio = values(fields.fibre_ratio, ecm, "fibre_ratio", not_negative);
   ecm.ligand = values(fields.ligand, ecm, "ligand", not_negative);
   ecm.attractant = values(fields.attractant, ecm, "attractant", not_negative);
   ecm.attractant_source = values(fields.attractant_source, ecm, "attractant_source", not_negative);

@@ -39,6 +39,7 @@ struct MatrixFields {
   std::function<double(const Vec2&)> E_ratio{};           ///< Young's modulus over ecm.youngs_modulus, > 0 [-]
   std::function<double(const Vec2&)> f_degr{};            ///< at the start, in [0, 1]; never raises f [-]
   std::function<double(const Vec2&)> fibre_direction{};   ///< of uniaxial fibres, from the x axis [rad]
+  std::function<double(const Vec2&)> fibre_ratio{};       ///< stiffness of fibres over fibres.stiffness, >= 0 [-]
   std::function<double(const Vec2&)> ligand{};            ///< over the usual, >= 0 [-]
   std::function<double(const Vec2&)> attractant{};        ///< concentration at the start, >= 0 [-]
   std::function<double(const Vec2&)> attractant_source{}; ///< release, >= 0 [1/s]

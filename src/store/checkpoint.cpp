@@ -80,8 +80,8 @@ Cell small_parts_of_cell(const Json& json) {
 int version_of(const State& s) {
   const bool one = s.cells.empty() || (s.cells.size() == 1 && s.cells.front().id == 0);
   const EcmState& m = s.ecm;
-  const bool uniform =
-      m.E_ratio.empty() && m.fibre_direction.empty() && m.obstacle.empty() && m.ligand.empty() && m.attractant.empty();
+  const bool uniform = m.E_ratio.empty() && m.fibre_direction.empty() && m.fibre_ratio.empty() && m.obstacle.empty()
+                       && m.ligand.empty() && m.attractant.empty();
   return one && uniform ? one_cell_version : checkpoint_version;
 }
 
@@ -148,10 +148,11 @@ void require_consistent(const State& s) {
   const bool knows_before = memory.v_before.empty() || memory.v_before.size() == node_count(s);
   const bool lags = memory.x_drag.empty() || memory.x_drag.size() == n;
   const auto one_each = [n](const auto& field) { return field.empty() || field.size() == n; };
-  const bool matrix = one_each(s.ecm.E_ratio) && one_each(s.ecm.fibre_direction) && one_each(s.ecm.obstacle)
-                      && one_each(s.ecm.ligand) && one_each(s.ecm.attractant) && one_each(s.ecm.attractant_source)
-                      && lags && knows_before && s.ecm.x.size() == n && s.ecm.v.size() == n && s.ecm.rho.size() == n
-                      && s.ecm.S.size() == n && s.ecm.f.size() == n && s.ecm.clamped.size() == n;
+  const bool matrix = one_each(s.ecm.E_ratio) && one_each(s.ecm.fibre_direction) && one_each(s.ecm.fibre_ratio)
+                      && one_each(s.ecm.obstacle) && one_each(s.ecm.ligand) && one_each(s.ecm.attractant)
+                      && one_each(s.ecm.attractant_source) && lags && knows_before && s.ecm.x.size() == n
+                      && s.ecm.v.size() == n && s.ecm.rho.size() == n && s.ecm.S.size() == n && s.ecm.f.size() == n
+                      && s.ecm.clamped.size() == n;
   const bool cortices = std::ranges::all_of(s.cells, [](const Cell& cell) {
     return cell.cortex.size() > 0 && cell.cortex.v.size() == cell.cortex.size()
            && cell.cortex.l0.size() == cell.cortex.size();
@@ -181,6 +182,7 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   file.write("/ecm/clamped", s.ecm.clamped);
   if (!s.ecm.E_ratio.empty()) file.write("/ecm/E_ratio", s.ecm.E_ratio, "1");
   if (!s.ecm.fibre_direction.empty()) file.write("/ecm/fibre_direction", s.ecm.fibre_direction, "rad");
+  if (!s.ecm.fibre_ratio.empty()) file.write("/ecm/fibre_ratio", s.ecm.fibre_ratio, "1");
   if (!s.ecm.obstacle.empty()) file.write("/ecm/obstacle", s.ecm.obstacle);
   if (!s.ecm.ligand.empty()) file.write("/ecm/ligand", s.ecm.ligand, "1");
   if (!s.ecm.attractant.empty()) file.write("/ecm/attractant", s.ecm.attractant, "1");
@@ -226,6 +228,7 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     s.ecm.clamped = file.bytes("/ecm/clamped");
     if (file.has("/ecm/E_ratio")) s.ecm.E_ratio = file.doubles("/ecm/E_ratio");
     if (file.has("/ecm/fibre_direction")) s.ecm.fibre_direction = file.doubles("/ecm/fibre_direction");
+    if (file.has("/ecm/fibre_ratio")) s.ecm.fibre_ratio = file.doubles("/ecm/fibre_ratio");
     if (file.has("/ecm/obstacle")) s.ecm.obstacle = file.bytes("/ecm/obstacle");
     if (file.has("/ecm/ligand")) s.ecm.ligand = file.doubles("/ecm/ligand");
     if (file.has("/ecm/attractant")) s.ecm.attractant = file.doubles("/ecm/attractant");

@@ -12,7 +12,7 @@
 /// it is, and a file that is cut short, or of which one bit has changed, is refused before anything of it is read. A
 /// single cell in a uniform matrix is written in the format of version 5: its arrays in /cortex/, all else of it in
 /// /state.json. In version 6 the arrays of cell k are in /cells/k/, /state.json has a list of cells, and fields of the
-/// matrix are in /ecm/E_ratio, /ecm/fibre_direction, /ecm/obstacle, /ecm/ligand,
+/// matrix are in /ecm/E_ratio, /ecm/fibre_direction, /ecm/fibre_ratio, /ecm/obstacle, /ecm/ligand,
 /// /ecm/attractant and /ecm/attractant_source. Test: tests/unit/store/checkpoint_test.cpp
 namespace matrigrate::io {
 

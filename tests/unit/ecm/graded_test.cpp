@@ -161,6 +161,27 @@ TEST(FibreDirections, OfAConstantFieldGiveTheFibresOfAUniformMatrix) {
   EXPECT_EQ(network.pairs().first, uniform_network.pairs().first);
 }
 
+TEST(FibreStiffness, IsTheMeanOfBothEnds) {
+  const EcmParameters p;
+  FibreParameters fibres;
+  fibres.arrangement = FibreArrangement::isotropic;
+  fibres.stiffness = 1.0;
+  EcmState ecm = rectangle(p, 30.0, 24.0, 0.0);
+  const Reference ref(ecm, p);
+  const FibreNetwork uniform(ecm, p, fibres, ref);
+  for (const Vec2& X : ecm.X) ecm.fibre_ratio.push_back(X.x() < 0.0 ? 1.0 : 3.0);
+  const FibreNetwork network(ecm, p, fibres, ref);
+  for (Vec2& x : ecm.x) x *= 1.02; // all fibres are taut, below the onset
+  double expected = 0.0;
+  for (std::uint32_t i = 0; i < ecm.size(); ++i)
+    for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
+      const double ratio = 0.5 * (ecm.fibre_ratio[i] + ecm.fibre_ratio[network.pairs().index[k]]);
+      EXPECT_DOUBLE_EQ(network.weight(k), ratio * uniform.weight(k));
+      expected += 0.5 * network.weight(k) * std::pow(network.length(k), 2) * fibre_energy(0.02, fibres);
+    }
+  EXPECT_NEAR(fibre_energy(ecm, fibres, network), expected, 1e-9 * expected);
+}
+
 TEST(FibreDirections, ThatVaryJoinBothParticlesOrNone) {
   const EcmParameters p;
   FibreParameters fibres;

@@ -58,6 +58,16 @@ TEST(StartFields, DirectionsOfFibresAreInRadians) {
     EXPECT_DOUBLE_EQ(s.ecm.fibre_direction[i], s.ecm.X[i].x() < 0.0 ? 0.0 : 0.5 * std::numbers::pi);
 }
 
+TEST(StartFields, StiffnessOfFibresIsRelative) {
+  const std::vector<std::string> fibres{"fibres.arrangement=isotropic", "fibres.stiffness=1000 Pa",
+                                        "fibres.field.stiffness=x < 0 ? 500 : 2000"};
+  const State s = initial_state(small(fibres));
+  ASSERT_EQ(s.ecm.fibre_ratio.size(), s.ecm.size());
+  for (std::size_t i = 0; i < s.ecm.size(); ++i)
+    EXPECT_DOUBLE_EQ(s.ecm.fibre_ratio[i], s.ecm.X[i].x() < 0.0 ? 0.5 : 2.0);
+  EXPECT_NEAR(as_stiff_everywhere(small(fibres)).fibres.stiffness, 2.0, 1e-12);
+}
+
 TEST(StartFields, ObstaclesAreClampedAndSolid) {
   const State s =
       initial_state(small({"ecm.fields.obstacle=abs(y) > 20 && abs(y) < 25 ? 1 : 0", "ecm.fields.f_degr=0*x"}));

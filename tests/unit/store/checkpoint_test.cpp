@@ -127,6 +127,7 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
     ecm.E_ratio.push_back(1.0 + 1e-3 * static_cast<double>(i) / 3.0);
     ecm.fibre_direction.push_back(0.1 * static_cast<double>(i));
     ecm.obstacle.push_back(i % 3 == 0 ? 1 : 0);
+    ecm.fibre_ratio.push_back(0.4 * static_cast<double>(i));
     ecm.ligand.push_back(0.2 * static_cast<double>(i));
     ecm.attractant.push_back(0.3 * static_cast<double>(i));
     ecm.attractant_source.push_back(0.01 * static_cast<double>(i % 2));
@@ -138,6 +139,7 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   EXPECT_EQ(after.state.ecm.E_ratio, ecm.E_ratio);
   EXPECT_EQ(after.state.ecm.fibre_direction, ecm.fibre_direction);
   EXPECT_EQ(after.state.ecm.obstacle, ecm.obstacle);
+  EXPECT_EQ(after.state.ecm.fibre_ratio, ecm.fibre_ratio);
   EXPECT_EQ(after.state.ecm.ligand, ecm.ligand);
   EXPECT_EQ(after.state.ecm.attractant, ecm.attractant);
   EXPECT_EQ(after.state.ecm.attractant_source, ecm.attractant_source);
