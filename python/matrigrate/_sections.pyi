@@ -78,6 +78,14 @@ class EcmFields(Section):
     """Young's modulus of the intact matrix from place to place, in place of ecm.youngs_modulus; a formula in x and y, or a file (.csv, .png, .tif), of values > 0 and <= 1e7 Pa. Default: "" (MODEL.md, D32)."""
     f_degr: str
     """Intact share of the matrix at the start: 1 solid, 0 fluid (channels, holes, tracks); a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1. Default: "" (MODEL.md, D32)."""
+    ligand: str
+    """Ligand on the solid over the usual one, which adhesions need: 0 where nothing adheres; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 100. Default: "" (MODEL.md, D35)."""
+    attractant: str
+    """Concentration of chemoattractant, in units of one's own; with cues.diffusion at the start and at the rim; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1e6. Default: "" (MODEL.md, D34)."""
+    attractant_source: str
+    """Release of chemoattractant, concentration a second; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1e6 1/s. Default: "" (MODEL.md, D34)."""
+    obstacle: str
+    """Rigid obstacles where it is 0.5 or more: they do not move and are never degraded (pillars, walls); a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1. Default: "" (MODEL.md, D33)."""
 
 class Fibres(Section):
     """Strain-stiffening fibres of the matrix."""
@@ -107,6 +115,8 @@ class FibresField(Section):
     """Fields of the fibres."""
     direction_deg: str
     """Direction of uniaxial fibres from place to place, in place of fibres.direction_deg; a formula in x and y, or a file (.csv, .png, .tif), of values >= -360 and <= 360 deg. Default: "" (MODEL.md, D32)."""
+    stiffness: str
+    """Stiffness of the fibres from place to place, in place of fibres.stiffness; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1e7 Pa. Default: "" (MODEL.md, D32)."""
 
 class Cell(Section):
     """The cell."""
@@ -137,6 +147,9 @@ class Cell(Section):
 
 class Contact(Section):
     """Contact of cell and matrix."""
+    @property
+    def cells(self) -> ContactCells:
+        """Contact of cells with each other."""
     range: _Quantity
     """Range of the elastic contact with solid matrix (d_c); > 0 and <= 20 um. A bare number is in um. Default: "1.4 um" (MODEL.md, D13)."""
     fluid_share: float
@@ -145,6 +158,17 @@ class Contact(Section):
     """Points of the viscous coupling on a segment are no further apart; >= 0.02 and <= 20 um. A bare number is in um. Default: "0.8 um" (MODEL.md, D12)."""
     deepest_solid: _Quantity
     """A solid particle deeper inside the cell becomes fluid at once; > 0 and <= 20 um. A bare number is in um. Default: "0.3 um" (MODEL.md, D13)."""
+
+class ContactCells(Section):
+    """Contact of cells with each other."""
+    repulsion: _Quantity
+    """Pressure between two cells whose cortices touch; > 0 and <= 1e7 Pa. A bare number is in Pa. Default: "500 Pa" (MODEL.md, D38)."""
+    range: _Quantity
+    """Gap below which two cells repel each other; > 0 and <= 20 um. A bare number is in um. Default: "1 um" (MODEL.md, D38)."""
+    adhesion: _Quantity
+    """Largest pull per area between two cells, 0 for cells that do not stick to each other; >= 0 and <= 1e6 Pa. A bare number is in Pa. Default: "0 Pa" (MODEL.md, D39)."""
+    adhesion_range: _Quantity
+    """Width of the gaps, beyond contact.cells.range, over which two cells pull at each other; > 0 and <= 20 um. A bare number is in um. Default: "1 um" (MODEL.md, D39)."""
 
 class Actomyosin(Section):
     """Contraction of the cortex."""
@@ -249,6 +273,23 @@ class Degradation(Section):
     pressure: Literal["larger", "solid"]
     """Whether the larger of solid and contact pressure is compared with the threshold, or that of the solid; "larger" or "solid". Default: "solid" (MODEL.md, D15)."""
 
+class Cues(Section):
+    """What tells the cell where to begin protrusions; off in the paper."""
+    chemotaxis: float
+    """Protrusions begin exp(chemotaxis times the occupancy of receptors) times as often; negative: away from it; >= -1000 and <= 1000. Default: 0 (MODEL.md, D34)."""
+    half_occupancy: float
+    """Concentration at which half of the receptors bind, in the units of ecm.fields.attractant (K_d); > 0 and <= 1e9. Default: 1 (MODEL.md, D34)."""
+    diffusion: _Quantity
+    """Diffusion of the attractant, 0 for a steady field (D); >= 0 and <= 1e6 um^2/s. A bare number is in um^2/s. Default: "0 um^2/s" (MODEL.md, D34)."""
+    decay: _Quantity
+    """Rate at which the attractant decays, where it diffuses; >= 0 and <= 1000 1/s. A bare number is in 1/s. Default: "0 1/s" (MODEL.md, D34)."""
+    uptake: _Quantity
+    """Rate at which cells take up the attractant beneath them, where it diffuses; >= 0 and <= 1000 1/s. A bare number is in 1/s. Default: "0 1/s" (MODEL.md, D34)."""
+    haptotaxis: float
+    """Protrusions begin exp(haptotaxis times the ligand) times as often; >= -1000 and <= 1000. Default: 0 (MODEL.md, D35)."""
+    guidance: float
+    """Protrusions begin exp(guidance times cos 2a) times as often, a their angle to the fibres; >= -1000 and <= 1000. Default: 0 (MODEL.md, D36)."""
+
 class Output(Section):
     """What a run writes, and how often."""
     track_interval: _Quantity
@@ -311,6 +352,9 @@ class Sections:
     @property
     def degradation(self) -> Degradation:
         """Degradation of the matrix by the cell."""
+    @property
+    def cues(self) -> Cues:
+        """What tells the cell where to begin protrusions; off in the paper."""
     @property
     def output(self) -> Output:
         """What a run writes, and how often."""
