@@ -15,7 +15,8 @@ debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/
 cp "$package" "$root/matrigrate.deb"
 mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
 in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
-in_root "apt-get update -q && apt-get install -y -q /matrigrate.deb"
+recommended=$(dpkg-deb --field "$package" Recommends | tr -d ,) # those of the package, and not all that these recommend
+in_root "apt-get update -q && apt-get install -y -q --no-install-recommends /matrigrate.deb $recommended"
 in_root "matrigrate selftest"
 in_root "cd /srv && matrigrate new cell.toml && matrigrate run cell.toml --hours 0.1 --quiet && test -s cell-seed1/report.html"
 in_root "cd /srv && python3 -c 'import matrigrate; print(matrigrate.load(\"cell-seed1\").readouts.v_migr_abs_um_per_h)'"
