@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Builds the live page into build/web/live/: one folder of static files. Emscripten comes from Debian; it is large, so that
+# nothing else of the project asks for it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/setup.sh
+
+packages_for_web="
+emscripten: compiles the core to WebAssembly
+"
+install_packages "$packages_to_build$packages_for_web"
+toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
+[ -f "$toolchain" ] || die "Emscripten's file for CMake is not at $toolchain"
+say "compiling the core to WebAssembly"
+cmake -S web -B build/web/core -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release >/dev/null ||
+  die "the build could not be configured"
+cmake --build build/web/core -j "$(job_count)" || die "the build failed"
