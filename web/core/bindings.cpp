@@ -6,6 +6,9 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
+#include "ecm/bonds.hpp"
+#include "sph/kernel.hpp"
+#include "state/initial.hpp"
 #include "simulation/start_rules.hpp"
 
 #include <emscripten/bind.h>
@@ -15,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <new>
 
@@ -78,6 +82,18 @@ Json changed_json(const Parameters& base, const Parameters& p) {
   return all;
 }
 
+/// From a particle to those that fibres join it to; of two opposite bonds one. Empty where their direction varies.
+Json bonds_json(const Parameters& p) {
+  Json bonds = Json::array();
+  if (p.fibres.arrangement == FibreArrangement::none || !p.fibres.field.direction_deg.empty()) return bonds;
+  const Kernel kernel(p.ecm.smoothing_length);
+  for (const Vec2& X : lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length)) {
+    const bool once = X.y() > 0.0 || (X.y() == 0.0 && X.x() > 0.0);
+    if (once && kernel.W(X.norm()) > 0.0 && joined(X, p.fibres)) bonds.push_back({X.x(), X.y()});
+  }
+  return bonds;
+}
+
 Json head_json() {
   const Simulation& s = simulation();
   const Parameters& p = s.parameters();
@@ -88,6 +104,8 @@ Json head_json() {
   head["n_outline"] = s.state().cells.front().cortex.size();
   head["duration_s"] = p.run.duration;
   head["time_step_s"] = p.run.time_step;
+  head["bonds_um"] = bonds_json(p);
+  head["onset"] = p.fibres.onset;
   head["changed"] = changed_json(Parameters{}, p);
   return head;
 }

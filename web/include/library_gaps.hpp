@@ -15,7 +15,7 @@
 #include <utility>
 
 /// What Emscripten 3.1.6's standard library lacks of C++20, as far as the core uses it: algorithms on ranges, bit_cast
-/// and from_chars of a double. Included before every source of the WebAssembly build, and by nothing else.
+/// and from_chars of decimals. Included before every source of the WebAssembly build, and by nothing else.
 namespace std { // NOLINT(cert-dcl58-cpp)
 
 template <class To, class From>
@@ -27,7 +27,8 @@ To bit_cast(const From& from) noexcept {
 }
 
 /// As that of the standard: no blanks, no plus, no hexadecimal digits; correctly rounded, as strtod of musl is.
-inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+template <class Number, enable_if_t<is_floating_point_v<Number>, int> = 0>
+from_chars_result from_chars(const char* first, const char* last, Number& value) {
   const string text(first, last);
   const size_t sign = text.starts_with('-') ? 1 : 0;
   const bool number = text.size() > sign && (isdigit(text[sign]) != 0 || text[sign] == '.' || text[sign] == 'i' ||
@@ -37,7 +38,11 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const string readable = text.substr(0, hexadecimal);
   char* end = nullptr;
   errno = 0;
-  const double read = strtod(readable.c_str(), &end);
+  Number read;
+  if constexpr (is_same_v<Number, long double>)
+    read = strtold(readable.c_str(), &end);
+  else
+    read = static_cast<Number>(strtod(readable.c_str(), &end));
   if (end == readable.c_str()) return {first, errc::invalid_argument};
   const char* stop = first + (end - readable.c_str());
   if (errno == ERANGE) return {stop, errc::result_out_of_range};

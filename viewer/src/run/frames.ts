@@ -16,6 +16,8 @@ export interface Film {
   fibres: Fibres | null;
   outline: { x: Field; front: Field; protrusion: Field; fMat: Field; force: Field };
   protrusions: FrameProtrusion[][];
+  /** Frames are replaced while it is looked at. */
+  growing?: boolean;
   particles: number;
   outlinePoints: number;
 }
