@@ -9,6 +9,8 @@ packages_for_web="
 emscripten: compiles the core to WebAssembly
 "
 install_packages "$packages_to_build$packages_for_web"
+# Node.js from elsewhere does not look for Debian's modules, of which Emscripten uses one.
+export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
 toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
 [ -f "$toolchain" ] || die "Emscripten's file for CMake is not at $toolchain"
 say "compiling the core to WebAssembly"

@@ -6,7 +6,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
-#include "ecm/bonds.hpp"
+#include "ecm/fibres.hpp"
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"
 #include "simulation/start_rules.hpp"
