@@ -17,3 +17,17 @@ say "compiling the core to WebAssembly"
 cmake -S web -B build/web/core -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release >/dev/null ||
   die "the build could not be configured"
 cmake --build build/web/core -j "$(job_count)" || die "the build failed"
+
+say "building the page"
+viewer=build/web/viewer
+mkdir -p "$viewer" build/web/live
+rm -rf "$viewer/src" "$viewer/sample" "$viewer/tests" "$viewer/dist" # copies of files that may be gone
+cp -r viewer/src viewer/sample viewer/tests viewer/*.html viewer/*.json viewer/*.ts "$viewer"
+(
+  cd "$viewer"
+  [ -d node_modules ] || npm ci --no-audit --no-fund --loglevel=error
+  npm run build:live --silent
+) || die "the page could not be built"
+node web/join.mjs "$viewer/dist/live.html" build/web/core/core_worker.js "$viewer/dist/live_worker.js" build/web/live/index.html
+cp LICENSE NOTICES build/web/live/
+say "open build/web/live/index.html ($(du -h build/web/live/index.html | cut -f1))"

@@ -119,9 +119,13 @@ Parameters read(const std::string& toml, const std::string& overrides) {
   return parse_parameters(toml, "", strings(overrides), start_rules());
 }
 
-/// Checks a scenario. @return {"changed": [...]}, what differs from the defaults of the program
+/// Checks a scenario. @return {"changed": [...], "toml": "..."}: what differs from the defaults of the program, and the
+/// resolved scenario
 std::string check(const std::string& toml, const std::string& overrides) {
-  return answer([&] { return Json{{"changed", changed_json(Parameters{}, read(toml, overrides))}}; });
+  return answer([&] {
+    const Parameters p = read(toml, overrides);
+    return Json{{"changed", changed_json(Parameters{}, p)}, {"toml", to_toml(p)}};
+  });
 }
 
 std::string start(const std::string& toml, const std::string& overrides) {
@@ -266,24 +270,6 @@ std::string preset_list() {
   });
 }
 
-/// Every parameter, with its unit, allowed values and default.
-std::string parameter_list() {
-  return answer([] {
-    Json all = Json::array();
-    for (const Row& row : schema())
-      all.push_back({{"path", row.path},
-                     {"unit", row.unit},
-                     {"symbol", row.symbol},
-                     {"description", row.description},
-                     {"allowed", allowed_text(row)},
-                     {"default", value_text(row, Parameters{})}});
-    return all;
-  });
-}
-
-/// The resolved scenario.
-std::string toml() { return to_toml(simulation().parameters()); }
-
 } // namespace
 
 EMSCRIPTEN_BINDINGS(matrigrate) {
@@ -301,8 +287,6 @@ EMSCRIPTEN_BINDINGS(matrigrate) {
   function("protrusions", &protrusions);
   function("image", &image);
   function("presets", &preset_list);
-  function("parameters", &parameter_list);
-  function("toml", &toml);
 }
 
 } // namespace matrigrate::live

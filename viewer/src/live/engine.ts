@@ -1,7 +1,6 @@
 /** The worker that simulates, as the page talks to it. */
-import type { FromWorker, ToWorker } from "./protocol";
+import type { Answer, FromWorker, ToWorker } from "./protocol";
 
-export type Answer = Extract<FromWorker, { kind: "answer" }>;
 type Asked<T> = T extends { ticket: number } ? Omit<T, "ticket"> : never;
 /** A message that is answered. */
 export type Question = Asked<ToWorker>;

@@ -28,8 +28,7 @@ export interface Head {
   n_outline: number;
   duration_s: number;
   time_step_s: number;
-  /** Every parameter that is not at the program's default. */
-  changed: { path: string; value: string | number | boolean }[];
+  changed: Changed;
   /** Of a change: the time from which on it holds. */
   from_s?: number;
   /** From a particle to those that fibres join it to [um]; empty without fibres. */
@@ -67,6 +66,23 @@ export interface Preset {
   overrides: string[];
 }
 
+/** Every parameter that is not at the program's default. */
+export type Changed = { path: string; value: string | number | boolean }[];
+
+export interface Answer {
+  kind: "answer";
+  ticket: number;
+  faults?: Fault[];
+  failure?: string;
+  /** To "check". */
+  changed?: Changed;
+  /** The resolved scenario. */
+  toml?: string;
+  /** To "image": the state at t_s. */
+  bytes?: Uint8Array;
+  t_s?: number;
+}
+
 export type ToWorker =
   | { kind: "check"; given: Given; ticket: number }
   | { kind: "start"; given: Given; image?: Uint8Array }
@@ -75,7 +91,6 @@ export type ToWorker =
   | { kind: "step" }
   | { kind: "change"; overrides: string[] }
   | { kind: "image"; ticket: number }
-  | { kind: "toml"; ticket: number }
   /** The last picture has been taken over; the next one may come. */
   | { kind: "seen" };
 
@@ -87,4 +102,4 @@ export type FromWorker =
   | { kind: "stopped"; why: "paused" | "done" | "failed" }
   | { kind: "faults"; faults: Fault[]; of: "start" | "change" }
   | { kind: "failure"; text: string }
-  | { kind: "answer"; ticket: number; faults?: Fault[]; failure?: string; text?: string; bytes?: Uint8Array; t_s?: number };
+  | Answer;

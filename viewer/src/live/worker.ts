@@ -1,6 +1,6 @@
 /** Runs in a worker, behind the script of the core: computes piece by piece, so that messages are heard in between. */
 import type { ProtrusionRow } from "../contract";
-import type { CoreFrame, Fault, FromWorker, Given, Head, Preset, ToWorker, TrackRow } from "./protocol";
+import type { Answer, CoreFrame, Fault, FromWorker, Given, Head, Preset, ToWorker, TrackRow } from "./protocol";
 
 /** As web/core/bindings.cpp exports it; all text is JSON. */
 interface Core {
@@ -17,7 +17,6 @@ interface Core {
   protrusions(): string;
   image(): Uint8Array;
   presets(): string;
-  toml(): string;
 }
 
 declare function matrigrateCore(options: object): Promise<Core>;
@@ -98,8 +97,9 @@ function act(message: ToWorker): void {
   switch (message.kind) {
     case "check": {
       put(message.given);
-      const { faults, failure } = read(core.check(message.given.toml, JSON.stringify(message.given.overrides)));
-      return send({ kind: "answer", ticket: message.ticket, faults, failure });
+      const { toml, overrides } = message.given;
+      const found = read<Pick<Answer, "changed" | "toml">>(core.check(toml, JSON.stringify(overrides)));
+      return send({ kind: "answer", ticket: message.ticket, ...found });
     }
     case "start":
       return begin(message.given, message.image);
@@ -119,7 +119,9 @@ function act(message: ToWorker): void {
     }
     case "change": {
       const head = read<Head>(core.change(JSON.stringify(message.overrides)));
-      if (!refused(head, "change")) send({ kind: "changed", head, overrides: message.overrides });
+      if (refused(head, "change")) return;
+      send({ kind: "changed", head, overrides: message.overrides });
+      if (!playing) show(head.step, head.done);
       return;
     }
     case "image": {
@@ -127,8 +129,6 @@ function act(message: ToWorker): void {
       const { t_s } = read<{ t_s: number }>(core.march(0, 0));
       return send({ kind: "answer", ticket: message.ticket, bytes, t_s }, [bytes.buffer as ArrayBuffer]);
     }
-    case "toml":
-      return send({ kind: "answer", ticket: message.ticket, text: core.toml() });
     case "seen":
       waiting = false;
   }
