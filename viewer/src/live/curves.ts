@@ -44,7 +44,7 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
     later = undefined;
     drawn = performance.now();
     const width = Math.floor(speed.clientWidth);
-    if (width < 50) return;
+    if (width < 50 || clock.end <= 0) return;
     const measured = tracks.t_s.length > 1 ? speeds(tracks) : { t: [], v: [] };
     speed.replaceChildren(curve(clock, width, measured.t, measured.v, "speed [\u00b5m/h]", false));
     alive.replaceChildren(curve(clock, width, tracks.t_s, tracks.n_simultaneous, "protrusions alive", true));

@@ -120,16 +120,18 @@ export class Live {
         if (head.from_s !== undefined) this.scenario.changes.push({ t: head.from_s, overrides });
         const fibres = head.bonds_um.length > 0;
         this.head = head;
-        if (this.film && fibres !== (this.film.film.fibres !== null)) this.look();
+        if (this.film && fibres !== (this.film.film.fibres !== null)) this.newFilm(head);
         this.controls.show(settingsOf(head.changed), this.scenario.toml);
         this.troubles.clear();
         return;
       }
       case "frame":
-        this.film?.add(message.frame);
+        if (!this.film || !this.head) return;
+        this.film.add(message.frame);
         addTracks(this.tracks, message.tracks);
         this.protrusions = message.protrusions;
         this.clock.arrive(message.frame.t_s);
+        if (!this.shown) this.look(this.head, this.film);
         this.shown?.curves.changed();
         this.bar.done(message.done);
         this.engine.tell({ kind: "seen" });
@@ -202,32 +204,33 @@ export class Live {
     this.tracks = from?.tracks ?? noTracks();
     this.protrusions = from?.protrusions ?? [];
     this.troubles.clear();
-    this.look(from);
+    this.newFilm(head, from);
     this.clock.running(false);
     this.clock.begin(head.t_s);
     this.controls.show(settingsOf(head.changed), scenario.toml);
     this.bar.tell(from ? `Goes on from ${timeText(from.t_s)}, kept ${new Date(from.when).toLocaleString()}. Reset begins anew.` : "");
     history.replaceState(null, "", toHash(scenario));
-    document.documentElement.dataset["ready"] = "true";
     if (play) this.play();
   }
 
-  /** Makes all that shows the simulation. */
-  private look(from?: Kept): void {
-    if (!this.head) return;
+  private newFilm(head: Head, from?: Kept): void {
     this.gone.abort();
-    this.gone = new AbortController();
-    const film = new LiveFilm(this.head, this.reference);
+    this.shown = null;
+    this.film = new LiveFilm(head, this.reference);
     this.times.length = 0;
-    film.film.times = this.times; // the clock steps by them
-    if (from) film.restore(from.film);
-    this.film = film;
-    this.shown = scene(this.head, film, this.clock, this.tracks, () => this.protrusions, this.brush, () => this.scenario.strokes, this.gone.signal);
+    this.film.film.times = this.times; // the clock steps by them
+    if (from) this.film.restore(from.film);
+  }
+
+  /** Makes all that shows the film, once it has a moment. */
+  private look(head: Head, film: LiveFilm): void {
+    this.gone = new AbortController();
+    this.shown = scene(head, film, this.clock, this.tracks, () => this.protrusions, this.brush, () => this.scenario.strokes, this.gone.signal);
     this.shown.stage.onPaint(() => ++this.painted);
     this.holder.replaceChildren(this.shown.stage.element);
     this.side.replaceChildren(this.shown.protrusionsNow, this.shown.aside, this.shown.keys);
     this.below.replaceChildren(this.shown.curves.element);
-    this.shown.curves.changed();
+    document.documentElement.dataset["ready"] = "true";
   }
 
   private set(path: string, value: string): void {
