@@ -2,7 +2,7 @@
 import { h } from "../dom";
 import { readable } from "../numbers";
 import type { Preset } from "./protocol";
-import { pascals, type Settings } from "./scenario";
+import { now, pascals, type Scenario, type Settings } from "./scenario";
 
 interface Slider {
   path: string;
@@ -60,8 +60,8 @@ export interface Wishes {
 export interface Controls {
   element: HTMLElement;
   presets(list: Preset[]): void;
-  /** Shows values as they are. */
-  show(settings: Settings, toml: string): void;
+  /** Shows values as they are.   @param all  every parameter that is not at its default */
+  show(all: Settings, scenario: Scenario): void;
 }
 
 function sliderRow(slider: Slider, wishes: Wishes): { element: HTMLElement; show: (settings: Settings) => void } {
@@ -120,17 +120,17 @@ export function controls(wishes: Wishes): Controls {
       list = all;
       preset.replaceChildren(h("option", { value: "" }, "\u2013"), ...all.map(({ name, description }) => h("option", { value: name, title: description }, name)));
     },
-    show(settings, toml) {
-      for (const row of rows) row.show(settings);
-      seed.value = settings["run.seed"] ?? "1";
-      const arrangement = settings["fibres.arrangement"] ?? "none";
-      fibres.value = arrangement.replace(/^"|"$/g, "");
-      text.value = toml;
-      const same = (one: Preset) => {
-        const own = Object.keys(settings).filter((path) => path !== "run.seed" && path !== "run.integrator");
-        return own.length === one.overrides.length && one.overrides.every((o) => settings[o.slice(0, o.indexOf("="))] === o.slice(o.indexOf("=") + 1));
-      };
-      preset.value = toml === "" ? (list.find(same)?.name ?? "") : "";
+    show(all, scenario) {
+      for (const row of rows) row.show(all);
+      seed.value = all["run.seed"] ?? "1";
+      fibres.value = all["fibres.arrangement"] ?? "none";
+      text.value = scenario.toml;
+      const settings = now(scenario);
+      const own = Object.keys(settings).filter((path) => !path.startsWith("run."));
+      const same = (one: Preset) =>
+        own.length === one.overrides.length &&
+        one.overrides.every((o) => settings[o.slice(0, o.indexOf("="))] === o.slice(o.indexOf("=") + 1));
+      preset.value = scenario.toml === "" ? (list.find(same)?.name ?? "") : "";
     },
   };
 }

@@ -82,9 +82,8 @@ export class Live {
       h(
         "section",
         { class: "run-player", "aria-label": "Live simulation" },
-        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element), h("div", { class: "aside" }, this.controls.element, this.side)),
+        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below), h("div", { class: "aside" }, this.controls.element, this.side)),
       ),
-      this.below,
     ];
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") void this.keep(false);
@@ -121,7 +120,7 @@ export class Live {
         const fibres = head.bonds_um.length > 0;
         this.head = head;
         if (this.film && fibres !== (this.film.film.fibres !== null)) this.newFilm(head);
-        this.controls.show(settingsOf(head.changed), this.scenario.toml);
+        this.controls.show(settingsOf(head.changed), this.scenario);
         this.troubles.clear();
         return;
       }
@@ -144,7 +143,7 @@ export class Live {
         return;
       case "faults":
         this.troubles.faults(message.faults, message.of);
-        if (this.head) this.controls.show(settingsOf(this.head.changed), this.scenario.toml);
+        if (this.head) this.controls.show(settingsOf(this.head.changed), this.scenario);
         this.wanted = null;
         return;
       case "failure":
@@ -207,7 +206,7 @@ export class Live {
     this.newFilm(head, from);
     this.clock.running(false);
     this.clock.begin(head.t_s);
-    this.controls.show(settingsOf(head.changed), scenario.toml);
+    this.controls.show(settingsOf(head.changed), scenario);
     this.bar.tell(from ? `Goes on from ${timeText(from.t_s)}, kept ${new Date(from.when).toLocaleString()}. Reset begins anew.` : "");
     history.replaceState(null, "", toHash(scenario));
     if (play) this.play();

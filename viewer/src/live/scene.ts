@@ -18,6 +18,9 @@ import type { Stroke } from "./scenario";
 /** What arrows and colours are made for [um, um/h, nN]. */
 const usual = { displacement: 3, velocity: 40, force: 2 };
 
+/** What is seen at first [um]. */
+const firstView = 120;
+
 export const noTracks = (): Tracks => ({ t_s: [], x_um: [], y_um: [], area_um2: [], perimeter_um: [], polarization_rad: [], n_simultaneous: [] });
 
 export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
@@ -82,7 +85,12 @@ export function scene(
   attachKeys(clock, stage, new Probe(stage), all, keys, document, gone);
   brush.attach(stage, strokes);
   // Once it has a size: the cell with room to walk.
-  requestAnimationFrame(() => stage.setFollow(true));
+  requestAnimationFrame(() => {
+    const { camera } = stage;
+    camera.scale = Math.min(camera.width, camera.height) / firstView;
+    stage.follow = true;
+    stage.viewChanged();
+  });
   return {
     stage,
     curves: curves(clock, tracks, rows, gone),
