@@ -137,7 +137,7 @@ export function toHash({ toml, settings, strokes }: Scenario): string {
 
 /** null without a scenario. @throws Error saying what is wrong with it */
 export function fromHash(hash: string): Scenario | null {
-  const found = /^#scenario=([\w-]*)$/.exec(hash);
+  const found = /^#scenario=(.*)$/.exec(hash);
   if (!found) return null;
   try {
     const binary = atob(found[1].replace(/-/g, "+").replace(/_/g, "/"));

@@ -60,6 +60,12 @@ function show(step: number, done: boolean): void {
   send({ kind: "frame", frame, tracks, protrusions, step, done }, buffers);
 }
 
+/** Where it is, which may be later than what has been shown. */
+function showNow(): void {
+  const { step, done } = read<{ step: number; done: boolean }>(core.march(0, 0));
+  show(step, done);
+}
+
 function stop(why: "paused" | "done" | "failed"): void {
   playing = false;
   send({ kind: "stopped", why });
@@ -109,8 +115,9 @@ function act(message: ToWorker): void {
       playing = true;
       return heartbeat.port2.postMessage(null);
     case "pause":
-      if (playing) stop("paused");
-      return;
+      if (!playing) return;
+      showNow();
+      return stop("paused");
     case "step": {
       playing = false;
       const now = read<{ step: number; done: boolean }>(core.step());
