@@ -29,5 +29,11 @@ cp -r viewer/src viewer/sample viewer/tests viewer/*.html viewer/*.json viewer/*
   npm run build:live --silent
 ) || die "the page could not be built"
 node web/join.mjs "$viewer/dist/live.html" build/web/core/core_worker.js "$viewer/dist/live_worker.js" build/web/live/index.html
-cp LICENSE NOTICES build/web/live/
+cp LICENSE build/web/live/
+# What the page contains of others, under the terms that Debian states for each.
+for package in emscripten libeigen3-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev librandom123-dev libxxhash-dev; do
+  printf '==== %s ====\n\n' "$package"
+  cat "/usr/share/doc/$package/copyright"
+  printf '\n'
+done >build/web/live/NOTICES
 say "open build/web/live/index.html ($(du -h build/web/live/index.html | cut -f1))"

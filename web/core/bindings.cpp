@@ -2,14 +2,14 @@
 #include "core/live.hpp"
 
 #include "base/failure.hpp"
+#include "ecm/fibres.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
-#include "ecm/fibres.hpp"
+#include "simulation/start_rules.hpp"
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"
-#include "simulation/start_rules.hpp"
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -111,9 +111,7 @@ Json head_json() {
 }
 
 /// Makes a file in memory, for fields that a scenario names.
-void put_file(const std::string& name, const std::string& content) {
-  std::ofstream(name, std::ios::binary) << content;
-}
+void put_file(const std::string& name, const std::string& content) { std::ofstream(name, std::ios::binary) << content; }
 
 Parameters read(const std::string& toml, const std::string& overrides) {
   return parse_parameters(toml, "", strings(overrides), start_rules());
@@ -182,9 +180,7 @@ val floats(const io::Floats& numbers) { return array("Float32Array", numbers); }
 val bytes(const io::Bytes& numbers) { return array("Uint8Array", numbers); }
 
 /// Reference positions of the particles.
-val reference() {
-  return floats(io::frame_head(simulation().state(), simulation().parameters()).reference);
-}
+val reference() { return floats(io::frame_head(simulation().state(), simulation().parameters()).reference); }
 
 /// Copies of what the page draws.
 val frame() {
@@ -193,10 +189,11 @@ val frame() {
   out.set("t_s", f.t);
   out.set("displacement", floats(f.matrix.displacement));
   out.set("f", bytes([&] {
-    io::Bytes share;
-    for (const float value : f.matrix.f_degr) share.push_back(static_cast<std::uint8_t>(std::lround(255.0F * value)));
-    return share;
-  }()));
+            io::Bytes share;
+            for (const float value : f.matrix.f_degr)
+              share.push_back(static_cast<std::uint8_t>(std::lround(255.0F * value)));
+            return share;
+          }()));
   out.set("pressure", floats(f.matrix.pressure));
   out.set("vonMises", floats(f.matrix.von_mises));
   if (!f.matrix.fibre_von_mises.empty()) out.set("fibreVonMises", floats(f.matrix.fibre_von_mises));
@@ -250,8 +247,8 @@ std::string protrusions() {
 
 val image() {
   const std::string all = simulation().image();
-  return val::global("Uint8Array").new_(val(emscripten::typed_memory_view(
-      all.size(), reinterpret_cast<const unsigned char*>(all.data()))));
+  return val::global("Uint8Array")
+      .new_(val(emscripten::typed_memory_view(all.size(), reinterpret_cast<const unsigned char*>(all.data()))));
 }
 
 /// Presets that need no formula.

@@ -133,11 +133,20 @@ void phase(Reader& b, Phase& of) {
   std::uint8_t index = 0;
   b.number(index);
   switch (index) {
-  case 0: of = Growing(); break;
-  case 1: of = Maturing(); break;
-  case 2: of = Contracting(); break;
-  case 3: of = Finishing(); break;
-  default: throw std::invalid_argument("the saved state has a protrusion in no known phase");
+  case 0:
+    of = Growing();
+    break;
+  case 1:
+    of = Maturing();
+    break;
+  case 2:
+    of = Contracting();
+    break;
+  case 3:
+    of = Finishing();
+    break;
+  default:
+    throw std::invalid_argument("the saved state has a protrusion in no known phase");
   }
   std::visit([&](auto& one) { PhaseMembers::of(b, one); }, of);
 }

@@ -8,9 +8,9 @@ namespace matrigrate::fields {
 struct Formula::Parser {};
 
 Formula::Formula(const std::string& text) {
-  throw std::invalid_argument("is a formula, \"" + text.substr(0, 80) +
-                              "\"; formulas are not available in the live page: draw the field, or run the scenario "
-                              "with the program");
+  throw std::invalid_argument("is a formula, \"" + text.substr(0, 80)
+                              + "\"; formulas are not available in the live page: draw the field, or run the scenario "
+                                "with the program");
 }
 
 Formula::Formula(Formula&&) noexcept = default;
