@@ -31,9 +31,8 @@ template <class Number, enable_if_t<is_floating_point_v<Number>, int> = 0>
 from_chars_result from_chars(const char* first, const char* last, Number& value) {
   const string text(first, last);
   const size_t sign = text.starts_with('-') ? 1 : 0;
-  const bool number = text.size() > sign
-                      && (isdigit(text[sign]) != 0 || text[sign] == '.' || text[sign] == 'i' || text[sign] == 'n'
-                          || text[sign] == 'I' || text[sign] == 'N');
+  const bool number = text.size() > sign && (isdigit(text[sign]) != 0 || text[sign] == '.' || text[sign] == 'i' ||
+                                             text[sign] == 'n' || text[sign] == 'I' || text[sign] == 'N');
   if (!number) return {first, errc::invalid_argument};
   const size_t hexadecimal = text.find_first_of("xX"); // "0x" reads as 0
   const string readable = text.substr(0, hexadecimal);

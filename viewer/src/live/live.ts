@@ -41,6 +41,8 @@ export class Live {
   private scenario: Scenario = fresh();
   /** What has been sent to begin and is not yet confirmed. */
   private wanted: { scenario: Scenario; kept?: Kept; play: boolean } | null = null;
+  /** What is wrong with the address, until it has been said. */
+  private wrongAddress = "";
   private head: Head | null = null;
   private reference = new Float32Array();
   private shown: Scene | null = null;
@@ -157,7 +159,7 @@ export class Live {
     try {
       asked = fromHash(location.hash);
     } catch (reason) {
-      this.troubles.failure(reason instanceof Error ? reason.message : String(reason));
+      this.wrongAddress = reason instanceof Error ? reason.message : String(reason);
     }
     const old = await kept().catch(() => undefined);
     const same = old && (asked === null || toHash(asked) === toHash(old.scenario));
@@ -203,6 +205,8 @@ export class Live {
     this.tracks = from?.tracks ?? noTracks();
     this.protrusions = from?.protrusions ?? [];
     this.troubles.clear();
+    if (this.wrongAddress) this.troubles.say(this.wrongAddress);
+    this.wrongAddress = "";
     this.newFilm(head, from);
     this.clock.running(false);
     this.clock.begin(head.t_s);
@@ -273,7 +277,7 @@ export class Live {
     const ground = await this.ground(this.scenario);
     if (!ground) return;
     const { toml, failure } = await this.engine.ask({ kind: "check", given: given(this.scenario, ground) });
-    if (!toml) return this.troubles.failure(failure ?? "The scenario cannot be written.");
+    if (!toml) return this.troubles.say(failure ?? "The scenario cannot be written.");
     for (const [name, content] of Object.entries(exported(this.scenario, toml, drawnFiles(this.scenario.strokes, ground)))) download(name, content);
   }
 }

@@ -22,6 +22,10 @@ export class Troubles {
     this.show(h("p", {}, h("strong", {}, "The simulation has stopped: "), text));
   }
 
+  say(text: string): void {
+    this.show(h("p", {}, text));
+  }
+
   private show(...content: Node[]): void {
     const close = h("button", { type: "button" }, "Close");
     close.addEventListener("click", () => this.clear());
