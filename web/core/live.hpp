@@ -13,7 +13,7 @@
 #include <vector>
 
 /// A simulation that a page follows: it is advanced piece by piece, its parameters may change on the way, and its
-/// state can be kept and taken up again. Test: web/tests/core.test.mjs
+/// state can be kept and taken up again. Test: web/tests/core.mjs
 namespace matrigrate::live {
 
 /// Parameters that changed on the way.
