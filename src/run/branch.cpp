@@ -3,19 +3,18 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/read.hpp"
-#include "parameters/schema.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/provenance.hpp"
 #include "run/stopped_run.hpp"
+#include "simulation/same_start.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace matrigrate::run {
 
@@ -23,34 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-/// Parameters that the start was made with: a state that exists cannot be given others. Fields are kept by its
-/// particles, stiffness as a ratio to ecm.youngs_modulus.
-bool of_the_start(const Row& row, const Parameters& before) {
-  if (kind(row) == Kind::field) return true;
-  if (row.path == "ecm.youngs_modulus") return !before.ecm.fields.youngs_modulus.empty();
-  constexpr std::array<std::string_view, 10> fixed{
-      "ecm.radius",      "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice",  "ecm.cell_hole",
-      "ecm.formulation", "cell.radius",          "cell.particles",       "cell.start_x", "cell.start_y"};
-  return std::ranges::find(fixed, row.path) != fixed.end();
-}
-
-/// @throws ConfigurationError naming every parameter that the branch cannot change
-void require_same_start(const Parameters& before, const Parameters& after) {
-  std::vector<Fault> faults;
-  for (const Row& row : schema())
-    if (of_the_start(row, before) && value_text(row, before) != value_text(row, after))
-      faults.push_back({.file = "--set",
-                        .key = std::string(row.path),
-                        .message = fmt::format("a branch goes on with the bodies that there are, made with {}; only a "
-                                               "new run can have {}",
-                                               value_text(row, before), value_text(row, after))});
-  if (cells_text(before) != cells_text(after))
-    faults.push_back({.file = "--set",
-                      .key = "cells",
-                      .message = "a branch goes on with the cells that there are; only a new run can have others"});
-  if (!faults.empty()) throw ConfigurationError(std::move(faults));
-}
 
 /// The checkpoint that lies closest before t; none: the start. Warns of those that cannot be read.
 std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t, RunObserver& observer) {
@@ -86,7 +57,8 @@ void require_multiple(double t, const Parameters& p) {
 RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptions& options, RunObserver& observer) {
   const Parameters before = scenario_of(from, observer);
   const Parameters after = apply_overrides(before, how.overrides, start_rules());
-  require_same_start(before, after);
+  if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
+    throw ConfigurationError(std::move(faults));
   std::optional<FoundCheckpoint> found =
       how.at ? checkpoint_before(from, *how.at, observer) : last_checkpoint(from, how.previous);
   const double until = how.at ? *how.at : found->checkpoint.state.t;

@@ -8,8 +8,9 @@ export class Clock {
   private readonly listeners = new Set<() => void>();
   private last = 0;
 
+  /** @param end  moves on while a simulation is followed live */
   constructor(
-    readonly end: number,
+    public end: number,
     readonly stops: number[],
   ) {}
 
@@ -23,7 +24,7 @@ export class Clock {
     return this.listeners.size;
   }
 
-  private tell(): void {
+  protected tell(): void {
     for (const listener of this.listeners) listener();
   }
 

@@ -22,6 +22,8 @@ export interface Film {
   obstacles: [number, number][];
   outline: { x: Field; front: Field; protrusion: Field; fMat: Field; force: Field };
   protrusions: FrameProtrusion[][];
+  /** Frames are replaced while it is looked at. */
+  growing?: boolean;
   particles: number;
   outlinePoints: number;
   /** Which of them belong to which cell. */

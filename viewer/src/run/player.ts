@@ -18,7 +18,7 @@ import { saving } from "./save/saving";
 import { Stage } from "./stage";
 import { transport } from "./transport";
 
-function viewButtons(stage: Stage): HTMLElement {
+export function viewButtons(stage: Stage): HTMLElement {
   const button = (text: string, label: string, act: () => void) => {
     const made = h("button", { type: "button", title: label, "aria-label": label }, text);
     made.addEventListener("click", act);
@@ -35,13 +35,13 @@ function viewButtons(stage: Stage): HTMLElement {
 }
 
 /** Protrusions alive at the time shown. */
-function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
+export function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
   const body = h("tbody", {});
   let shown = -1;
   const update = () => {
     const { frame } = placeAt(film.times, clock.time);
-    if (frame === shown) return;
-    shown = frame;
+    if (film.times[frame] === shown) return;
+    shown = film.times[frame];
     const rows = film.protrusions[frame].map((p) =>
       h(
         "tr",

@@ -73,8 +73,17 @@ export function cardPainter(
 
   const buffers = new Map<Field, WebGLBuffer | null>();
   const attribute = (location: number, field: Field, frame: number): void => {
-    if (!buffers.has(field)) buffers.set(field, upload(gl, field.q));
+    const uploaded = buffers.has(field);
+    if (!uploaded) buffers.set(field, upload(gl, field.q));
     gl.bindBuffer(gl.ARRAY_BUFFER, buffers.get(field) ?? null);
+    if (uploaded && film.growing)
+      gl.bufferSubData(
+        gl.ARRAY_BUFFER,
+        frame * field.stride * field.q.BYTES_PER_ELEMENT,
+        field.q,
+        frame * field.stride,
+        field.stride,
+      );
     const type = field.q instanceof Int16Array ? gl.SHORT : gl.UNSIGNED_BYTE;
     gl.enableVertexAttribArray(location);
     gl.vertexAttribPointer(

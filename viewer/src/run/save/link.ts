@@ -36,7 +36,7 @@ export function followAddress(clock: Clock, stage: Stage, all: Layer[], gone: Ab
 }
 
 /** Where the clipboard is closed to pages, the old way still works. */
-async function copied(text: string): Promise<boolean> {
+export async function copied(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
     return true;

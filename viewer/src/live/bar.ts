@@ -1,0 +1,79 @@
+/** Below the picture: play, step, reset, time, speed, and what to do with the simulation. */
+import { h } from "../dom";
+import { readable, timeText } from "../numbers";
+import type { Stage } from "../run/stage";
+import type { LiveClock } from "./clock";
+
+export interface Acts {
+  reset(): void;
+  goOn(): void;
+  keep(): void;
+  link(): void;
+  exported(): void;
+}
+
+export interface Bar {
+  element: HTMLElement;
+  /** Whether the duration is reached. */
+  done(yes: boolean): void;
+  tell(text: string): void;
+}
+
+export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Bar {
+  const never = new AbortController().signal;
+  const button = (text: string, name: string, act: () => void, title?: string) => {
+    const made = h("button", { type: "button", name, title }, text);
+    made.addEventListener("click", act);
+    return made;
+  };
+  const play = button("", "play", () => clock.toggle());
+  play.className = "play";
+  const step = button("Step", "step", () => clock.step(1), "One time step of the model");
+  const more = button("Go on for 6 h", "more", acts.goOn);
+  more.hidden = true;
+  const front = button("Now", "front", () => clock.toFront(), "Back to where the simulation is");
+  const scrub = h("input", { type: "range", class: "scrub", min: 0, max: 1, step: 1, "aria-label": "Time" });
+  scrub.addEventListener("input", () => clock.jump(Number(scrub.value) >= clock.end - 1 ? clock.end : Number(scrub.value)));
+  const times = h("span", { class: "times" });
+  const follow = h("input", { type: "checkbox", name: "follow", checked: true });
+  follow.addEventListener("change", () => stage()?.setFollow(follow.checked));
+  const told = h("span", { class: "told", role: "status" });
+  let shown = "";
+  const update = () => {
+    const rate = clock.playing && clock.measured > 0 ? `${readable(clock.measured, 2)} times faster than life` : "";
+    const text = `${timeText(60 * Math.floor(clock.end / 60))}${rate ? `, ${rate}` : ""}`;
+    front.hidden = clock.atFront;
+    follow.checked = stage()?.follow ?? true;
+    play.textContent = clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
+    play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
+    scrub.max = String(Math.max(1, Math.ceil(clock.end)));
+    scrub.value = String(Math.round(clock.time));
+    scrub.style.setProperty("--done", `${(100 * clock.time) / Math.max(1, clock.end)}%`);
+    scrub.setAttribute("aria-valuetext", timeText(clock.time));
+    if (text !== shown) times.textContent = shown = text;
+  };
+  clock.onChange(update, never);
+  update();
+  const element = h(
+    "div",
+    {},
+    h("div", { class: "transport" }, play, step, button("Reset", "reset", acts.reset, "Begin anew with these settings"), scrub, front, times, more, h("label", {}, follow, "Follow the cell")),
+    h(
+      "div",
+      { class: "saving", role: "group", "aria-label": "This simulation" },
+      button("Save", "save", acts.keep, "In this browser; also by itself twice a minute"),
+      button("Copy link", "link", acts.link, "Address that begins this scenario"),
+      button("Export", "export", acts.exported, "Scenario for the program, and what is drawn"),
+      told,
+    ),
+  );
+  return {
+    element,
+    done: (yes) => {
+      more.hidden = !yes;
+    },
+    tell: (text) => {
+      told.textContent = text;
+    },
+  };
+}

@@ -1,0 +1,136 @@
+/** What a person sets: preset, seed, sliders, a scenario of one's own. */
+import { h } from "../dom";
+import { readable } from "../numbers";
+import type { Preset } from "./protocol";
+import { now, pascals, type Scenario, type Settings } from "./scenario";
+
+interface Slider {
+  path: string;
+  name: string;
+  unit: string;
+  low: number;
+  high: number;
+  /** Equal steps are equal ratios. */
+  ratio: boolean;
+  /** Whole numbers. */
+  whole?: boolean;
+  /** The program's default. */
+  usual: number;
+}
+
+export const sliders: Slider[] = [
+  { path: "ecm.youngs_modulus", name: "Stiffness E", unit: "Pa", low: 10, high: 1000, ratio: true, usual: 200 },
+  { path: "actomyosin.force", name: "Contraction F_am", unit: "nN", low: 0.1, high: 3, ratio: true, usual: 0.6 },
+  { path: "protrusion.initiation_rate", name: "Initiation r_prot", unit: "1/s", low: 6e-6, high: 6e-4, ratio: true, usual: 6e-5 },
+  { path: "protrusion.number", name: "Kept number n_prot", unit: "", low: 0, high: 6, ratio: false, whole: true, usual: 0 },
+  { path: "degradation.threshold", name: "Threshold p_th", unit: "Pa", low: 0, high: 100, ratio: false, usual: 20 },
+  { path: "fibres.stiffness", name: "Fibres k_0", unit: "Pa", low: 100, high: 20000, ratio: true, usual: 1000 },
+];
+export const arrangements = ["none", "isotropic", "uniaxial"] as const;
+
+const steps = 200;
+
+const toPlace = ({ low, high, ratio }: Slider, value: number): number =>
+  steps * (ratio ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low));
+
+function fromPlace({ low, high, ratio, whole }: Slider, place: number): number {
+  const share = place / steps;
+  const value = ratio ? low * (high / low) ** share : low + share * (high - low);
+  return whole ? Math.round(value) : Number(value.toPrecision(2));
+}
+
+const stress = (unit: string) => unit === "Pa";
+
+function valueOf(slider: Slider, settings: Settings): number {
+  const text = settings[slider.path];
+  if (text === undefined) return slider.usual;
+  return stress(slider.unit) ? pascals(text) : parseFloat(text.replace(/^"|"$/g, ""));
+}
+
+export interface Wishes {
+  /** A preset begins a new simulation. */
+  preset(overrides: string[]): void;
+  seed(seed: string): void;
+  /** A parameter is to change from now on. */
+  set(path: string, value: string): void;
+  /** A scenario file of one's own begins a new simulation. */
+  toml(text: string): void;
+}
+
+export interface Controls {
+  element: HTMLElement;
+  presets(list: Preset[]): void;
+  /** Shows values as they are.   @param all  every parameter that is not at its default */
+  show(all: Settings, scenario: Scenario): void;
+}
+
+function sliderRow(slider: Slider, wishes: Wishes): { element: HTMLElement; show: (settings: Settings) => void } {
+  const input = h("input", { type: "range", name: slider.path, min: 0, max: steps, step: slider.whole ? steps / (slider.high - slider.low) : 1 });
+  const shown = h("output", {});
+  const say = (value: number) => {
+    const text = slider.path === "protrusion.number" && value === 0 ? "by r_prot" : `${readable(value, 3)}${slider.unit ? ` ${slider.unit}` : ""}`;
+    shown.textContent = text;
+    input.setAttribute("aria-valuetext", text);
+  };
+  input.addEventListener("input", () => say(fromPlace(slider, Number(input.value))));
+  input.addEventListener("change", () => {
+    const value = fromPlace(slider, Number(input.value));
+    wishes.set(slider.path, slider.unit ? `${value} ${slider.unit}` : String(value));
+  });
+  return {
+    element: h("label", { class: "slider" }, h("span", {}, slider.name), shown, input),
+    show: (settings) => {
+      const value = valueOf(slider, settings);
+      input.value = String(toPlace(slider, Math.min(slider.high, Math.max(slider.low, value))));
+      say(value);
+    },
+  };
+}
+
+export function controls(wishes: Wishes): Controls {
+  const preset = h("select", { name: "preset" }, h("option", { value: "" }, "\u2013"));
+  let list: Preset[] = [];
+  preset.addEventListener("change", () => {
+    const chosen = list.find(({ name }) => name === preset.value);
+    if (chosen) wishes.preset(chosen.overrides);
+  });
+  const seed = h("input", { type: "number", name: "seed", min: 0, max: 9007199254740991, step: 1, value: 1 });
+  seed.addEventListener("change", () => wishes.seed(seed.value));
+  const rows = sliders.map((slider) => sliderRow(slider, wishes));
+  const fibres = h("select", { name: "fibres.arrangement" }, ...arrangements.map((one) => h("option", { value: one }, one)));
+  fibres.addEventListener("change", () => wishes.set("fibres.arrangement", fibres.value));
+  const text = h("textarea", { name: "toml", rows: 8, spellcheck: "false", placeholder: '[ecm]\nyoungs_modulus = "100 Pa"', "aria-label": "Scenario as TOML" });
+  const use = h("button", { type: "button" }, "Begin with this scenario");
+  use.addEventListener("click", () => wishes.toml(text.value));
+  const choice = (name: string, ...inside: Node[]) => h("label", { class: "choice" }, h("span", {}, name), ...inside);
+  const element = h(
+    "form",
+    { class: "settings", "aria-label": "Settings" },
+    h("div", { class: "choices-row" }, choice("Preset", preset), choice("Seed", seed)),
+    ...rows.slice(0, 5).map((row) => row.element),
+    h("div", { class: "choices-row" }, choice("Fibres", fibres)),
+    rows[5].element,
+    h("p", { class: "note" }, "A slider acts from now on; preset, seed and what is drawn begin anew."),
+    h("details", { class: "own" }, h("summary", {}, "A scenario file"), text, use),
+  );
+  element.addEventListener("submit", (event) => event.preventDefault());
+  return {
+    element,
+    presets(all) {
+      list = all;
+      preset.replaceChildren(h("option", { value: "" }, "\u2013"), ...all.map(({ name, description }) => h("option", { value: name, title: description }, name)));
+    },
+    show(all, scenario) {
+      for (const row of rows) row.show(all);
+      seed.value = all["run.seed"] ?? "1";
+      fibres.value = all["fibres.arrangement"] ?? "none";
+      text.value = scenario.toml;
+      const settings = now(scenario);
+      const own = Object.keys(settings).filter((path) => !path.startsWith("run."));
+      const same = (one: Preset) =>
+        own.length === one.overrides.length &&
+        one.overrides.every((o) => settings[o.slice(0, o.indexOf("="))] === o.slice(o.indexOf("=") + 1));
+      preset.value = scenario.toml === "" ? (list.find(same)?.name ?? "") : "";
+    },
+  };
+}

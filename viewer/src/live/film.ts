@@ -1,0 +1,200 @@
+/**
+ * A film that grows. Older moments are kept at even spaces, fewer of them as time goes on, so that memory stays the same;
+ * the newest ones are kept as they come.
+ */
+import type { FrameProtrusion, PhaseNumber } from "../contract";
+import type { Film } from "../run/frames";
+import { fibresOf } from "../run/bonds";
+import { cellParts } from "../run/cells";
+import type { Field } from "../unpack";
+import type { CoreFrame, Head } from "./protocol";
+
+/** Moments of the past, and the newest ones, that are kept. */
+const history = 96;
+const newest = 6;
+/** Between moments of the past, at first [s]. */
+const firstInterval = 60;
+/** What colours reach to at first. */
+const stressLimit = { pressure: 60, vonMises: 100, fibreVonMises: 100 };
+const forceLimit = 4;
+
+type Numbers = Int16Array | Uint8Array;
+
+/** What is kept in the browser of a film. */
+export interface FilmImage {
+  times: number[];
+  protrusions: FrameProtrusion[][];
+  interval: number;
+  past: number;
+  fields: Numbers[];
+}
+
+export class LiveFilm {
+  readonly film: Film;
+  /** How many of the film's moments are of the past. */
+  private past = 0;
+  private interval = firstInterval;
+  private readonly X: Float32Array;
+  private readonly fields: Field[];
+
+  constructor(head: Head, reference: Float32Array) {
+    const { n_particles: n, n_outline: m, radius_um: radius } = head;
+    const frames = history + newest;
+    const field = (wide: boolean, entries: number, components: number, scale: number): Field => {
+      const stride = entries * components;
+      const q = wide ? new Int16Array(frames * stride) : new Uint8Array(frames * stride);
+      return { q, frames, stride, components, scale, offset: 0 };
+    };
+    const place = (1.3 * radius) / 32767;
+    const fixed: Field = { q: new Int16Array(2 * n), frames: 1, stride: 2 * n, components: 2, scale: place, offset: 0 };
+    for (let i = 0; i < 2 * n; ++i) fixed.q[i] = Math.round(reference[i] / place);
+    const withFibres = head.bonds_um.length > 0;
+    const [x, f] = [field(true, n, 2, place), field(false, n, 1, 1 / 255)];
+    const stress = (limit: number) => field(true, n, 1, limit / 255);
+    const [pressure, vonMises] = [stress(stressLimit.pressure), stress(stressLimit.vonMises)];
+    const fibreVonMises = withFibres ? stress(stressLimit.fibreVonMises) : null;
+    const outline = {
+      x: field(true, m, 2, place),
+      front: field(false, m, 1, 1),
+      protrusion: field(false, m, 1, 1),
+      fMat: field(false, m, 1, 1 / 255),
+      force: field(false, m, 1, forceLimit / 255),
+    };
+    this.X = reference;
+    this.fields = [x, f, pressure, vonMises, ...(fibreVonMises ? [fibreVonMises] : []), ...Object.values(outline)];
+    this.film = {
+      times: [],
+      reference: fixed,
+      x,
+      f,
+      pressure,
+      vonMises,
+      fibreVonMises,
+      attractant: null,
+      youngsModulus: null,
+      ligand: null,
+      obstacles: head.obstacles_um,
+      cells: cellParts(m, undefined),
+      fibres: withFibres ? fibresOf({ bonds_um: head.bonds_um, onset: head.onset }, fixed) : null,
+      outline,
+      protrusions: [],
+      growing: true,
+      particles: n,
+      outlinePoints: m,
+    };
+  }
+
+  get end(): number {
+    return this.film.times[this.film.times.length - 1] ?? 0;
+  }
+
+  add(frame: CoreFrame): void {
+    const { times, protrusions } = this.film;
+    if (times.length > 0 && frame.t_s <= this.end) this.cut(frame.t_s);
+    if (times.length - this.past >= newest) this.retire();
+    const at = times.length;
+    times.push(frame.t_s);
+    protrusions.push(alive(frame));
+    this.write(at, frame);
+  }
+
+  /** What must be kept of it, and no more. */
+  image(): FilmImage {
+    const n = this.film.times.length;
+    return {
+      times: [...this.film.times],
+      protrusions: [...this.film.protrusions],
+      interval: this.interval,
+      past: this.past,
+      fields: this.fields.map(({ q, stride }) => q.slice(0, n * stride)),
+    };
+  }
+
+  restore(image: FilmImage): void {
+    if (image.fields.length !== this.fields.length || image.times.length > history + newest) return;
+    this.fields.forEach(({ q }, k) => q.set(image.fields[k].subarray(0, q.length)));
+    this.film.times.splice(0, Infinity, ...image.times);
+    this.film.protrusions.splice(0, Infinity, ...image.protrusions);
+    [this.interval, this.past] = [image.interval, image.past];
+  }
+
+  /** Takes moments from a time on away. */
+  private cut(from: number): void {
+    const { times, protrusions } = this.film;
+    let n = times.length;
+    while (n > 0 && times[n - 1] >= from) --n;
+    times.length = protrusions.length = n;
+    this.past = Math.min(this.past, n);
+  }
+
+  /** The oldest of the newest moments becomes one of the past, or goes. */
+  private retire(): void {
+    const { times } = this.film;
+    const { past } = this;
+    if (past === 0 || times[past] - times[past - 1] >= this.interval - 1e-6) {
+      ++this.past;
+      if (this.past === history) this.thin();
+    } else this.remove([past]);
+  }
+
+  /** Every second moment of the past goes. */
+  private thin(): void {
+    this.interval *= 2;
+    this.remove(Array.from({ length: this.past }, (_, k) => k).filter((k) => k % 2 === 1));
+    this.past = Math.ceil(this.past / 2);
+  }
+
+  /** @param which  indices, rising */
+  private remove(which: number[]): void {
+    const { times, protrusions } = this.film;
+    const gone = new Set(which);
+    let to = 0;
+    for (let from = 0; from < times.length; ++from) {
+      if (gone.has(from)) continue;
+      if (to !== from) {
+        for (const { q, stride } of this.fields) q.copyWithin(to * stride, from * stride, (from + 1) * stride);
+        times[to] = times[from];
+        protrusions[to] = protrusions[from];
+      }
+      ++to;
+    }
+    times.length = protrusions.length = to;
+  }
+
+  private write(at: number, frame: CoreFrame): void {
+    const { film, X } = this;
+    const { q, stride, scale } = film.x;
+    for (let i = 0; i < stride; ++i) q[at * stride + i] = Math.round((X[i] + frame.displacement[i]) / scale);
+    const put = (field: Field | null, values?: ArrayLike<number>) => {
+      if (!field || !values) return;
+      const most = field.q instanceof Int16Array ? 32767 : 255;
+      const least = field.q instanceof Int16Array ? -32767 : 0;
+      const base = at * field.stride;
+      for (let i = 0; i < field.stride; ++i)
+        field.q[base + i] = Math.max(least, Math.min(most, Math.round(values[i] / field.scale)));
+    };
+    film.f.q.set(frame.f, at * film.f.stride);
+    put(film.pressure, frame.pressure);
+    put(film.vonMises, frame.vonMises);
+    put(film.fibreVonMises, frame.fibreVonMises);
+    put(film.outline.x, frame.outline);
+    put(film.outline.front, frame.front);
+    put(film.outline.protrusion, frame.protrusionOf);
+    put(film.outline.fMat, frame.fMat);
+    put(film.outline.force, frame.force);
+  }
+}
+
+function alive(frame: CoreFrame): FrameProtrusion[] {
+  return Array.from(frame.ids, (id, k) => {
+    const [x, y] = [frame.anchors[2 * k], frame.anchors[2 * k + 1]];
+    return {
+      id,
+      phase: frame.phases[k] as PhaseNumber,
+      centre: frame.centres[k],
+      anchor: Number.isNaN(x) ? null : [x, y],
+      f_mat: frame.fMats[k],
+      force_nN: frame.forces[k],
+    };
+  });
+}

@@ -1,0 +1,20 @@
+/** The live page: the simulation runs in a worker of this tab, and the player draws it as it goes. */
+import { fault, h } from "../dom";
+import "../page.css";
+import "../run/run.css";
+import "./live.css";
+import { Live } from "./live";
+
+const page = document.getElementById("page");
+if (page) {
+  try {
+    const live = new Live();
+    page.replaceChildren(
+      h("header", {}, h("h1", {}, "Matrigrate live"), h("p", { class: "status" }, "One cell in a viscoelastic gel, computed in this tab.")),
+      ...live.parts,
+    );
+    window.matrigrateLive = live;
+  } catch (reason) {
+    page.replaceChildren(fault(reason instanceof Error ? reason.message : String(reason)));
+  }
+}

@@ -1,0 +1,107 @@
+/** What page and worker say to each other. */
+import type { ProtrusionRow } from "../contract";
+
+export interface Fault {
+  line: number;
+  column: number;
+  key: string;
+  message: string;
+}
+
+/** A scenario as the core takes it. */
+export interface Given {
+  toml: string;
+  /** "key=value" each. */
+  overrides: string[];
+  /** Files that the scenario names, with their content. */
+  files: Record<string, string>;
+}
+
+/** What a simulation is, told when it begins and when it changes. */
+export interface Head {
+  t_s: number;
+  step: number;
+  done: boolean;
+  radius_um: number;
+  spacing_um: number;
+  n_particles: number;
+  n_outline: number;
+  duration_s: number;
+  time_step_s: number;
+  changed: Changed;
+  /** Of a change: the time from which on it holds. */
+  from_s?: number;
+  /** From a particle to those that fibres join it to [um]; empty without fibres. */
+  bonds_um: [number, number][];
+  onset: number;
+  /** Places of the particles of rigid obstacles [um]. */
+  obstacles_um: [number, number][];
+}
+
+/** A moment as the core gives it. */
+export interface CoreFrame {
+  t_s: number;
+  displacement: Float32Array;
+  f: Uint8Array;
+  pressure: Float32Array;
+  vonMises: Float32Array;
+  fibreVonMises?: Float32Array;
+  outline: Float32Array;
+  front: Uint8Array;
+  protrusionOf: Uint8Array;
+  fMat: Float32Array;
+  force: Float32Array;
+  ids: Float32Array;
+  centres: Float32Array;
+  phases: Uint8Array;
+  anchors: Float32Array;
+  fMats: Float32Array;
+  forces: Float32Array;
+}
+
+/** t [s], x, y [um], area [um^2], perimeter [um], polarization [rad], protrusions alive. */
+export type TrackRow = [number, number, number, number, number, number | null, number];
+
+export interface Preset {
+  name: string;
+  description: string;
+  overrides: string[];
+}
+
+/** Every parameter that is not at the program's default. */
+export type Changed = { path: string; value: string | number | boolean }[];
+
+export interface Answer {
+  kind: "answer";
+  ticket: number;
+  faults?: Fault[];
+  failure?: string;
+  /** To "check". */
+  changed?: Changed;
+  /** The resolved scenario. */
+  toml?: string;
+  /** To "image": the state at t_s. */
+  bytes?: Uint8Array;
+  t_s?: number;
+}
+
+export type ToWorker =
+  | { kind: "check"; given: Given; ticket: number }
+  | { kind: "start"; given: Given; image?: Uint8Array }
+  | { kind: "play"; to_s?: number }
+  | { kind: "pause" }
+  | { kind: "step" }
+  | { kind: "change"; overrides: string[] }
+  | { kind: "image"; ticket: number }
+  /** The last picture has been taken over; the next one may come. */
+  | { kind: "seen" };
+
+export type FromWorker =
+  | { kind: "ready"; presets: Preset[] }
+  | { kind: "begun"; head: Head; reference: Float32Array; resumed: boolean }
+  | { kind: "changed"; head: Head; overrides: string[] }
+  | { kind: "frame"; frame: CoreFrame; tracks: TrackRow[]; protrusions: ProtrusionRow[]; step: number; done: boolean }
+  | { kind: "stopped"; why: "paused" | "done" | "failed" }
+  | { kind: "faults"; faults: Fault[]; of: "start" | "change" }
+  | { kind: "failure"; text: string }
+  | Answer;

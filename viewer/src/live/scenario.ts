@@ -1,0 +1,160 @@
+/** What is simulated: a scenario, settings on top of it, what was drawn, and what changed on the way. */
+import type { Given } from "./protocol";
+
+export type StrokeKind = "soft" | "stiff" | "hole" | "obstacle";
+
+/** A line drawn by a brush: points x0, y0, x1, y1, ... [um]. */
+export interface Stroke {
+  kind: StrokeKind;
+  radius: number;
+  points: number[];
+}
+
+/** What a brush makes of a field of the matrix, from its value elsewhere. */
+export const brushes: Record<StrokeKind, { name: string; field: FieldKey; value: (elsewhere: number) => number }> = {
+  soft: { name: "Soft spot", field: "youngs_modulus", value: (E) => 0.25 * E },
+  stiff: { name: "Stiff spot", field: "youngs_modulus", value: (E) => 4 * E },
+  hole: { name: "Hole", field: "f_degr", value: () => 0 },
+  obstacle: { name: "Obstacle", field: "obstacle", value: () => 1 },
+};
+
+type FieldKey = "youngs_modulus" | "f_degr" | "obstacle";
+export const fieldFiles: Record<FieldKey, { path: string; file: string; column: string }> = {
+  obstacle: { path: "ecm.fields.obstacle", file: "obstacle.csv", column: "obstacle" },
+  youngs_modulus: { path: "ecm.fields.youngs_modulus", file: "youngs_modulus.csv", column: "E_Pa" },
+  f_degr: { path: "ecm.fields.f_degr", file: "f_degr.csv", column: "f_degr" },
+};
+
+/** Settings by parameter, as after --set. */
+export type Settings = Record<string, string>;
+
+export interface Change {
+  /** [s] */
+  t: number;
+  overrides: string[];
+}
+
+export interface Scenario {
+  /** A scenario file; "" for the program's defaults. */
+  toml: string;
+  settings: Settings;
+  strokes: Stroke[];
+  changes: Change[];
+}
+
+/** As `matrigrate new` writes it: with the adaptive integrator. */
+const usual: Settings = { "run.integrator": "adaptive" };
+
+export const settingsOf = (overrides: string[]): Settings =>
+  Object.fromEntries(overrides.map((one) => [one.slice(0, one.indexOf("=")), one.slice(one.indexOf("=") + 1)]));
+
+/** @param overrides  of a preset */
+export function fresh(overrides: string[] = [], seed = "1"): Scenario {
+  return { toml: "", settings: { ...usual, ...settingsOf(overrides), "run.seed": seed }, strokes: [], changes: [] };
+}
+
+const distance = (x: number, y: number, ax: number, ay: number, bx: number, by: number): number => {
+  const [dx, dy] = [bx - ax, by - ay];
+  const length = dx * dx + dy * dy;
+  const share = length > 0 ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / length)) : 0;
+  return Math.hypot(x - ax - share * dx, y - ay - share * dy);
+};
+
+export function covers({ points, radius }: Stroke, x: number, y: number): boolean {
+  if (points.length === 2) return Math.hypot(x - points[0], y - points[1]) <= radius;
+  for (let k = 0; k + 3 < points.length; k += 2)
+    if (distance(x, y, points[k], points[k + 1], points[k + 2], points[k + 3]) <= radius) return true;
+  return false;
+}
+
+/** "200 Pa", "0.2 kPa" or a bare number in Pa. */
+export function pascals(text: string): number {
+  const found = /^\s*([-+0-9.eE]+)\s*(Pa|kPa|MPa)?\s*$/.exec(text.replace(/^"|"$/g, ""));
+  return found ? Number(found[1]) * { Pa: 1, kPa: 1e3, MPa: 1e6 }[found[2] ?? "Pa"]! : NaN;
+}
+
+/** A grid of values at the places of the matrix particles, so that each of them gets exactly the value drawn there. */
+function grid(strokes: Stroke[], key: FieldKey, base: number, radius: number, spacing: number): string {
+  const lines = [`x_um,y_um,${fieldFiles[key].column}`];
+  const n = Math.ceil(radius / spacing);
+  for (let j = -n; j <= n; ++j)
+    for (let i = -n; i <= n; ++i) {
+      const [x, y] = [i * spacing, j * spacing];
+      const over = strokes.findLast((stroke) => covers(stroke, x, y));
+      lines.push(`${x},${y},${over ? Number(brushes[over.kind].value(base).toPrecision(12)) : base}`);
+    }
+  return `${lines.join("\n")}\n`;
+}
+
+export interface Ground {
+  /** Of the uniform matrix [Pa]. */
+  youngs_modulus: number;
+  /** [um] */
+  radius: number;
+  spacing: number;
+}
+
+/** The files of what was drawn. */
+export function drawnFiles(strokes: Stroke[], ground: Ground): Record<string, string> {
+  const files: Record<string, string> = {};
+  const elsewhere: Record<FieldKey, number> = { youngs_modulus: ground.youngs_modulus, f_degr: 1, obstacle: 0 };
+  for (const key of ["youngs_modulus", "f_degr", "obstacle"] as const) {
+    const own = strokes.filter((stroke) => brushes[stroke.kind].field === key);
+    if (own.length === 0) continue;
+    files[fieldFiles[key].file] = grid(own, key, elsewhere[key], ground.radius, ground.spacing);
+  }
+  return files;
+}
+
+/** For the core. */
+export function given(scenario: Scenario, ground: Ground): Given {
+  const files = drawnFiles(scenario.strokes, ground);
+  const fields = Object.values(fieldFiles)
+    .filter(({ file }) => files[file] !== undefined)
+    .map(({ path, file }) => `${path}=/${file}`);
+  const settings = Object.entries(scenario.settings).map(([path, value]) => `${path}=${value}`);
+  return { toml: scenario.toml, overrides: [...settings, ...fields], files };
+}
+
+/** The settings as they are after all changes on the way. */
+export function now(scenario: Scenario): Settings {
+  return Object.assign({}, scenario.settings, ...scenario.changes.map(({ overrides }) => settingsOf(overrides))) as Settings;
+}
+
+const short = (v: number): number => Number(v.toFixed(1));
+
+/** Of the address, behind the #. Changes on the way are no part of it: a link begins at the beginning. */
+export function toHash({ toml, settings, strokes }: Scenario): string {
+  const data = {
+    v: 1,
+    ...(toml ? { toml } : {}),
+    set: settings,
+    ...(strokes.length > 0 ? { draw: strokes.map(({ kind, radius, points }) => [kind, radius, ...points.map(short)]) } : {}),
+  };
+  const bytes = new TextEncoder().encode(JSON.stringify(data));
+  let binary = "";
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return `#scenario=${btoa(binary).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "")}`;
+}
+
+/** null without a scenario. @throws Error saying what is wrong with it */
+export function fromHash(hash: string): Scenario | null {
+  const found = /^#scenario=(.*)$/.exec(hash);
+  if (!found) return null;
+  try {
+    const binary = atob(found[1].replace(/-/g, "+").replace(/_/g, "/"));
+    const text = new TextDecoder("utf-8", { fatal: true }).decode(Uint8Array.from(binary, (c) => c.charCodeAt(0)));
+    const data = JSON.parse(text) as { v?: unknown; toml?: unknown; set?: unknown; draw?: unknown };
+    if (data.v !== 1) throw new Error(`its version is ${String(data.v)}, and this page knows version 1`);
+    const settings = Object.entries((data.set ?? {}) as object).map(([k, v]) => [k, String(v)]);
+    const strokes = ((data.draw ?? []) as [StrokeKind, ...number[]][]).map(([kind, radius, ...points]): Stroke => {
+      const numbers = [radius, ...points];
+      if (!(kind in brushes) || points.length < 2 || points.length % 2 !== 0 || !numbers.every(Number.isFinite))
+        throw new Error("something drawn in it cannot be read");
+      return { kind, radius, points };
+    });
+    return { toml: typeof data.toml === "string" ? data.toml : "", settings: Object.fromEntries(settings) as Settings, strokes, changes: [] };
+  } catch (reason) {
+    throw new Error(`The address holds a scenario that cannot be read: ${reason instanceof Error ? reason.message : String(reason)}.`);
+  }
+}

@@ -1,0 +1,101 @@
+/** What is looked at: stage, layers and plots of one simulation. */
+import type { ProtrusionRow, RunPage, Tracks } from "../contract";
+import { h } from "../dom";
+import { timeText } from "../numbers";
+import { attachKeys, keyList } from "../run/keys";
+import { layers } from "../run/matrix/layers";
+import { panel } from "../run/panel";
+import { present, viewButtons } from "../run/player";
+import { Probe } from "../run/probe";
+import { Stage } from "../run/stage";
+import type { Brush } from "./brush";
+import type { LiveClock } from "./clock";
+import { curves, type Curves } from "./curves";
+import type { LiveFilm } from "./film";
+import type { Head, TrackRow } from "./protocol";
+import type { Stroke } from "./scenario";
+
+/** What arrows and colours are made for [um, um/h, nN]. */
+const usual = { displacement: 3, velocity: 40, force: 2 };
+
+/** What is seen at first [um]. */
+const firstView = 120;
+
+export const noTracks = (): Tracks => ({ t_s: [], x_um: [], y_um: [], area_um2: [], perimeter_um: [], polarization_rad: [], n_simultaneous: [] });
+
+export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
+  for (const [t, x, y, area, perimeter, polarization, alive] of rows) {
+    if (tracks.t_s.length > 0 && t <= tracks.t_s[tracks.t_s.length - 1]) continue;
+    tracks.t_s.push(t);
+    tracks.x_um.push(x);
+    tracks.y_um.push(y);
+    tracks.area_um2.push(area);
+    tracks.perimeter_um.push(perimeter);
+    tracks.polarization_rad.push(polarization);
+    tracks.n_simultaneous.push(alive);
+  }
+}
+
+export interface Scene {
+  stage: Stage;
+  curves: Curves;
+  keys: HTMLElement;
+  aside: HTMLElement;
+  protrusionsNow: HTMLElement;
+}
+
+export function scene(
+  head: Head,
+  film: LiveFilm,
+  clock: LiveClock,
+  tracks: Tracks,
+  rows: () => ProtrusionRow[],
+  brush: Brush,
+  strokes: () => Stroke[],
+  gone: AbortSignal,
+): Scene {
+  const run: RunPage = {
+    format: "matrigrate-run",
+    version: 1,
+    title: "Matrigrate live",
+    status: "",
+    t_end_s: head.duration_s,
+    geometry: { radius_um: head.radius_um, spacing_um: head.spacing_um, n_particles: head.n_particles, n_outline: head.n_outline },
+    summary: "",
+    facts: [],
+    tracks,
+    protrusions: [],
+    readouts: [],
+    parameters: [],
+    health: [],
+    provenance: "",
+    citation: "",
+  };
+  const all = layers(film.film);
+  for (const layer of all) if (layer.key === "displacement") layer.high = usual.displacement;
+  const stage = new Stage(run, film.film, clock, all, usual, undefined, gone);
+  const time = h("output", { class: "time" });
+  const showTime = () => {
+    time.textContent = timeText(clock.playing ? 10 * Math.floor(clock.time / 10) : clock.time);
+  };
+  clock.onChange(showTime, gone);
+  showTime();
+  stage.element.append(time, viewButtons(stage));
+  const keys = keyList(true);
+  attachKeys(clock, stage, new Probe(stage), all, keys, document, gone);
+  brush.attach(stage, strokes);
+  // Once it has a size: the cell with room to walk.
+  requestAnimationFrame(() => {
+    const { camera } = stage;
+    camera.scale = Math.min(camera.width, camera.height) / firstView;
+    stage.follow = true;
+    stage.viewChanged();
+  });
+  return {
+    stage,
+    curves: curves(clock, tracks, rows, gone),
+    keys: keys.element,
+    aside: h("details", { class: "look", open: matchMedia("(min-width: 60rem)").matches }, h("summary", {}, "Colours and what is drawn"), panel(stage, film.film, all, gone)),
+    protrusionsNow: present(film.film, clock, gone),
+  };
+}

@@ -1,0 +1,157 @@
+/** Runs in a worker, behind the script of the core: computes piece by piece, so that messages are heard in between. */
+import type { ProtrusionRow } from "../contract";
+import type { Answer, CoreFrame, Fault, FromWorker, Given, Head, Preset, ToWorker, TrackRow } from "./protocol";
+
+/** As web/core/bindings.cpp exports it; all text is JSON. */
+interface Core {
+  putFile(name: string, content: string): void;
+  check(toml: string, overrides: string): string;
+  start(toml: string, overrides: string): string;
+  takeUp(toml: string, overrides: string, image: Uint8Array): string;
+  march(t_end: number, wall_ms: number): string;
+  step(): string;
+  change(overrides: string): string;
+  reference(): Float32Array;
+  frame(): CoreFrame;
+  tracks(): string;
+  protrusions(): string;
+  image(): Uint8Array;
+  presets(): string;
+}
+
+declare function matrigrateCore(options: object): Promise<Core>;
+
+interface Refusal {
+  faults?: Fault[];
+  failure?: string;
+}
+
+/** Computes so long before it listens [ms]. */
+const piece = 30;
+/** Least time between two pictures [ms]. */
+const between = 90;
+
+const send = (message: FromWorker, transfer: Transferable[] = []): void =>
+  (self as unknown as { postMessage(m: unknown, t: Transferable[]): void }).postMessage(message, transfer);
+
+let core: Core;
+let playing = false;
+let waiting = false; // for the page to take the last picture over
+let target = Infinity;
+let lastFrame = 0;
+const heartbeat = new MessageChannel();
+
+const read = <T>(text: string): T & Refusal => JSON.parse(text) as T & Refusal;
+
+/** Whether something went wrong, which is then told. */
+function refused(answer: Refusal, of: "start" | "change"): boolean {
+  if (answer.faults) send({ kind: "faults", faults: answer.faults, of });
+  else if (answer.failure) send({ kind: "failure", text: answer.failure });
+  return answer.faults !== undefined || answer.failure !== undefined;
+}
+
+function show(step: number, done: boolean): void {
+  const frame = core.frame();
+  const tracks = read<TrackRow[]>(core.tracks());
+  const protrusions = read<ProtrusionRow[]>(core.protrusions());
+  waiting = true;
+  lastFrame = performance.now();
+  const buffers = Object.values(frame).flatMap((v) => (ArrayBuffer.isView(v) ? [v.buffer as ArrayBuffer] : []));
+  send({ kind: "frame", frame, tracks, protrusions, step, done }, buffers);
+}
+
+/** Where it is, which may be later than what has been shown. */
+function showNow(): void {
+  const { step, done } = read<{ step: number; done: boolean }>(core.march(0, 0));
+  show(step, done);
+}
+
+function stop(why: "paused" | "done" | "failed"): void {
+  playing = false;
+  send({ kind: "stopped", why });
+}
+
+function compute(): void {
+  if (!playing) return;
+  const now = read<{ t_s: number; step: number; done: boolean }>(core.march(target, piece));
+  if (refused(now, "start")) {
+    stop("failed");
+    return;
+  }
+  const there = now.t_s >= target - 1e-6;
+  if (now.done || there || (!waiting && performance.now() - lastFrame >= between)) show(now.step, now.done);
+  if (now.done || there) stop(now.done ? "done" : "paused");
+  else heartbeat.port2.postMessage(null);
+}
+
+function put(given: Given): void {
+  for (const [name, content] of Object.entries(given.files)) core.putFile(`/${name}`, content);
+}
+
+function begin(given: Given, image?: Uint8Array): void {
+  put(given);
+  const overrides = JSON.stringify(given.overrides);
+  const head = read<Head>(image ? core.takeUp(given.toml, overrides, image) : core.start(given.toml, overrides));
+  if (refused(head, "start")) return;
+  playing = false;
+  const reference = core.reference();
+  send({ kind: "begun", head, reference, resumed: image !== undefined }, [reference.buffer as ArrayBuffer]);
+  show(head.step, head.done);
+}
+
+function act(message: ToWorker): void {
+  switch (message.kind) {
+    case "check": {
+      put(message.given);
+      const { toml, overrides } = message.given;
+      const found = read<Pick<Answer, "changed" | "toml">>(core.check(toml, JSON.stringify(overrides)));
+      return send({ kind: "answer", ticket: message.ticket, ...found });
+    }
+    case "start":
+      return begin(message.given, message.image);
+    case "play":
+      target = message.to_s ?? Infinity;
+      if (playing) return;
+      playing = true;
+      return heartbeat.port2.postMessage(null);
+    case "pause":
+      if (!playing) return;
+      showNow();
+      return stop("paused");
+    case "step": {
+      playing = false;
+      const now = read<{ step: number; done: boolean }>(core.step());
+      if (!refused(now, "start")) show(now.step, now.done);
+      return;
+    }
+    case "change": {
+      const head = read<Head>(core.change(JSON.stringify(message.overrides)));
+      if (refused(head, "change")) return;
+      send({ kind: "changed", head, overrides: message.overrides });
+      if (!playing) show(head.step, head.done);
+      return;
+    }
+    case "image": {
+      const bytes = core.image();
+      const { t_s } = read<{ t_s: number }>(core.march(0, 0));
+      return send({ kind: "answer", ticket: message.ticket, bytes, t_s }, [bytes.buffer as ArrayBuffer]);
+    }
+    case "seen":
+      waiting = false;
+  }
+}
+
+heartbeat.port1.onmessage = compute;
+// What the browser cannot do is said in words, too: no SIMD, no memory.
+matrigrateCore({}).then(
+  (made) => {
+    core = made;
+    self.onmessage = (event: MessageEvent<ToWorker>) => act(event.data);
+    send({ kind: "ready", presets: read<Preset[]>(core.presets()) });
+  },
+  (reason: unknown) =>
+    send({
+      kind: "failure",
+      text: `This browser cannot run the simulation (WebAssembly with SIMD is needed): ${String(reason)}`,
+    }),
+);

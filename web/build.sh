@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Builds the live page into build/web/live/: one folder of static files. Emscripten comes from Debian; it is large, so that
+# nothing else of the project asks for it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/setup.sh
+
+packages_for_web="
+emscripten: compiles the core to WebAssembly
+"
+install_packages "$packages_to_build$packages_for_web"
+# Node.js from elsewhere does not look for Debian's modules, of which Emscripten uses one.
+export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
+toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
+[ -f "$toolchain" ] || die "Emscripten's file for CMake is not at $toolchain"
+say "compiling the core to WebAssembly"
+cmake -S web -B build/web/core -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release >/dev/null ||
+  die "the build could not be configured"
+cmake --build build/web/core -j "$(job_count)" || die "the build failed"
+
+say "building the page"
+viewer=build/web/viewer
+mkdir -p "$viewer" build/web/live
+rm -rf "$viewer/src" "$viewer/sample" "$viewer/tests" "$viewer/dist" # copies of files that may be gone
+cp -r viewer/src viewer/sample viewer/tests viewer/*.html viewer/*.json viewer/*.ts "$viewer"
+(
+  cd "$viewer"
+  [ -d node_modules ] || npm ci --no-audit --no-fund --loglevel=error
+  npm run build:live --silent
+) || die "the page could not be built"
+node web/join.mjs "$viewer/dist/live.html" build/web/core/core_worker.js "$viewer/dist/live_worker.js" build/web/live/index.html
+cp LICENSE build/web/live/
+# What the page contains of others, under the terms that Debian states for each.
+for package in emscripten libeigen3-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev librandom123-dev libxxhash-dev; do
+  printf '==== %s ====\n\n' "$package"
+  cat "/usr/share/doc/$package/copyright"
+  printf '\n'
+done >build/web/live/NOTICES
+say "open build/web/live/index.html ($(du -h build/web/live/index.html | cut -f1))"

@@ -1,0 +1,298 @@
+// What JavaScript calls: one simulation at a time; text goes in and out as JSON, frames as typed arrays.
+#include "core/live.hpp"
+
+#include "base/failure.hpp"
+#include "ecm/fibres.hpp"
+#include "parameters/presets.hpp"
+#include "parameters/read.hpp"
+#include "parameters/schema.hpp"
+#include "parameters/write.hpp"
+#include "simulation/start_rules.hpp"
+#include "sph/kernel.hpp"
+#include "state/initial.hpp"
+
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <new>
+
+namespace matrigrate::live {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using emscripten::val;
+
+std::unique_ptr<Simulation>& running() {
+  static std::unique_ptr<Simulation> one;
+  return one;
+}
+
+Simulation& simulation() {
+  if (!running()) throw std::logic_error("there is no simulation yet");
+  return *running();
+}
+
+Json faults_json(const std::vector<Fault>& faults) {
+  Json all = Json::array();
+  for (const Fault& fault : faults)
+    all.push_back({{"line", fault.line}, {"column", fault.column}, {"key", fault.key}, {"message", fault.message}});
+  return all;
+}
+
+/// What `act` returns; where it fails, {"faults": [...]} for a wrong scenario and {"failure": "..."} for all else.
+template <class Act>
+std::string answer(const Act& act) {
+  try {
+    return act().dump();
+  } catch (const ConfigurationError& error) {
+    return Json{{"faults", faults_json(error.faults())}}.dump();
+  } catch (const std::bad_alloc&) {
+    return Json{{"failure", "the browser gives no more memory"}}.dump();
+  } catch (const std::exception& error) {
+    return Json{{"failure", error.what()}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+}
+
+std::vector<std::string> strings(const std::string& json) { return Json::parse(json).get<std::vector<std::string>>(); }
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// Where the simulation is.
+Json now_json() {
+  const Simulation& s = simulation();
+  return {{"t_s", s.state().t}, {"step", s.state().step}, {"done", s.done()}};
+}
+
+Json value_json(const Row& row, const Parameters& p) {
+  return {{"path", row.path}, {"value", Json::parse(value_text(row, p))}};
+}
+
+/// Every parameter whose value differs between the two.
+Json changed_json(const Parameters& base, const Parameters& p) {
+  Json all = Json::array();
+  for (const Row& row : schema())
+    if (value_text(row, base) != value_text(row, p)) all.push_back(value_json(row, p));
+  return all;
+}
+
+/// From a particle to those that fibres join it to; of two opposite bonds one. Empty where their direction varies.
+Json bonds_json(const Parameters& p) {
+  Json bonds = Json::array();
+  if (p.fibres.arrangement == FibreArrangement::none || !p.fibres.field.direction_deg.empty()) return bonds;
+  const Kernel kernel(p.ecm.smoothing_length);
+  for (const Vec2& X : lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length)) {
+    const bool once = X.y() > 0.0 || (X.y() == 0.0 && X.x() > 0.0);
+    if (once && kernel.W(X.norm()) > 0.0 && joined(X, p.fibres)) bonds.push_back({X.x(), X.y()});
+  }
+  return bonds;
+}
+
+/// Places of the particles of rigid obstacles [um].
+Json obstacles_json(const EcmState& ecm) {
+  Json places = Json::array();
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if (ecm.in_obstacle(i)) places.push_back({ecm.X[i].x(), ecm.X[i].y()});
+  return places;
+}
+
+Json head_json() {
+  const Simulation& s = simulation();
+  const Parameters& p = s.parameters();
+  Json head = now_json();
+  head["radius_um"] = p.ecm.radius;
+  head["spacing_um"] = p.ecm.particle_spacing;
+  head["n_particles"] = s.state().ecm.size();
+  head["n_outline"] = s.state().cells.front().cortex.size();
+  head["duration_s"] = p.run.duration;
+  head["time_step_s"] = p.run.time_step;
+  head["bonds_um"] = bonds_json(p);
+  head["onset"] = p.fibres.onset;
+  head["obstacles_um"] = obstacles_json(s.state().ecm);
+  head["changed"] = changed_json(Parameters{}, p);
+  return head;
+}
+
+/// Makes a file in memory, for fields that a scenario names.
+void put_file(const std::string& name, const std::string& content) { std::ofstream(name, std::ios::binary) << content; }
+
+Parameters read(const std::string& toml, const std::string& overrides) {
+  return parse_parameters(toml, "", strings(overrides), start_rules());
+}
+
+/// Checks a scenario. @return {"changed": [...], "toml": "..."}: what differs from the defaults of the program, and the
+/// resolved scenario
+std::string check(const std::string& toml, const std::string& overrides) {
+  return answer([&] {
+    const Parameters p = read(toml, overrides);
+    return Json{{"changed", changed_json(Parameters{}, p)}, {"toml", to_toml(p)}};
+  });
+}
+
+std::string start(const std::string& toml, const std::string& overrides) {
+  return answer([&] {
+    const Parameters p = read(toml, overrides);
+    running().reset(); // two at a time need twice the memory
+    running() = std::make_unique<Simulation>(p);
+    return head_json();
+  });
+}
+
+std::string take_up(const std::string& toml, const std::string& overrides, const std::string& image) {
+  return answer([&] {
+    const Parameters p = read(toml, overrides);
+    running().reset();
+    running() = std::make_unique<Simulation>(p, image);
+    return head_json();
+  });
+}
+
+/// @param wall_ms  returns after about so long, or when t_end is reached
+std::string march(double t_end, double wall_ms) {
+  using Clock = std::chrono::steady_clock;
+  return answer([&] {
+    const auto until = Clock::now() + std::chrono::duration<double, std::milli>(wall_ms);
+    simulation().march(t_end, [&] { return Clock::now() >= until; });
+    return now_json();
+  });
+}
+
+/// One step.
+std::string step() {
+  return answer([] {
+    simulation().march(std::numeric_limits<double>::infinity(), [] { return true; });
+    return now_json();
+  });
+}
+
+std::string change(const std::string& overrides) {
+  return answer([&] {
+    const Change made = simulation().change(strings(overrides));
+    Json json = head_json();
+    json["from_s"] = made.t;
+    return json;
+  });
+}
+
+template <class T>
+val array(const char* type, const std::vector<T>& numbers) {
+  return val::global(type).new_(val(emscripten::typed_memory_view(numbers.size(), numbers.data())));
+}
+
+val floats(const io::Floats& numbers) { return array("Float32Array", numbers); }
+val bytes(const io::Bytes& numbers) { return array("Uint8Array", numbers); }
+
+/// Reference positions of the particles.
+val reference() { return floats(io::frame_head(simulation().state(), simulation().parameters()).reference); }
+
+/// Copies of what the page draws.
+val frame() {
+  const io::Frame f = simulation().frame();
+  val out = val::object();
+  out.set("t_s", f.t);
+  out.set("displacement", floats(f.matrix.displacement));
+  out.set("f", bytes([&] {
+            io::Bytes share;
+            for (const float value : f.matrix.f_degr)
+              share.push_back(static_cast<std::uint8_t>(std::lround(255.0F * value)));
+            return share;
+          }()));
+  out.set("pressure", floats(f.matrix.pressure));
+  out.set("vonMises", floats(f.matrix.von_mises));
+  if (!f.matrix.fibre_von_mises.empty()) out.set("fibreVonMises", floats(f.matrix.fibre_von_mises));
+  out.set("outline", floats(f.outline.x));
+  out.set("front", bytes(f.outline.front));
+  out.set("protrusionOf", bytes(f.outline.protrusion));
+  out.set("fMat", floats(f.outline.f_mat));
+  out.set("force", floats(f.outline.force));
+  out.set("ids", floats(f.protrusions.id));
+  out.set("centres", floats(f.protrusions.centre));
+  out.set("phases", bytes(f.protrusions.phase));
+  out.set("anchors", floats(f.protrusions.anchor));
+  out.set("fMats", floats(f.protrusions.f_mat));
+  out.set("forces", floats(f.protrusions.force));
+  return out;
+}
+
+/// Rows of tracks since the last call, those of the first cell.
+std::string tracks() {
+  return answer([] {
+    Json all = Json::array();
+    for (const TrackRow& row : simulation().take_tracks())
+      if (row.cell == 0)
+        all.push_back({row.t, row.centre.x(), row.centre.y(), row.area, row.perimeter,
+                       row.polarization ? Json(*row.polarization) : Json(), row.alive()});
+    return all;
+  });
+}
+
+/// Protrusions of the first cell, ended or alive, as the page of a run has them.
+std::string protrusions() {
+  return answer([] {
+    const Parameters& p = simulation().parameters();
+    Json all = Json::array();
+    for (const ProtrusionRecord& r : protrusion_records(simulation().state().cells.front()))
+      all.push_back({{"id", r.id},
+                     {"centre_particle", r.centre},
+                     {"t_initiation_s", number(r.t_initiation)},
+                     {"t_adhesion_s", number(r.t_adhesion)},
+                     {"t_mature_s", number(r.t_mature)},
+                     {"t_disassembly_s", number(r.t_disassembly)},
+                     {"t_end_s", number(r.t_end)},
+                     {"length_um", number(r.length)},
+                     {"f_mat", number(r.f_mat)},
+                     {"force_nN", number(r.force)},
+                     {"f_adh_rel", number(r.force / (r.f_mat * p.actomyosin.force))},
+                     {"cause", name(r.cause)}});
+    return all;
+  });
+}
+
+val image() {
+  const std::string all = simulation().image();
+  return val::global("Uint8Array")
+      .new_(val(emscripten::typed_memory_view(all.size(), reinterpret_cast<const unsigned char*>(all.data()))));
+}
+
+/// Presets that need no formula.
+std::string preset_list() {
+  return answer([] {
+    Json all = Json::array();
+    for (const Preset& preset : presets()) {
+      try {
+        static_cast<void>(parameters_of(preset));
+      } catch (const ConfigurationError&) {
+        continue;
+      }
+      all.push_back({{"name", preset.name}, {"description", preset.description}, {"overrides", preset.overrides}});
+    }
+    return all;
+  });
+}
+
+} // namespace
+
+EMSCRIPTEN_BINDINGS(matrigrate) {
+  using emscripten::function;
+  function("putFile", &put_file);
+  function("check", &check);
+  function("start", &start);
+  function("takeUp", &take_up);
+  function("march", &march);
+  function("step", &step);
+  function("change", &change);
+  function("reference", &reference);
+  function("frame", &frame);
+  function("tracks", &tracks);
+  function("protrusions", &protrusions);
+  function("image", &image);
+  function("presets", &preset_list);
+}
+
+} // namespace matrigrate::live

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "observe/frame.hpp"
+#include "observe/tracks.hpp"
+#include "parameters/parameters.hpp"
+#include "simulation/workspace.hpp"
+#include "state/state.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A simulation that a page follows: it is advanced piece by piece, its parameters may change on the way, and its
+/// state can be kept and taken up again. Test: web/tests/core.mjs
+namespace matrigrate::live {
+
+/// Parameters that changed on the way.
+struct Change {
+  double t = 0.0; ///< [s]
+  std::vector<std::string> overrides;
+};
+
+class Simulation {
+public:
+  /// From the beginning.
+  explicit Simulation(const Parameters& p);
+  /// From a state kept by image(), with the parameters that it then had.
+  /// @throws std::invalid_argument if the bytes are no such state, or one of another size
+  Simulation(const Parameters& p, std::string_view image);
+
+  /// Advances until t_end [s], run.duration, or `enough`, which is asked after each step.
+  /// @throws NumericalFailure
+  void march(double t_end, const std::function<bool()>& enough);
+
+  /// Advances to the next multiple of run.time_step, where a branch of the program can begin, and goes on with other
+  /// parameters from there.
+  /// @param overrides  "key=value"
+  /// @throws ConfigurationError naming what cannot change, or is wrong; nothing has happened then
+  /// @throws NumericalFailure
+  Change change(const std::vector<std::string>& overrides);
+
+  /// Whether run.duration is reached.
+  bool done() const;
+
+  const State& state() const { return m_s; }
+  const Parameters& parameters() const { return m_p; }
+  io::Frame frame() const { return io::frame(m_s, m_p, *m_w); }
+
+  /// Rows at the multiples of output.track_interval that were passed since the last call.
+  std::vector<TrackRow> take_tracks();
+
+  /// All of the state, to be read by this build of the program alone.
+  std::string image() const;
+
+private:
+  void keep_track();
+
+  Parameters m_p;
+  State m_s;
+  std::optional<Workspace> m_w;
+  std::vector<TrackRow> m_tracks;
+  double m_next_track = 0.0; ///< [s]
+};
+
+} // namespace matrigrate::live

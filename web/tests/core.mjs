@@ -1,0 +1,69 @@
+// The core in Node.js: how fast it is, and whether it does what the native program does.
+//   node core.mjs core_node.js [hours] [native run folder]
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { resolve } from "node:path";
+
+const [script, hours = "0.5", native] = process.argv.slice(2);
+const core = await createRequire(import.meta.url)(resolve(script))({});
+const ask = (text) => {
+  const answer = JSON.parse(text);
+  if (answer.faults || answer.failure) throw new Error(text);
+  return answer;
+};
+
+const wrong = JSON.parse(core.check("[ecm]\nyoungs_module = '200 Pa'\nviscosity = '-1 Pa s'\n", "[]"));
+console.log("a wrong scenario:", JSON.stringify(wrong));
+if (wrong.faults?.length !== 2) throw new Error("two faults were expected");
+const formula = JSON.parse(core.check("[ecm.fields]\nf_degr = 'abs(y) < 5 ? 0 : 1'\n", "[]"));
+if (!/formulas are not available/.test(formula.faults?.[0]?.message ?? "")) throw new Error(JSON.stringify(formula));
+
+const settings = JSON.stringify(["run.integrator=adaptive", "run.seed=1"]);
+ask(core.start("", settings));
+const begin = performance.now();
+let now = { t_s: 0 };
+while (now.t_s < 3600 * Number(hours) - 1e-6 && !now.done) now = ask(core.march(3600 * Number(hours), 1000));
+const wall = (performance.now() - begin) / 1000;
+console.log(`${now.t_s} s in ${wall.toFixed(1)} s, ${now.step} steps: ${(now.t_s / wall).toFixed(0)} times faster than life`);
+const rows = ask(core.protrusions());
+const tracks = ask(core.tracks());
+
+// A state that was kept goes on to the same bits.
+const image = core.image();
+const on = now.t_s + 60;
+while (now.t_s < on - 1e-6) now = ask(core.march(on, 1000));
+const [x, y] = [core.frame(), now.step];
+ask(core.takeUp("", settings, image));
+now = { t_s: 0 };
+while (now.t_s < on - 1e-6) now = ask(core.march(on, 1000));
+const again = core.frame();
+for (const key of Object.keys(x))
+  if (JSON.stringify(Array.from([x[key]].flat())) !== JSON.stringify(Array.from([again[key]].flat())))
+    throw new Error(`${key} differs after a state was taken up`);
+if (y !== now.step) throw new Error("steps differ after a state was taken up");
+console.log("a state that was kept and taken up goes on to the same bits");
+
+if (native) {
+  const table = (name) => {
+    const [head, ...lines] = readFileSync(`${native}/${name}`, "utf8").trim().split("\n").map((line) => line.split(","));
+    return lines.map((line) => Object.fromEntries(head.map((key, k) => [key, line[k]])));
+  };
+  const theirs = table("protrusions.csv");
+  console.log("protrusion: initiated [s], length [um], f_mat: here / native");
+  rows.forEach((row, k) => {
+    const other = theirs[k] ?? {};
+    console.log(`${row.id}: ${row.t_initiation_s} ${row.length_um} ${row.f_mat} / ${other.t_initiation_s} ${other.length_um} ${other.f_mat}`);
+  });
+  const path = table("tracks.csv");
+  let last = 0;
+  for (const [t, px, py] of tracks) {
+    const row = path.find((one) => Math.abs(Number(one.t_s) - t) < 1e-6);
+    if (!row) continue;
+    const away = Math.hypot(px - Number(row.x_um), py - Number(row.y_um));
+    if (t % 1800 === 0) console.log(`t = ${t} s: centres ${away.toExponential(2)} um apart`);
+    last = away;
+  }
+  const difference = Math.abs(rows[0].length_um - Number(theirs[0].length_um));
+  console.log(`first protrusion: ${rows[0].length_um} um here, ${theirs[0].length_um} um natively; last centres ${last.toExponential(2)} um apart`);
+  if (!(difference < 0.1)) throw new Error("the first protrusions differ");
+}
