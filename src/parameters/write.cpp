@@ -146,8 +146,9 @@ std::string values_text(const Parameters& p) {
   std::string text;
   for (const Row& row : schema()) {
     const std::string value = value_text(row, p);
-    if (kind(row) == Kind::field && value == "\"\"") continue;               // as if there were no such parameter
+    if (kind(row) == Kind::field && value == "\"\"") continue; // here and below: as if there were no such parameter
     if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
+    if (row.path.starts_with("cues.") && value == value_text(row, {})) continue;
     text += fmt::format("{} = {}\n", row.path, value);
   }
   return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));
