@@ -1,12 +1,20 @@
 /** Rigid obstacles are drawn over every layer, explained, and saved; without any there is no word of them. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { test } from "node:test";
+import { after, before, test } from "node:test";
+import type { Browser } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import { launch, open, until } from "./browser";
 
+let browser: Browser;
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
+
 test("obstacles are drawn over every layer, explained and saved, and not there without any", async () => {
-  const browser = await launch(false);
   const run = sampleRun({ radius: 60, interval: 600, end: 1200, fibres: false });
   if (run.frames)
     run.frames.obstacles_um = [
@@ -16,6 +24,7 @@ test("obstacles are drawn over every layer, explained and saved, and not there w
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
   const entry = page.getByText("rigid obstacle", { exact: true });
   await until(async () => await entry.isVisible(), "obstacles are explained");
+  await page.getByRole("button", { name: "The whole matrix" }).click();
   for (const layer of ["degradation", "von_mises"]) {
     await page.locator(`input[value=${layer}]`).check();
     const [download] = await Promise.all([
@@ -30,5 +39,4 @@ test("obstacles are drawn over every layer, explained and saved, and not there w
   await page.context().close();
   const plain = await open(browser, "run", JSON.stringify(sampleRun({ radius: 60, end: 1200, fibres: false })));
   assert.equal(await plain.page.getByText("rigid obstacle").count(), 0);
-  await browser.close();
 });
