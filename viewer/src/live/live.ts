@@ -12,7 +12,7 @@ import { download, exported } from "./export";
 import { LiveFilm } from "./film";
 import { keep, kept, type Kept } from "./keep";
 import type { Answer, Changed, FromWorker, Head } from "./protocol";
-import { addTracks, noTracks, scene, type Scene } from "./scene";
+import { addTracks, noTracks, scene, viewOf, type Scene, type View } from "./scene";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Ground, type Scenario } from "./scenario";
 import { Troubles } from "./troubles";
 
@@ -46,6 +46,7 @@ export class Live {
   private head: Head | null = null;
   private reference = new Float32Array();
   private shown: Scene | null = null;
+  private view: View | null = null;
   private gone = new AbortController();
   private lastKept = performance.now();
   private keeping = false;
@@ -218,6 +219,7 @@ export class Live {
 
   private newFilm(head: Head, from?: Kept): void {
     this.gone.abort();
+    if (this.shown) this.view = viewOf(this.shown.stage);
     this.shown = null;
     this.film = new LiveFilm(head, this.reference);
     this.times.length = 0;
@@ -228,7 +230,7 @@ export class Live {
   /** Makes all that shows the film, once it has a moment. */
   private look(head: Head, film: LiveFilm): void {
     this.gone = new AbortController();
-    this.shown = scene(head, film, this.clock, this.tracks, () => this.protrusions, this.brush, () => this.scenario.strokes, this.gone.signal);
+    this.shown = scene(head, film, this.clock, this.tracks, () => this.protrusions, this.brush, () => this.scenario.strokes, this.view, this.gone.signal);
     this.shown.stage.onPaint(() => ++this.painted);
     this.holder.replaceChildren(this.shown.stage.element);
     this.side.replaceChildren(this.shown.protrusionsNow, this.shown.aside, this.shown.keys);

@@ -36,6 +36,16 @@ export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
   }
 }
 
+/** Where the camera was, for a new start to be seen from there. */
+export interface View {
+  x: number;
+  y: number;
+  scale: number;
+  follow: boolean;
+}
+
+export const viewOf = ({ camera, follow }: Stage): View => ({ x: camera.x, y: camera.y, scale: camera.scale, follow });
+
 export interface Scene {
   stage: Stage;
   curves: Curves;
@@ -52,6 +62,7 @@ export function scene(
   rows: () => ProtrusionRow[],
   brush: Brush,
   strokes: () => Stroke[],
+  before: View | null,
   gone: AbortSignal,
 ): Scene {
   const run: RunPage = {
@@ -85,12 +96,14 @@ export function scene(
   attachKeys(clock, stage, new Probe(stage), all, keys, document, gone);
   brush.attach(stage, strokes);
   // Once it has a size: the cell with room to walk.
-  requestAnimationFrame(() => {
+  const show = () => {
     const { camera } = stage;
-    camera.scale = Math.min(camera.width, camera.height) / firstView;
-    stage.follow = true;
+    camera.scale = before?.scale ?? Math.min(camera.width, camera.height) / firstView;
+    if (before) [camera.x, camera.y] = [before.x, before.y];
+    stage.follow = before?.follow ?? true;
     stage.viewChanged();
-  });
+  };
+  requestAnimationFrame(() => requestAnimationFrame(show));
   return {
     stage,
     curves: curves(clock, tracks, rows, gone),
