@@ -97,6 +97,11 @@ bool all_of(Range&& range, Test test) {
 }
 
 template <class Range, class Test>
+bool none_of(Range&& range, Test test) {
+  return !ranges::any_of(range, test);
+}
+
+template <class Range, class Test>
 ptrdiff_t count_if(Range&& range, Test test) {
   ptrdiff_t n = 0;
   for (auto&& one : range) n += invoke(test, one) ? 1 : 0;
@@ -159,6 +164,11 @@ auto max_element(Range&& range, Compare compare = {}, Projection projection = {}
 template <class Range>
 auto max(Range&& range) {
   return *std::max_element(range.begin(), range.end());
+}
+
+template <class Range>
+auto min(Range&& range) {
+  return *std::min_element(range.begin(), range.end());
 }
 
 template <class A, class B, class Out>
