@@ -40,6 +40,7 @@ python3-matplotlib: figures in the tests of the Python package
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
 dpkg-dev: makes the Debian package in its test
 file: tells programs from scripts while that is made
+r-base-core: runs the R file in its test
 "
 packages_for_site="
 mkdocs: builds the documentation site
