@@ -5,6 +5,7 @@ export const patience = 5 * 60 * 1000;
 import { mkdirSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { after } from "node:test";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 import { embed } from "../sample/embed";
 
@@ -21,13 +22,22 @@ const quiet = [
   "--disable-features=OptimizationHints,MediaRouter",
 ];
 
+const launched: Browser[] = [];
+
+// A test that fails leaves its browser open, and the process would wait for it for ever.
+after(async () => {
+  await Promise.all(launched.map((browser) => browser.close()));
+});
+
 /** @param card  with WebGL, computed by the processor; without it the fallback draws */
-export function launch(card: boolean): Promise<Browser> {
-  return chromium.launch({
+export async function launch(card: boolean): Promise<Browser> {
+  const browser = await chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
     timeout: patience,
     args: [...quiet, ...(card ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-3d-apis"])],
   });
+  launched.push(browser);
+  return browser;
 }
 
 export interface Opened {
@@ -91,4 +101,18 @@ export async function until(holds: () => Promise<boolean>, what: string, most = 
 /** Until what was asked for has been painted. */
 export async function settled(page: Page): Promise<void> {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** The stage as it is painted next: a PNG in base64. */
+export async function shot(page: Page): Promise<string> {
+  await settled(page);
+  return (await page.locator(".stage").screenshot()).toString("base64");
+}
+
+/** The stage once two pictures in a row are the same: on a slow machine the page may still be laid out. */
+export async function still(page: Page): Promise<string> {
+  let [last, now] = [await shot(page), await shot(page)];
+  for (const end = performance.now() + patience; now !== last && performance.now() < end; )
+    [last, now] = [now, await shot(page)];
+  return now;
 }

@@ -6,7 +6,7 @@ import { sampleRun } from "../sample/run";
 import { fibresOf } from "../src/run/bonds";
 import type { Film } from "../src/run/frames";
 import { fibreLayer, strainAt } from "../src/run/over/fibres";
-import { launch, open, settled, until } from "./browser";
+import { launch, open, still, until } from "./browser";
 import { field } from "./fields";
 
 
@@ -63,22 +63,18 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   const browser = await launch(false);
   const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
-  const shot = async () => {
-    await settled(page);
-    return (await page.locator(".stage").screenshot()).toString("base64");
-  };
   await page.locator(".scrub").fill("3900");
   const box = page.locator("input[name=fibres]");
   const legend = page.getByText("Fibre strain", { exact: true });
   await until(async () => (await box.isChecked()) && (await legend.isVisible()), "fibres are drawn and explained");
   assert.ok(await page.getByText("beyond a strain of 0.075 they stiffen").isVisible());
-  const drawn = await shot();
+  const drawn = await still(page);
   await page.keyboard.press("b");
   await until(async () => !(await box.isChecked()) && !(await legend.isVisible()), "the key switches them off");
-  const bare = await shot();
+  const bare = await still(page);
   assert.ok(bare !== drawn, "the key changes nothing");
   await box.check();
-  await until(async () => (await shot()) === drawn, "the box draws them as before");
+  await until(async () => (await still(page)) === drawn, "the box draws them as before");
   assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /fibres by their strain/);
   const bars = () => page.locator(".legend-layer .bar").evaluateAll((all) => all.map((e) => e.getAttribute("style")));
   await page.locator("input[value=pressure]").check();
@@ -87,9 +83,9 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   await page.locator("input[value=degradation]").check();
   assert.equal((await bars())[1], pressure);
   await page.locator("input[value=particles]").check();
-  const particles = await shot();
+  const particles = await still(page);
   await page.keyboard.press("b");
-  assert.ok((await shot()) !== particles, "over particles, too");
+  assert.ok((await still(page)) !== particles, "over particles, too");
   await page.keyboard.press("b");
   await page.getByRole("button", { name: "The whole matrix" }).click();
   const [download] = await Promise.all([

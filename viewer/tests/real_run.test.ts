@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import type { Browser, Page } from "playwright-core";
-import { launch, until } from "./browser";
+import { launch, shot, until } from "./browser";
 import { difference } from "./pictures";
 
 const program = process.env["MATRIGRATE_PROGRAM"];
@@ -47,11 +47,6 @@ async function coloursOf(page: Page): Promise<number> {
   }, picture);
 }
 
-async function picture(page: Page): Promise<string> {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return (await page.locator(".stage").screenshot()).toString("base64");
-}
-
 async function opened(browser: Browser, file: string): Promise<{ page: Page; errors: string[] }> {
   const page = await browser.newPage();
   const errors: string[] = [];
@@ -84,12 +79,12 @@ test("a report of the program opens, plays and shows every layer", { skip: progr
     const time = () => page.locator(".stage .time").textContent();
     if ((await page.locator(".play").getAttribute("aria-label")) === "Pause") await page.locator(".play").click();
     await page.locator(".scrub").fill("0");
-    const first = await picture(page);
+    const first = await shot(page);
     assert.ok((await coloursOf(page)) > 3, "a blank picture");
     await page.locator(".play").click();
     await until(async () => (await time()) !== "0 s" && (await time()) !== "0 min", "it plays");
     await page.locator(".scrub").fill("60");
-    assert.notEqual(await picture(page), first, "nothing moves");
+    assert.notEqual(await shot(page), first, "nothing moves");
     const layers = await page
       .locator("input[name=layer]")
       .evaluateAll((all) => all.map((e) => e.getAttribute("value")));
@@ -97,13 +92,13 @@ test("a report of the program opens, plays and shows every layer", { skip: progr
     const seen = new Set<string>();
     for (const layer of layers) {
       await page.locator(`input[value=${layer}]`).check();
-      seen.add(await picture(page));
+      seen.add(await shot(page));
     }
     assert.equal(seen.size, layers.length);
     for (const box of await page.locator(".panel input[type=checkbox]").all()) {
-      const before = await picture(page);
+      const before = await shot(page);
       await box.setChecked(!(await box.isChecked()));
-      if ((await box.getAttribute("name")) === "cell") assert.notEqual(await picture(page), before);
+      if ((await box.getAttribute("name")) === "cell") assert.notEqual(await shot(page), before);
     }
     await page.locator("text=ecm.radius").first().waitFor();
     assert.deepEqual(errors, []);

@@ -4,19 +4,13 @@ import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import type { RunPage } from "../src/contract";
 import { sampleRun } from "../sample/run";
-import { launch, open, settled, until, type Opened } from "./browser";
+import { launch, open, settled, shot, still, until, type Opened } from "./browser";
 
 /** A short run in a small disc for what does not depend on size. */
 const small = sampleRun({ radius: 90, interval: 600, end: 7200 });
 /** As large as a run of the paper. */
 const large = sampleRun({ noise: 0.03 });
 const json = (run: unknown): string => JSON.stringify(run);
-
-/** What the stage shows once it has been painted. */
-async function picture(page: Page): Promise<string> {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return (await page.locator(".stage").screenshot()).toString("base64");
-}
 
 const time = (page: Page) => page.locator(".stage .time").textContent();
 
@@ -52,21 +46,21 @@ for (const card of [true, false]) {
     const seen = new Set<string>();
     for (const layer of ["degradation", "displacement", "pressure", "von_mises", "fibre_von_mises"]) {
       await page.locator(`input[value=${layer}]`).check();
-      seen.add(await picture(page));
+      seen.add(await still(page));
     }
     assert.equal(seen.size, 5);
     assert.ok(await page.getByText("Fibre von Mises [Pa]").isVisible());
     // What lies over the matrix is drawn the same way with either.
     for (const overlay of card ? [] : ["traction", "cell", "protrusions", "adhesions", "path", "polarization", "arrows"]) {
       await page.locator(`input[name=${overlay}]`).click();
-      const now = await picture(page);
+      const now = await still(page);
       assert.ok(!seen.has(now), `${overlay} changes nothing`);
       seen.add(now);
     }
     await page.locator("input[name=cell]").check();
     for (const edge of card ? [] : ["f_mat", "force"]) {
       await page.locator("select[name=edge]").selectOption(edge);
-      const now = await picture(page);
+      const now = await still(page);
       assert.ok(!seen.has(now), `the edge by ${edge} changes nothing`);
       seen.add(now);
     }
@@ -94,17 +88,17 @@ after(async () => {
 test("plays, pauses, scrubs and steps", async () => {
   const { page, errors } = await open(browser, "run", json(small));
   assert.equal(await time(page), "2 h 00 min", "who wants stillness sees the end");
-  const last = await picture(page);
+  const last = await still(page);
   await page.keyboard.press(" ");
-  await until(async () => (await picture(page)) !== last, "it moves");
+  await until(async () => (await shot(page)) !== last, "it moves");
   await page.locator(".scrub").fill("0");
   await page.keyboard.press(" ");
   await until(async () => (await time(page)) !== "0 min", "it plays");
   await page.keyboard.press(" ");
   await settled(page);
-  const still = await picture(page);
+  const paused = await still(page);
   await page.waitForTimeout(200);
-  assert.ok((await picture(page)) === still, "does not pause");
+  assert.ok((await still(page)) === paused, "does not pause");
   await page.locator(".scrub").fill("600");
   assert.equal(await time(page), "10 min");
   await page.keyboard.press("ArrowRight");
@@ -121,17 +115,17 @@ test("plays, pauses, scrubs and steps", async () => {
 
 test("zooms, pans, follows and comes back", async () => {
   const { page } = await open(browser, "run", json(small));
-  const home = await picture(page);
+  const home = await still(page);
   const view = () => page.locator(".stage").getAttribute("data-view");
   const homeView = await view();
   await page.locator(".stage").hover();
   await page.mouse.wheel(0, -400);
-  const near = await picture(page);
+  const near = await still(page);
   assert.ok(near !== home, "the wheel does nothing");
   await page.mouse.down();
   await page.mouse.move(300, 300, { steps: 3 });
   await page.mouse.up();
-  assert.ok((await picture(page)) !== near, "dragging does nothing");
+  assert.ok((await still(page)) !== near, "dragging does nothing");
   await page.mouse.move(10, 10);
   await page.keyboard.press("f");
   assert.ok(await page.locator("input[name=follow]").isChecked());

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
 import { colourMaps, mapped } from "../src/colour";
-import { launch, open, settled } from "./browser";
+import { launch, open, still } from "./browser";
 
 test("sequential colour maps rise in brightness, so that they can be read without colour", () => {
   for (const key of ["viridis", "cividis", "magma", "grey"] as const) {
@@ -19,17 +19,13 @@ test("sequential colour maps rise in brightness, so that they can be read withou
 test("limits and colours can be chosen, and are taken back", async () => {
   const browser = await launch(false);
   const { page, errors } = await open(browser, "run", JSON.stringify(sampleRun({ radius: 60, interval: 600, end: 7200 })));
-  const shot = async () => {
-    await settled(page);
-    return (await page.locator(".stage").screenshot()).toString("base64");
-  };
   const bar = page.locator(".legend-layer .bar").first();
   await page.locator(".scrub").fill("3900");
   await page.locator("input[value=von_mises]").check();
-  const before = await shot();
+  const before = await still(page);
   await page.locator("input[name=high]").fill("20");
   await page.locator("input[name=high]").press("Enter");
-  const narrow = await shot();
+  const narrow = await still(page);
   assert.notEqual(narrow, before);
   assert.match((await page.locator(".bar-numbers").first().textContent()) ?? "", /\u2265 20/);
   assert.match((await bar.getAttribute("class")) ?? "", /more-high/);
@@ -38,11 +34,11 @@ test("limits and colours can be chosen, and are taken back", async () => {
   await page.locator("input[name=low]").press("Enter");
   assert.equal(await page.locator("input[name=low]").getAttribute("aria-invalid"), "true");
   assert.ok(await page.getByText("must be a number below").isVisible());
-  assert.equal(await shot(), narrow, "nonsense is not drawn");
+  assert.equal(await still(page), narrow, "nonsense is not drawn");
   await page.locator("select[name=map]").selectOption("cividis");
-  assert.notEqual(await shot(), narrow);
+  assert.notEqual(await still(page), narrow);
   await page.getByRole("button", { name: "Reset" }).click();
-  assert.equal(await shot(), before);
+  assert.equal(await still(page), before);
   // Where white means zero, both limits move together, and each layer keeps its own.
   await page.locator("input[value=pressure]").check();
   await page.locator("input[name=high]").fill("15");

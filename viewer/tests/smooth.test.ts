@@ -7,7 +7,7 @@ import type { Film } from "../src/run/frames";
 import { Camera } from "../src/run/camera";
 import type { Layer } from "../src/run/matrix/layers";
 import { resample, valueOn } from "../src/run/matrix/resample";
-import { launch, open } from "./browser";
+import { launch, open, still } from "./browser";
 import { field } from "./fields";
 
 const spacing = 2;
@@ -34,12 +34,6 @@ test("a linear field is interpolated as it is, and the solid alone makes the val
   assert.ok(Number.isNaN(valueOn(patch, -20, 3)), "fluid has a value");
   assert.equal(valueOn(patch, 46, 0), null, "there is matrix where there is none");
 });
-
-/** What is painted of the matrix, on the ground of the page. */
-async function matrix(page: Page): Promise<string> {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return (await page.locator(".stage").screenshot()).toString("base64");
-}
 
 /** How far two pictures are apart, and in how many places the second leaps from pixel to pixel; computed in a page. */
 function compared(page: Page, one: string, other: string): Promise<{ mean: number; share: number; leaps: number }> {
@@ -90,7 +84,7 @@ test("card and plain canvas show the same colours, without tiles, for every laye
   assert.ok(await b.locator("input[value=smooth]").isChecked(), "smooth is what is seen first");
   for (const layer of ["degradation", "displacement", "pressure", "von_mises"]) {
     for (const page of [a, b]) await page.locator(`input[value=${layer}]`).check();
-    const { mean, share } = await compared(b, await matrix(a), await matrix(b));
+    const { mean, share } = await compared(b, await still(a), await still(b));
     console.log(`# ${layer}: mean difference ${mean.toFixed(2)} of 255, ${(100 * share).toFixed(2)} % differ by more than 24`);
     assert.ok(mean < 1.5 && share < 0.015, `${layer}: ${mean}, ${share}`);
   }
@@ -100,18 +94,18 @@ test("card and plain canvas show the same colours, without tiles, for every laye
     await page.locator("input[name=high]").press("Enter");
     await page.locator("select[name=map]").selectOption("magma");
   }
-  const hatched = await compared(b, await matrix(a), await matrix(b));
+  const hatched = await compared(b, await still(a), await still(b));
   for (const page of [a, b]) await page.locator("input[value=particles]").check();
-  const squares = await compared(b, await matrix(a), await matrix(b));
+  const squares = await compared(b, await still(a), await still(b));
   console.log(`# hatched: mean difference ${hatched.mean.toFixed(2)}; particles: mean difference ${squares.mean.toFixed(2)}`);
   assert.ok(hatched.mean < 2, `hatched: ${hatched.mean}`);
   assert.ok(squares.mean < 2, `particles: ${squares.mean}`);
   await b.locator("input[value=smooth]").check();
   // Far fewer leaps of colour than particles with gaps between them have.
   await b.locator("input[value=degradation]").check();
-  const field = await matrix(b);
+  const field = await still(b);
   await b.locator("input[value=particles]").check();
-  const [smooth, tiles] = [await compared(b, field, field), await compared(b, field, await matrix(b))];
+  const [smooth, tiles] = [await compared(b, field, field), await compared(b, field, await still(b))];
   assert.ok(smooth.leaps < 0.1 * tiles.leaps, `${smooth.leaps} leaps in the field, ${tiles.leaps} in the particles`);
   await card.close();
   await plain.close();
