@@ -23,7 +23,7 @@ install(FILES ${PROJECT_BINARY_DIR}/package/MatrigrateConfig.cmake
               ${PROJECT_SOURCE_DIR}/cmake/plain_libraries.cmake
         DESTINATION ${package})
 
-install(DIRECTORY scenarios studies DESTINATION ${data} FILES_MATCHING PATTERN *.toml)
+install(DIRECTORY scenarios studies DESTINATION ${data} FILES_MATCHING PATTERN *.toml PATTERN *.png)
 install(FILES docs/scenario.schema.json DESTINATION ${data}/docs) # where the scenarios look for it
 install(FILES LICENSE NOTICES DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES man/matrigrate.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -23,7 +23,7 @@ sys.path.insert(0, str(source / "python"))
 page = blocks.Runner(source / sys.argv[1])
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
-    for name in ("R", "docs", "python"):  # the pages work at the root of a clone
+    for name in ("R", "docs", "python", "scenarios"):  # the pages work at the root of a clone
         (pathlib.Path(folder) / name).symlink_to(source / name)
     page.run()
     os.chdir(source)
