@@ -142,6 +142,22 @@ await until(page, (s) => s.scenario.changes.length > 0, "the stiffness changes")
 const change = (await state(page)).scenario.changes.at(-1);
 assert.ok(change.t % 5 === 0 && /^ecm\.youngs_modulus=/.test(change.overrides[0]), JSON.stringify(change));
 
+// Every slider and the fibres act on the way, and the simulation goes on with them.
+const changed = (s, path) => s.scenario.changes.some(({ overrides }) => overrides.some((one) => one.startsWith(`${path}=`)));
+const paths = await page.locator(".slider input[type=range]").evaluateAll((all) => all.map((e) => e.name));
+assert.equal(paths.length, 6);
+for (const path of paths) {
+  await page.locator(`input[name="${path}"]`).fill("90");
+  await until(page, (s) => changed(s, path), `${path} changes`);
+}
+await page.locator('select[name="fibres.arrangement"]').selectOption("isotropic");
+await until(page, (s) => changed(s, "fibres.arrangement"), "fibres come");
+const before = await state(page);
+await page.locator("button[name=step]").click();
+await until(page, (s) => s.t_s > before.t_s, "a step with all of them");
+assert.equal(await page.locator(".fault").count(), 0);
+console.log(`changed on the way: ${paths.join(", ")}, fibres.arrangement`);
+
 // A wrong scenario, in words; the one before stays.
 await page.locator(".own summary").click();
 await page.locator("textarea[name=toml]").fill('[ecm]\nyoungs_module = "100 Pa"\nviscosity = "-1 Pa s"\n');
