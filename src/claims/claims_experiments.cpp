@@ -35,10 +35,11 @@ Finding x3(const Evidence& e) {
 }
 
 Finding x4(const Evidence& e) {
-  const Group narrow{"channel-width", 0};
-  const Group nucleus_narrow{"channel-width", 5};
+  // At 5.2 um, half of the diameter of the nucleus, and 17.2 um.
+  const Group narrow{"channel-width", 1};
+  const Group nucleus_narrow{"channel-width", 6};
   const Group nucleus_wide{"channel-width", 9};
-  const Group nucleus_narrow_degrading{"channel-width", 15};
+  const Group nucleus_narrow_degrading{"channel-width", 16};
   return Judge(e)
       .differs(nucleus_wide, nucleus_narrow, v_abs, Sign::down)
       .differs(narrow, nucleus_narrow, v_abs, Sign::down)
