@@ -19,6 +19,8 @@
 
 using namespace matrigrate;
 
+namespace nucleus_test {
+
 namespace {
 
 Parameters with_nucleus(std::vector<std::string> more = {}) {
@@ -133,3 +135,5 @@ TEST(NucleusOfACell, IsMissedByTheAlarmOnlyWhileItIsInside) {
   for (Vec2& x : s.cells[0].nucleus.x) x.x() += 12.0;
   EXPECT_NE(alarm(s, p, row).find("has passed through the cortex"), std::string::npos);
 }
+
+} // namespace nucleus_test

@@ -9,6 +9,8 @@
 
 using namespace matrigrate;
 
+namespace nucleus_test {
+
 namespace {
 
 constexpr double dt = 0.4;
@@ -55,12 +57,6 @@ void relax(CortexState& c, const Parameters& p, double time) {
     const Eigen::VectorXd v = A.llt().solve(F);
     for (std::size_t i = 0; i < c.size(); ++i) c.x[i] += dt * v.segment<2>(static_cast<long>(2 * i));
   }
-}
-
-double largest(const std::vector<Vec2>& force) {
-  double most = 0.0;
-  for (const Vec2& f : force) most = std::max(most, f.norm());
-  return most;
 }
 
 } // namespace
@@ -163,3 +159,5 @@ TEST(Nucleus, AspectRatioIsThatOfAnEllipseAtAnyAngle) {
   EXPECT_NEAR(aspect_ratio(round_nucleus(p, {3.0, 4.0})), 1.0, 1e-12);
   EXPECT_NEAR(aspect_ratio(moved(drawn(p, 1.0), {})), 4.0, 1e-9);
 }
+
+} // namespace nucleus_test

@@ -11,6 +11,8 @@
 
 using namespace matrigrate;
 
+namespace nucleus_test {
+
 namespace {
 
 constexpr double dt = 0.4;
@@ -178,3 +180,5 @@ TEST(NucleusCentring, PullsTheNucleusToTheMiddle) {
   ASSERT_EQ(a.A.links.size(), 1U);
   EXPECT_DOUBLE_EQ(a.A.links.c[0], p.nucleus.drag + dt * p.nucleus.centring_stiffness);
 }
+
+} // namespace nucleus_test

@@ -6,6 +6,8 @@
 
 using namespace matrigrate;
 
+namespace nucleus_test {
+
 namespace {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
@@ -52,3 +54,5 @@ TEST(NucleusParameters, ThatAreWrongAreFaultsWithTheirPlace) {
   EXPECT_TRUE(has(fault_of("[nucleus]\nradius = \"5 um\"\nrepulsion_range = \"15 um\"\n"), "no room"));
   EXPECT_TRUE(has(fault_of("[nucleus]\nshear_modulus = \"1 um\"\n"), "f.toml:2:"));
 }
+
+} // namespace nucleus_test
