@@ -130,7 +130,8 @@ TEST(Nucleus, IsAsStiffWithMoreParticles) {
 }
 
 TEST(Nucleus, ReturnsToItsRoundShape) {
-  const Parameters p = with_nucleus();
+  Parameters p = with_nucleus();
+  p.nucleus.particles = 36; // for a small system
   CortexState c = drawn(p, 0.5);
   EXPECT_NEAR(aspect_ratio(c), 2.25, 1e-2);
   relax(c, p, 10.0);
