@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct CheckArguments {
   std::vector<std::string> files;
   bool json = false;
 };
@@ -69,7 +69,7 @@ void print_finding(const Finding& found) {
                     found.study ? " study: " + found.size : ""));
 }
 
-int check_files(const Options& options) {
+int check_files(const CheckArguments& options) {
   int code = done;
   Json files = Json::array();
   for (const std::string& file : options.files) {
@@ -95,7 +95,7 @@ void add_check(CLI::App& app, Action& chosen) {
       "first error is printed.\n"
       "--json prints {good, files: [{file, kind, good, faults: [{line, column, key, message}]}]}; line and column are "
       "0\nwhere there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   verb->add_option("FILE", options->files, "Scenario and study files")->required();
   verb->add_flag("--json", options->json, "Print the findings as JSON");
   verb->callback([options, &chosen] { chosen = [options] { return check_files(*options); }; });

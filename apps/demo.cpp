@@ -18,7 +18,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct DemoArguments {
   std::string folder;
   std::string preset = "baseline";
   double hours = 3.0;
@@ -34,7 +34,7 @@ std::filesystem::path free_folder() {
   return folder;
 }
 
-int demonstrate(const Options& options) {
+int demonstrate(const DemoArguments& options) {
   const Preset* preset = find_preset(options.preset);
   if (preset == nullptr)
     throw UsageError(fmt::format("there is no preset \"{}\"; `matrigrate list` names them", options.preset));
@@ -62,7 +62,7 @@ void add_demo(CLI::App& app, Action& chosen, std::vector<std::string> command_li
   verb->footer(
       "Needs no scenario file. The page plays the cell and the matrix; it is opened with xdg-open where there is a\n"
       "screen. `matrigrate new cell.toml` writes a scenario to change.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DemoArguments>();
   options->command_line = std::move(command_line);
   verb->add_option("-o,--output", options->folder, "Folder for the results (default: matrigrate-demo, or -2, -3, ...)");
   verb->add_option("--preset", options->preset, "What is simulated: see `matrigrate list` (default: baseline)");

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ExplainArguments {
   std::string file;
   std::vector<std::string> overrides;
   bool json = false;
@@ -98,7 +98,8 @@ Json fields_json(const Parameters& p) {
   return list;
 }
 
-Json to_json(const Options& options, const Parameters& p, const Derived& d, const std::vector<std::string>& found) {
+Json to_json(const ExplainArguments& options, const Parameters& p, const Derived& d,
+             const std::vector<std::string>& found) {
   const auto quicker = with_longer_steps(p, d);
   return {{"file", options.file},
           {"cells", cell_starts(p).size()},
@@ -151,7 +152,7 @@ void draw_fields(const Parameters& p, const std::string& folder) {
   }
 }
 
-int explain(const Options& options) {
+int explain(const ExplainArguments& options) {
   const Parameters p = read_parameters(options.file, options.overrides);
   if (!options.pictures.empty()) {
     draw_fields(p, options.pictures);
@@ -175,7 +176,7 @@ void add_explain(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("explain", "What a scenario means and needs, before anything is computed");
   verb->footer(wall_time_basis()
                + "\n--json prints one object whose keys carry their units, with the list `warnings`.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExplainArguments>();
   verb->add_option("FILE", options->file, "A scenario file")->required();
   verb->add_option("--set", options->overrides, "key=value, over the file; may be repeated")->allow_extra_args(false);
   verb->add_flag("--json", options->json, "Print the numbers as JSON");

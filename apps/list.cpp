@@ -17,7 +17,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct ListArguments {
   bool parameters = false;
   bool schema = false;
 };
@@ -36,7 +36,7 @@ std::string title_of(const study::ShippedStudy& s) {
   return study::parse_study(s.text, std::string(s.name), ".").title;
 }
 
-int print_list(const Options& options) {
+int print_list(const ListArguments& options) {
   if (options.parameters) print(parameters_markdown());
   if (options.schema) print(json_schema());
   if (options.parameters || options.schema) return done;
@@ -56,7 +56,7 @@ int print_list(const Options& options) {
 
 void add_list(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("list", "The presets, validation cases and studies that ship with the program");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ListArguments>();
   auto* parameters =
       verb->add_flag("--parameters", options->parameters, "Instead: all parameters, as a Markdown table a section");
   verb->add_flag("--schema-json", options->schema, "Instead: the JSON schema of a scenario file, for editors")

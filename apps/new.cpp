@@ -16,7 +16,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct NewArguments {
   std::string file;
   std::string preset = "baseline";
   std::string schema;
@@ -52,7 +52,7 @@ void write_schema(const std::filesystem::path& scenario) {
   print(fmt::format("{}: for editors that complete and check TOML\n", file.string()));
 }
 
-int write_scenario(const Options& options) {
+int write_scenario(const NewArguments& options) {
   const Preset& preset = preset_of(options.preset);
   if (excerpt(options.schema, options.schema.size()) != options.schema)
     throw UsageError("--schema: is no path that can stand in a line of text");
@@ -69,7 +69,7 @@ int write_scenario(const Options& options) {
 
 void add_new(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write a commented scenario file; never overwrites one");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<NewArguments>();
   verb->add_option("FILE", options->file, "The file to write, such as scenario.toml")->required();
   verb->add_option("--preset", options->preset, "What to start from: one of those of `matrigrate list`")
       ->capture_default_str();

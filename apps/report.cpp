@@ -15,12 +15,12 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
   std::string folder;
   std::vector<std::string> play;
 };
 
-int report(const Options& options) {
+int report(const ReportArguments& options) {
   const std::filesystem::path folder = options.folder;
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
@@ -48,7 +48,7 @@ void add_report(CLI::App& app, Action& chosen) {
       "fields.part or fields.h5; so it also works for a run that goes on, was killed, or was made without a\n"
       "report. Of a study: from the files of its runs; of up to five points it plays the run in the middle by\n"
       "the first read-out, unless --play names others.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run or a study")->required();
   verb->add_option("--play", options->play,
                    "A run that the page of a study is to play, by the name of its folder; may "

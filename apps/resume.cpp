@@ -13,7 +13,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct ResumeArguments {
   std::string folder;
   std::string output;
   ParameterOptions parameters;
@@ -26,12 +26,12 @@ struct Options {
 };
 
 /// Whether a branch is asked for.
-bool branches(const Options& options) {
+bool branches(const ResumeArguments& options) {
   const ParameterOptions& p = options.parameters;
   return !options.at.empty() || !p.overrides.empty() || p.seed || p.hours;
 }
 
-RunOutcome branch_off(const Options& options, RunOptions how, RunObserver& observer) {
+RunOutcome branch_off(const ResumeArguments& options, RunOptions how, RunObserver& observer) {
   std::filesystem::path name(options.folder);
   if (!name.has_filename()) name = name.parent_path();
   how.folder = options.output.empty() ? name.string() + "-branch" : options.output;
@@ -44,7 +44,7 @@ RunOutcome branch_off(const Options& options, RunOptions how, RunObserver& obser
   }
 }
 
-int resume_run(const Options& options) {
+int resume_run(const ResumeArguments& options) {
   RunOptions how{.folder = options.folder, .command_line = options.command_line, .page_template = run_page_template()};
   if (!options.wall_time.empty()) how.wall_time_limit = seconds_of(options.wall_time);
   RunDisplay display(options.quiet || options.json);
@@ -67,7 +67,7 @@ void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_
       "\"lineage\" in its run.json says where it comes from.\n"
       "A checkpoint that is cut short, changed, of another scenario or format is refused; the one before is offered.\n"
       "With --at an earlier checkpoint is used instead, with a warning.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ResumeArguments>();
   options->command_line = std::move(command_line);
   verb->add_option("FOLDER", options->folder, "Folder of a run")->required();
   verb->add_option("-o,--output", options->output, "Folder for a branch (default: <FOLDER>-branch)");

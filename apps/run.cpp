@@ -20,7 +20,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct RunArguments {
   std::string file;
   std::string folder;
   ParameterOptions parameters;
@@ -32,14 +32,14 @@ struct Options {
 };
 
 /// "cell-seed1-youngs_modulus-50Pa": the scenario, its seed, and what --set changes.
-std::string default_folder(const Options& options, const Parameters& p) {
+std::string default_folder(const RunArguments& options, const Parameters& p) {
   constexpr std::size_t max_length = 120;
   std::string name = fmt::format("{}-seed{}", std::filesystem::path(options.file).stem().string(), p.run.seed);
   for (const std::string& change : options.parameters.overrides) name += tag_of(change);
   return name.substr(0, max_length); // a folder that another run has is refused
 }
 
-Parameters parameters_of(const Options& options) {
+Parameters parameters_of(const RunArguments& options) {
   try {
     return read_parameters(options.file, all_overrides(options.parameters), start_rules());
   } catch (const ConfigurationError& error) {
@@ -47,7 +47,7 @@ Parameters parameters_of(const Options& options) {
   }
 }
 
-RunOutcome outcome_of(const Options& options, const Parameters& p, const RunOptions& how, RunDisplay& display) {
+RunOutcome outcome_of(const RunArguments& options, const Parameters& p, const RunOptions& how, RunDisplay& display) {
   require_no_study(how.folder);
   if (!options.force && holds_run(how.folder, p)) return resume(how, p, display);
   options.force ? warn_of_other_files(how.folder, display) : require_free(how.folder, p, display);
@@ -56,7 +56,7 @@ RunOutcome outcome_of(const Options& options, const Parameters& p, const RunOpti
   return run::run(std::move(start), how, display);
 }
 
-int run_scenario(const Options& options) {
+int run_scenario(const RunArguments& options) {
   const Parameters p = parameters_of(options);
   RunOptions how{.folder = options.folder.empty() ? default_folder(options, p) : options.folder,
                  .command_line = options.command_line,
@@ -85,7 +85,7 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
       "Ctrl-C ends the run after its current step with a checkpoint and the exit code 130; SIGTERM, SIGUSR1, SIGHUP\n"
       "and --wall-time do so with the code 75, which asks to be started again. A second signal, more than a second\n"
       "later, ends it at once. Under nohup SIGHUP is ignored.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunArguments>();
   options->command_line = std::move(command_line);
   verb->add_option("FILE", options->file, "A scenario file")->required();
   verb->add_option("-o,--output", options->folder,

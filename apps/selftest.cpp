@@ -98,12 +98,12 @@ struct Check {
   bool holds;
 };
 
-struct Options {
+struct SelftestArguments {
   std::string other;
   bool json = false;
 };
 
-int selftest(const Options& options) {
+int selftest(const SelftestArguments& options) {
   std::vector<Check> checks;
   std::vector<std::string> hashes;
   const auto most = static_cast<std::size_t>(std::max(4, tbb::info::default_concurrency()));
@@ -147,7 +147,7 @@ void add_selftest(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("selftest", "Prove on this machine that runs are reproducible to the last bit");
   verb->footer("Simulates a short migration among fibres several times, with both integrators: with 1, 2 and all "
                "threads, and\nwith a break. Exit code 0 if all bits are the same, 4 if not.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SelftestArguments>();
   verb->add_option("--with", options->other,
                    "Compare with another build of the program, which must give the same bits");
   verb->add_flag("--json", options->json, "Print one JSON object");

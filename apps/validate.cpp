@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ValidateArguments {
   std::string name;
   std::string folder;
   std::string scenario;
@@ -61,7 +61,7 @@ Outcome outcome_of(const validation::Case& c, const Parameters& p) {
   return outcome;
 }
 
-void write_report(const Options& options, const std::vector<Outcome>& outcomes) {
+void write_report(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
   std::vector<io::PageSection> sections;
   sections.reserve(outcomes.size());
   for (const Outcome& outcome : outcomes) sections.push_back(to_section(outcome));
@@ -69,7 +69,7 @@ void write_report(const Options& options, const std::vector<Outcome>& outcomes) 
   write_file(std::filesystem::path(options.folder) / "report.html", io::page(title, sections, provenance_text()));
 }
 
-std::string results_json(const Options& options, const std::vector<Outcome>& outcomes) {
+std::string results_json(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
   Json cases = Json::array();
   for (const Outcome& outcome : outcomes) cases.push_back(to_json(outcome));
   const Json all{{"folder", options.folder},
@@ -79,12 +79,12 @@ std::string results_json(const Options& options, const std::vector<Outcome>& out
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string verdict_line(const Options& options, const std::vector<Outcome>& outcomes) {
+std::string verdict_line(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
   return fmt::format("{} of {} {}; report: {}/report.html\n", std::ranges::count_if(outcomes, &Outcome::holds),
                      outcomes.size(), outcomes.size() == 1 ? "case holds" : "cases hold", options.folder);
 }
 
-int validate(Options options) {
+int validate(ValidateArguments options) {
   const auto chosen = chosen_cases(options.name);
   const Parameters p = options.scenario.empty() ? apply_overrides(validation::default_parameters(), options.overrides)
                                                 : read_parameters(options.scenario, options.overrides);
@@ -123,7 +123,7 @@ void add_validate(CLI::App& app, Action& chosen) {
       "A case holds if its checks do: the program does what its equations say. What the paper claims of fibres,\n"
       "fibres-uniaxial and disassembly is judged beside it (matrigrate reproduce V).\n"
       "Exit code 4 if a case does not hold or stops with a numerical failure.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateArguments>();
   verb->add_option("NAME", options->name, "A case of `matrigrate list`, or all")->required();
   verb->add_option("-o,--output", options->folder, "Folder for the results (default: validate-NAME)");
   verb->add_option("--scenario", options->scenario, "Take material and numerics from this scenario file");

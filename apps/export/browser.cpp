@@ -22,8 +22,6 @@ namespace matrigrate::apps {
 
 namespace {
 
-using Json = nlohmann::json;
-
 /// The shell connects the pipes: a browser reads commands from descriptor 3 and answers at 4.
 std::vector<std::string> command(const std::string& program, const std::filesystem::path& to,
                                  const std::filesystem::path& from, const std::filesystem::path& profile) {
@@ -73,7 +71,7 @@ Browser::Browser(const std::string& program, const std::filesystem::path& folder
 
 Browser::~Browser() {
   try {
-    send("Browser.close", Json::object(), "");
+    send("Browser.close", nlohmann::json::object(), "");
     for (int i = 0; i < 500 && !m_child.ended(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       if (i > 300) m_child.pass_on(SIGTERM);
@@ -91,8 +89,8 @@ void Browser::fail() {
       fmt::format("the browser ended{}", last.empty() ? std::string(" without a word") : "; it said: " + last));
 }
 
-int Browser::send(const std::string& method, Json parameters, const std::string& session) {
-  Json message{{"id", ++m_sent}, {"method", method}, {"params", std::move(parameters)}};
+int Browser::send(const std::string& method, nlohmann::json parameters, const std::string& session) {
+  nlohmann::json message{{"id", ++m_sent}, {"method", method}, {"params", std::move(parameters)}};
   if (!session.empty()) message["sessionId"] = session;
   std::string text = message.dump();
   text += '\0'; // ends a message
@@ -100,50 +98,51 @@ int Browser::send(const std::string& method, Json parameters, const std::string&
   return m_sent;
 }
 
-Json Browser::receive() {
+nlohmann::json Browser::receive() {
   std::size_t searched = 0;
   std::size_t end = 0;
   while ((end = m_text.find('\0', searched)) == std::string::npos) {
     searched = m_text.size();
     if (!m_from.read(m_text, m_child)) fail();
   }
-  Json message = Json::parse(m_text.begin(), m_text.begin() + static_cast<std::ptrdiff_t>(end));
+  nlohmann::json message = nlohmann::json::parse(m_text.begin(), m_text.begin() + static_cast<std::ptrdiff_t>(end));
   m_text.erase(0, end + 1);
   return message;
 }
 
-Json Browser::result_of(int message) {
+nlohmann::json Browser::result_of(int message) {
   while (!m_answers.contains(message)) {
-    Json received = receive();
+    nlohmann::json received = receive();
     if (received.value("method", "") == "Page.loadEventFired") ++m_loaded;
     if (!received.contains("id")) continue;
     const int id = received.at("id").get<int>(); // before it is moved
     m_answers[id] = std::move(received);
   }
-  const Json reply = std::move(m_answers.extract(message).mapped());
+  const nlohmann::json reply = std::move(m_answers.extract(message).mapped());
   if (reply.contains("error"))
     throw InputOutputError(fmt::format("the browser refuses a command: {}", reply.at("error").value("message", "")));
   return reply.at("result");
 }
 
-Json Browser::call(const std::string& method, Json parameters, const std::string& session) {
+nlohmann::json Browser::call(const std::string& method, nlohmann::json parameters, const std::string& session) {
   return result_of(send(method, std::move(parameters), session));
 }
 
 Browser::Page Browser::open(const std::filesystem::path& file, int width, int height) {
-  const Json target = call("Target.createTarget", {{"url", "about:blank"}, {"newWindow", true}});
-  const Json attached = call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}});
+  const nlohmann::json target = call("Target.createTarget", {{"url", "about:blank"}, {"newWindow", true}});
+  const nlohmann::json attached =
+      call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}});
   const Page page{attached.at("sessionId").get<std::string>()};
-  call("Page.enable", Json::object(), page.session);
+  call("Page.enable", nlohmann::json::object(), page.session);
   call("Emulation.setDeviceMetricsOverride",
        {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}, page.session);
-  const Json light{{"name", "prefers-color-scheme"}, {"value", "light"}};
-  const Json still{{"name", "prefers-reduced-motion"}, {"value", "reduce"}}; // it does not play by itself
-  call("Emulation.setEmulatedMedia", {{"features", Json::array({light, still})}}, page.session);
+  const nlohmann::json light{{"name", "prefers-color-scheme"}, {"value", "light"}};
+  const nlohmann::json still{{"name", "prefers-reduced-motion"}, {"value", "reduce"}}; // it does not play by itself
+  call("Emulation.setEmulatedMedia", {{"features", nlohmann::json::array({light, still})}}, page.session);
   m_loaded = 0;
   call("Page.navigate", {{"url", address(file)}}, page.session);
   while (m_loaded == 0) {
-    Json received = receive();
+    nlohmann::json received = receive();
     if (received.value("method", "") == "Page.loadEventFired") ++m_loaded;
   }
   return page;
@@ -154,15 +153,15 @@ Browser::Question Browser::ask(const Page& page, const std::string& expression) 
               page.session);
 }
 
-Json Browser::answer(Question question) {
-  const Json result = result_of(question);
+nlohmann::json Browser::answer(Question question) {
+  const nlohmann::json result = result_of(question);
   if (result.contains("exceptionDetails")) {
-    const Json& thrown = result.at("exceptionDetails");
-    const Json exception = thrown.value("exception", Json::object());
+    const nlohmann::json& thrown = result.at("exceptionDetails");
+    const nlohmann::json exception = thrown.value("exception", nlohmann::json::object());
     throw InputOutputError(
         fmt::format("the page of the run: {}", exception.value("description", thrown.value("text", ""))));
   }
-  return result.at("result").value("value", Json());
+  return result.at("result").value("value", nlohmann::json());
 }
 
 } // namespace matrigrate::apps

@@ -30,7 +30,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::string folder;
   std::string output;
   std::string layer; ///< empty: that of the kind
@@ -41,7 +41,7 @@ struct Options {
   bool force = false;
 };
 
-bool is_wanted(const Options& options, std::string_view kind) {
+bool is_wanted(const ExportArguments& options, std::string_view kind) {
   const std::array<std::pair<std::string_view, bool>, 7> flags{{{"--vtk", options.vtk},
                                                                 {"--fields", options.fields},
                                                                 {"--tracks", options.tracks},
@@ -52,7 +52,7 @@ bool is_wanted(const Options& options, std::string_view kind) {
   return std::ranges::any_of(flags, [&](const auto& flag) { return flag.first == kind && flag.second; });
 }
 
-std::vector<ExportKind> wanted_kinds(const Options& options) {
+std::vector<ExportKind> wanted_kinds(const ExportArguments& options) {
   std::vector<ExportKind> kinds;
   std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
                        [&](const ExportKind& kind) { return is_wanted(options, kind.option); });
@@ -95,17 +95,17 @@ void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
 }
 
 /// The layer of a kind of export: what was asked for, or what it has by default.
-Layer layer_for(const Options& options, Layer by_default) {
+Layer layer_for(const ExportArguments& options, Layer by_default) {
   return options.layer.empty() ? by_default : layer_of(options.layer);
 }
 
-std::filesystem::path output_of(const Options& options) {
+std::filesystem::path output_of(const ExportArguments& options) {
   return options.output.empty() ? std::filesystem::path(options.folder) / "export"
                                 : std::filesystem::path(options.output);
 }
 
 /// The tracks of all runs of a study that are done, in one file.
-int export_study_tracks(const Options& options) {
+int export_study_tracks(const ExportArguments& options) {
   const study::StudyFolder study = study::open_study(options.folder);
   const std::vector<study::Result> results = study::results(study.study, study.runs, study.folder);
   const auto runs = std::ranges::count_if(results, [](const study::Result& r) { return r.standing.done(); });
@@ -127,7 +127,7 @@ bool is_study(const std::string& folder) {
   return std::filesystem::is_regular_file(std::filesystem::path(folder) / "study.resolved.toml", error);
 }
 
-int export_run(Options options) {
+int export_run(ExportArguments options) {
   const std::vector<ExportKind> kinds = wanted_kinds(options);
   if (options.tracks && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
   const Layer layer = layer_for(options, Layer::displacement);
@@ -167,7 +167,7 @@ void add_export(CLI::App& app, Action& chosen) {
                "Of a study, --tracks writes tracks.csv: the rows of all its runs that are done, in one table.\n"
                "--png calls rsvg-convert; --movie calls chromium, in which the player draws, and ffmpeg. They have to\n"
                "be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run; with --tracks alone, also of a study")->required();
   verb->add_flag("--vtk", options->vtk,
                  "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");

@@ -72,7 +72,7 @@ public:
   }
 
   void finish() {
-    m_pipe.close();
+    if (!m_pipe.finish(m_child)) throw InputOutputError("ffmpeg ended too early");
     std::optional<int> code;
     while (!(code = m_child.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (*code != 0) throw InputOutputError(fmt::format("ffmpeg ended with exit code {}", *code));

@@ -6,12 +6,15 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace matrigrate::apps {
@@ -42,6 +45,15 @@ NamedPipe::~NamedPipe() { close(); }
 
 void NamedPipe::close() {
   if (m_descriptor >= 0) ::close(std::exchange(m_descriptor, -1));
+}
+
+bool NamedPipe::finish(study::Child& child) {
+  for (int left = 0; ::ioctl(m_descriptor, FIONREAD, &left) == 0 && left > 0;) {
+    if (child.ended()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  close();
+  return true;
 }
 
 bool NamedPipe::write(std::string_view bytes, study::Child& child) {

@@ -25,10 +25,13 @@ public:
   /// Waits for text of the child.   @return false if the child has ended and nothing is left
   bool read(std::string& append_to, study::Child& child);
 
-  /// The child reads to the end.
-  void close();
+  /// Waits until the child has read all of it, then lets it see the end. A child that starts slowly opens the pipe only
+  /// after that, and a pipe that nobody holds open forgets what is in it.   @return false if the child has ended before
+  bool finish(study::Child& child);
 
 private:
+  void close();
+
   std::filesystem::path m_path;
   int m_descriptor;
 };

@@ -14,6 +14,9 @@ namespace matrigrate::io {
 /// Whether intact particles of the matrix are drawn one by one, or as one area, which takes far fewer bytes.
 enum class IntactMatrix { particles, area };
 
+inline constexpr double room_around_cell = 12.0; ///< [um]
+inline constexpr double scale_bar_height = 30.0; ///< of the line with the scale bar [pixel]
+
 /// Where a scene is drawn.
 struct Panel {
   Box box;           ///< what is seen of the plane; a square [um]

@@ -1,6 +1,7 @@
 #include "draw/cell_picture.hpp"
 
 #include "base/time_text.hpp"
+#include "draw/cell_drawing.hpp"
 #include "draw/svg.hpp"
 
 #include <fmt/format.h>
@@ -13,18 +14,14 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr double margin = 12.0;
-constexpr double room_around_cell = 12.0; ///< [um]
-constexpr double bar_height = 30.0;       ///< of the line with the scale bar [pixel]
-
 /// Scale bar and legend below the panels. @return their SVG and where it ends [pixel]
 CellLegend footer(double top, double width, const Panel& panel, const CellScene& scene) {
-  const CellLegend legend = cell_legend(width - 2.0 * margin, scene);
+  const CellLegend legend = cell_legend(width - 2.0 * svg::margin, scene);
   CellLegend out;
-  out.svg =
-      scale_bar(margin, top + 8.0, 0.5 * panel.side, panel)
-      + fmt::format("<g transform=\"translate({})\">\n{}</g>\n", svg::point(margin, top + bar_height), legend.svg);
-  out.height = top + bar_height + legend.height + 0.5 * margin;
+  out.svg = scale_bar(svg::margin, top + 8.0, 0.5 * panel.side, panel)
+            + fmt::format("<g transform=\"translate({})\">\n{}</g>\n", svg::point(svg::margin, top + scale_bar_height),
+                          legend.svg);
+  out.height = top + scale_bar_height + legend.height + 0.5 * svg::margin;
   return out;
 }
 
@@ -53,12 +50,12 @@ void check(int width) {
 
 std::string cell_picture(const CellScene& scene, const Box& box, int width) {
   check(width);
-  const double top = margin + svg::text_height(1, svg::title_size);
-  const Panel panel{.box = box, .left = margin, .top = top, .side = width - 2.0 * margin};
+  const double top = svg::margin + svg::text_height(1, svg::title_size);
+  const Panel panel{.box = box, .left = svg::margin, .top = top, .side = width - 2.0 * svg::margin};
   const CellLegend below = footer(top + panel.side, width, panel, scene);
   const std::string title = time_text(scene.t);
   const std::string body =
-      svg::text(margin, margin + svg::title_size - 4.0, title, {.size = svg::title_size, .bold = true})
+      svg::text(svg::margin, svg::margin + svg::title_size - 4.0, title, {.size = svg::title_size, .bold = true})
       + drawing(scene, panel, IntactMatrix::particles) + svg::frame(panel.left, panel.top, panel.side, panel.side)
       + below.svg;
   return svg::document(width, below.height, "Cell and matrix after " + title, body);
@@ -68,17 +65,18 @@ std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most, i
   check(width);
   const std::vector<std::size_t> indices = chosen(scenes.size(), most);
   const auto columns = std::clamp<std::size_t>(indices.size(), 1, indices.size() == 4 ? 2 : 3);
-  const double gap = margin;
-  const double side = (width - 2.0 * margin - static_cast<double>(columns - 1) * gap) / static_cast<double>(columns);
+  const double gap = svg::margin;
+  const double side =
+      (width - 2.0 * svg::margin - static_cast<double>(columns - 1) * gap) / static_cast<double>(columns);
   const double heading = svg::text_height(1, svg::label_size);
-  Panel panel{.box = surroundings(scenes, room_around_cell), .left = margin, .top = 0.0, .side = side};
+  Panel panel{.box = surroundings(scenes, room_around_cell), .left = svg::margin, .top = 0.0, .side = side};
   std::string body;
-  double bottom = margin;
+  double bottom = svg::margin;
   for (std::size_t k = 0; k < indices.size(); ++k) {
     const CellScene& scene = scenes[indices[k]];
     const std::size_t row = k / columns;
-    panel.left = margin + static_cast<double>(k - row * columns) * (side + gap);
-    panel.top = margin + static_cast<double>(row) * (side + gap + heading) + heading;
+    panel.left = svg::margin + static_cast<double>(k - row * columns) * (side + gap);
+    panel.top = svg::margin + static_cast<double>(row) * (side + gap + heading) + heading;
     body += svg::text(panel.left, panel.top - 6.0, time_text(scene.t), {.size = svg::label_size, .bold = true});
     body += drawing(scene, panel, IntactMatrix::area) + svg::frame(panel.left, panel.top, side, side);
     bottom = panel.top + side;

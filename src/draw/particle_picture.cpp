@@ -16,7 +16,6 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr double margin = 12.0;     ///< free on all sides of the drawing [pixel]
 constexpr double bar_gap = 20.0;    ///< between the particles and the colour bar [pixel]
 constexpr double scale_room = 40.0; ///< below the particles, for the scale bar [pixel]
 constexpr std::string_view missing = "#b8b8b8";
@@ -158,12 +157,12 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const Extent box = extent(p);
   const Vec2 size = box.high - box.low;
   Axis values = value_axis(p);
-  const auto title = svg::wrapped(p.title, width - 2.0 * margin, 1.05 * svg::title_size);
-  const double top = 1.5 * margin + svg::text_height(title.size(), svg::title_size);
+  const auto title = svg::wrapped(p.title, width - 2.0 * svg::margin, 1.05 * svg::title_size);
+  const double top = 1.5 * svg::margin + svg::text_height(title.size(), svg::title_size);
 
   // The lines of the label go upward beside the bar, so their number depends on its height and the other way round: a
   // first guess of the height decides.
-  const double room_without_label = width - 2.0 * margin - bar_gap - colour_bar_width - 9.0 - label_width(values);
+  const double room_without_label = width - 2.0 * svg::margin - bar_gap - colour_bar_width - 9.0 - label_width(values);
   const auto height_for = [&](double room) { return std::clamp(room * size.y() / size.x(), 140.0, 1.2 * width); };
   const auto label = svg::wrapped(p.value_label, 0.9 * height_for(room_without_label), svg::label_size);
   const double room = room_without_label - svg::text_height(label.size(), svg::label_size) - 4.0;
@@ -172,16 +171,16 @@ std::string to_svg(const ParticlePicture& p, int width) {
   Frame frame;
   frame.low = box.low;
   frame.scale = std::min(room / size.x(), height / size.y());
-  frame.left = margin + 0.5 * (room - frame.scale * size.x());
+  frame.left = svg::margin + 0.5 * (room - frame.scale * size.x());
   frame.bottom = top + 0.5 * (height + frame.scale * size.y());
   values.begin = top + height;
   values.end = top;
 
   const svg::TextStyle heading{.size = svg::title_size, .bold = true};
   const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
-  const double bar_left = margin + room + bar_gap;
+  const double bar_left = svg::margin + room + bar_gap;
   const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
-  std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
+  std::string body = svg::text_lines(svg::margin, svg::margin + svg::title_size - 3.0, title, heading);
   body += dots(p, values, frame) + arrows(p, frame);
   for (const std::vector<Vec2>& points : p.outlines) body += outline(points, frame);
   body += colour_bar(values, map, bar_left);
@@ -189,8 +188,9 @@ std::string to_svg(const ParticlePicture& p, int width) {
                           top + 0.5 * height, label, upward);
   body += scale_bar(round_step(0.1 * room / frame.scale), frame, top + height + 0.4 * scale_room);
   if (p.position.empty())
-    body += svg::text(margin + 0.5 * room, top + 0.5 * height, "no particles to draw", {.anchor = svg::Anchor::middle});
-  return svg::document(width, top + height + scale_room + 0.5 * margin, p.title, body);
+    body += svg::text(svg::margin + 0.5 * room, top + 0.5 * height, "no particles to draw",
+                      {.anchor = svg::Anchor::middle});
+  return svg::document(width, top + height + scale_room + 0.5 * svg::margin, p.title, body);
 }
 
 } // namespace matrigrate::io

@@ -13,7 +13,6 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr double margin = 12.0;    ///< free on all sides of the drawing [pixel]
 constexpr double tick_room = 26.0; ///< below the horizontal axis, for its numbers
 constexpr double tick_gap = 8.0;   ///< between the vertical axis and its numbers
 
@@ -132,21 +131,21 @@ std::string to_svg(const Plot& plot, int width, int height) {
 
   const svg::TextStyle label{.size = svg::label_size, .anchor = svg::Anchor::middle};
   const svg::TextStyle heading{.size = svg::title_size, .bold = true};
-  const auto title = svg::wrapped(plot.title, width - 2.0 * margin, 1.05 * svg::title_size);
+  const auto title = svg::wrapped(plot.title, width - 2.0 * svg::margin, 1.05 * svg::title_size);
   const auto y_label = svg::wrapped(plot.y_label, 0.6 * height, svg::label_size);
-  x.begin = margin + svg::text_height(y_label.size(), svg::label_size) + label_width(y) + tick_gap;
-  x.end = width - margin - 0.5 * label_width(x);
+  x.begin = svg::margin + svg::text_height(y_label.size(), svg::label_size) + label_width(y) + tick_gap;
+  x.end = width - svg::margin - 0.5 * label_width(x);
   const auto x_label = svg::wrapped(plot.x_label, x.end - x.begin, svg::label_size);
-  const Legend entries = legend(plot.series, width - 2.0 * margin);
+  const Legend entries = legend(plot.series, width - 2.0 * svg::margin);
 
-  const double legend_top = margin + svg::text_height(title.size(), svg::title_size);
-  y.end = legend_top + entries.height + margin;
-  const double below = tick_room + svg::text_height(x_label.size(), svg::label_size) + margin;
+  const double legend_top = svg::margin + svg::text_height(title.size(), svg::title_size);
+  y.end = legend_top + entries.height + svg::margin;
+  const double below = tick_room + svg::text_height(x_label.size(), svg::label_size) + svg::margin;
   y.begin = std::max(height - below, y.end + 0.5 * height);
   if (plot.equal_axes) match_scales(x, y);
 
-  std::string body = svg::text_lines(margin, margin + svg::title_size - 3.0, title, heading);
-  body += fmt::format("<g transform=\"translate({})\">\n{}</g>\n", svg::point(margin, legend_top), entries.svg);
+  std::string body = svg::text_lines(svg::margin, svg::margin + svg::title_size - 3.0, title, heading);
+  body += fmt::format("<g transform=\"translate({})\">\n{}</g>\n", svg::point(svg::margin, legend_top), entries.svg);
   body += grid(x, y);
   body += svg::frame(x.begin, y.end, x.end - x.begin, y.begin - y.end);
   body += curves(plot, x, y);
@@ -154,7 +153,7 @@ std::string to_svg(const Plot& plot, int width, int height) {
   body += svg::text_lines(0.5 * (x.begin + x.end), y.begin + tick_room + svg::label_size, x_label, label);
   svg::TextStyle upward = label;
   upward.upward = true;
-  body += svg::text_lines(margin + svg::label_size - 2.0, 0.5 * (y.begin + y.end), y_label, upward);
+  body += svg::text_lines(svg::margin + svg::label_size - 2.0, 0.5 * (y.begin + y.end), y_label, upward);
   return svg::document(width, y.begin + below, plot.title, body);
 }
 

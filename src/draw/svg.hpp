@@ -11,6 +11,8 @@ namespace matrigrate::io::svg {
 inline constexpr std::string_view dark = "#1f2328";  ///< text, frames
 inline constexpr std::string_view faint = "#e3e6ea"; ///< grid lines
 
+inline constexpr double margin = 12.0; ///< free on all sides of a picture
+
 inline constexpr double title_size = 18.0;
 inline constexpr double label_size = 17.0;
 inline constexpr double tick_size = 16.0;

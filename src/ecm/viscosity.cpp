@@ -11,21 +11,20 @@ namespace matrigrate {
 
 namespace {
 
-constexpr std::size_t lanes = RowBlocks::lanes;
 constexpr double nowhere = 1e9; // where the particles beyond the last are, out of reach of all others [um]
 
 /// |x_ij|^2 of the eight particles from row on and their partners at a distance.
 [[gnu::always_inline]] inline void squared_distances(const double* x_i, const double* y_i, std::ptrdiff_t distance,
                                                      double period_x, float* r2) {
   if (period_x > 0.0) {
-    for (std::size_t l = 0; l < lanes; ++l) {
+    for (std::size_t l = 0; l < RowBlocks::lanes; ++l) {
       const Vec2 x_ij(x_i[l] - x_i[static_cast<std::ptrdiff_t>(l) + distance],
                       y_i[l] - y_i[static_cast<std::ptrdiff_t>(l) + distance]);
       r2[l] = static_cast<float>(nearest_image(x_ij, period_x).squaredNorm());
     }
     return;
   }
-  for (std::size_t l = 0; l < lanes; l += pack_size<Doubles>) {
+  for (std::size_t l = 0; l < RowBlocks::lanes; l += pack_size<Doubles>) {
     Doubles x, y, x_j, y_j;
     load(x_i + l, x);
     load(y_i + l, y);
@@ -44,9 +43,9 @@ MATRIGRATE_SIMD
 std::size_t pair_drags(const DoubleField& x, std::size_t row, double period_x, const PairDrag<float>& law,
                        std::span<std::int32_t> distances, float* G, double* D) {
   for (std::size_t k = 0; k < distances.size(); ++k)
-    squared_distances(x.x() + row, x.y() + row, distances[k], period_x, G + lanes * k);
+    squared_distances(x.x() + row, x.y() + row, distances[k], period_x, G + RowBlocks::lanes * k);
   const PairDrag<float> drag = law; // which no store to G can change
-  for (std::size_t k = 0; k < lanes * distances.size(); ++k) {
+  for (std::size_t k = 0; k < RowBlocks::lanes * distances.size(); ++k) {
     const float r2 = G[k];
     G[k] = drag(std::sqrt(r2), r2);
   }
@@ -54,10 +53,10 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, double period_x, c
   std::size_t count = 0;
   for (std::size_t k = 0; k < distances.size(); ++k) {
     HalfFloats g_low, g_high;
-    load(G + lanes * k, g_low);
-    load(G + lanes * k + 4, g_high);
-    store(g_low, G + lanes * count);
-    store(g_high, G + lanes * count + 4);
+    load(G + RowBlocks::lanes * k, g_low);
+    load(G + RowBlocks::lanes * k + 4, g_high);
+    store(g_low, G + RowBlocks::lanes * count);
+    store(g_high, G + RowBlocks::lanes * count + 4);
     low += __builtin_convertvector(g_low, Doubles);
     high += __builtin_convertvector(g_high, Doubles);
     distances[count] = distances[k];
@@ -76,10 +75,10 @@ std::size_t leave_out_clamps(const Field& free, std::size_t row, std::span<std::
   std::size_t count = 0;
   for (std::size_t k = 0; k < distances.size(); ++k) {
     Floats g, of_j;
-    load(G + lanes * k, g);
+    load(G + RowBlocks::lanes * k, g);
     load(free.x() + row + distances[k], of_j);
     g *= of_i * of_j;
-    store(g, G + lanes * count);
+    store(g, G + RowBlocks::lanes * count);
     distances[count] = distances[k];
     if (any(g)) ++count;
   }
@@ -102,11 +101,11 @@ bool prescribe_clamps(const EcmState& ecm, std::vector<Vec2>& F) {
 void add_drag_of_clamps(const EcmState& ecm, std::size_t row, std::span<const std::int32_t> distances, const float* G,
                         std::span<Vec2> F) {
   for (std::size_t k = 0; k < distances.size(); ++k)
-    for (std::size_t l = 0; l < lanes; ++l) {
-      if (G[lanes * k + l] == 0.0F) continue;
+    for (std::size_t l = 0; l < RowBlocks::lanes; ++l) {
+      if (G[RowBlocks::lanes * k + l] == 0.0F) continue;
       const std::size_t i = row + l;
       const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distances[k]);
-      if (ecm.clamped[j] && !ecm.clamped[i]) F[i] += static_cast<double>(G[lanes * k + l]) * ecm.v[j];
+      if (ecm.clamped[j] && !ecm.clamped[i]) F[i] += static_cast<double>(G[RowBlocks::lanes * k + l]) * ecm.v[j];
     }
 }
 
@@ -122,8 +121,8 @@ void ViscosityRows::mark_moved(std::span<const Vec2> x, const Adjacency& pairs, 
     m_x_seen.assign(x.size(), Vec2(nowhere, nowhere));
   }
   for (std::size_t block = 0; block < pattern.blocks(); ++block) {
-    const std::size_t row = block * lanes;
-    const std::size_t end = std::min(row + lanes, x.size());
+    const std::size_t row = block * RowBlocks::lanes;
+    const std::size_t end = std::min(row + RowBlocks::lanes, x.size());
     if (std::memcmp(&m_x_seen[row], &x[row], (end - row) * sizeof(Vec2)) == 0) continue;
     for (std::size_t i = row; i < end; ++i) {
       m_x_seen[i] = x[i];
@@ -134,12 +133,13 @@ void ViscosityRows::mark_moved(std::span<const Vec2> x, const Adjacency& pairs, 
     m_stale[block] = 1;
     if (pattern.meets_prescribed(block)) { // rows of clamped particles have no partners in the pattern
       for (std::size_t i = row; i < end; ++i)
-        for (const std::uint32_t j : pairs.of(i)) m_stale[j / lanes] = 1;
+        for (const std::uint32_t j : pairs.of(i)) m_stale[j / RowBlocks::lanes] = 1;
       continue;
     }
     for (const std::int32_t distance : pattern.distances(block))
-      for (const std::size_t i : {row, row + lanes - 1}) {
-        const std::size_t partner = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distance) / lanes;
+      for (const std::size_t i : {row, row + RowBlocks::lanes - 1}) {
+        const std::size_t partner =
+            static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + distance) / RowBlocks::lanes;
         if (partner < m_stale.size()) m_stale[partner] = 1; // not so where only other rows have one at that distance
       }
   }
@@ -180,10 +180,10 @@ void ViscosityRows::assemble(const EcmState& ecm, std::span<const Vec2> x, const
   }
   const PairDrag<float> law(p, Kernel(p.smoothing_length), ecm.V0);
   const auto fill = [&](std::size_t block, std::span<std::int32_t> distances, float* G) {
-    const std::size_t row = block * lanes;
-    double D[lanes];
+    const std::size_t row = block * RowBlocks::lanes;
+    double D[RowBlocks::lanes];
     const std::size_t count = pair_drags(m_x, row, ecm.period_x, law, distances, G, D);
-    for (std::size_t i = row; i < std::min(row + lanes, n); ++i) {
+    for (std::size_t i = row; i < std::min(row + RowBlocks::lanes, n); ++i) {
       A.prescribed[i] = ecm.clamped[i] || D[i - row] == 0.0 ? 1 : 0; // without partners there is no force: it stays
       A.diagonal[i] = A.prescribed[i] ? 1.0 : D[i - row];
     }

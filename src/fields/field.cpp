@@ -21,7 +21,7 @@ namespace matrigrate::fields {
 
 namespace {
 
-constexpr std::size_t max_bytes = std::size_t{1} << 28U;
+constexpr std::size_t max_table_bytes = std::size_t{1} << 28U;
 
 /// Values of samples, from black to white of a picture.
 struct Scaled {
@@ -108,7 +108,7 @@ Field::Field(const std::string& text, const std::filesystem::path& folder) : m_t
   }
   const FileWords words = words_of(text);
   const std::filesystem::path file = std::filesystem::absolute(folder / words.name).lexically_normal();
-  const std::string bytes = read_file(file, max_bytes);
+  const std::string bytes = read_file(file, max_table_bytes);
   const std::string hash = fingerprint(bytes);
   if (const auto given = words.options.find("hash"); given != words.options.end() && given->second != hash)
     throw std::invalid_argument(

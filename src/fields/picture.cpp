@@ -15,7 +15,7 @@ namespace matrigrate::fields {
 namespace {
 
 constexpr std::size_t max_pixels = 16'000'000;
-constexpr std::size_t max_bytes = std::size_t{1} << 28U;
+constexpr std::size_t max_picture_bytes = std::size_t{1} << 28U;
 
 /// Grey values of a picture, row by row, downwards.
 struct Grey {
@@ -66,7 +66,7 @@ Grey read_tiff(const std::filesystem::path& file) {
 } // namespace
 
 Samples samples_from_picture(const std::filesystem::path& file, double pixel, const Vec2& centre) {
-  const std::string bytes = read_file(file, max_bytes);
+  const std::string bytes = read_file(file, max_picture_bytes);
   const Grey grey = bytes.starts_with("\x89PNG") ? read_png(bytes) : read_tiff(file);
   Samples samples{
       .origin =

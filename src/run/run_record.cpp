@@ -15,12 +15,12 @@ namespace matrigrate::run {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::system_clock;
+using WallClock = std::chrono::system_clock;
 namespace fs = std::filesystem;
 
 /// ISO 8601, UTC: "2026-01-31T12:00:00Z".
-std::string utc(Clock::time_point time) {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(Clock::to_time_t(time)));
+std::string utc(WallClock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(WallClock::to_time_t(time)));
 }
 
 constexpr double Pa = 1e3;                                 // in a kPa
@@ -91,7 +91,7 @@ std::string command_text(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string minute_text(Clock::time_point time) { return minute_of(utc(time)); }
+std::string minute_text(WallClock::time_point time) { return minute_of(utc(time)); }
 
 std::string configuration_hash(const Parameters& p) {
   Parameters q = p;
@@ -152,7 +152,7 @@ std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const s
 }
 
 Json to_json(const RunRecord& record, const Parameters& p) {
-  const Clock::time_point now = record.end.value_or(Clock::now());
+  const WallClock::time_point now = record.end.value_or(WallClock::now());
   const io::LostFrames& lost = record.lost_frames;
   Json json{{"status", to_string(record.status())},
             {"exit_code", record.ended ? Json(exit_code(*record.ended)) : Json()},

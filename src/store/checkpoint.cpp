@@ -21,8 +21,8 @@ namespace matrigrate::io {
 namespace {
 
 constexpr std::size_t block = 512; // HDF5 looks for its beginning at 0, 512, 1024, ...
-constexpr std::string_view magic = "matrigrate checkpoint ";
-constexpr std::size_t most_bytes = std::size_t{4} << 30U;
+constexpr std::string_view checkpoint_magic = "matrigrate checkpoint ";
+constexpr std::size_t max_checkpoint_bytes = std::size_t{4} << 30U;
 
 std::string fingerprint(std::string_view bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
@@ -30,7 +30,8 @@ std::string fingerprint(std::string_view bytes) {
 }
 
 std::string first_line(int version, std::string_view content) {
-  std::string line = fmt::format("{}{} bytes {} xxh128 {}\n", magic, version, content.size(), fingerprint(content));
+  std::string line =
+      fmt::format("{}{} bytes {} xxh128 {}\n", checkpoint_magic, version, content.size(), fingerprint(content));
   line.resize(block, '\0');
   return line;
 }
@@ -38,10 +39,10 @@ std::string first_line(int version, std::string_view content) {
 /// The HDF5 file behind a user block that promises it. @throws InputOutputError with the reason
 std::string_view checked_content(std::string_view image, const std::string& name) {
   const auto refuse = [&name](std::string_view why) { throw InputOutputError(fmt::format("{}: {}", name, why)); };
-  if (!image.starts_with(magic)) refuse("is no checkpoint of matrigrate");
+  if (!image.starts_with(checkpoint_magic)) refuse("is no checkpoint of matrigrate");
   int version = 0;
   const char* const end = image.data() + image.size();
-  const auto read = std::from_chars(image.data() + magic.size(), end, version);
+  const auto read = std::from_chars(image.data() + checkpoint_magic.size(), end, version);
   if (read.ec != std::errc()) refuse("is no checkpoint of matrigrate");
   if (version < one_cell_version || version > checkpoint_version)
     refuse(fmt::format("is a checkpoint of format {}; this program reads formats {} to {}", version, one_cell_version,
@@ -49,7 +50,7 @@ std::string_view checked_content(std::string_view image, const std::string& name
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
   if (image.substr(0, block) == first_line(version, content)) return content;
-  const std::string promised = fmt::format("{}{} bytes {} ", magic, version, content.size());
+  const std::string promised = fmt::format("{}{} bytes {} ", checkpoint_magic, version, content.size());
   refuse(image.starts_with(promised) ? "has been changed: its fingerprint is another"
                                      : "is cut short, or its first line has been changed");
   return {};
@@ -262,7 +263,7 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
-  return parse_checkpoint(read_file(file, most_bytes), file.string());
+  return parse_checkpoint(read_file(file, max_checkpoint_bytes), file.string());
 }
 
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {

@@ -14,7 +14,7 @@ std::string item(std::string_view name, std::string_view type, std::size_t k, st
 
 constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
 constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
-constexpr std::string_view whole = "NumberType=\"UInt\" Precision=\"4\"";
+constexpr std::string_view whole_numbers = "NumberType=\"UInt\" Precision=\"4\"";
 
 std::string attribute(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
   return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
@@ -71,7 +71,7 @@ std::string anchor_grids(std::span<const double> times, std::span<const std::siz
     const std::size_t n = anchors[k];
     if (n == 0) continue;
     text += grid("anchors", points(n), times[k], k, n,
-                 attribute("anchors/id", whole, k, n, 1) + attribute("anchors/f_mat", floating, k, n, 1)
+                 attribute("anchors/id", whole_numbers, k, n, 1) + attribute("anchors/f_mat", floating, k, n, 1)
                      + attribute("anchors/force", floating, k, n, 1));
   }
   return text;

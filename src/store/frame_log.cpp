@@ -17,8 +17,8 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr std::string_view magic = "matrigrate frames 1\n";
-constexpr std::size_t most_bytes = std::size_t{1} << 30U; // of a frame
+constexpr std::string_view frame_log_magic = "matrigrate frames 1\n";
+constexpr std::size_t max_frame_bytes = std::size_t{1} << 30U; // of a frame
 
 /// Before each block: bytes of it compressed and not, and its fingerprint.
 struct BlockHead {
@@ -50,7 +50,7 @@ public:
   template <class T>
   void take_planes(std::vector<T>& values) {
     const auto n = take<std::uint64_t>();
-    if (n > most_bytes) throw InputOutputError("a frame is not what it says");
+    if (n > max_frame_bytes) throw InputOutputError("a frame is not what it says");
     const std::string_view planes = some(n * sizeof(T));
     values.resize(n);
     auto* bytes = reinterpret_cast<char*>(values.data());
@@ -70,7 +70,7 @@ private:
   std::string_view m_bytes;
 };
 
-std::string block(std::string_view content) {
+std::string as_block(std::string_view content) {
   const std::string stored = deflated_fast(content);
   std::string bytes;
   put(bytes, BlockHead{stored.size(), content.size(), XXH3_64bits(stored.data(), stored.size())});
@@ -79,7 +79,8 @@ std::string block(std::string_view content) {
 
 /// Whether a block can have this head: deflated bytes are hardly longer than what they were made of.
 bool is_plausible(const BlockHead& head) {
-  return head.size > 0 && head.size <= most_bytes && head.stored > 0 && head.stored <= head.size + head.size / 64 + 64;
+  return head.size > 0 && head.size <= max_frame_bytes && head.stored > 0
+         && head.stored <= head.size + head.size / 64 + 64;
 }
 
 /// The content of the next block of a stream; none if it is not whole.
@@ -154,11 +155,11 @@ std::string log_head(const FrameHead& head) {
   put(content, head.spacing);
   put_planes(content, head.reference);
   if (head.obstacle.empty() && head.youngs_modulus.empty() && head.ligand.empty())
-    return std::string(magic) + block(content);
+    return std::string(frame_log_magic) + as_block(content);
   put_planes(content, head.obstacle);
   put_planes(content, head.youngs_modulus);
   put_planes(content, head.ligand);
-  return std::string(magic) + block(content);
+  return std::string(frame_log_magic) + as_block(content);
 }
 
 std::string log_frame(const Frame& frame) {
@@ -174,7 +175,7 @@ std::string log_frame(const Frame& frame) {
       if (field.of_several_cells()) put_planes(content, field.in(frame));
   if (attractant || nuclei) put_planes(content, frame.matrix.attractant);
   if (nuclei) put_planes(content, frame.nucleus);
-  return block(content);
+  return as_block(content);
 }
 
 std::string log_bytes(const Film& film) {
@@ -199,8 +200,8 @@ Film read_log(std::istream& log, const std::function<void(Frame&)>& each) {
 }
 
 FrameReader::FrameReader(std::istream& log) : m_log(&log) {
-  std::string start(magic.size(), '\0');
-  if (!log.read(start.data(), static_cast<std::streamsize>(start.size())) || start != magic)
+  std::string start(frame_log_magic.size(), '\0');
+  if (!log.read(start.data(), static_cast<std::streamsize>(start.size())) || start != frame_log_magic)
     throw InputOutputError("is no log of frames");
   const std::optional<std::string> content = next_content(log);
   if (!content) throw InputOutputError("is cut short or has been changed");

@@ -16,7 +16,7 @@ namespace matrigrate::io {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 30U;
+constexpr std::size_t max_field_file_bytes = std::size_t{64} << 30U;
 constexpr std::string_view protrusions = "protrusions/";
 
 Floats in_plane(const Floats& values) {
@@ -116,7 +116,7 @@ template <class Read>
 Film read_in(const std::filesystem::path& folder, const Read& read) {
   const std::filesystem::path path = folder / field_file_name;
   if (!is_there(path)) return {};
-  std::string bytes = read_file(path, most_bytes);
+  std::string bytes = read_file(path, max_field_file_bytes);
   return naming(path, [&] {
     const MemoryFile file(bytes);
     bytes = std::string(); // HDF5 has taken a copy

@@ -12,7 +12,7 @@ namespace matrigrate::study {
 
 namespace {
 
-std::string label_of(const toml::table& table, FaultList& faults) {
+std::string label_in(const toml::table& table, FaultList& faults) {
   const toml::node* node = table.get("label");
   if (node == nullptr) {
     faults.add(place_of(table), "conditions.label", "is missing; write label = \"soft\", by which targets name it");
@@ -52,7 +52,7 @@ std::vector<ConditionDraft> read_conditions(const toml::array& list, const Param
                  fmt::format("is {}, but a table of parameters is expected", type_of(node)));
       continue;
     }
-    ConditionDraft& draft = all.emplace_back(ConditionDraft{{label_of(*table, faults), {}}, place_of(node), {}});
+    ConditionDraft& draft = all.emplace_back(ConditionDraft{{label_in(*table, faults), {}}, place_of(node), {}});
     for (const Named& named : named_parameters(*table, "conditions", {"label"}, faults)) {
       Parameters scratch = base;
       auto setting = assigned(*named.row, *named.node, scratch, faults);

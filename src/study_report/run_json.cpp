@@ -17,11 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-constexpr std::size_t largest_table = std::size_t{1} << 28U;
+constexpr std::size_t max_column_file_bytes = std::size_t{1} << 28U;
 constexpr std::size_t path_points = 100;
 
 std::vector<double> column(const std::filesystem::path& file, std::string_view name) {
-  return io::csv_column(read_file(file, largest_table), name);
+  return io::csv_column(read_file(file, max_column_file_bytes), name);
 }
 
 /// At most path_points of a path, the last one among them.

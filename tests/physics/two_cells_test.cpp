@@ -14,7 +14,7 @@ using namespace matrigrate;
 namespace {
 
 /// Cells whose protrusions live fast.
-Parameters hasty() {
+Parameters hasty_cells() {
   Parameters p;
   p.ecm.radius = 70.0;
   p.cell.start_x = -24.0;
@@ -43,7 +43,7 @@ State two_cells(const Parameters& p) {
 } // namespace
 
 TEST(TwoCells, LiveInOneMatrix) {
-  const Parameters p = hasty();
+  const Parameters p = hasty_cells();
   State s = two_cells(p);
   Workspace w(s, p);
   double imbalance = 0.0;
@@ -67,7 +67,7 @@ TEST(TwoCells, LiveInOneMatrix) {
 }
 
 TEST(TwoCells, GoOnFromACheckpointWithTheSameBits) {
-  const Parameters p = hasty();
+  const Parameters p = hasty_cells();
   State s = two_cells(p);
   Workspace w(s, p);
   for (int k = 0; k < 40; ++k) advance(s, p, p.run.time_step, w);
@@ -83,7 +83,7 @@ TEST(TwoCells, GoOnFromACheckpointWithTheSameBits) {
 
 // Without protrusions nothing tells the cells apart: their order is that of sums.
 TEST(TwoCells, DoNotDependOnTheirOrder) {
-  Parameters p = hasty();
+  Parameters p = hasty_cells();
   p.protrusion.initiation_rate = 0.0;
   State s = two_cells(p);
   State swapped = s;

@@ -15,14 +15,14 @@ namespace {
 /// Names of sources that the program or its build writes.
 const std::set<std::string> written{"submit.sh", "build_info.hpp", "shipped_studies.cpp", "shipped_pages.cpp"};
 
-std::string read(const std::filesystem::path& path) {
+std::string content_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + path.string());
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 template <class Visit>
-void each_line(std::string_view text, const Visit& visit) {
+void each_text_line(std::string_view text, const Visit& visit) {
   std::istringstream in{std::string(text)};
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) visit(number, line);
@@ -104,14 +104,14 @@ Tree tree(const std::filesystem::path& root) {
 std::vector<Document> documents(const std::filesystem::path& root, const Tree& tree) {
   std::vector<Document> found;
   for (const std::string& path : tree)
-    if (path.ends_with(".md")) found.push_back({path, read(root / path)});
+    if (path.ends_with(".md")) found.push_back({path, content_of(root / path)});
   return found;
 }
 
 std::set<std::string> anchors(std::string_view markdown) {
   std::set<std::string> found;
   bool code = false;
-  each_line(markdown, [&](int, const std::string& line) {
+  each_text_line(markdown, [&](int, const std::string& line) {
     if (line.starts_with("```")) code = !code;
     if (code || !line.starts_with('#')) return;
     std::string anchor;
@@ -128,7 +128,7 @@ std::set<std::string> anchors(std::string_view markdown) {
 Findings dead_links(const Document& document, const std::vector<Document>& all, const Tree& tree) {
   static const std::regex link(R"(\]\(([^)\s]+)\))");
   Findings findings;
-  each_line(document.text, [&](int number, const std::string& line) {
+  each_text_line(document.text, [&](int number, const std::string& line) {
     each_match(line, link, [&](const std::smatch& match) {
       const std::string target = match[1];
       if (target.find("://") != std::string::npos) return;
@@ -146,7 +146,7 @@ Findings dead_links(const Document& document, const std::vector<Document>& all, 
 
 Findings missing_files(const Document& document, const Tree& tree) {
   Findings findings;
-  each_line(document.text, [&](int number, const std::string& line) {
+  each_text_line(document.text, [&](int number, const std::string& line) {
     for (const std::string& path : missing(line, folder_of(document.path), tree))
       findings.push_back(at(document.path, number, "no such file: " + path));
   });
@@ -156,7 +156,7 @@ Findings missing_files(const Document& document, const Tree& tree) {
 Findings missing_files_in_comments(const Source& source, const Tree& tree) {
   static const std::regex comment(R"(^\s*//(.*)$|\s///?<?\s(.*)$)");
   Findings findings;
-  each_line(source.text, [&](int number, const std::string& line) {
+  each_text_line(source.text, [&](int number, const std::string& line) {
     std::smatch match;
     if (!std::regex_search(line, match, comment)) return;
     for (const std::string& path : missing(match[1].str() + match[2].str(), folder_of(source.path), tree))
@@ -170,7 +170,7 @@ Findings unknown_commands(const Document& document, const std::set<std::string>&
   static const std::regex verb(R"(^[a-z]+)");
   static const std::regex option(R"(\s(--[a-z][a-z-]*))");
   Findings findings;
-  each_line(document.text, [&](int number, const std::string& line) {
+  each_text_line(document.text, [&](int number, const std::string& line) {
     each_match(line, command, [&](const std::smatch& match) {
       const std::string words = match[1].str();
       const std::string own = words.substr(0, words.find(" -- ")); // what follows is for another program
@@ -198,7 +198,7 @@ std::set<std::string> listed(std::string_view markdown, const std::string& headi
   static const std::regex name("`([^`]+)`");
   std::set<std::string> found;
   bool inside = false;
-  each_line(markdown, [&](int, const std::string& line) {
+  each_text_line(markdown, [&](int, const std::string& line) {
     if (line.starts_with('#')) inside = line == heading;
     if (!inside || !line.starts_with('|')) return;
     each_match(line.substr(0, line.find('|', 1)), name, [&](const std::smatch& match) { found.insert(match[1]); });
@@ -211,7 +211,7 @@ std::set<std::string> packages(std::string_view shell, const std::string& list) 
   if (start == std::string_view::npos) return {};
   const std::string_view text = shell.substr(start + list.size() + 2);
   std::set<std::string> found;
-  each_line(text.substr(0, text.find('"')), [&](int, const std::string& line) {
+  each_text_line(text.substr(0, text.find('"')), [&](int, const std::string& line) {
     if (line.find(':') != std::string::npos) found.insert(line.substr(0, line.find(':')));
   });
   return found;

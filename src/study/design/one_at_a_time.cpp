@@ -22,7 +22,8 @@ void leave_out_base(ValueList& list, const Parameters& base) {
 /// "force 1 nN"; with the section in front if another list is of a parameter of the same name.
 std::string label_of_value(const ValueList& list, const Setting& setting, const std::vector<ValueList>& all) {
   const auto same = std::ranges::count_if(all, [&](const ValueList& l) { return key_of(*l.row) == key_of(*list.row); });
-  return same == 1 ? label_of({setting}) : fmt::format("{}.{}", section_of(*list.row), label_of({setting}));
+  return same == 1 ? label_of(std::vector<Setting>{setting})
+                   : fmt::format("{}.{}", section_of(*list.row), label_of(std::vector<Setting>{setting}));
 }
 
 } // namespace

@@ -7,7 +7,6 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
 constexpr CurvatureProfile profiles[] = {CurvatureProfile::gaussian, CurvatureProfile::half_gaussian,
                                          CurvatureProfile::triangle};
 
@@ -22,7 +21,7 @@ CortexForce actomyosin(const std::function<std::vector<double>(const CortexState
   return [f_mat, profile](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
     ActomyosinParameters p;
     p.curvature_profile = profile;
-    add_actomyosin(c, p, f_mat(c), dt, first, force, A);
+    add_actomyosin(c, p, f_mat(c), time_step, first, force, A);
   };
 }
 
@@ -112,7 +111,7 @@ TEST(Actomyosin, ObeysTheLawsOfInternalForces) {
   expect_internal(actomyosin(uneven_maturation), wavy_cortex(small_cell()));
 }
 
-TEST(Actomyosin, IsImplicitAcrossEachSegment) { // dt T/l on the relative velocity across it
+TEST(Actomyosin, IsImplicitAcrossEachSegment) { // time_step T/l on the relative velocity across it
   const ActomyosinParameters p;
   const CortexState c = wavy_cortex(small_cell());
   const std::vector<double> f_mat = uneven_maturation(c);
@@ -122,7 +121,7 @@ TEST(Actomyosin, IsImplicitAcrossEachSegment) { // dt T/l on the relative veloci
     const std::size_t j = c.next(i);
     const Vec2 e = c.x[j] - c.x[i];
     const double T = F_am(f_mat[i], f_mat[j], 0.5 * (curvature(c, i) + curvature(c, j)), p);
-    expected += dt * T / e.norm() * std::pow(cross(e, v[j] - v[i]) / e.norm(), 2);
+    expected += time_step * T / e.norm() * std::pow(cross(e, v[j] - v[i]) / e.norm(), 2);
   }
   EXPECT_NEAR(power(drag_force(assemble(actomyosin(uneven_maturation), c).A, v), v), expected, 1e-12 * expected);
 }

@@ -7,11 +7,9 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
-
 CortexForce area_force(const CellParameters& p) {
   return [p](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_area(c, p, dt, first, force, A);
+    add_area(c, p, time_step, first, force, A);
   };
 }
 
@@ -70,6 +68,6 @@ TEST(Area, IsImplicitInTheAreaThatTheNextStepFinds) { // the force grows as the 
   const double growth = (area(after) - area(before)) / 2e-6;
   const Assembled a = assemble(area_force(p), c);
   std::vector<Vec2> expected = a.force;
-  for (Vec2& f : expected) f *= dt * growth / (initial_area(p) - area(c));
+  for (Vec2& f : expected) f *= time_step * growth / (initial_area(p) - area(c));
   expect_same(drag_force(a.A, v), expected, 1e-8);
 }

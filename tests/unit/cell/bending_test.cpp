@@ -6,11 +6,9 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
-
 CortexForce bending(const CellParameters& p) {
   return [p](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_bending(c, p, dt, first, force, A);
+    add_bending(c, p, time_step, first, force, A);
   };
 }
 
@@ -77,10 +75,10 @@ TEST(Bending, IsFullyImplicitAtRest) { // where the Gauss-Newton part is the who
   const CellParameters p = small_cell();
   const CortexState c = round_cortex(p);
   const std::vector<Vec2> v = stirred(c.size());
-  expect_same(drag_force(assemble(bending(p), c).A, v), implicit_drag(bending(p), c, v, dt), 1e-6);
+  expect_same(drag_force(assemble(bending(p), c).A, v), implicit_drag(bending(p), c, v, time_step), 1e-6);
 }
 
-TEST(Bending, ImplicitDragIsThatOfTheTurningAngles) { // dt k_bend sum (d theta/dt)^2, at any shape
+TEST(Bending, ImplicitDragIsThatOfTheTurningAngles) { // time_step k_bend sum (d theta/time_step)^2, at any shape
   const CellParameters p = small_cell();
   const CortexState c = wavy_cortex(p);
   const std::vector<Vec2> v = stirred(c.size());
@@ -92,6 +90,7 @@ TEST(Bending, ImplicitDragIsThatOfTheTurningAngles) { // dt k_bend sum (d theta/
   }
   double expected = 0.0;
   for (std::size_t i = 0; i < c.size(); ++i)
-    expected += dt * p.bending_stiffness * std::pow((turning_angle(after, i) - turning_angle(before, i)) / 2e-6, 2);
+    expected +=
+        time_step * p.bending_stiffness * std::pow((turning_angle(after, i) - turning_angle(before, i)) / 2e-6, 2);
   EXPECT_NEAR(power(drag_force(assemble(bending(p), c).A, v), v), expected, 1e-7 * expected);
 }

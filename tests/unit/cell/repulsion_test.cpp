@@ -6,11 +6,9 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
-
 CortexForce repulsion_force(const CellParameters& p) {
   return [p](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_repulsion(c, p, dt, first, force, A);
+    add_repulsion(c, p, time_step, first, force, A);
   };
 }
 
@@ -86,6 +84,6 @@ TEST(Repulsion, IsImplicitAlongTheDistance) { // the sides approach: the normals
     std::vector<Vec2> v;
     for (const Vec2& x : c.x) v.emplace_back(0.0, x.y() > 0.0 ? -1.0 : 1.0);
     const std::vector<Vec2> drag = drag_force(assemble(repulsion_force(p), c).A, v);
-    expect_same(drag, implicit_drag(repulsion_force(p), c, v, dt), 1e-6);
+    expect_same(drag, implicit_drag(repulsion_force(p), c, v, time_step), 1e-6);
   }
 }

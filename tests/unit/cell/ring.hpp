@@ -78,6 +78,8 @@ inline CortexState moved(CortexState c, const Motion& motion) {
   return c;
 }
 
+inline constexpr double time_step = 0.4; ///< [s]
+
 /// What a force adds to the forces and to the drag of a number of nodes.
 struct Assembled {
   std::vector<Vec2> force;

@@ -6,8 +6,6 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
-
 /// Stiffness that differs from segment to segment.
 std::vector<double> uneven_stiffness(const CortexState& c) {
   std::vector<double> k;
@@ -17,7 +15,7 @@ std::vector<double> uneven_stiffness(const CortexState& c) {
 
 CortexForce springs(const CellParameters& p) {
   return [p](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_springs(c, p, uneven_stiffness(c), dt, first, force, A);
+    add_springs(c, p, uneven_stiffness(c), time_step, first, force, A);
   };
 }
 
@@ -67,7 +65,7 @@ TEST(Springs, AreFullyImplicitWhereTheyPull) {
   const CellParameters p = without_dashpots();
   const CortexState c = wavy_cortex(p, 1.8); // all stretched
   const std::vector<Vec2> v = stirred(c.size());
-  expect_same(drag_force(assemble(springs(p), c).A, v), implicit_drag(springs(p), c, v, dt), 1e-7);
+  expect_same(drag_force(assemble(springs(p), c).A, v), implicit_drag(springs(p), c, v, time_step), 1e-7);
 }
 
 TEST(Springs, AreImplicitAlongTheSegmentWhereTheyPush) {
@@ -77,7 +75,7 @@ TEST(Springs, AreImplicitAlongTheSegmentWhereTheyPush) {
   const double l = 0.4 * c.l0[0];
   const double slope = (crowding_tension(l + 1e-6, p) - crowding_tension(l - 1e-6, p)) / 2e-6;
   double expected = 0.0; // growing at v = x, each segment lengthens by its length
-  for (const double k : uneven_stiffness(c)) expected += dt * (k + slope) * l * l;
+  for (const double k : uneven_stiffness(c)) expected += time_step * (k + slope) * l * l;
   EXPECT_NEAR(power(drag_force(assemble(springs(p), c).A, c.x), c.x), expected, 1e-6 * expected);
 }
 
@@ -115,7 +113,7 @@ TEST(Crowding, ResistsOnlyBelowItsLengthAndWithoutBoundAbove) {
 TEST(Tension, PullsBothEndsTogetherAndIsFullyImplicit) {
   const CortexState c = polygon({{0, 0}, {3, 4}, {-5, 6}});
   const CortexForce tension = [](const CortexState& ring, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_tension(ring, 0, 2.0, dt, first, force, A);
+    add_tension(ring, 0, 2.0, time_step, first, force, A);
   };
   const Assembled a = assemble(tension, c);
   EXPECT_LT((a.force[0] - Vec2(1.2, 1.6)).norm(), 1e-15);
@@ -123,5 +121,5 @@ TEST(Tension, PullsBothEndsTogetherAndIsFullyImplicit) {
   EXPECT_EQ(a.force[2].norm(), 0.0);
   expect_internal(tension, c);
   const std::vector<Vec2> v = stirred(3);
-  expect_same(drag_force(a.A, v), implicit_drag(tension, c, v, dt), 1e-7);
+  expect_same(drag_force(a.A, v), implicit_drag(tension, c, v, time_step), 1e-7);
 }

@@ -1,5 +1,6 @@
 #include "contact/cells.hpp"
 
+#include "../cell/ring.hpp"
 #include "cell/geometry.hpp"
 #include "state/dof.hpp"
 
@@ -12,8 +13,6 @@
 using namespace matrigrate;
 
 namespace {
-
-constexpr double dt = 0.4;
 
 Parameters sticky() {
   Parameters p;
@@ -37,19 +36,19 @@ State cells_at(const Parameters& p, const std::vector<CellStart>& starts) {
   return s;
 }
 
-struct Assembled {
+struct CellContact {
   std::vector<Vec2> force;
   DragSystem A;
 };
 
-Assembled assemble(const State& s, const Parameters& p) {
-  Assembled a;
+CellContact contact_forces(const State& s, const Parameters& p) {
+  CellContact a;
   a.force.assign(node_count(s), Vec2::Zero());
-  add_cell_contact(s, cell_touches(s.cells, cell_reach(p.contact.cells)), p, dt, a.force, a.A);
+  add_cell_contact(s, cell_touches(s.cells, cell_reach(p.contact.cells)), p, time_step, a.force, a.A);
   return a;
 }
 
-double largest(const std::vector<Vec2>& force) {
+double largest_force(const std::vector<Vec2>& force) {
   double most = 0.0;
   for (const Vec2& f : force) most = std::max(most, f.norm());
   return most;
@@ -76,8 +75,8 @@ TEST(CellContact, LeavesCellsThatAreApartAlone) {
   const Parameters p = sticky();
   for (const double distance : {33.0, 60.0, 300.0}) {
     const State s = cells_at(p, {{0.0, 0.0}, {distance, 0.0}});
-    const Assembled a = assemble(s, p);
-    EXPECT_EQ(largest(a.force), 0.0);
+    const CellContact a = contact_forces(s, p);
+    EXPECT_EQ(largest_force(a.force), 0.0);
     EXPECT_EQ(a.A.directed.size(), 0U);
   }
   EXPECT_TRUE(cell_touches(cells_at(p, {{0.0, 0.0}}).cells, 2.0).empty());
@@ -87,7 +86,7 @@ TEST(CellContact, PushesCellsApartAndPullsThemTogether) {
   const Parameters p = sticky();
   const auto push = [&](double distance) {
     const State s = cells_at(p, {{0.0, 0.0}, {distance, 0.0}});
-    const std::vector<Vec2> force = assemble(s, p).force;
+    const std::vector<Vec2> force = contact_forces(s, p).force;
     const auto on_second = of_cell(s, 1, std::span(force));
     return std::accumulate(on_second.begin(), on_second.end(), Vec2(0.0, 0.0)).x();
   };
@@ -99,8 +98,8 @@ TEST(CellContact, PushesCellsApartAndPullsThemTogether) {
 TEST(CellContact, ObeysTheThirdLawToRoundOff) {
   const Parameters p = sticky();
   const State s = cells_at(p, {{0.0, 0.0}, {30.3, 2.0}, {14.0, 27.0}, {200.0, 0.0}});
-  const std::vector<Vec2> force = assemble(s, p).force;
-  ASSERT_GT(largest(force), 1e-2);
+  const std::vector<Vec2> force = contact_forces(s, p).force;
+  ASSERT_GT(largest_force(force), 1e-2);
   Vec2 sum = Vec2::Zero();
   double torque = 0.0, magnitude = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
@@ -116,7 +115,7 @@ TEST(CellContact, IsMinusTheGradientOfItsEnergy) {
   const Parameters p = sticky();
   for (const double distance : {29.8, 30.4, 31.5}) {
     State s = cells_at(p, {{0.0, 0.0}, {distance, 1.0}});
-    const std::vector<Vec2> force = assemble(s, p).force;
+    const std::vector<Vec2> force = contact_forces(s, p).force;
     const auto energy = [&] { return cell_contact_energy(cell_touches(s.cells, cell_reach(p.contact.cells)), p); };
     const double h = 1e-6;
     for (Cell& cell : s.cells)
@@ -130,7 +129,7 @@ TEST(CellContact, IsMinusTheGradientOfItsEnergy) {
           const double less = energy();
           x = at;
           const Vec2& f = force[cell.id * p.cell.particles + i];
-          EXPECT_NEAR(f[e], -(more - less) / (2.0 * h), 1e-5 * (largest(force) + 1e-3)) << cell.id << " " << i;
+          EXPECT_NEAR(f[e], -(more - less) / (2.0 * h), 1e-5 * (largest_force(force) + 1e-3)) << cell.id << " " << i;
         }
   }
 }
@@ -138,14 +137,14 @@ TEST(CellContact, IsMinusTheGradientOfItsEnergy) {
 TEST(CellContact, RotatesWithTheCells) {
   const Parameters p = sticky();
   State s = cells_at(p, {{0.0, 0.0}, {30.3, 2.0}});
-  const std::vector<Vec2> before = assemble(s, p).force;
+  const std::vector<Vec2> before = contact_forces(s, p).force;
   Mat2 turn;
   turn << std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7);
   for (Cell& cell : s.cells)
     for (Vec2& x : cell.cortex.x) x = turn * x;
-  const std::vector<Vec2> after = assemble(s, p).force;
+  const std::vector<Vec2> after = contact_forces(s, p).force;
   for (std::size_t i = 0; i < before.size(); ++i)
-    EXPECT_LT((after[i] - turn * before[i]).norm(), 1e-12 * largest(before)) << i;
+    EXPECT_LT((after[i] - turn * before[i]).norm(), 1e-12 * largest_force(before)) << i;
 }
 
 TEST(CellContact, FindsThePairsThatAllAgainstAllFind) {

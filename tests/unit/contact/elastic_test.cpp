@@ -9,11 +9,9 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
-
 Assembled contact_of(const Scene& s) {
   return assemble(s.ecm.size() + s.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), dt, s.first(), force, A);
+    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), time_step, s.first(), force, A);
   });
 }
 
@@ -79,7 +77,7 @@ TEST(ElasticContact, IsImplicitAlongTheNormal) {
   ASSERT_NE(inner, nearby.end());
   const NearbyParticle& e = *inner;
   const double speed = -0.01;
-  after.ecm.x[e.particle] += dt * speed * e.normal;
+  after.ecm.x[e.particle] += time_step * speed * e.normal;
   const std::vector<Vec2> grown = contact_of(after).force;
   const Assembled a = contact_of(s);
   std::vector<Vec2> v(a.force.size(), Vec2::Zero());

@@ -25,7 +25,7 @@ State pulled(const Parameters& p) {
 }
 
 /// Number of particles that are drawn in each colour: a dot is a move and "h0".
-std::map<std::string, std::size_t> dots(const std::string& drawing) {
+std::map<std::string, std::size_t> dot_counts(const std::string& drawing) {
   std::map<std::string, std::size_t> of_colour;
   const auto pieces = parsed(drawing);
   if (!pieces) return of_colour;
@@ -56,7 +56,7 @@ TEST(LayerPicture, ShowsDisplacementsWithArrowsAndTheCell) {
   EXPECT_EQ(count(drawing, "displacement [um]"), 1U);
   EXPECT_GE(count(drawing, "30 min"), 1U);
   EXPECT_EQ(count(drawing, "nan"), 0U);
-  const auto drawn = dots(drawing);
+  const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), s.ecm.size());
   const std::size_t fluid = without_value(displacement_field(s.ecm));
   EXPECT_GT(fluid, 100U); // the cell's hole
@@ -71,7 +71,7 @@ TEST(LayerPicture, OfAMatrixAtRestHasOneColourAndNoArrows) {
   at_rest.ecm = disc(p);
   const std::string drawing = displacement_picture(at_rest, p);
   EXPECT_EQ(count(drawing, "nan"), 0U);
-  const auto drawn = dots(drawing);
+  const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), at_rest.ecm.size());
   EXPECT_EQ(drawn.size(), 2U);                                          // solid without displacement, and fluid
   EXPECT_LT(drawing.size(), displacement_picture(pulled(p), p).size()); // no arrows, no cell
@@ -88,7 +88,7 @@ TEST(LayerPicture, ShowsTheStressOfTheFibres) {
   const std::string drawing = fibre_stress_picture(s, p, network);
   EXPECT_TRUE(parsed(drawing));
   EXPECT_EQ(count(drawing, "von Mises stress [Pa]"), 1U);
-  const auto drawn = dots(drawing);
+  const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), s.ecm.size());
   EXPECT_EQ(drawn.at(grey), without_value(fibre_stress_field(s.ecm, p.fibres, network)));
   EXPECT_GE(drawn.size(), 4U); // grey, slack on the left, taut on the right, and between

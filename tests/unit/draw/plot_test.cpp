@@ -19,7 +19,7 @@
 namespace matrigrate::io {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 Plot two_lines() {
   return {"Relaxation",
@@ -99,7 +99,7 @@ TEST(Plot, PutsDataWhereTheAxesSay) {
 }
 
 TEST(Plot, BreaksLinesAtMissingValues) {
-  Plot plot{"", "", "", false, false, {{"", {0, 1, 2, 3, 4, 5}, {0, 1, nan, 3, nan, 5}, Mark::line, 0}}};
+  Plot plot{"", "", "", false, false, {{"", {0, 1, 2, 3, 4, 5}, {0, 1, not_known, 3, not_known, 5}, Mark::line, 0}}};
   const auto data = curves(to_svg(plot));
   ASSERT_EQ(data.size(), 1U);
   EXPECT_EQ(count(data[0], "M"), 3U);

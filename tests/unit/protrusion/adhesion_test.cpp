@@ -10,8 +10,6 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr double dt = 0.4;
-
 /// A contracting protrusion to the right, its adhesion stretched by 0.3 um and out of line.
 Scene pulling(const Parameters& p) {
   Scene s = cell_in_matrix(p);
@@ -23,7 +21,7 @@ Scene pulling(const Parameters& p) {
 Assembled adhesions(const Scene& s, const Parameters& p) {
   const std::vector<PointWeights> weights = anchor_weights(s.cell, s.ecm, p.ecm);
   return assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_adhesions(s.cell, s.ecm, p.adhesion, weights, dt, s.first(), force, A);
+    add_adhesions(s.cell, s.ecm, p.adhesion, weights, time_step, s.first(), force, A);
   });
 }
 
@@ -75,14 +73,14 @@ TEST(Lifetimes, OfAdhesionsUnderConstantForceAreExponential) {
   const AdhesionParameters p;
   for (const double F : {0.1, 0.2, 0.3}) {
     const double rate = disassembly_rate(F, 1.0, p);
-    const double probability = event_probability(rate, dt);
+    const double probability = event_probability(rate, time_step);
     std::vector<double> lifetimes;
     for (std::uint32_t id = 1; id <= 2000; ++id) {
       std::uint64_t step = 1;
       while (uniform(11, Purpose::disassembly, step, id) >= probability) ++step;
       // within the step in which it happens any moment is as likely as for a rate: take it by the same law
       const double u = uniform(12, Purpose::test, step, id);
-      lifetimes.push_back((static_cast<double>(step) - 1.0) * dt - std::log1p(-u * probability) / rate);
+      lifetimes.push_back((static_cast<double>(step) - 1.0) * time_step - std::log1p(-u * probability) / rate);
     }
     EXPECT_LT(kolmogorov_smirnov_exponential(lifetimes, rate), one_in_a_hundred) << F;
   }
@@ -118,7 +116,7 @@ TEST(Adhesions, AreFullyImplicit) {
   constexpr double h = 1e-5;
   s.cell.cortex.x[0] += h * v[s.node(0)];
   const Vec2 rate = (adhesions(s, p).force[s.node(0)] - a.force[s.node(0)]) / h;
-  EXPECT_LT((drag + dt * rate).norm(), 1e-6 * drag.norm());
+  EXPECT_LT((drag + time_step * rate).norm(), 1e-6 * drag.norm());
 }
 
 TEST(Adhesions, ConserveMomentumInTheirDrag) {
@@ -137,9 +135,10 @@ TEST(Anchors, AreCarriedByTheSolid) {
   Mat2 L;
   L << 0.001, 0.002, -0.001, 0.0005;
   for (std::size_t k = 0; k < s.ecm.size(); ++k) s.ecm.v[k] = Vec2(0.01, 0.02) + L * (s.ecm.x[k] - before);
-  move_anchors(s.cell, s.ecm, anchor_weights(s.cell, s.ecm, p.ecm), dt);
+  move_anchors(s.cell, s.ecm, anchor_weights(s.cell, s.ecm, p.ecm), time_step);
   const double off_centre = 0.05; // [um] the weights' mean position, off the lattice points
-  EXPECT_LT((*anchor(s.cell.protrusions[0].phase) - before - dt * Vec2(0.01, 0.02)).norm(), dt * L.norm() * off_centre);
+  EXPECT_LT((*anchor(s.cell.protrusions[0].phase) - before - time_step * Vec2(0.01, 0.02)).norm(),
+            time_step * L.norm() * off_centre);
 }
 
 TEST(Anchors, BelongToMaturingAndContractingProtrusions) {

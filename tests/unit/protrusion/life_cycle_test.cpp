@@ -14,7 +14,6 @@ using namespace matrigrate;
 namespace {
 
 const Vec2 d(1.0, 0.0);
-constexpr double dt = 0.4; // [s]
 const Vec2 site(20.0, 1.0);
 
 /// A quiet moment: solid all around, no force, no bad luck.
@@ -33,8 +32,8 @@ Next expect_to(const Transition& change, EndCause cause = EndCause::none) {
 
 TEST(Transition, GrowthLastsTProtAndThenAdheresAhead) {
   const Parameters p;
-  EXPECT_FALSE(transition(Growing{d}, quiet(399.9), p, dt).changes);
-  const auto next = expect_to<Maturing>(transition(Growing{d}, quiet(400.0), p, dt));
+  EXPECT_FALSE(transition(Growing{d}, quiet(399.9), p, time_step).changes);
+  const auto next = expect_to<Maturing>(transition(Growing{d}, quiet(400.0), p, time_step));
   EXPECT_EQ(next.anchor, site);
   EXPECT_EQ(next.direction, d);
   EXPECT_EQ(next.steps, 0);
@@ -44,22 +43,22 @@ TEST(Transition, GrowthThatFindsNoSolidStaysUnadhered) {
   const Parameters p;
   Circumstances now = quiet(400.0);
   now.support = 0.019;
-  EXPECT_EQ(expect_to<Finishing>(transition(Growing{d}, now, p, dt), EndCause::unadhered).f_mat, 0.05);
+  EXPECT_EQ(expect_to<Finishing>(transition(Growing{d}, now, p, time_step), EndCause::unadhered).f_mat, 0.05);
   now.age = 100.0; // solid does not matter before
-  EXPECT_FALSE(transition(Growing{d}, now, p, dt).changes);
+  EXPECT_FALSE(transition(Growing{d}, now, p, time_step).changes);
 }
 
 TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.force = 0.9 * step_force(2, p);
-  EXPECT_FALSE(transition(Maturing{d, site, 2}, now, p, dt).changes);
+  EXPECT_FALSE(transition(Maturing{d, site, 2}, now, p, time_step).changes);
   now.force = step_force(2, p);
-  const auto next = expect_to<Maturing>(transition(Maturing{d, site, 2}, now, p, dt));
+  const auto next = expect_to<Maturing>(transition(Maturing{d, site, 2}, now, p, time_step));
   EXPECT_EQ(next.steps, 3);
   EXPECT_EQ(next.anchor, site);
   now.force = 10.0;
-  EXPECT_FALSE(transition(Maturing{d, site, most_maturation_steps}, now, p, dt).changes);
+  EXPECT_FALSE(transition(Maturing{d, site, most_maturation_steps}, now, p, time_step).changes);
 }
 
 TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
@@ -67,7 +66,7 @@ TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
   p.adhesion.handover = Handover::immediate;
   Circumstances now = quiet(600.0);
   now.force = 0.27;
-  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, now, p, dt)); // 125 s a step
+  const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, now, p, time_step)); // 125 s a step
   EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
   EXPECT_EQ(next.bundle, 0.0);
   EXPECT_EQ(next.anchor, site);
@@ -79,32 +78,33 @@ TEST(Transition, HandsOverToABundle) {
   mature.last_step = 500.0; // 125 s a step, 100 s of the fifth
   Circumstances now = quiet(600.0);
   now.force = 0.25;
-  const auto next = expect_to<Contracting>(transition(mature, now, p, dt));
+  const auto next = expect_to<Contracting>(transition(mature, now, p, time_step));
   EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
   EXPECT_DOUBLE_EQ(next.bundle, 0.9 * 0.48 * 0.6);
   EXPECT_EQ(next.falling, 0.25);
   now = quiet(1.0);
   now.force = next.f_mat * 0.6;
-  EXPECT_LT(expect_to<Contracting>(transition(next, now, p, dt)).bundle, next.bundle);
+  EXPECT_LT(expect_to<Contracting>(transition(next, now, p, time_step)).bundle, next.bundle);
 }
 
 TEST(Transition, AnAdhesionWhoseSolidIsGoneIsLost) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.support = 0.0;
-  expect_to<Finishing>(transition(Maturing{d, site, 4}, now, p, dt), EndCause::lost);
-  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, dt), EndCause::lost).f_mat, 0.7);
+  expect_to<Finishing>(transition(Maturing{d, site, 4}, now, p, time_step), EndCause::lost);
+  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, time_step), EndCause::lost).f_mat, 0.7);
 }
 
 TEST(Transition, ContractionEndsByADrawAgainstEquationSeven) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.force = 0.05;
-  const double probability = -std::expm1(-disassembly_rate(0.05, 0.7, p.adhesion) * dt);
+  const double probability = -std::expm1(-disassembly_rate(0.05, 0.7, p.adhesion) * time_step);
   now.draw = 1.0001 * probability;
-  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, dt).changes);
+  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, time_step).changes);
   now.draw = 0.9999 * probability;
-  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, dt), EndCause::disassembly).f_mat, 0.7);
+  EXPECT_EQ(expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, time_step), EndCause::disassembly).f_mat,
+            0.7);
 }
 
 TEST(Transition, RuptureIsCertainAboveItsForce) {
@@ -112,17 +112,17 @@ TEST(Transition, RuptureIsCertainAboveItsForce) {
   p.adhesion.rupture = true;
   Circumstances now = quiet(10.0);
   now.force = 0.43; // 0.7 x 0.6 nN is 0.42
-  expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, dt), EndCause::rupture);
+  expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, time_step), EndCause::rupture);
   // while the bundle still pulls, it gives way instead
-  EXPECT_LT(expect_to<Contracting>(transition(Contracting{site, 0.7, 0.1}, now, p, dt)).bundle, 0.1);
+  EXPECT_LT(expect_to<Contracting>(transition(Contracting{site, 0.7, 0.1}, now, p, time_step)).bundle, 0.1);
   p.adhesion.rupture = false;
-  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, dt).changes);
+  EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, time_step).changes);
 }
 
 TEST(Transition, FinishingLastsTFinishAndFreesTheParticles) {
   const Parameters p;
-  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.9), p, dt).changes);
-  EXPECT_TRUE(transition(Finishing{0.7}, quiet(400.0), p, dt).ends);
+  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.9), p, time_step).changes);
+  EXPECT_TRUE(transition(Finishing{0.7}, quiet(400.0), p, time_step).ends);
 }
 
 TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
@@ -131,18 +131,18 @@ TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
   s.now.t = 400.0;
   Protrusion& growing = add_protrusion(s, 0, Growing{d});
   growing.since = 0.0;
-  Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, dt);
+  Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step);
   EXPECT_NEAR(now.age, 400.0, 1e-5);
   EXPECT_GE(now.age, 400.0);
   EXPECT_LT((now.ahead - Vec2(20.0, 0.0)).norm(), 1e-9);
   EXPECT_GT(now.support, 0.5);
   EXPECT_EQ(now.force, 0.0);
   s.cell.protrusions[0].phase = Contracting{s.cell.cortex.x[0] + Vec2(5.2, 0.0), 1.0};
-  const Circumstances then = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, dt);
+  const Circumstances then = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step);
   EXPECT_NEAR(then.force, 0.4, 1e-9);
   EXPECT_EQ(then.draw, now.draw); // same step, same protrusion
   s.cell.protrusions[0].record.id = 2;
-  EXPECT_NE(circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, dt).draw, now.draw);
+  EXPECT_NE(circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step).draw, now.draw);
 }
 
 TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
@@ -153,10 +153,10 @@ TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
   add_protrusion(s, 100, Growing{direction});
   for (std::size_t i = 95; i <= 105; ++i) s.cell.cortex.x[i] *= 1.2;
   const auto until = [&](double t) {
-    while (s.now.t < t - 0.5 * dt) {
+    while (s.now.t < t - 0.5 * time_step) {
       ++s.now.step;
-      s.now.t = static_cast<double>(s.now.step) * dt;
-      update_protrusions(s.cell, s.ecm, s.now, p, dt);
+      s.now.t = static_cast<double>(s.now.step) * time_step;
+      update_protrusions(s.cell, s.ecm, s.now, p, time_step);
     }
   };
   const double stretched = (s.cell.cortex.x[95] - s.cell.cortex.x[94]).norm();

@@ -9,7 +9,7 @@ namespace {
 
 using io::RunMemory;
 
-RunMemory example() {
+RunMemory example_memory() {
   RunMemory memory;
   memory.rows = {{.t = 1.0 / 3.0, .step = 7, .centre = {0.1, -0.2}, .area = 5.0, .polarization = {}, .initiated = 2},
                  {.t = 60.0, .step = 9, .polarization = 0.3, .in_phase = {1, 0, 2, 3}}};
@@ -28,7 +28,7 @@ RunMemory example() {
 }
 
 TEST(RunMemory, GivesTheSameBitsBack) {
-  const std::string text = io::to_text(example());
+  const std::string text = io::to_text(example_memory());
   const RunMemory read = io::parse_memory(text);
   EXPECT_EQ(io::to_text(read), text) << "all of it";
   EXPECT_EQ(read.trajectory, 0xfedcba9876543210U);
@@ -42,7 +42,7 @@ TEST(RunMemory, GivesTheSameBitsBack) {
 }
 
 TEST(RunMemory, HoldsSeveralCells) {
-  RunMemory memory = example();
+  RunMemory memory = example_memory();
   memory.rows[1].cell = 3;
   memory.scenes[0].cells.push_back({.outline = {{2, 2}, {3, 3}}, .front = {}, .path = {}});
   const std::string text = io::to_text(memory);

@@ -11,7 +11,7 @@
 namespace matrigrate::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 const std::string target = "[[targets]]\nreadout = \"f_mat\"\nvalue = 0.5\nerror = 0.1\n";
 const std::string two_values = "readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n";
@@ -53,7 +53,7 @@ TEST(Discrepancy, ATargetHoldsAtAllConditionsUnlessItSays) {
 
 TEST(Discrepancy, WhatIsNotDefinedIsLeftOutAndCounted) {
   const Study s = read(two_values + target);
-  auto results = results_of("f_mat", {{0.7, nan, 0.7}, {0.4, nan, nan}});
+  auto results = results_of("f_mat", {{0.7, not_known, 0.7}, {0.4, not_known, not_known}});
   const TargetJudge judge(s, results);
   const Discrepancy some = judge.discrepancy(0);
   EXPECT_EQ(some.terms[0].n, 2U);
