@@ -170,6 +170,31 @@ class ContactCells(Section):
     adhesion_range: _Quantity
     """Width of the gaps, beyond contact.cells.range, over which two cells pull at each other; > 0 and <= 20 um. A bare number is in um. Default: "1 um" (MODEL.md, D39)."""
 
+class Nucleus(Section):
+    """The nucleus of the cell; off in the paper."""
+    radius: _Quantity
+    """Radius of the nucleus at the start, 0 for a cell without one (R_n); >= 0 and <= 500 um. A bare number is in um. Default: "0 um" (MODEL.md, D40)."""
+    shear_modulus: _Quantity
+    """Shear modulus of the chromatin, which resists a change of shape; >= 0 and <= 1e7 Pa. A bare number is in Pa. Default: "100 Pa" (MODEL.md, D40)."""
+    stretch_stiffness: _Quantity
+    """Tension of the lamina over its strain; > 0 and <= 1000 nN. A bare number is in nN. Default: "0.5 nN" (MODEL.md, D40)."""
+    bending_stiffness: _Quantity
+    """Bending stiffness of the lamina; >= 0 and <= 1000 nN um^2. A bare number is in nN um^2. Default: "0.05 nN um^2" (MODEL.md, D40)."""
+    bulk_modulus: _Quantity
+    """Pressure in the nucleus over the lost share of its area; >= 0 and <= 1e7 Pa. A bare number is in Pa. Default: "5000 Pa" (MODEL.md, D40)."""
+    retardation_time: _Quantity
+    """Time in which lamina and chromatin give way to a load; >= 0 and <= 1e6 s. A bare number is in s. Default: "10 s" (MODEL.md, D40)."""
+    centring_stiffness: _Quantity
+    """Stiffness of the filaments that hold the nucleus in the middle of the cell; >= 0 and <= 1 N/m. A bare number is in N/m. Default: "2e-05 N/m" (MODEL.md, D40)."""
+    drag: _Quantity
+    """Drag of the nucleus in the cytoplasm, which moves with the cortex; >= 0 and <= 1000 N s/m. A bare number is in N s/m. Default: "0.001 N s/m" (MODEL.md, D40)."""
+    repulsion: _Quantity
+    """Pressure between nucleus and cortex where they touch; > 0 and <= 1e7 Pa. A bare number is in Pa. Default: "2000 Pa" (MODEL.md, D40)."""
+    repulsion_range: _Quantity
+    """Gap below which nucleus and cortex repel each other; > 0 and <= 20 um. A bare number is in um. Default: "0.5 um" (MODEL.md, D40)."""
+    particles: int
+    """Particles of the lamina; >= 12 and <= 2000. Default: 72 (MODEL.md, D40)."""
+
 class Actomyosin(Section):
     """Contraction of the cortex."""
     force: _Quantity
@@ -337,6 +362,9 @@ class Sections:
     @property
     def contact(self) -> Contact:
         """Contact of cell and matrix."""
+    @property
+    def nucleus(self) -> Nucleus:
+        """The nucleus of the cell; off in the paper."""
     @property
     def actomyosin(self) -> Actomyosin:
         """Contraction of the cortex."""

@@ -34,6 +34,19 @@ Finding x3(const Evidence& e) {
       .finding();
 }
 
+Finding x4(const Evidence& e) {
+  // At 5.2 um, half of the diameter of the nucleus, and 17.2 um.
+  const Group narrow{"channel-width", 1};
+  const Group nucleus_narrow{"channel-width", 6};
+  const Group nucleus_wide{"channel-width", 9};
+  const Group nucleus_narrow_degrading{"channel-width", 16};
+  return Judge(e)
+      .differs(nucleus_wide, nucleus_narrow, v_abs, Sign::down)
+      .differs(narrow, nucleus_narrow, v_abs, Sign::down)
+      .differs(nucleus_narrow, nucleus_narrow_degrading, v_abs, Sign::up)
+      .finding();
+}
+
 } // namespace
 
 std::span<const Claim> experiment_claims() {
@@ -53,7 +66,12 @@ std::span<const Claim> experiment_claims() {
        {"contact-guidance"},
        "aligned fibres turn paths along them without making cells faster (Riching et al. 2014, Biophys J 107:2546)",
        "persistence rises with alignment, speed does not",
-       x3}};
+       x3},
+      {"X4",
+       {"channel-width"},
+       "the nucleus stops cells in narrow pores unless they degrade them (Wolf et al. 2013, J Cell Biol 201:1069)",
+       "without proteases slower with narrower pores, arrest at a tenth of the nucleus's cross section",
+       x4}};
   return all;
 }
 

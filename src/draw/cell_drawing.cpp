@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, matrix_classes> matrix_colours{"#cbb994",
                                                                       "#f8f6f1"};
 constexpr std::string_view obstacle_colour = "#3d4248";
 constexpr std::string_view path_colour = "#1f2328";
+constexpr std::string_view nucleus_colour = "#27406b";
 
 constexpr std::size_t phases = std::variant_size_v<Phase>;
 constexpr std::array<std::string_view, phases> phase_colours{"#f0a500", "#d55e00", "#8b1a6b", "#6e7781"};
@@ -161,6 +162,8 @@ std::vector<Entry> legend_entries(MatrixColours matrix, const CellScene& scene) 
         {svg::rectangle(0.0, -7.0, 30.0, 14.0, fluid_colour()) + svg::frame(0.0, -7.0, 30.0, 14.0), "fluid matrix"});
   if (!scene.obstacles.empty()) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
   for (Entry& entry : cell_entries(scene.cells.size())) entries.push_back(std::move(entry));
+  if (std::ranges::any_of(scene.cells, [](const DrawnCell& cell) { return !cell.nucleus.empty(); }))
+    entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, nucleus_colour), "nucleus"});
   for (std::size_t k = 0; k < phases; ++k)
     entries.push_back({edged("M1 0h28", phase_colours[k], 4.0, phase_dashes[k]), std::string(phase_names[k])});
   entries.push_back({adhesion({3.0, 0.0}, {25.0, 0.0}, phase_colours[2]), "adhesion"});
@@ -188,6 +191,7 @@ std::string drawing_over(const std::string& ground, const CellScene& scene, cons
     const DrawnCell& cell = scene.cells[k];
     const CellColours colours = cell_colours(k, n);
     if (!cell.outline.empty()) out += area(cell.outline, panel, colours.rear) + area(cell.front, panel, colours.front);
+    if (!cell.nucleus.empty()) out += area(cell.nucleus, panel, nucleus_colour);
   }
   for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
   for (std::size_t k = 0; k < n; ++k) out += path(scene.cells[k], panel, n > 1 ? cell_colours(k, n).rear : path_colour);

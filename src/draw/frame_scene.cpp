@@ -48,12 +48,14 @@ CellScene frame_scene(const FrameHead& head, const Frame& frame, std::vector<std
   }
   const std::vector<Vec2> outlines = vectors(frame.outline.x);
   const std::vector<std::size_t> ends = outline_ends(frame.outline);
+  const std::vector<std::vector<Vec2>> nuclei = nuclei_of(frame);
   const ProtrusionFrame& p = frame.protrusions;
   paths.resize(ends.size());
   for (std::size_t c = 0; c < ends.size(); ++c) {
     const std::size_t first = c == 0 ? 0 : ends[c - 1];
     DrawnCell& cell = scene.cells.emplace_back();
     cell.path = std::move(paths[c]);
+    if (!nuclei.empty()) cell.nucleus = nuclei[c];
     for (std::size_t i = first; i < ends[c]; ++i) {
       cell.outline.push_back(outlines[i]);
       if (frame.outline.front[i] != 0) cell.front.push_back(outlines[i]);

@@ -76,7 +76,8 @@ CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vecto
   paths.resize(s.cells.size());
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     const Cell& cell = s.cells[k];
-    scene.cells.push_back({.outline = cell.cortex.x, .front = front_area(cell), .path = std::move(paths[k])});
+    scene.cells.push_back(
+        {.outline = cell.cortex.x, .front = front_area(cell), .path = std::move(paths[k]), .nucleus = cell.nucleus.x});
     for (const Protrusion& protrusion : cell.protrusions) scene.protrusions.push_back(drawn(cell, protrusion, p));
   }
   return scene;

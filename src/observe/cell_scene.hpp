@@ -30,9 +30,10 @@ struct DrawnProtrusion {
 };
 
 struct DrawnCell {
-  std::vector<Vec2> outline; ///< the cortex [um]
-  std::vector<Vec2> front;   ///< the front half of its area [um]
-  std::vector<Vec2> path;    ///< of its centre of mass so far [um]
+  std::vector<Vec2> outline;   ///< the cortex [um]
+  std::vector<Vec2> front;     ///< the front half of its area [um]
+  std::vector<Vec2> path;      ///< of its centre of mass so far [um]
+  std::vector<Vec2> nucleus{}; ///< its outline; empty without one [um]
 };
 
 struct CellScene {

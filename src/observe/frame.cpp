@@ -146,7 +146,7 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
 } // namespace
 
 std::span<const FrameField<Floats>> float_fields() {
-  static constexpr std::array<FrameField<Floats>, 18> all{{
+  static constexpr std::array<FrameField<Floats>, 19> all{{
       {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
       {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
       {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
@@ -164,6 +164,7 @@ std::span<const FrameField<Floats>> float_fields() {
       {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
       {"outline/cell", "1", 1, [](Frame& f) -> Floats& { return f.outline.cell; }},
       {"matrix/attractant", "1", 1, [](Frame& f) -> Floats& { return f.matrix.attractant; }},
+      {"nucleus/position", "um", 2, [](Frame& f) -> Floats& { return f.nucleus; }},
       {"protrusions/cell", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.cell; }},
   }};
   return all;
@@ -188,6 +189,15 @@ std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
   return ends;
 }
 
+std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame) {
+  if (frame.nucleus.empty()) return {};
+  std::vector<std::vector<Vec2>> nuclei(outline_ends(frame.outline).size());
+  const std::size_t each = frame.nucleus.size() / 2 / nuclei.size();
+  for (std::size_t i = 0; i < each * nuclei.size(); ++i)
+    nuclei[i / each].emplace_back(frame.nucleus[2 * i], frame.nucleus[2 * i + 1]);
+  return nuclei;
+}
+
 FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{
       .radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}, .obstacle = s.ecm.obstacle};
@@ -203,6 +213,7 @@ Frame frame(const State& s, const Parameters& p, const Workspace& w) {
   for (const Cell& cell : s.cells) {
     add_outline(frame.outline, cell, frame.protrusions.id.size(), p);
     add_protrusions(frame.protrusions, cell, p.adhesion);
+    for (const Vec2& x : cell.nucleus.x) add(frame.nucleus, x);
     if (s.cells.size() == 1) continue;
     const auto number = static_cast<float>(number_of(cell.id));
     frame.outline.cell.resize(frame.outline.f_mat.size(), number);

@@ -60,7 +60,11 @@ struct Frame {
   MatrixFrame matrix;
   OutlineFrame outline;
   ProtrusionFrame protrusions;
+  Floats nucleus{}; ///< particles of the nuclei, as many of each cell, in the order of cells; empty without nuclei [um]
 };
+
+/// Outlines of the nuclei of the cells, in their order; empty without nuclei [um].
+std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame);
 
 /// What is the same in all frames.
 struct FrameHead {
@@ -92,7 +96,9 @@ struct FrameField {
   bool of_several_cells() const { return name.ends_with("/cell"); }
   /// Whether only frames with attractant have it.
   bool of_attractant() const { return name == "matrix/attractant"; }
-  bool of_all() const { return !of_several_cells() && !of_attractant(); }
+  /// Whether only frames of cells with nuclei have it.
+  bool of_nuclei() const { return name == "nucleus/position"; }
+  bool of_all() const { return !of_several_cells() && !of_attractant() && !of_nuclei(); }
   const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
 };
 std::span<const FrameField<Floats>> float_fields();

@@ -1,6 +1,7 @@
 #include "observe/health.hpp"
 
 #include "cell/geometry.hpp"
+#include "contact/nucleus.hpp"
 #include "state/dof.hpp"
 
 #include <fmt/format.h>
@@ -115,11 +116,16 @@ std::string alarm(const State& s, const Parameters& p, const HealthRow& row) {
                          s.ecm.X[i].x(), s.ecm.X[i].y());
   if (s.cells.empty()) return {};
   for (const Cell& cell : s.cells)
-    for (const Vec2& x : cell.cortex.x)
-      if (!x.allFinite()) return "a particle of the cortex has a position that is not finite";
+    for (const CortexState* ring : {&cell.cortex, &cell.nucleus})
+      for (const Vec2& x : ring->x)
+        if (!x.allFinite()) return "a particle of the cortex or of the nucleus has a position that is not finite";
   if (row.area_ratio < least_area) return fmt::format("{} has {:.2g} of its area left", place(s, area), row.area_ratio);
   if (row.crosses_itself)
     return fmt::format("{} crosses itself", place(s, [](const CortexState& c) { return crosses_itself(c) ? 0 : 1; }));
+  if (const auto found = std::ranges::find_if(s.cells, nucleus_outside); found != s.cells.end()) {
+    const Vec2 centre = centroid(found->nucleus);
+    return fmt::format("the nucleus at ({:.4g}, {:.4g}) um has passed through the cortex", centre.x(), centre.y());
+  }
   if (row.deepest_solid > p.ecm.particle_spacing)
     return fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid,
                        place(s, [&](const CortexState& c) { return -solid_inside(s.ecm, c).deepest; }));

@@ -1,6 +1,7 @@
 #include "observe/tracks.hpp"
 
 #include "cell/geometry.hpp"
+#include "cell/nucleus.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -20,6 +21,8 @@ TrackRow track_row(const Cell& cell, const Instant& now) {
                .polarization = cell.polarization,
                .initiated = cell.initiated};
   for (const Protrusion& protrusion : cell.protrusions) ++row.in_phase[protrusion.phase.index()];
+  if (cell.nucleus.size() > 0)
+    row.nucleus = {.centre = centroid(cell.nucleus), .area = area(cell.nucleus), .aspect = aspect_ratio(cell.nucleus)};
   return row;
 }
 

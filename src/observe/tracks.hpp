@@ -15,6 +15,13 @@
 /// Test: tests/unit/observe/tracks_test.cpp
 namespace matrigrate {
 
+/// The nucleus of a cell at one time.
+struct NucleusRow {
+  Vec2 centre = Vec2::Zero(); ///< centroid of the area inside the lamina [um]
+  double area = 0.0;          ///< [um^2]
+  double aspect = 1.0;        ///< aspect_ratio() [-]
+};
+
 /// A cell at one time.
 struct TrackRow {
   double t = 0.0; ///< [s]
@@ -26,6 +33,7 @@ struct TrackRow {
   std::optional<double> polarization; ///< angle of d_pol [rad]; none before the first protrusion
   std::array<std::uint32_t, std::variant_size_v<Phase>> in_phase{}; ///< protrusions alive, in the order of the phases
   std::uint32_t initiated = 0;                                      ///< protrusions initiated so far
+  std::optional<NucleusRow> nucleus{};                              ///< of a cell with one
 
   std::uint32_t alive() const; ///< protrusions of all phases
 };

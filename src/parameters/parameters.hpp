@@ -139,6 +139,21 @@ struct ContactParameters {
   CellContactParameters cells;
 };
 
+/// The nucleus of each cell (MODEL.md, D40); the paper has none.
+struct NucleusParameters {
+  double radius = 0.0;              ///< at the start; 0: no nucleus [um]
+  double shear_modulus = 0.1;       ///< G of the chromatin [kPa]
+  double stretch_stiffness = 0.5;   ///< Y, tension of the lamina over its strain [nN]
+  double bending_stiffness = 0.05;  ///< B of the lamina, moment over curvature [nN um^2]
+  double bulk_modulus = 5.0;        ///< K, pressure over the lost share of the area [kPa]
+  double retardation_time = 10.0;   ///< of the springs of lamina and chromatin, dashpot over stiffness [s]
+  double centring_stiffness = 0.02; ///< k_c, of the filaments that hold it in the middle of the cell [nN/um]
+  double drag = 1.0;                ///< of the nucleus in the cytoplasm, which moves with the cortex [nN s/um]
+  double repulsion = 2.0;           ///< q, pressure at which it touches the cortex [kPa]
+  double repulsion_range = 0.5;     ///< r, gap to the cortex below which it is repelled [um]
+  int particles = 72;
+};
+
 struct ActomyosinParameters {
   double force = 0.6;               ///< F_am [nN]
   double f_mat_body = 0.05;         ///< f_mat of the cell's body [-]
@@ -239,6 +254,7 @@ struct Parameters {
   FibreParameters fibres;
   CellParameters cell;
   ContactParameters contact;
+  NucleusParameters nucleus;
   ActomyosinParameters actomyosin;
   ProtrusionParameters protrusion;
   AdhesionParameters adhesion;

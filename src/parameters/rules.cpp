@@ -81,6 +81,29 @@ std::string several_cells(const Parameters& p) {
   return faults.empty() ? "" : fmt::format("cell {} {}", faults.front().cell + 1, faults.front().message);
 }
 
+std::string nucleus_fits(const Parameters& p) {
+  const double most = p.cell.radius - p.nucleus.repulsion_range;
+  if (p.nucleus.radius == 0.0 || p.nucleus.radius <= most) return {};
+  if (most <= 0.0)
+    return fmt::format(
+        "there is no room for a nucleus: its repulsion reaches {:.4g} um, and the cell's radius is {:.4g} "
+        "um",
+        p.nucleus.repulsion_range, p.cell.radius);
+  return fmt::format(
+      "a nucleus of radius {:.4g} um does not fit into a cell of {:.4g} um; allowed is <= {:.4g} um, the "
+      "cell's radius less the range of the repulsion",
+      p.nucleus.radius, p.cell.radius, most);
+}
+
+std::string nucleus_spacing(const Parameters& p) {
+  const double l = 2.0 * p.nucleus.radius * std::sin(std::numbers::pi / p.nucleus.particles);
+  const double most = 2.0 * p.nucleus.repulsion_range;
+  if (l <= most) return {};
+  return fmt::format("particles of the nucleus lie {:.3g} um apart; allowed is <= {:.3g} um, twice the range of its "
+                     "repulsion, or the cortex could come between them: take {} particles or more",
+                     l, most, static_cast<long>(std::ceil(2.0 * std::numbers::pi * p.nucleus.radius / most)));
+}
+
 std::string resolution(const Parameters& p) {
   if (3.0 * p.ecm.particle_spacing <= p.cell.radius) return {};
   return fmt::format("particles {:.4g} um apart are too coarse for a cell of radius {:.4g} um; allowed is a spacing <= "
@@ -139,6 +162,8 @@ std::span<const Rule> rules() {
        {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length", "contact.cells.range"},
        several_cells},
       {"the matrix resolves the cell", {"ecm.particle_spacing", "cell.radius"}, resolution},
+      {"the nucleus fits into the cell", {"nucleus.radius", "nucleus.repulsion_range", "cell.radius"}, nucleus_fits},
+      {"the nucleus is closed", {"nucleus.particles", "nucleus.radius", "nucleus.repulsion_range"}, nucleus_spacing},
       {"a protrusion fits on the cortex", {"protrusion.half_width", "cell.particles"}, protrusion_width},
       {"a tip fits on a protrusion", {"protrusion.tip_half_width", "protrusion.half_width"}, tip_width},
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},

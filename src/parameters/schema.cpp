@@ -1,5 +1,6 @@
 #include "parameters/schema.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace matrigrate {
@@ -53,6 +54,7 @@ constexpr std::array all_sections{
     Section{"cell", "The cell"},
     Section{"contact", "Contact of cell and matrix"},
     Section{"contact.cells", "Contact of cells with each other"},
+    Section{"nucleus", "The nucleus of the cell; off in the paper"},
     Section{"actomyosin", "Contraction of the cortex"},
     Section{"protrusion", "Initiation and growth of protrusions"},
     Section{"adhesion", "Adhesion, maturation and disassembly"},
@@ -327,21 +329,19 @@ constexpr std::array rows{
     Row{"solver.max_iterations", [](Parameters& p) -> int& { return p.solver.max_iterations; }, "1", closed(1, 1000000),
         "", chosen, "Iterations after which the solver gives up", numerical},
 };
-
-double& start_x(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).x; }
-double& start_y(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).y; }
-
-constexpr std::array rows_of_cells{
-    Row{"cells.x", start_x, "um", closed(-2000, 2000), "", chosen, "Centre of a cell at the start"},
-    Row{"cells.y", start_y, "um", closed(-2000, 2000), "", chosen, "Centre of a cell at the start"},
-};
 // clang-format on
 
 } // namespace
 
-std::span<const Row> schema() { return rows; }
-
-std::span<const Row> cell_rows() { return rows_of_cells; }
+std::span<const Row> schema() {
+  static const std::vector<Row> all = [] {
+    std::vector<Row> joined(rows.begin(), rows.end());
+    const auto behind = std::ranges::find(joined, "actomyosin", section_of);
+    joined.insert(behind, nucleus_rows().begin(), nucleus_rows().end());
+    return joined;
+  }();
+  return all;
+}
 
 std::span<const Section> sections() { return all_sections; }
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 /// The one table of parameters. Reader, checks, scenario files, documentation and editor schema are made from it; a new
-/// parameter is one member in parameters.hpp and one row in schema.cpp.
-/// Test: tests/unit/parameters/schema_test.cpp
+/// parameter is one member in parameters.hpp and one row in schema.cpp (of a nucleus or of [[cells]]:
+/// schema_cells.cpp). Test: tests/unit/parameters/schema_test.cpp
 namespace matrigrate {
 
 /// Allowed values, in the unit of the row.
@@ -66,6 +66,9 @@ std::span<const Section> sections();
 
 /// The keys of one table of [[cells]]; their members are those of the last of Parameters::cells.
 std::span<const Row> cell_rows();
+
+/// The part of schema() that is the section [nucleus].
+std::span<const Row> nucleus_rows();
 
 /// What [[cells]] is about, in a sentence.
 inline constexpr std::string_view cells_title =

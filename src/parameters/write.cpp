@@ -148,6 +148,7 @@ std::string values_text(const Parameters& p) {
     const std::string value = value_text(row, p);
     if (kind(row) == Kind::field && value == "\"\"") continue; // here and below: as if there were no such parameter
     if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
+    if (p.nucleus.radius == 0.0 && section_of(row) == "nucleus") continue;
     if (row.path.starts_with("cues.") && value == value_text(row, {})) continue;
     text += fmt::format("{} = {}\n", row.path, value);
   }

@@ -92,6 +92,9 @@ Json outline_json(const Film& film) {
             {"protrusion", bytes(&OutlineFrame::protrusion)},
             {"f_mat", floats({.scale = 1.0 / byte_range}, &OutlineFrame::f_mat)},
             {"force", floats({.scale = (strongest > 0.0 ? strongest : 1.0) / byte_range}, &OutlineFrame::force)}};
+  if (!film.frames.front().nucleus.empty())
+    json["nucleus"] =
+        packed(positions(film.head), n, [&film](std::size_t k) -> const Floats& { return film.frames[k].nucleus; });
   if (const Floats& cell = film.frames.front().outline.cell; !cell.empty())
     json["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
   return json;

@@ -78,7 +78,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
     run.frame_times.push_back(run.t);
   const io::FrameShape shape{.head = io::frame_head(checkpoint.state, run.p),
-                             .outline = node_count(checkpoint.state) - checkpoint.state.ecm.size(),
+                             .outline = cortex_particles(checkpoint.state),
                              .fibres = run.p.fibres.arrangement != FibreArrangement::none};
   if (run.p.output.field_interval > 0.0) run.film = io::saved_film(folder, shape, run.frame_times);
   return run;

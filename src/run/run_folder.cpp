@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "cell/geometry.hpp"
+#include "cell/nucleus.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/layer_picture.hpp"
 #include "parameters/write.hpp"
@@ -86,7 +87,7 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   write_record(record);                                                 // first: it tells whose folder this is
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
-  m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(), fields_of(m_memory.rows));
+  m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(has_nucleus(m_p)), fields_of(m_memory.rows));
   m_protrusions.emplace(m_folder / "protrusions.csv", protrusion_columns(s), ended_rows(s, p));
   m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
   if (s.cells.size() > 1) m_group.emplace(m_folder / "group.csv", io::group_columns(), fields_of(m_memory.group));
@@ -264,7 +265,7 @@ void RunFolder::add_frame(const State& s, const Workspace& w) {
 /// Begins the log with those frames of the past that a folder still holds.
 void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
   const io::FrameShape shape{.head = io::frame_head(s, m_p),
-                             .outline = node_count(s) - s.ecm.size(),
+                             .outline = cortex_particles(s),
                              .fibres = m_p.fibres.arrangement != FibreArrangement::none};
   std::string log = io::log_head(shape.head);
   if (!m_memory.frames.empty())

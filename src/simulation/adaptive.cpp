@@ -18,7 +18,8 @@ double max_speed(const State& s) {
   double squared = 0.0;
   for (const Vec2& v : s.ecm.v) squared = std::max(squared, v.squaredNorm());
   for (const Cell& cell : s.cells)
-    for (const Vec2& v : cell.cortex.v) squared = std::max(squared, v.squaredNorm());
+    for (const CortexState* ring : {&cell.cortex, &cell.nucleus})
+      for (const Vec2& v : ring->v) squared = std::max(squared, v.squaredNorm());
   return std::sqrt(squared);
 }
 

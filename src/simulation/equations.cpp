@@ -4,10 +4,12 @@
 #include "cell/area.hpp"
 #include "cell/bending.hpp"
 #include "cell/geometry.hpp"
+#include "cell/nucleus.hpp"
 #include "cell/repulsion.hpp"
 #include "cell/spring.hpp"
 #include "contact/cells.hpp"
 #include "contact/elastic.hpp"
+#include "contact/nucleus.hpp"
 #include "contact/viscous.hpp"
 #include "ecm/fibres.hpp"
 #include "ecm/fluid.hpp"
@@ -64,6 +66,17 @@ void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, do
   add_adhesions(cell, s.ecm, p.adhesion, shape.anchor_weights, dt, first, w.force, w.drag);
 }
 
+/// The nucleus of a cell, and its contact with the cortex.
+void assemble_nucleus_forces(const State& s, std::size_t k, const Parameters& p, double dt, Workspace& w) {
+  const Cell& cell = s.cells[k];
+  if (cell.nucleus.size() == 0) return;
+  const std::uint32_t cortex = first_node(s, k);
+  const std::uint32_t nucleus = first_nucleus_node(s, k);
+  add_nucleus(cell.nucleus, p, dt, nucleus, w.force, w.drag);
+  add_nucleus_contact(cell, nucleus_touches(cell, p.nucleus), p, dt, cortex, nucleus, w.force, w.drag);
+  add_centring(cell, p.nucleus, dt, cortex, nucleus, w.force, w.drag);
+}
+
 } // namespace
 
 void update_neighbours(const State& s, Workspace& w) {
@@ -112,6 +125,7 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);
+  for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_nucleus_forces(s, k, p, dt, w);
   add_cell_contact(s, w.touches, p, dt, w.force, w.drag);
   if (loads) {
     const Vec2 inner = sum(w.force);

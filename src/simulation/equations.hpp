@@ -24,8 +24,8 @@ void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w)
 
 /// Eq. (2), right side: stress (ecm/stress or ecm/updated_lagrangian) and pressure of the fluid (ecm/fluid); Eq. (1),
 /// right side: springs, bending, area, repulsion and actomyosin (cell), contact (contact/elastic), growth, pull of
-/// maturation and adhesion (protrusion); contact of cells (contact/cells); loads. Stiff forces are linearly implicit:
-/// they add dt times their stiffness to the drag.
+/// maturation and adhesion (protrusion); nuclei (cell/nucleus, contact/nucleus); contact of cells (contact/cells);
+/// loads. Stiff forces are linearly implicit: they add dt times their stiffness to the drag.
 void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads);
 
 } // namespace matrigrate

@@ -15,6 +15,8 @@ void advance_positions(State& s, const Parameters& p, double dt, const Workspace
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     CortexState& c = s.cells[k].cortex;
     for (std::size_t i = 0; i < c.size(); ++i) c.x[i] += dt * c.v[i];
+    CortexState& nucleus = s.cells[k].nucleus;
+    for (std::size_t i = 0; i < nucleus.size(); ++i) nucleus.x[i] += dt * nucleus.v[i];
     spread_evenly(s.cells[k], p.protrusion, dt);
     move_anchors(s.cells[k], s.ecm, w.cells[k].anchor_weights, dt);
   }

@@ -1,5 +1,6 @@
 #include "simulation/start.hpp"
 
+#include "cell/nucleus.hpp"
 #include "simulation/start_fields.hpp"
 
 #include <cstdint>
@@ -15,6 +16,7 @@ State initial_state(const Parameters& p) {
     Cell& cell = s.cells.emplace_back();
     cell.id = id;
     cell.cortex = round_cortex(p.cell, start);
+    cell.nucleus = round_nucleus(p, start);
   }
   return s;
 }

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
+#include "contact/nucleus.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/dof.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace matrigrate {
@@ -31,6 +33,14 @@ void require_solved(const State& s, const Parameters& p, const SolveReport& solv
                                      s.step + 1, s.t, solve.residual, solve.iterations, solver_tolerance(p)));
 }
 
+/// What a node is a particle of.
+std::string_view body_of(const State& s, std::size_t node) {
+  if (in_matrix(s, node)) return "matrix";
+  std::size_t cell = 0;
+  while (node >= first_node(s, cell + 1)) ++cell;
+  return node < first_nucleus_node(s, cell) ? "cortex" : "nucleus";
+}
+
 /// The first particle that would move further than `max_move`, if any.
 std::optional<StepTooLong> too_far(const State& s, double dt, const StepLimits& limits, std::span<const Vec2> v,
                                    double max_move) {
@@ -40,22 +50,33 @@ std::optional<StepTooLong> too_far(const State& s, double dt, const StepLimits& 
     return StepTooLong{fmt::format(
         "step {} (t = {:.6g} s): the {} particle at ({:.4g}, {:.4g}) um would move {:.3g} um in one step of {:.4g} s, "
         "beyond the limit of {:.3g} um; {}",
-        s.step + 1, s.t, in_matrix(s, i) ? "matrix" : "cortex", node_position(s, i).x(), node_position(s, i).y(),
-        v[i].norm() * dt, dt, max_move, describe(limits))};
+        s.step + 1, s.t, body_of(s, i), node_position(s, i).x(), node_position(s, i).y(), v[i].norm() * dt, dt,
+        max_move, describe(limits))};
   }
   return {};
 }
 
-/// Whether the step would make the cortex of a cell cross itself.
+/// A ring after the step.
+CortexState moved(const CortexState& ring, double dt, std::span<const Vec2> v) {
+  CortexState next{.x = ring.x, .v = {}, .l0 = {}};
+  for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += dt * v[i];
+  return next;
+}
+
+/// Whether the step would make the cortex of a cell, or its nucleus, cross itself, or the nucleus leave the cell.
 std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const Vec2> v) {
+  const auto refused = [&](std::string_view what) {
+    return StepTooLong{fmt::format("step {} (t = {:.6g} s): {} in one step of {:.4g} s", s.step + 1, s.t, what, dt)};
+  };
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
-    const CortexState& now = s.cells[k].cortex;
-    const std::span<const Vec2> v_cell = of_cell(s, k, v);
-    CortexState next{.x = now.x, .v = {}, .l0 = {}};
-    for (std::size_t i = 0; i < next.size(); ++i) next.x[i] += dt * v_cell[i];
-    if (!crosses_itself(next) || crosses_itself(now)) continue;
-    return StepTooLong{fmt::format("step {} (t = {:.6g} s): the cell would cross itself in one step of {:.4g} s",
-                                   s.step + 1, s.t, dt)};
+    const Cell& cell = s.cells[k];
+    Cell next;
+    next.cortex = moved(cell.cortex, dt, of_cell(s, k, v));
+    if (crosses_itself(next.cortex) && !crosses_itself(cell.cortex)) return refused("the cell would cross itself");
+    if (cell.nucleus.size() == 0) continue;
+    next.nucleus = moved(cell.nucleus, dt, of_nucleus(s, k, v));
+    if (crosses_itself(next.nucleus) && !crosses_itself(cell.nucleus)) return refused("the nucleus would cross itself");
+    if (nucleus_outside(next) && !nucleus_outside(cell)) return refused("the nucleus would pass through the cortex");
   }
   return {};
 }

@@ -12,7 +12,7 @@ namespace matrigrate {
 /// Bounds of a step.
 struct StepBounds {
   double max_move;         ///< maximum displacement of a particle of matrix or cells [um]
-  bool may_cross = true;   ///< whether a cortex may cross itself in the step
+  bool may_cross = true;   ///< whether a ring may cross itself, or a nucleus its cortex, in the step
   bool tried_once = false; ///< whether Workspace::v holds the velocities of a longer, rejected step from here
 };
 

@@ -44,8 +44,8 @@ std::string_view checked_content(std::string_view image, const std::string& name
   const char* const end = image.data() + image.size();
   const auto read = std::from_chars(image.data() + checkpoint_magic.size(), end, version);
   if (read.ec != std::errc()) refuse("is no checkpoint of matrigrate");
-  if (version != checkpoint_version && version != one_cell_version)
-    refuse(fmt::format("is a checkpoint of format {}; this program reads formats {} and {}", version, one_cell_version,
+  if (version < one_cell_version || version > checkpoint_version)
+    refuse(fmt::format("is a checkpoint of format {}; this program reads formats {} to {}", version, one_cell_version,
                        checkpoint_version));
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
@@ -83,7 +83,9 @@ int version_of(const State& s) {
   const EcmState& m = s.ecm;
   const bool uniform = m.E_ratio.empty() && m.fibre_direction.empty() && m.fibre_ratio.empty() && m.obstacle.empty()
                        && m.ligand.empty() && m.attractant.empty();
-  return one && uniform ? one_cell_version : checkpoint_version;
+  const bool nuclei = std::ranges::any_of(s.cells, [](const Cell& cell) { return cell.nucleus.size() > 0; });
+  if (nuclei) return checkpoint_version;
+  return one && uniform ? one_cell_version : cells_version;
 }
 
 /// Without a cell: as if of one without particles.
@@ -121,20 +123,29 @@ State small_parts_of(const Json& json) {
 }
 
 /// Where the arrays of a cell are.
-std::string cell_path(int version, std::size_t k, std::string_view array) {
-  return version == one_cell_version ? fmt::format("/cortex/{}", array) : fmt::format("/cells/{}/{}", k, array);
+std::string cell_path(int version, std::size_t k) {
+  return version == one_cell_version ? "/cortex/" : fmt::format("/cells/{}/", k);
 }
 
-void write_cortex(MemoryFile& file, const CortexState& c, int version, std::size_t k) {
-  file.write(cell_path(version, k, "x"), c.x, "um");
-  file.write(cell_path(version, k, "v"), c.v, "um/s");
-  file.write(cell_path(version, k, "l0"), c.l0, "um");
+void write_ring(MemoryFile& file, const CortexState& c, const std::string& path) {
+  file.write(path + "x", c.x, "um");
+  file.write(path + "v", c.v, "um/s");
+  file.write(path + "l0", c.l0, "um");
 }
 
-CortexState read_cortex(const MemoryFile& file, int version, std::size_t k) {
-  return {.x = file.vectors(cell_path(version, k, "x")),
-          .v = file.vectors(cell_path(version, k, "v")),
-          .l0 = file.doubles(cell_path(version, k, "l0"))};
+CortexState read_ring(const MemoryFile& file, const std::string& path) {
+  return {.x = file.vectors(path + "x"), .v = file.vectors(path + "v"), .l0 = file.doubles(path + "l0")};
+}
+
+void write_arrays(MemoryFile& file, const Cell& cell, int version, std::size_t k) {
+  write_ring(file, cell.cortex, cell_path(version, k));
+  if (cell.nucleus.size() > 0) write_ring(file, cell.nucleus, cell_path(version, k) + "nucleus/");
+}
+
+void read_arrays(const MemoryFile& file, Cell& cell, int version, std::size_t k) {
+  const std::string path = cell_path(version, k);
+  cell.cortex = read_ring(file, path);
+  if (file.has(path + "nucleus/x")) cell.nucleus = read_ring(file, path + "nucleus/");
 }
 
 /// Whether this is the cell without particles that stands for none.
@@ -155,8 +166,8 @@ void require_consistent(const State& s) {
                       && s.ecm.v.size() == n && s.ecm.rho.size() == n && s.ecm.S.size() == n && s.ecm.f.size() == n
                       && s.ecm.clamped.size() == n;
   const bool cortices = std::ranges::all_of(s.cells, [](const Cell& cell) {
-    return cell.cortex.size() > 0 && cell.cortex.v.size() == cell.cortex.size()
-           && cell.cortex.l0.size() == cell.cortex.size();
+    const auto whole = [](const CortexState& c) { return c.v.size() == c.size() && c.l0.size() == c.size(); };
+    return cell.cortex.size() > 0 && whole(cell.cortex) && whole(cell.nucleus);
   });
   if (!matrix || !cortices || n == 0) throw std::invalid_argument("its arrays do not belong together");
   for (const Cell& cell : s.cells)
@@ -189,8 +200,8 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   if (!s.ecm.attractant.empty()) file.write("/ecm/attractant", s.ecm.attractant, "1");
   if (!s.ecm.attractant_source.empty()) file.write("/ecm/attractant_source", s.ecm.attractant_source, "1/s");
   file.write("/v_before", s.solver_memory.v_before, "um/s");
-  if (s.cells.empty()) write_cortex(file, {}, version, 0);
-  for (std::size_t k = 0; k < s.cells.size(); ++k) write_cortex(file, s.cells[k].cortex, version, k);
+  if (s.cells.empty()) write_arrays(file, {}, version, 0);
+  for (std::size_t k = 0; k < s.cells.size(); ++k) write_arrays(file, s.cells[k], version, k);
   file.write_text("/state.json", small_parts(s).dump());
   file.write_text("/scenario.toml", checkpoint.scenario);
   file.write_text("/configuration_hash", checkpoint.configuration_hash);
@@ -236,7 +247,7 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     if (file.has("/ecm/attractant_source")) s.ecm.attractant_source = file.doubles("/ecm/attractant_source");
     s.solver_memory.v_before = file.vectors("/v_before");
     const int version = file.has("/cortex/x") ? one_cell_version : checkpoint_version;
-    for (std::size_t k = 0; k < s.cells.size(); ++k) s.cells[k].cortex = read_cortex(file, version, k);
+    for (std::size_t k = 0; k < s.cells.size(); ++k) read_arrays(file, s.cells[k], version, k);
     if (version == one_cell_version && is_empty(s.cells)) s.cells.clear(); // the matrix alone
     require_consistent(s);
     checkpoint.scenario = file.text("/scenario.toml");

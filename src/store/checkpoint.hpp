@@ -13,10 +13,12 @@
 /// single cell in a uniform matrix is written in the format of version 5: its arrays in /cortex/, all else of it in
 /// /state.json. In version 6 the arrays of cell k are in /cells/k/, /state.json has a list of cells, and fields of the
 /// matrix are in /ecm/E_ratio, /ecm/fibre_direction, /ecm/fibre_ratio, /ecm/obstacle, /ecm/ligand,
-/// /ecm/attractant and /ecm/attractant_source. Test: tests/unit/store/checkpoint_test.cpp
+/// /ecm/attractant and /ecm/attractant_source. In version 7 cells have nuclei as well, in /cells/k/nucleus/. Test:
+/// tests/unit/store/checkpoint_test.cpp
 namespace matrigrate::io {
 
-inline constexpr int checkpoint_version = 6;
+inline constexpr int checkpoint_version = 7;
+inline constexpr int cells_version = 6; ///< of the format without nuclei, which older programs read as well
 inline constexpr int one_cell_version =
     5; ///< of the format of a single cell in a uniform matrix, which older programs read as well
 inline constexpr std::string_view checkpoint_name = "checkpoint.h5";

@@ -123,6 +123,7 @@ Frame frame_of(const std::string& content) {
     if (field.of_several_cells() && !taker.empty()) taker.take_planes(field.of(frame));
   for (const auto& field : float_fields())
     if (field.of_attractant() && !taker.empty()) taker.take_planes(field.of(frame));
+  if (!taker.empty()) taker.take_planes(frame.nucleus);
   return frame;
 }
 
@@ -135,13 +136,16 @@ bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
   const auto right = [&](const auto& field) {
     const std::size_t entries = field.of_several_cells() && !several                       ? 0
                                 : field.of_attractant() && frame.matrix.attractant.empty() ? 0
+                                : field.of_nuclei()                                        ? frame.nucleus.size() / 2
                                 : field.name == "matrix/fibre_von_mises"                   ? fibres
                                 : field.name.starts_with("matrix/")                        ? head.particles()
                                 : field.name.starts_with("protrusions/")                   ? alive
                                                                                            : outline;
     return field.in(frame).size() == entries * field.components;
   };
-  return std::isfinite(frame.t) && std::ranges::all_of(float_fields(), right)
+  const std::size_t cells = outline_ends(frame.outline).size();
+  const bool nuclei = frame.nucleus.empty() || (cells > 0 && frame.nucleus.size() % (2 * cells) == 0);
+  return std::isfinite(frame.t) && nuclei && std::ranges::all_of(float_fields(), right)
          && std::ranges::all_of(byte_fields(), right);
 }
 
@@ -165,10 +169,12 @@ std::string log_frame(const Frame& frame) {
     if (field.of_all()) put_planes(content, field.in(frame));
   for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
   const bool attractant = !frame.matrix.attractant.empty();
-  if (attractant || !frame.outline.cell.empty())
+  const bool nuclei = !frame.nucleus.empty();
+  if (attractant || nuclei || !frame.outline.cell.empty())
     for (const auto& field : float_fields())
       if (field.of_several_cells()) put_planes(content, field.in(frame));
-  if (attractant) put_planes(content, frame.matrix.attractant);
+  if (attractant || nuclei) put_planes(content, frame.matrix.attractant);
+  if (nuclei) put_planes(content, frame.nucleus);
   return as_block(content);
 }
 

@@ -10,27 +10,33 @@
 
 namespace matrigrate::io {
 
-std::vector<std::string_view> track_columns() {
-  return {
+std::vector<std::string_view> track_columns(bool nucleus) {
+  std::vector<std::string_view> columns{
       "track",          "t_s",       "x_um",       "y_um",          "area_um2",    "perimeter_um", "polarization_rad",
       "n_simultaneous", "n_growing", "n_maturing", "n_contracting", "n_finishing", "n_initiated",  "step"};
+  if (nucleus)
+    columns.insert(columns.end(), {"nucleus_x_um", "nucleus_y_um", "nucleus_area_um2", "nucleus_aspect_ratio"});
+  return columns;
 }
 
 std::vector<Field> fields(const TrackRow& row) {
-  return {count(number_of(row.cell)),
-          row.t,
-          row.centre.x(),
-          row.centre.y(),
-          row.area,
-          row.perimeter,
-          row.polarization.value_or(never),
-          count(row.alive()),
-          count(row.in_phase[0]),
-          count(row.in_phase[1]),
-          count(row.in_phase[2]),
-          count(row.in_phase[3]),
-          count(row.initiated),
-          row.step};
+  std::vector<Field> all{count(number_of(row.cell)),
+                         row.t,
+                         row.centre.x(),
+                         row.centre.y(),
+                         row.area,
+                         row.perimeter,
+                         row.polarization.value_or(never),
+                         count(row.alive()),
+                         count(row.in_phase[0]),
+                         count(row.in_phase[1]),
+                         count(row.in_phase[2]),
+                         count(row.in_phase[3]),
+                         count(row.initiated),
+                         row.step};
+  if (row.nucleus)
+    all.insert(all.end(), {row.nucleus->centre.x(), row.nucleus->centre.y(), row.nucleus->area, row.nucleus->aspect});
+  return all;
 }
 
 std::vector<std::string_view> health_columns() {

@@ -19,7 +19,7 @@ namespace matrigrate::io {
 
 /// tracks.csv. The first four columns are those that celltrackR reads: track, time, x, y; the track is the number of
 /// the cell.
-std::vector<std::string_view> track_columns();
+std::vector<std::string_view> track_columns(bool nucleus = false); ///< of cells with a nucleus
 std::vector<Field> fields(const TrackRow& row);
 
 /// health.csv.

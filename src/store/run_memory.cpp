@@ -17,7 +17,8 @@ Json json_of(const TrackRow& row) {
   Json json{row.t,        row.step,      to_json(row.centre),
             row.area,     row.perimeter, row.polarization ? Json(*row.polarization) : Json(),
             row.in_phase, row.initiated};
-  if (row.cell != 0) json.push_back(row.cell);
+  if (row.cell != 0 || row.nucleus) json.push_back(row.cell);
+  if (row.nucleus) json.push_back({to_json(row.nucleus->centre), row.nucleus->area, row.nucleus->aspect});
   return json;
 }
 
@@ -32,6 +33,9 @@ TrackRow track_of(const Json& json) {
                .in_phase = {},
                .initiated = integer<std::uint32_t>(json.at(7))};
   for (std::size_t k = 0; k < row.in_phase.size(); ++k) row.in_phase[k] = integer<std::uint32_t>(json.at(6).at(k));
+  if (json.size() > 9)
+    row.nucleus = {
+        .centre = vector(json.at(9).at(0)), .area = number(json.at(9).at(1)), .aspect = number(json.at(9).at(2))};
   if (!json.at(5).is_null()) row.polarization = json.at(5).get<double>();
   return row;
 }
@@ -116,11 +120,16 @@ DrawnProtrusion drawn_of(const Json& json) {
 }
 
 Json json_of(const DrawnCell& cell) {
-  return {{"cell", to_json(cell.outline)}, {"front", to_json(cell.front)}, {"path", to_json(cell.path)}};
+  Json json{{"cell", to_json(cell.outline)}, {"front", to_json(cell.front)}, {"path", to_json(cell.path)}};
+  if (!cell.nucleus.empty()) json["nucleus"] = to_json(cell.nucleus);
+  return json;
 }
 
 DrawnCell drawn_cell_of(const Json& json) {
-  return {.outline = vectors(json.at("cell")), .front = vectors(json.at("front")), .path = vectors(json.at("path"))};
+  DrawnCell cell{
+      .outline = vectors(json.at("cell")), .front = vectors(json.at("front")), .path = vectors(json.at("path"))};
+  if (json.contains("nucleus")) cell.nucleus = vectors(json.at("nucleus"));
+  return cell;
 }
 
 /// A single cell, or none, stands among the scene's own keys.
@@ -141,6 +150,7 @@ Json json_of(const CellScene& scene) {
   json["front"] = to_json(cell.front);
   json["protrusions"] = std::move(protrusions);
   json["path"] = to_json(cell.path);
+  if (!cell.nucleus.empty()) json["nucleus"] = to_json(cell.nucleus);
   return json;
 }
 

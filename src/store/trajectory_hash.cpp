@@ -34,6 +34,8 @@ void TrajectoryHash::add(const State& s) {
   XXH3_64bits_reset_withSeed(state.get(), m_hash);
   update(state.get(), &s.step, sizeof(s.step));
   for (const Cell& cell : s.cells) update(state.get(), cell.cortex.x);
+  for (const Cell& cell : s.cells)
+    if (cell.nucleus.size() > 0) update(state.get(), cell.nucleus.x);
   update(state.get(), s.ecm.x);
   m_hash = XXH3_64bits_digest(state.get());
 }

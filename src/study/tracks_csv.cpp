@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 namespace matrigrate::study {
 
 namespace {
@@ -49,27 +52,42 @@ std::string front_values(const Study& study, const Run& run) {
   return line_of(row);
 }
 
-} // namespace
-
-std::string tracks_csv(const Study& study, const std::vector<Result>& results,
-                       const std::filesystem::path& study_folder) {
-  std::string header, text;
+/// The columns of all runs that are done: runs with a nucleus have further ones behind those of the others.
+/// @throws InputOutputError if the columns of a run do not begin those of another
+std::string widest_columns(const std::vector<Result>& results, const std::filesystem::path& study_folder) {
+  std::string widest;
   for (const Result& r : results) {
     if (!r.standing.done()) continue;
     const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
     const std::string tracks = tracks_of(file);
-    std::size_t at = tracks.find('\n') + 1;
-    if (header.empty()) header = tracks.substr(0, at);
-    if (tracks.substr(0, at) != header)
+    const std::string own = tracks.substr(0, tracks.find('\n'));
+    if (!(own + ",").starts_with(widest.empty() ? "" : widest + ",") && !(widest + ",").starts_with(own + ","))
       throw InputOutputError(fmt::format("{}: has other columns than those of earlier runs", file.string()));
+    if (own.size() > widest.size()) widest = own;
+  }
+  return widest;
+}
+
+} // namespace
+
+std::string tracks_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder) {
+  const std::string columns = widest_columns(results, study_folder);
+  const auto commas = [](std::string_view line) { return static_cast<std::size_t>(std::ranges::count(line, ',')); };
+  std::string text;
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::string tracks = tracks_of(run_folder(study_folder, r.run) / "tracks.csv");
+    std::size_t at = tracks.find('\n') + 1;
+    const std::string missing(commas(columns) - commas(tracks.substr(0, at)), ',');
     const std::string front = front_values(study, r.run);
     while (at < tracks.size()) {
-      const std::size_t end = tracks.find('\n', at) + 1;
-      text.append(front).append(1, ',').append(tracks, at, end - at);
-      at = end;
+      const std::size_t end = tracks.find('\n', at);
+      text.append(front).append(1, ',').append(tracks, at, end - at).append(missing).append(1, '\n');
+      at = end + 1;
     }
   }
-  return header.empty() ? std::string() : front_names(study) + "," + header + text;
+  return columns.empty() ? std::string() : front_names(study) + "," + columns + "\n" + text;
 }
 
 } // namespace matrigrate::study

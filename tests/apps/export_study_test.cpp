@@ -55,6 +55,19 @@ TEST_F(ExportStudy, PutsTheTracksOfAllRunsInOneFile) {
   EXPECT_EQ(all.rows[0][2], "50");
 }
 
+TEST_F(ExportStudy, LeavesWhatOnlyANucleusHasEmptyElsewhere) {
+  write("e.toml", "title = \"Nucleus\"\nscenario = \"s.toml\"\nreplicates = 1\n[[points]]\nlabel = \"a\"\n"
+                  "nucleus.radius = \"0 um\"\n[[points]]\nlabel = \"b\"\nnucleus.radius = \"5 um\"\n");
+  ASSERT_EQ(run("study run e.toml").code, 0);
+  ASSERT_EQ(run("export e-study --tracks").code, 0);
+  const io::CsvTable all = table("e-study/export/tracks.csv");
+  ASSERT_EQ(all.header.back(), "nucleus_aspect_ratio");
+  ASSERT_EQ(all.rows.size(), 2U * 5U);
+  EXPECT_EQ(all.rows.front().back(), "");
+  EXPECT_EQ(all.rows.front().size(), all.header.size());
+  EXPECT_NEAR(std::stod(all.rows.back().back()), 1.0, 1e-6);
+}
+
 TEST_F(ExportStudy, ReplacesNothingByItself) {
   ASSERT_EQ(run("study run e.toml").code, 0);
   ASSERT_EQ(run("export e-study --tracks -o here").code, 0);

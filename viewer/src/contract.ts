@@ -76,6 +76,8 @@ export interface OutlineFrames {
   f_mat: Packed;
   /** Magnitude of the actomyosin force on the particle [nN]. */
   force: Packed;
+  /** Particles of the nuclei, as many of each cell, in the order of cells [um]; left out where cells have none. */
+  nucleus?: Packed;
 }
 
 /** Fibres of the matrix: springs that join particles for good. */

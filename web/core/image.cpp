@@ -8,7 +8,7 @@ namespace matrigrate::live {
 
 namespace {
 
-constexpr std::uint64_t version = 0x4d47'4c49'5645'0002; // "MGLIVE" 2
+constexpr std::uint64_t version = 0x4d47'4c49'5645'0003; // "MGLIVE" 3
 
 /// Writes or reads a value after the other; the lists of members below are the same for both.
 class Writer {
@@ -181,6 +181,9 @@ const auto cell = [](auto& b, auto& one) {
   b.numbers(one.cortex.x);
   b.numbers(one.cortex.v);
   b.numbers(one.cortex.l0);
+  b.numbers(one.nucleus.x);
+  b.numbers(one.nucleus.v);
+  b.numbers(one.nucleus.l0);
   b.list(one.protrusions, protrusion);
   b.list(one.ended, record);
   optional_number(b, one.polarization);

@@ -114,6 +114,19 @@ TEST(CellPicture, ShowsObstacles) {
   EXPECT_EQ(count(cell_picture(scene, whole_disc(scene)), ">obstacle<"), 1U);
 }
 
+TEST(CellPicture, ShowsNuclei) {
+  const Parameters p = parameters(40.0);
+  State s = state(p);
+  const auto signs = [&] {
+    const CellScene scene = cell_scene(s, p, {});
+    return count(cell_picture(scene, whole_disc(scene)), "#27406b");
+  };
+  EXPECT_EQ(signs(), 0U);
+  s.cells[0].nucleus.x = {{0, 0}, {4, 0}, {0, 4}};
+  EXPECT_EQ(signs(), 2U) << "in the cell and in the legend";
+  EXPECT_EQ(count(cell_picture(cell_scene(s, p, {}), whole_disc(cell_scene(s, p, {}))), ">nucleus<"), 1U);
+}
+
 TEST(CellPicture, LeavesOutWhatIsNotSeen) {
   const Parameters p = parameters(150.0);
   const CellScene scene = cell_scene(state(p), p, {});

@@ -42,6 +42,18 @@ TEST(TrackRow, CountsProtrusionsByPhase) {
   EXPECT_FALSE(row.polarization);
 }
 
+TEST(TrackRow, TellsOfANucleusWhereThereIsOne) {
+  Cell cell;
+  cell.cortex.x = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+  EXPECT_FALSE(track_row(cell, {}).nucleus);
+  cell.nucleus.x = {{1, 1}, {5, 1}, {5, 3}, {1, 3}};
+  const TrackRow row = track_row(cell, {});
+  ASSERT_TRUE(row.nucleus);
+  EXPECT_NEAR((row.nucleus->centre - Vec2(3, 2)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(row.nucleus->area, 8.0, 1e-12);
+  EXPECT_NEAR(row.nucleus->aspect, 2.0, 1e-12);
+}
+
 TEST(TrackRows, AreThoseOfAllCells) {
   State s;
   s.t = 60.0;

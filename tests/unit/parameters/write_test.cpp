@@ -119,8 +119,8 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
   EXPECT_EQ(text.find('#'), std::string::npos);
   EXPECT_TRUE(text.starts_with("run.duration = \"6 h\"\n")) << text;
   for (const Row& row : schema()) { // what the paper does not have is left out where it is off: fingerprints stay
-    const bool beyond =
-        kind(row) == Kind::field || row.path.starts_with("contact.cells.") || row.path.starts_with("cues.");
+    const bool beyond = kind(row) == Kind::field || row.path.starts_with("contact.cells.")
+                        || row.path.starts_with("cues.") || row.path.starts_with("nucleus.");
     EXPECT_EQ(text.find(std::string(row.path) + " = " + value_text(row, {}) + "\n") == std::string::npos, beyond)
         << row.path;
   }
@@ -158,8 +158,9 @@ TEST(Write, AScenarioShowsEveryParameterAndHidesNumerics) {
     const bool open = text.find("\n" + key + " = ") != std::string::npos;
     const bool hidden = text.find("\n# " + key + " = ") != std::string::npos;
     EXPECT_TRUE(open || hidden) << row.path;
-    const bool follows = row.path == "run.time_step";             // the integrator
-    const bool of_cells = row.path.starts_with("contact.cells."); // "range" stands in [contact], too
+    const bool follows = row.path == "run.time_step";            // the integrator
+    const bool of_cells = row.path.starts_with("contact.cells.") // "range" stands in [contact], too
+                          || row.path.starts_with("nucleus.");   // and "radius" in [cell]
     if (!of_cells) {
       EXPECT_EQ(open, row.audience == Audience::usual && !follows) << row.path;
     }

@@ -120,6 +120,22 @@ TEST(Checkpoint, HoldsSeveralCells) {
   EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
+TEST(Checkpoint, HoldsNuclei) {
+  Checkpoint before = example();
+  Cell& cell = before.state.cells[0];
+  cell.nucleus = cell.cortex;
+  cell.nucleus.x[3] = {1.0 / 3.0, -7.0};
+  before.state.solver_memory.v_before.resize(node_count(before.state), Vec2(0.1, 0.2));
+  const std::string image = io::checkpoint_image(before);
+  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 7 bytes ")) << "older programs would lose the nucleus";
+  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(io::checkpoint_image(after), image);
+  EXPECT_EQ(after.state.cells[0].nucleus.x, cell.nucleus.x);
+  EXPECT_EQ(after.state.cells[0].nucleus.l0, cell.nucleus.l0);
+  cell.nucleus.l0.pop_back();
+  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+}
+
 TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   Checkpoint before = example();
   EcmState& ecm = before.state.ecm;
@@ -156,7 +172,7 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
   std::string other = image;
   other[22] = '1';
-  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads formats 5 and 6"));
+  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads formats 5 to 7"));
   for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
     EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;
   EXPECT_NE(refusal(image + "x").find("cut short"), std::string::npos);

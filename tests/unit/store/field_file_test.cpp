@@ -82,6 +82,17 @@ TEST(FieldFile, HoldsWhatVariesFromPlaceToPlace) {
   EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
 }
 
+TEST(FieldFile, HoldsNuclei) {
+  Film film = TwoCells().film();
+  EXPECT_FALSE(MemoryFile(field_file(film)).has("/nucleus/position"));
+  for (Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};
+  const Film read = read_field_file(field_file(film));
+  EXPECT_EQ(difference(read, film), "");
+  EXPECT_EQ(read.frames[1].nucleus, film.frames[1].nucleus);
+  for (Frame& frame : film.frames) frame.nucleus.resize(6); // three particles of two cells
+  EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
+}
+
 TEST(FieldFile, TellsSeveralCellsApart) {
   const Film film = TwoCells().film();
   const std::string image = field_file(film);

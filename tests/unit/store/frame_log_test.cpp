@@ -32,6 +32,22 @@ TEST(FrameLog, HoldsWhatVariesFromPlaceToPlace) {
   EXPECT_TRUE(read.head.youngs_modulus.empty());
 }
 
+TEST(FrameLog, HoldsNuclei) {
+  for (Film film : {SmallRun().film(), TwoCells().film()}) {
+    for (Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};
+    const Film read = read_log(log_bytes(film));
+    EXPECT_EQ(difference(read, film), "");
+    EXPECT_EQ(read.frames[1].nucleus, film.frames[1].nucleus);
+    EXPECT_TRUE(read.frames[1].matrix.attractant.empty());
+    const std::vector<std::vector<Vec2>> nuclei = nuclei_of(read.frames[1]);
+    ASSERT_EQ(nuclei.size(), outline_ends(film.frames[1].outline).size());
+    EXPECT_EQ(nuclei.back().back(), Vec2(7.0, 8.0));
+    EXPECT_EQ(nuclei.front().front(), Vec2(1.0, 2.0));
+    EXPECT_EQ(nuclei.front().size() * nuclei.size(), 4U);
+  }
+  EXPECT_TRUE(nuclei_of(SmallRun().film().frames[0]).empty());
+}
+
 TEST(FrameLog, TellsSeveralCellsApart) {
   const Film film = TwoCells().film();
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");

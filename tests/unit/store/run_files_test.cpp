@@ -54,6 +54,8 @@ TEST(RowFile, SaysWhenItCannotBeWritten) {
 
 TEST(RunFiles, HaveAFieldForEachColumn) {
   EXPECT_EQ(fields(TrackRow{}).size(), track_columns().size());
+  EXPECT_EQ(fields(TrackRow{.polarization = {}, .nucleus = NucleusRow{}}).size(), track_columns(true).size());
+  EXPECT_EQ(track_columns(true).size(), track_columns().size() + 4);
   EXPECT_EQ(fields(HealthRow{}).size(), health_columns().size());
   EXPECT_EQ(fields(ProtrusionRecord{}, {}).size(), protrusion_columns().size());
 }

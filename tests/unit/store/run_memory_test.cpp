@@ -54,6 +54,25 @@ TEST(RunMemory, HoldsSeveralCells) {
   EXPECT_EQ(read.scenes[0].cells[1].outline[1], Vec2(3, 3));
 }
 
+TEST(RunMemory, HoldsNuclei) {
+  for (const bool several : {false, true}) {
+    RunMemory memory = example();
+    memory.rows[1].nucleus = {.centre = {1.0 / 3.0, 2.0}, .area = 70.5, .aspect = 1.25};
+    if (several) memory.scenes[0].cells.push_back({.outline = {{2, 2}}, .front = {}, .path = {}});
+    memory.scenes[0].cells.back().nucleus = {{4, 5}, {6, 7}};
+    const std::string text = io::to_text(memory);
+    const RunMemory read = io::parse_memory(text);
+    EXPECT_EQ(io::to_text(read), text);
+    EXPECT_FALSE(read.rows[0].nucleus);
+    ASSERT_TRUE(read.rows[1].nucleus);
+    EXPECT_EQ(read.rows[1].nucleus->centre, Vec2(1.0 / 3.0, 2.0));
+    EXPECT_EQ(read.rows[1].nucleus->area, 70.5);
+    EXPECT_EQ(read.rows[1].nucleus->aspect, 1.25);
+    ASSERT_EQ(read.scenes[0].cells.back().nucleus.size(), 2U);
+    EXPECT_EQ(read.scenes[0].cells.back().nucleus[1], Vec2(6, 7));
+  }
+}
+
 TEST(RunMemory, RefusesWhatItIsNot) {
   for (const char* text : {"", "{}", "[]", "{\"rows\": 3}", "null"})
     EXPECT_THROW(io::parse_memory(text), InputOutputError) << text;

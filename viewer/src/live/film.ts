@@ -77,6 +77,7 @@ export class LiveFilm {
       cells: cellParts(m, undefined),
       fibres: withFibres ? fibresOf({ bonds_um: head.bonds_um, onset: head.onset }, fixed) : null,
       outline,
+      nucleus: null,
       protrusions: [],
       growing: true,
       particles: n,

@@ -21,6 +21,8 @@ export interface Film {
   /** Places of the particles of rigid obstacles [um]. */
   obstacles: [number, number][];
   outline: { x: Field; front: Field; protrusion: Field; fMat: Field; force: Field };
+  /** Particles of the nuclei, as many of each cell; null: cells have none. */
+  nucleus: Field | null;
   protrusions: FrameProtrusion[][];
   /** Frames are replaced while it is looked at. */
   growing?: boolean;
@@ -56,12 +58,13 @@ export async function film(run: RunPage): Promise<Film | null> {
     p.youngs_modulus ? unpack(p.youngs_modulus, "Young's modulus", n) : null,
     p.ligand ? unpack(p.ligand, "ligand", n) : null,
   ]);
-  const [ox, front, protrusion, fMat, force] = await Promise.all([
+  const [ox, front, protrusion, fMat, force, nucleus] = await Promise.all([
     unpack(o.x, "outline", n),
     unpack(o.front, "front", n),
     unpack(o.protrusion, "protrusion of the outline", n),
     unpack(o.f_mat, "maturation of the outline", n),
     unpack(o.force, "force on the outline", n),
+    o.nucleus ? unpack(o.nucleus, "nucleus", n) : null,
   ]);
   if (frames.protrusions.length !== n)
     throw new Error(`protrusions of ${frames.protrusions.length} frames instead of ${n}`);
@@ -79,6 +82,7 @@ export async function film(run: RunPage): Promise<Film | null> {
     fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, reference) : null,
     obstacles: frames.obstacles_um ?? [],
     outline: { x: ox, front, protrusion, fMat, force },
+    nucleus,
     protrusions: frames.protrusions,
     particles: frames.reference.per_frame,
     outlinePoints: o.x.per_frame,

@@ -6,6 +6,7 @@ import {
   gelOnDark,
   gelOnLight,
   gradient,
+  nucleusColour,
   phaseColours,
   phaseColoursOnDark,
 } from "../colour";
@@ -76,7 +77,7 @@ function cellSigns(cells: number): [SVGElement, string][] {
 }
 
 /** The signs drawn over the matrix. */
-export function signs(cells: number, obstacles: boolean): HTMLElement {
+export function signs(cells: number, obstacles: boolean, nucleus = false): HTMLElement {
   const dark = isDark();
   const colours = dark ? phaseColoursOnDark : phaseColours;
   const line = dark ? "#fff" : "#1f2328";
@@ -91,6 +92,7 @@ export function signs(cells: number, obstacles: boolean): HTMLElement {
         )
       : null,
     ...cellSigns(cells).map(([picture, words]) => entry(picture, words)),
+    nucleus ? entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: nucleusColour })), "nucleus") : null,
     ...phaseNames.map((name, k) =>
       entry(
         sign(

@@ -54,7 +54,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   };
   const refresh = () => {
     refreshBar();
-    legend.replaceChildren(signs(film.cells.length, stage.hasObstacles));
+    legend.replaceChildren(signs(film.cells.length, stage.hasObstacles, film.nucleus !== null));
   };
   const chosen = () => {
     refreshBar();

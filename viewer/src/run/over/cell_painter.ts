@@ -1,8 +1,8 @@
 /** Draws what lies over the matrix: the cell with front and rear, its protrusions, adhesions, path, and arrows. */
-import { phaseColours, phaseColoursOnDark } from "../../colour";
+import { nucleusColour, phaseColours, phaseColoursOnDark } from "../../colour";
 import type { FrameProtrusion, Tracks } from "../../contract";
 import { roundStep } from "../../numbers";
-import { valueAt } from "../../unpack";
+import { valueAt, type Field } from "../../unpack";
 import {
   paintArrowKeys,
   paintArrows,
@@ -18,7 +18,7 @@ import {
 import type { Camera } from "../camera";
 import { coloursOf, tracksOfCells, type CellPart } from "../cells";
 import { paintEdge, type Edge } from "./edge";
-import { outlineAt, type Film, type Place } from "../frames";
+import { between, outlineAt, type Film, type Place } from "../frames";
 import type { Shown } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import { paintFibres } from "./fibres";
@@ -90,6 +90,20 @@ function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32A
     c.fill();
   }
   c.restore();
+}
+
+/** The nucleus of each cell. */
+function paintNuclei(c: Pen, { film, place, camera }: CellScene, nucleus: Field): void {
+  const points = nucleus.stride / 2;
+  const outline = Float32Array.from({ length: 2 * points }, (_, i) => between(nucleus, place, i));
+  const each = points / film.cells.length;
+  c.fillStyle = nucleusColour;
+  for (let cell = 0; cell < film.cells.length; ++cell) {
+    c.beginPath();
+    trace(c, camera, outline, Array.from({ length: each }, (_, i) => cell * each + i));
+    c.closePath();
+    c.fill();
+  }
 }
 
 /** The number of a cell in its middle: colours repeat, and not everybody sees them. */
@@ -201,6 +215,7 @@ export function paintCell(c: Pen, scene: CellScene): void {
   if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
   part("cell");
   if (shown.cell) for (const cell of film.cells) paintBody(c, scene, outline, cell);
+  if (shown.cell && film.nucleus) paintNuclei(c, scene, film.nucleus);
   part("protrusions");
   if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
   part("edge");
