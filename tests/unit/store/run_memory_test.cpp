@@ -56,7 +56,7 @@ TEST(RunMemory, HoldsSeveralCells) {
 
 TEST(RunMemory, HoldsNuclei) {
   for (const bool several : {false, true}) {
-    RunMemory memory = example();
+    RunMemory memory = example_memory();
     memory.rows[1].nucleus = {.centre = {1.0 / 3.0, 2.0}, .area = 70.5, .aspect = 1.25};
     if (several) memory.scenes[0].cells.push_back({.outline = {{2, 2}}, .front = {}, .path = {}});
     memory.scenes[0].cells.back().nucleus = {{4, 5}, {6, 7}};
