@@ -163,12 +163,12 @@ class ContactCells(Section):
     """Contact of cells with each other."""
     repulsion: _Quantity
     """Pressure between two cells whose cortices touch; > 0 and <= 1e7 Pa. A bare number is in Pa. Default: "500 Pa" (MODEL.md, D38)."""
-    range: _Quantity
+    repulsion_range: _Quantity
     """Gap below which two cells repel each other; > 0 and <= 20 um. A bare number is in um. Default: "1 um" (MODEL.md, D38)."""
     adhesion: _Quantity
     """Largest pull per area between two cells, 0 for cells that do not stick to each other; >= 0 and <= 1e6 Pa. A bare number is in Pa. Default: "0 Pa" (MODEL.md, D39)."""
     adhesion_range: _Quantity
-    """Width of the gaps, beyond contact.cells.range, over which two cells pull at each other; > 0 and <= 20 um. A bare number is in um. Default: "1 um" (MODEL.md, D39)."""
+    """Width of the gaps, beyond contact.cells.repulsion_range, over which two cells pull at each other; > 0 and <= 20 um. A bare number is in um. Default: "1 um" (MODEL.md, D39)."""
 
 class Nucleus(Section):
     """The nucleus of the cell; off in the paper."""

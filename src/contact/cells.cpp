@@ -65,29 +65,32 @@ double half_area(const Parameters& p) { return 0.5 * initial_segment_length(p.ce
 
 /// Minus the derivative of cell_pressure() [kPa/um].
 double slope(double gap, const CellContactParameters& p) {
-  if (gap < p.range) return p.repulsion / p.range;
+  if (gap < p.repulsion_range) return p.repulsion / p.repulsion_range;
   if (gap >= cell_reach(p)) return 0.0;
-  return (gap < p.range + 0.5 * p.adhesion_range ? 2.0 : -2.0) * p.adhesion / p.adhesion_range;
+  return (gap < p.repulsion_range + 0.5 * p.adhesion_range ? 2.0 : -2.0) * p.adhesion / p.adhesion_range;
 }
 
 /// Integral of cell_pressure() from a gap to infinity [kPa um].
 double work(double gap, const CellContactParameters& p) {
   const double bond = 0.5 * p.adhesion * p.adhesion_range;
-  if (gap < p.range) return 0.5 * p.repulsion / p.range * (p.range - gap) * (p.range - gap) - bond;
+  if (gap < p.repulsion_range)
+    return 0.5 * p.repulsion / p.repulsion_range * (p.repulsion_range - gap) * (p.repulsion_range - gap) - bond;
   if (gap >= cell_reach(p)) return 0.0;
-  const double along = (gap - p.range) / p.adhesion_range; // from 0 to 1
+  const double along = (gap - p.repulsion_range) / p.adhesion_range; // from 0 to 1
   return along < 0.5 ? -bond * (1.0 - 2.0 * along * along) : -2.0 * bond * (1.0 - along) * (1.0 - along);
 }
 
 } // namespace
 
 double cell_pressure(double gap, const CellContactParameters& p) {
-  if (gap < p.range) return p.repulsion * (1.0 - gap / p.range);
+  if (gap < p.repulsion_range) return p.repulsion * (1.0 - gap / p.repulsion_range);
   if (gap >= cell_reach(p)) return 0.0;
-  return -p.adhesion * (1.0 - std::abs(2.0 * (gap - p.range) / p.adhesion_range - 1.0));
+  return -p.adhesion * (1.0 - std::abs(2.0 * (gap - p.repulsion_range) / p.adhesion_range - 1.0));
 }
 
-double cell_reach(const CellContactParameters& p) { return p.adhesion > 0.0 ? p.range + p.adhesion_range : p.range; }
+double cell_reach(const CellContactParameters& p) {
+  return p.adhesion > 0.0 ? p.repulsion_range + p.adhesion_range : p.repulsion_range;
+}
 
 std::vector<CellTouch> cell_touches(std::span<const Cell> cells, double reach) {
   std::vector<CellTouch> found;

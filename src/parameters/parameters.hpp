@@ -125,10 +125,10 @@ struct CellParameters {
 
 /// Contact of cells with each other (MODEL.md, D38, D39).
 struct CellContactParameters {
-  double repulsion = 0.5;      ///< pressure at which two cortices touch [kPa]
-  double range = 1.0;          ///< gap below which they repel each other [um]
-  double adhesion = 0.0;       ///< largest pull per area [kPa]
-  double adhesion_range = 1.0; ///< width of the gaps, beyond `range`, over which they pull [um]
+  double repulsion = 0.5;       ///< pressure at which two cortices touch [kPa]
+  double repulsion_range = 1.0; ///< gap below which they repel each other [um]
+  double adhesion = 0.0;        ///< largest pull per area [kPa]
+  double adhesion_range = 1.0;  ///< width of the gaps, beyond `repulsion_range`, over which they pull [um]
 };
 
 struct ContactParameters {

@@ -169,7 +169,7 @@ private:
 
   /// Only where each single value is good, as check_rules().
   void check_cells() {
-    for (const std::string_view key : {"cells", "cell.radius", "ecm.radius", "contact.cells.range"})
+    for (const std::string_view key : {"cells", "cell.radius", "ecm.radius", "contact.cells.repulsion_range"})
       if (m_blamed.contains(key)) return;
     if (m_cell_places.empty()) return;
     for (CellFault& fault : cell_faults(m_parameters)) {

@@ -159,7 +159,8 @@ std::span<const Rule> rules() {
        hole},
       {"a single start is that of a single cell", {"cell.start_x", "cell.start_y"}, one_start},
       {several_cells_rule,
-       {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length", "contact.cells.range"},
+       {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length",
+        "contact.cells.repulsion_range"},
        several_cells},
       {"the matrix resolves the cell", {"ecm.particle_spacing", "cell.radius"}, resolution},
       {"the nucleus fits into the cell", {"nucleus.radius", "nucleus.repulsion_range", "cell.radius"}, nucleus_fits},
@@ -184,7 +185,7 @@ std::vector<CellFault> cell_faults(const Parameters& p) {
   std::vector<CellFault> faults;
   if (!room(p).empty()) return faults;
   const double most = p.ecm.radius - 2.0 * p.ecm.smoothing_length - p.cell.radius - p.degradation.body_distance;
-  const double least = 2.0 * p.cell.radius + p.contact.cells.range;
+  const double least = 2.0 * p.cell.radius + p.contact.cells.repulsion_range;
   for (std::size_t k = 0; k < p.cells.size(); ++k) {
     const CellStart& a = p.cells[k];
     const double off = std::hypot(a.x, a.y);

@@ -187,12 +187,12 @@ constexpr std::array rows{
 
     Row{"contact.cells.repulsion", [](Parameters& p) -> double& { return p.contact.cells.repulsion; }, "Pa", above(0, 1e7),
         "", "MODEL.md, D38", "Pressure between two cells whose cortices touch", optional},
-    Row{"contact.cells.range", [](Parameters& p) -> double& { return p.contact.cells.range; }, "um", above(0, 20),
+    Row{"contact.cells.repulsion_range", [](Parameters& p) -> double& { return p.contact.cells.repulsion_range; }, "um", above(0, 20),
         "", "MODEL.md, D38", "Gap below which two cells repel each other", optional},
     Row{"contact.cells.adhesion", [](Parameters& p) -> double& { return p.contact.cells.adhesion; }, "Pa", closed(0, 1e6),
         "", "MODEL.md, D39", "Largest pull per area between two cells, 0 for cells that do not stick to each other", optional},
     Row{"contact.cells.adhesion_range", [](Parameters& p) -> double& { return p.contact.cells.adhesion_range; }, "um", above(0, 20),
-        "", "MODEL.md, D39", "Width of the gaps, beyond contact.cells.range, over which two cells pull at each other", optional},
+        "", "MODEL.md, D39", "Width of the gaps, beyond contact.cells.repulsion_range, over which two cells pull at each other", optional},
 
     Row{"actomyosin.force", [](Parameters& p) -> double& { return p.actomyosin.force; }, "nN", closed(0, 1000),
         "F_am", table_1, "Actomyosin force of a strand at full maturation"},

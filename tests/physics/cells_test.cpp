@@ -65,7 +65,7 @@ TEST(Cells, HaveTheBitsOfCellsWithoutContactUntilTheyFeelEachOther) {
   p.run.time_step = 5.0;
   Parameters other = p;
   other.contact.cells.repulsion = 5.0;
-  other.contact.cells.range = 0.3;
+  other.contact.cells.repulsion_range = 0.3;
   State s = initial_state(p), t = initial_state(other);
   Workspace w(s, p), w_other(t, other);
   march(s, p, w, 100.0);

@@ -43,7 +43,7 @@ TEST(Group, CountsPairsThatFeelEachOther) {
   const GroupRow row = group_row(s, {}, p);
   EXPECT_EQ(row.contacts, 2U);
   EXPECT_NEAR(row.gap, 0.5, 0.01);
-  p.contact.cells.range = 0.6;
+  p.contact.cells.repulsion_range = 0.6;
   EXPECT_EQ(group_row(s, {}, p).contacts, 1U);
 }
 
