@@ -15,7 +15,7 @@ _matrigrate() {
     esac
   done
   case $verb:$previous in
-  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres" -- "$cur")); return ;;
+  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres two-cells" -- "$cur")); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
   matrigrate_explain:--pictures) COMPREPLY=(); return ;;
@@ -33,7 +33,7 @@ _matrigrate() {
   matrigrate_resume:--threads) COMPREPLY=(); return ;;
   matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
   matrigrate_demo:-o|matrigrate_demo:--output) _matrigrate_files -d; return ;;
-  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres" -- "$cur")); return ;;
+  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres two-cells" -- "$cur")); return ;;
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
   matrigrate_export:--panel) COMPREPLY=(); return ;;

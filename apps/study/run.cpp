@@ -5,6 +5,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/time_text.hpp"
+#include "claims/shipped_studies.hpp"
 #include "run/folder_lock.hpp"
 #include "simulation/start_rules.hpp"
 #include "study_runs/study_progress.hpp"
@@ -94,7 +95,11 @@ int job_count(int wanted) {
 }
 
 StudyFolder read_study_file(const StudyOptions& options) {
-  study::Study study = study::read_study(options.file, {.overrides = {}, .replicates = {}, .more = start_rules()});
+  const study::Changes changes{.overrides = {}, .replicates = {}, .more = start_rules()};
+  const auto shipped = std::ranges::find(study::shipped_studies(), options.file, &study::ShippedStudy::name);
+  const bool by_name = shipped != study::shipped_studies().end() && !std::filesystem::exists(options.file);
+  study::Study study = by_name ? study::parse_study(shipped->text, options.file + ".toml", ".", changes)
+                               : study::read_study(options.file, changes);
   return planned(std::move(study), options.folder.empty() ? study::default_study_folder(options.file)
                                                           : std::filesystem::path(options.folder));
 }

@@ -16,7 +16,7 @@ void add_common(CLI::App& verb, StudyOptions& options, const char* quiet) {
 }
 
 void add_file(CLI::App& verb, StudyOptions& options) {
-  verb.add_option("FILE", options.file, "A study file")->required();
+  verb.add_option("FILE", options.file, "A study file, or the name of a study of matrigrate list")->required();
   verb.add_option("-o,--output", options.folder, "Folder of the study (default: <file>-study)");
 }
 

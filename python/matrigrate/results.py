@@ -46,6 +46,10 @@ _meanings = {
     "share_f_adh_rel_low": "share of mature adhesions that ended below f_adh_rel = 0.5",
     "share_2_or_3_protrusions": "share of times with two or three protrusions",
     "migration_index_x": "way along x over the length of the path, sampled every 600 s",
+    "parting_index": "cosine between displacement and the direction away from the nearest cell at the start",
+    "share_in_contact": "share of times with a contact between cells",
+    "nearest_um": "distance of the nearest other cell at the end",
+    "order": "length of the mean unit vector of displacements over 10 min, mean over time",
 }
 
 

@@ -37,14 +37,20 @@ Finding x3(const Evidence& e) {
 Finding x4(const Evidence& e) {
   // At 5.2 um, half of the diameter of the nucleus, and 17.2 um.
   const Group narrow{"channel-width", 1};
-  const Group nucleus_narrow{"channel-width", 6};
-  const Group nucleus_wide{"channel-width", 9};
-  const Group nucleus_narrow_degrading{"channel-width", 16};
+  const Group nucleus_narrow{"channel-width", 5};
+  const Group nucleus_wide{"channel-width", 7};
+  const Group nucleus_narrow_degrading{"channel-width", 13};
   return Judge(e)
       .differs(nucleus_wide, nucleus_narrow, v_abs, Sign::down)
       .differs(narrow, nucleus_narrow, v_abs, Sign::down)
       .differs(nucleus_narrow, nucleus_narrow_degrading, v_abs, Sign::up)
       .finding();
+}
+
+Finding x5(const Evidence& e) {
+  const Group free{"two-cells", 0};
+  const Group adherent{"two-cells", 1};
+  return Judge(e).above(free, parting, 0.0).differs(free, adherent, contact, Sign::up).finding();
 }
 
 } // namespace
@@ -71,7 +77,13 @@ std::span<const Claim> experiment_claims() {
        {"channel-width"},
        "the nucleus stops cells in narrow pores unless they degrade them (Wolf et al. 2013, J Cell Biol 201:1069)",
        "without proteases slower with narrower pores, arrest at a tenth of the nucleus's cross section",
-       x4}};
+       x4},
+      {"X5",
+       {"two-cells"},
+       "cells that meet part again, unless they adhere to each other (Scarpa et al. 2013, Biol Open 2:901; simulated: "
+       "Kulawiak et al. 2016, PLoS Comput Biol 12:e1005239)",
+       "after a collision neural crest cells repolarize and the distance of their nuclei grows; adhesion holds pairs",
+       x5}};
   return all;
 }
 

@@ -80,6 +80,9 @@ std::span<const Preset> presets() {
        "Fibres on circles around the centre of the matrix (contact guidance)",
        {"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial", "fibres.stiffness=10 kPa",
         "fibres.field.direction_deg=atan2(x, -y)*180/_pi"}},
+      {"two-cells",
+       "Two cells that begin 2 um apart (off the paper)",
+       {"cells=[{x=\"-16 um\", y=\"0 um\"}, {x=\"16 um\", y=\"0 um\"}]"}},
   };
   return all;
 }

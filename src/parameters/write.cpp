@@ -120,6 +120,18 @@ Json cells_schema() {
           {"items", std::move(table)}};
 }
 
+/// A table [[cells]] for each of several cells.
+std::string cell_tables(const Parameters& p) {
+  std::string text;
+  Parameters one;
+  for (const CellStart& start : p.cells) {
+    one.cells.assign(1, start);
+    text += "\n[[cells]]\n";
+    for (const Row& row : cell_rows()) text += assignment(row, one);
+  }
+  return text;
+}
+
 /// Text of a cell of a table in Markdown.
 std::string cell(std::string_view text) {
   std::string escaped;
@@ -133,13 +145,7 @@ std::string to_toml(const Parameters& p) {
   std::string text = "# Every parameter of a simulation. Running this file again gives the same bits.\n";
   for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
                    [&](const Row& row) { text += comment(row) + assignment(row, p); });
-  Parameters one;
-  for (const CellStart& start : p.cells) {
-    one.cells.assign(1, start);
-    text += "\n[[cells]]\n";
-    for (const Row& row : cell_rows()) text += assignment(row, one);
-  }
-  return text;
+  return text + cell_tables(p);
 }
 
 std::string values_text(const Parameters& p) {
@@ -176,7 +182,7 @@ std::string new_scenario(const Preset& preset, const std::string& schema) {
         audience = row.audience;
         text += comment(row) + (open ? "" : "# ") + assignment(row, p);
       });
-  return text;
+  return text + cell_tables(p);
 }
 
 std::string json_schema() {

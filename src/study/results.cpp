@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
 #include "store/row_file.hpp"
 #include "study/table_readouts.hpp"
@@ -69,14 +70,35 @@ std::string swept_text(const Point& point, const std::string& key) {
   return units::from_internal(internal, units::parse_unit(row.unit));
 }
 
+/// A read-out of summary.json; of several cells its mean over those for which it is defined.
+double summary_readout(const json& summary, const char* name) {
+  const auto cells = summary.find("cells");
+  if (cells == summary.end() || !cells->is_array()) return value_or(summary, name, undefined);
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const json& cell : *cells) {
+    const double value = value_or(cell, name, undefined);
+    if (!std::isfinite(value)) continue;
+    sum += value;
+    ++n;
+  }
+  return n == 0 ? undefined : sum / static_cast<double>(n);
+}
+
 std::vector<double> readouts_of(const std::filesystem::path& folder) {
   const json summary = json::parse(read_file(folder / "summary.json", largest_json), nullptr, false);
   if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
   std::vector<double> values;
-  for (const std::string& name : all_readouts()) values.push_back(value_or(summary, name.c_str(), undefined));
-  const auto more = table_readouts(folder);
-  std::ranges::copy(more, values.end() - static_cast<std::ptrdiff_t>(more.size()));
+  for (const ReadOutSpec& spec : readout_table()) values.push_back(summary_readout(summary, spec.name.data()));
+  const std::vector<double> more = table_readouts(folder);
+  values.insert(values.end(), more.begin(), more.end());
   return values;
+}
+
+/// Read-outs of groups only where a point has several cells.
+std::size_t columns_of(const Study& study) {
+  const bool groups = std::ranges::any_of(study.points, [](const Point& p) { return p.parameters.cells.size() > 1; });
+  return all_readouts().size() - (groups ? 0 : group_readout_names().size());
 }
 
 } // namespace
@@ -183,7 +205,9 @@ std::string results_csv(const Study& study, const std::vector<Result>& results) 
   std::vector<std::string> names{"run", "label"};
   for (const std::string& name : swept_columns(study)) names.push_back(name);
   for (const char* name : {"replicate", "seed", "status", "reason", "trajectory_hash"}) names.emplace_back(name);
-  for (const std::string& name : all_readouts()) names.push_back(name);
+  std::vector<std::string> columns = all_readouts();
+  columns.resize(columns_of(study));
+  names.insert(names.end(), columns.begin(), columns.end());
   std::string text = io::csv_line({names.begin(), names.end()});
   for (const Result& r : results) {
     const Point& point = study.points[r.run.point];
@@ -192,7 +216,7 @@ std::string results_csv(const Study& study, const std::vector<Result>& results) 
     for (const std::string& value : swept) row.emplace_back(std::string_view(value));
     row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, to_string(r.standing.status),
                            std::string_view(r.standing.reason), std::string_view(r.standing.trajectory_hash)});
-    row.insert(row.end(), r.readouts.begin(), r.readouts.end());
+    for (std::size_t k = 0; k < columns.size(); ++k) row.emplace_back(r.readouts[k]);
     text += io::csv_line(row);
   }
   return text;

@@ -2,7 +2,9 @@
 
 #include "base/file.hpp"
 #include "store/csv.hpp"
+#include "study/cell_tracks.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,47 +13,94 @@ namespace matrigrate::study {
 namespace {
 
 constexpr std::size_t largest_table = std::size_t{1} << 28;
+constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<std::string_view, 7> names{"share_f_adh_rel_low",
+                                                "share_2_or_3_protrusions",
+                                                "migration_index_x",
+                                                "parting_index",
+                                                "share_in_contact",
+                                                "nearest_um",
+                                                "order"};
+constexpr std::size_t group_names = 4;
 
-/// Share of the finite values that fulfil a condition.
-template <class Condition>
-double share(const std::vector<double>& values, const Condition& condition) {
-  std::size_t of = 0;
+/// Mean of the finite values.
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
   std::size_t n = 0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
-    ++of;
-    n += condition(value) ? 1 : 0;
+    sum += value;
+    ++n;
   }
-  return of == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(n) / static_cast<double>(of);
+  return n == 0 ? not_defined : sum / static_cast<double>(n);
+}
+
+/// Share of the finite values that fulfil a condition.
+template <class Condition>
+double share(std::vector<double> values, const Condition& condition) {
+  for (double& value : values)
+    if (std::isfinite(value)) value = condition(value) ? 1.0 : 0.0;
+  return mean(values);
 }
 
 /// The way along x over the length of the path sampled at multiples of 600 s; NaN where nothing moved.
-double migration_index(const std::vector<double>& t, const std::vector<double>& x, const std::vector<double>& y) {
+double migration_index(const CellTrack& track) {
   double length = 0.0;
   std::size_t last = 0;
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    if (std::abs(std::remainder(t[i], 600.0)) > 1e-6) continue;
-    length += std::hypot(x[i] - x[last], y[i] - y[last]);
+  for (std::size_t i = 1; i < track.t.size(); ++i) {
+    if (std::abs(std::remainder(track.t[i], 600.0)) > 1e-6) continue;
+    length += std::hypot(track.x[i] - track.x[last], track.y[i] - track.y[last]);
     last = i;
   }
-  return length > 0.0 ? (x[last] - x[0]) / length : std::numeric_limits<double>::quiet_NaN();
+  return length > 0.0 ? (track.x[last] - track.x[0]) / length : not_defined;
+}
+
+/// Cosine between the way of a cell and the direction away from its nearest neighbour at the start.
+double parting(const std::vector<CellTrack>& tracks, const CellTrack& own) {
+  double least = std::numeric_limits<double>::infinity();
+  double away_x = 0.0;
+  double away_y = 0.0;
+  for (const CellTrack& other : tracks) {
+    const double dx = own.x[0] - other.x[0];
+    const double dy = own.y[0] - other.y[0];
+    const double distance = std::hypot(dx, dy);
+    if (&other == &own || distance >= least) continue;
+    least = distance;
+    away_x = dx / distance;
+    away_y = dy / distance;
+  }
+  const double dx = own.x.back() - own.x[0];
+  const double dy = own.y.back() - own.y[0];
+  const double way = std::hypot(dx, dy);
+  return way > 0.0 ? (away_x * dx + away_y * dy) / way : not_defined;
 }
 
 } // namespace
 
-std::array<std::string_view, 3> table_readout_names() {
-  return {"share_f_adh_rel_low", "share_2_or_3_protrusions", "migration_index_x"};
-}
+std::span<const std::string_view> table_readout_names() { return names; }
 
-std::array<double, 3> table_readouts(const std::filesystem::path& folder) {
+std::span<const std::string_view> group_readout_names() { return table_readout_names().last(group_names); }
+
+std::vector<double> table_readouts(const std::filesystem::path& folder) {
   const auto column = [&](const char* file, std::string_view name) {
     return io::csv_column(read_file(folder / file, largest_table), name);
   };
-  return {share(column("protrusions.csv", "f_adh_rel"), [](double f) { return f < low_relative_force; }),
-          share(column("tracks.csv", "n_simultaneous"), [](double n) { return n == 2.0 || n == 3.0; }),
-          column("tracks.csv", "cell").empty()
-              ? migration_index(column("tracks.csv", "t_s"), column("tracks.csv", "x_um"), column("tracks.csv", "y_um"))
-              : std::numeric_limits<double>::quiet_NaN()};
+  const std::vector<CellTrack> tracks = cell_tracks(folder);
+  std::vector<double> index;
+  for (const CellTrack& track : tracks) index.push_back(migration_index(track));
+  std::vector<double> values{
+      share(column("protrusions.csv", "f_adh_rel"), [](double f) { return f < low_relative_force; }),
+      share(column("tracks.csv", "n_simultaneous"), [](double n) { return n == 2.0 || n == 3.0; }), mean(index)};
+  if (tracks.size() < 2) {
+    values.resize(names.size(), not_defined);
+    return values;
+  }
+  std::vector<double> away;
+  for (const CellTrack& track : tracks) away.push_back(parting(tracks, track));
+  const std::vector<double> nearest = column("group.csv", "nearest_um");
+  values.insert(values.end(), {mean(away), share(column("group.csv", "n_contacts"), [](double n) { return n > 0.0; }),
+                               nearest.empty() ? not_defined : nearest.back(), mean(column("group.csv", "order"))});
+  return values;
 }
 
 } // namespace matrigrate::study

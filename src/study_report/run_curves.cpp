@@ -6,12 +6,15 @@
 #include "statistics/sample.hpp"
 #include "store/csv.hpp"
 #include "store/table.hpp"
+#include "study/cell_tracks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace matrigrate::study {
 
@@ -29,7 +32,7 @@ void each_done(const Study& study, const std::vector<Result>& results, const std
       if (r.run.point == point && r.standing.done()) use(r, run_folder(folder, r.run));
 }
 
-/// A row of one of the tables above.
+/// A row of one of the tables of run_curves.hpp.
 struct CurveRow {
   std::vector<double> numbers;
   std::string label;
@@ -45,6 +48,20 @@ std::vector<CurveRow> rows_of(std::string_view csv) {
     for (const std::string& field : fields) row.numbers.push_back(io::csv_number(field));
   }
   return rows;
+}
+
+/// Lags of msd.csv, and the mean over the cells at each.
+std::pair<std::vector<double>, std::vector<double>> msd_of(std::string_view table) {
+  const std::vector<double> lag = io::csv_column(table, "lag_s");
+  const std::vector<double> msd = io::csv_column(table, "msd_um2");
+  std::map<double, std::vector<double>> at;
+  for (std::size_t k = 0; k < lag.size(); ++k) at[lag[k]].push_back(msd[k]);
+  std::pair<std::vector<double>, std::vector<double>> means;
+  for (const auto& [l, values] : at) {
+    means.first.push_back(l);
+    means.second.push_back(statistics::moments(values).mean);
+  }
+  return means;
 }
 
 /// Rows by label, the labels in the order in which they first occur.
@@ -67,9 +84,9 @@ std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t po
   for (const Result& result : results) {
     if (result.run.point != point || !result.standing.done()) continue;
     const std::string table = read_file(run_folder(study_folder, result.run) / "msd.csv", largest_table);
-    const std::vector<double> here = io::csv_column(table, "lag_s");
+    const auto [here, msd] = msd_of(table);
     if (runs.empty() || here.size() < lags.size()) lags = here;
-    runs.push_back(io::csv_column(table, "msd_um2"));
+    runs.push_back(msd);
   }
   std::vector<MeanMsd> means;
   for (std::size_t k = 0; k < lags.size(); ++k) {
@@ -83,17 +100,15 @@ std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t po
 
 std::string paths_csv(const Study& study, const std::vector<Result>& results,
                       const std::filesystem::path& study_folder) {
-  std::string csv = "replicate,t_s,x_um,y_um,point\n";
+  const bool several = std::ranges::any_of(study.points, [](const Point& p) { return p.parameters.cells.size() > 1; });
+  std::string csv = fmt::format("replicate,t_s,x_um,y_um,{}point\n", several ? "cell," : "");
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
-    const std::string table = read_file(folder / "tracks.csv", largest_table);
-    const std::vector<double> t = io::csv_column(table, "t_s");
-    const std::vector<double> x = io::csv_column(table, "x_um");
-    const std::vector<double> y = io::csv_column(table, "y_um");
-    for (std::size_t k = 0; k < t.size(); ++k) {
-      if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
-      csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
-                         io::csv_text(study.points[r.run.point].label));
-    }
+    for (const auto& [cell, t, x, y] : cell_tracks(folder))
+      for (std::size_t k = 0; k < t.size(); ++k) {
+        if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
+        csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
+                           several ? fmt::format("{:.0f},", cell) : "", io::csv_text(study.points[r.run.point].label));
+      }
   });
   return csv;
 }
@@ -131,16 +146,18 @@ std::string paths_svg(std::string_view paths_csv) {
     for (const CurveRow& row : rows) extent = std::max({extent, std::abs(row.numbers[2]), std::abs(row.numbers[3])});
   std::vector<std::string> panels;
   for (const auto& [label, rows] : groups) {
-    std::map<double, io::Series> runs; // by replicate
+    std::map<std::pair<double, double>, io::Series> paths; // by replicate and cell
+    std::set<double> runs;
     for (const CurveRow& row : rows) {
-      io::Series& series = runs[row.numbers[0]];
+      runs.insert(row.numbers[0]);
+      io::Series& series = paths[{row.numbers[0], row.numbers.size() > 4 ? row.numbers[4] : 1.0}];
       series.x.push_back(row.numbers[2]);
       series.y.push_back(row.numbers[3]);
     }
     io::Plot plot{.title = fmt::format("{} (n = {})", label, runs.size()), .x_label = "x [um]", .y_label = "y [um]"};
     plot.equal_axes = true;
     plot.least_extent = extent;
-    for (auto& [replicate, series] : runs) plot.series.push_back(std::move(series));
+    for (auto& [path, series] : paths) plot.series.push_back(std::move(series));
     panels.push_back(io::to_svg(plot, 430, 400));
   }
   return io::svg::sheet(panels, 3, "Paths of the centres of mass, from a common origin");

@@ -13,7 +13,8 @@
 /// column of each table is the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
 namespace matrigrate::study {
 
-/// Mean square displacement over the runs of a point at a lag that all of them have.
+/// Mean square displacement over the runs of a point at a lag that all of them have; of several cells the mean over
+/// those of a run counts.
 struct MeanMsd {
   double lag = 0.0;  ///< [s]
   double mean = 0.0; ///< [um^2]
@@ -25,7 +26,7 @@ struct MeanMsd {
 std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t point,
                               const std::filesystem::path& study_folder);
 
-/// paths.csv: replicate, t_s, x_um and y_um from the start of the path, each 600 s, point.
+/// paths.csv: replicate, t_s, x_um and y_um from the start of the path, each 600 s, cell (of several cells), point.
 /// @throws InputOutputError if a table of a run that is done cannot be read
 std::string paths_csv(const Study& study, const std::vector<Result>& results,
                       const std::filesystem::path& study_folder);

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "store/checkpoint.hpp"
 #include "store/csv.hpp"
+#include "study/cell_tracks.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,17 +25,25 @@ std::vector<double> column(const std::filesystem::path& file, std::string_view n
   return io::csv_column(read_file(file, max_column_file_bytes), name);
 }
 
-/// At most path_points of a path, the last one among them.
-Json path_json(const std::filesystem::path& tracks) {
-  const std::vector<double> x = column(tracks, "x_um");
-  const std::vector<double> y = column(tracks, "y_um");
-  if (x.empty() || x.size() != y.size()) return {};
+/// Lines of several cells are one list, with null between them.
+void begin_line(Json& lines) {
+  for (const char* axis : {"x_um", "y_um"})
+    if (!lines[axis].empty()) lines[axis].push_back(nullptr);
+}
+
+/// At most path_points of each cell's path, the last one among them.
+Json path_json(const std::filesystem::path& folder) {
+  const std::vector<CellTrack> tracks = cell_tracks(folder);
+  if (tracks.empty()) return {};
   Json path{{"x_um", Json::array()}, {"y_um", Json::array()}};
-  const std::size_t n = std::min(x.size(), path_points);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t i = n == 1 ? 0 : k * (x.size() - 1) / (n - 1);
-    path["x_um"].push_back(x[i]);
-    path["y_um"].push_back(y[i]);
+  for (const CellTrack& track : tracks) {
+    begin_line(path);
+    const std::size_t n = std::min(track.x.size(), path_points);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = n == 1 ? 0 : k * (track.x.size() - 1) / (n - 1);
+      path["x_um"].push_back(track.x[i]);
+      path["y_um"].push_back(track.y[i]);
+    }
   }
   return path;
 }
@@ -44,15 +53,18 @@ std::string_view status_of(const Standing& standing) {
   return standing.status == RunState::unfinished ? "running" : "pending";
 }
 
-/// The cell where the run ended; nothing if its checkpoint was deleted or is damaged.
+/// The cells where the run ended; nothing if its checkpoint was deleted or is damaged.
 Json outline_json(const std::filesystem::path& checkpoint) {
   const auto shown = [](double um) { return std::round(100.0 * um) / 100.0; };
   Json outline{{"x_um", Json::array()}, {"y_um", Json::array()}};
   try {
     const State end = io::read_checkpoint(checkpoint).state;
-    for (const Vec2& x : end.cells.at(0).cortex.x) {
-      outline["x_um"].push_back(shown(x.x()));
-      outline["y_um"].push_back(shown(x.y()));
+    for (const Cell& cell : end.cells) {
+      begin_line(outline);
+      for (const Vec2& x : cell.cortex.x) {
+        outline["x_um"].push_back(shown(x.x()));
+        outline["y_um"].push_back(shown(x.y()));
+      }
     }
   } catch (const InputOutputError&) {
     return {};
@@ -79,7 +91,7 @@ Json run_json(const Study& study, const std::filesystem::path& study_folder, con
     json["report"] = (folder.lexically_relative(study_folder) / "report.html").generic_string();
   if (!result.standing.done()) return json;
   for (const std::string& name : study.readouts) json["readouts"][name] = result.readouts[readout_column(name)];
-  json["path"] = path_json(folder / "tracks.csv");
+  json["path"] = path_json(folder);
   json["outline"] = outline_json(folder / io::checkpoint_name);
   for (const double force : column(folder / "protrusions.csv", "f_adh_rel"))
     if (std::isfinite(force)) json["f_adh_rel"].push_back(force);

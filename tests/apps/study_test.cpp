@@ -253,6 +253,25 @@ TEST_F(Study, StatusTellsHowFarRunsAre) {
   EXPECT_TRUE(after.at("left_s").is_null()) << "nothing runs";
 }
 
+TEST_F(Study, OfSeveralCellsInAFieldHasMeansAndAGroup) {
+  write("two.toml", file("s.toml") + "[[cells]]\nx = -16\ny = 0\n[[cells]]\nx = 16\ny = 0\n");
+  write("e.toml",
+        "scenario = \"two.toml\"\nreplicates = 1\n[set]\necm.radius = \"60 um\"\n[[points]]\nlabel = \"gel\"\n"
+        "[[points]]\nlabel = \"hole\"\necm.fields.f_degr = \"y < -40 ? 0 : 1\"\n");
+  const Ended ended = run("study run e.toml --quiet");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const std::string results = file("e-study/results.csv");
+  EXPECT_TRUE(contains(results, ",parting_index,share_in_contact,nearest_um,order\n")) << results;
+  EXPECT_TRUE(contains(results, ",32.")) << "distance of the cells: " << results;
+  EXPECT_TRUE(contains(file("e-study/paths.csv"), ",cell,point\n"));
+  EXPECT_TRUE(contains(file("e-study/report.html"), "-40 ? 0 : 1"));
+}
+
+TEST_F(Study, ShippedStudiesAreKnownByName) {
+  EXPECT_TRUE(contains(run("study plan two-cells").out, "= 24 runs, into two-cells-study"));
+  EXPECT_EQ(run("study plan three-cells").code, 5) << "no such file and no such study";
+}
+
 TEST_F(Study, CollectPrintsATable) {
   write_study("\"50 Pa\", \"100 Pa\"", 1, "[set]\nrun.time_step = \"0.4 s\"\n");
   ASSERT_EQ(run("study run e.toml --quiet").code, 0);

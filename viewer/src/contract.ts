@@ -214,6 +214,12 @@ export interface StudyReadout {
   unit: string;
 }
 
+/** Lines, with null between those of several cells [um]. */
+export interface Lines {
+  x_um: (number | null)[];
+  y_um: (number | null)[];
+}
+
 /** Place in the grid: one index into `values` for each axis. */
 export type GridPoint = number[];
 
@@ -230,9 +236,9 @@ export interface StudyRun {
   /** By name; null or missing: not defined for this run. */
   readouts: Record<string, number | null>;
   /** Centre of mass over time [um]; drawn from a common origin. */
-  path?: { x_um: number[]; y_um: number[] } | null;
+  path?: Lines | null;
   /** Outline of the cell at the end [um], in the coordinates of the path. */
-  outline?: { x_um: number[]; y_um: number[] } | null;
+  outline?: Lines | null;
   /** force over f_mat F_am at disassembly, one number an adhesion [-]. */
   f_adh_rel?: number[];
 }

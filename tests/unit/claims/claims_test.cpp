@@ -124,9 +124,9 @@ TEST(Claims, AreComplete) {
     for (const std::string_view name : claim.studies)
       EXPECT_TRUE(std::filesystem::exists(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name))) << name;
   }
-  EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2",
-                                        "B3", "B4", "C1", "C2", "C3", "C4", "C5", "D1", "D2", "D3",
-                                        "D4", "E1", "E2", "E3", "E4", "E5", "X1", "X2", "X3", "X4"}));
+  EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2", "B3",
+                                        "B4", "C1", "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1",
+                                        "E2", "E3", "E4", "E5", "X1", "X2", "X3", "X4", "X5"}));
 }
 
 TEST(Claims, AreJudgedByTheStudiesThatTheyName) {

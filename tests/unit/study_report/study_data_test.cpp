@@ -23,6 +23,13 @@ TEST(StudyData, AxesHoldValuesInOrder) {
   EXPECT_EQ(axes_json(read("")).size(), 1U) << "a study of one point";
 }
 
+TEST(StudyData, FieldsAreValuesOfAnAxis) {
+  const nlohmann::ordered_json axes = axes_json(read("[[points]]\nlabel = \"gel\"\n[[points]]\nlabel = \"track\"\n"
+                                                     "ecm.fields.f_degr = \"abs(y) < 5 ? 0 : 1\"\n"));
+  ASSERT_EQ(axes.size(), 1U);
+  EXPECT_EQ(axes.at(0).at("values").dump(), "[\"none\",\"abs(y) < 5 ? 0 : 1\"]");
+}
+
 TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
   const nlohmann::ordered_json samples =
       axes_json(read("[latin_hypercube]\nsamples = 5\necm.youngs_modulus = [50, 400]\necm.viscosity = [500, 1000]\n"));

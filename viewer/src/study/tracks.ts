@@ -1,8 +1,27 @@
 /** Paths from a common origin, and the shapes of the cells at the end: one small picture a grid point, all to one scale. */
+import type { Lines } from "../contract";
 import { h, s } from "../dom";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "./figure";
 import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
+
+/** One line for each cell. */
+function eachCell(lines: Lines | null | undefined): { x: number[]; y: number[] }[] {
+  const cells: { x: number[]; y: number[] }[] = [];
+  let open = false;
+  lines?.x_um.forEach((x, i) => {
+    const y = lines.y_um[i];
+    if (x === null || y === null) {
+      open = false;
+      return;
+    }
+    if (!open) cells.push({ x: [], y: [] });
+    open = true;
+    cells[cells.length - 1].x.push(x);
+    cells[cells.length - 1].y.push(y);
+  });
+  return cells;
+}
 
 const withPath = (made: Grid): Group[] =>
   inRows(made.groups.filter((g) => g.runs.some((r) => r.path && r.path.x_um.length > 1)));
@@ -13,9 +32,8 @@ export function paths(made: Grid): HTMLElement | null {
   let reach = 1;
   for (const g of groups)
     for (const r of g.runs)
-      r.path?.x_um.forEach((x, i) => {
-        if (r.path) reach = Math.max(reach, Math.abs(x - r.path.x_um[0]), Math.abs(r.path.y_um[i] - r.path.y_um[0]));
-      });
+      for (const { x, y } of eachCell(r.path))
+        x.forEach((v, i) => (reach = Math.max(reach, Math.abs(v - x[0]), Math.abs(y[i] - y[0]))));
   reach *= 1.08;
   return h(
     "div",
@@ -25,24 +43,23 @@ export function paths(made: Grid): HTMLElement | null {
         `${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`,
         (window) => multipleSide(made, window),
         () => ({
-          data: g.runs.flatMap((r) => {
-            if (!r.path) return [];
-            const { x_um: x, y_um: y } = r.path;
-            const last = x.length - 1;
-            return [
-              {
-                type: "scatter",
-                mode: "lines+markers",
-                x: x.map((v) => v - x[0]),
-                y: y.map((v) => v - y[0]),
-                line: { width: 1.4, color: seriesColour(g.series) },
-                opacity: 0.75,
-                marker: { size: x.map((_, i) => (i === last ? 6 : 0)), color: seriesColour(g.series), opacity: 1 },
-                text: `seed ${r.seed}`,
-                hoverinfo: "text",
+          data: g.runs.flatMap((r) =>
+            eachCell(r.path).map(({ x, y }, cell, all) => ({
+              type: "scatter",
+              mode: "lines+markers",
+              x: x.map((v) => v - x[0]),
+              y: y.map((v) => v - y[0]),
+              line: { width: 1.4, color: seriesColour(g.series) },
+              opacity: 0.75,
+              marker: {
+                size: x.map((_, i) => (i === x.length - 1 ? 6 : 0)),
+                color: seriesColour(g.series),
+                opacity: 1,
               },
-            ];
-          }),
+              text: `seed ${r.seed}${all.length > 1 ? `, cell ${cell + 1}` : ""}`,
+              hoverinfo: "text",
+            })),
+          ),
           layout: {
             margin: { l: 44, r: 8, t: 6, b: 38 },
             xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
@@ -54,12 +71,15 @@ export function paths(made: Grid): HTMLElement | null {
   );
 }
 
-/** Cells side by side, as they lie, none turned. */
+const known = (v: (number | null)[]): number[] => v.filter((a) => a !== null);
+const middle = (v: (number | null)[]): number => 0.5 * (Math.max(...known(v)) + Math.min(...known(v)));
+
+/** Runs side by side, their cells as they lie, none turned. */
 export function shapes(made: Grid): HTMLElement | null {
   const groups = inRows(made.groups.filter((g) => g.runs.some((r) => r.outline)));
   if (groups.length === 0) return null;
   let side = 1;
-  const sides = (v: number[]) => Math.max(...v) - Math.min(...v);
+  const sides = (v: (number | null)[]) => 2 * (Math.max(...known(v)) - middle(v));
   for (const g of groups)
     for (const r of g.runs) if (r.outline) side = Math.max(side, sides(r.outline.x_um), sides(r.outline.y_um));
   side *= 1.06;
@@ -81,13 +101,14 @@ export function shapes(made: Grid): HTMLElement | null {
       });
       cells.forEach((r, i) => {
         if (!r.outline) return;
-        const { x_um: x, y_um: y } = r.outline;
-        const middle = (v: number[]) => 0.5 * (Math.max(...v) + Math.min(...v));
+        const [mx, my] = [middle(r.outline.x_um), middle(r.outline.y_um)];
         const [cx, cy] = [(i % across) * side + 0.5 * side, Math.floor(i / across) * side + 0.5 * side];
-        const points = x
-          .map((v, k) => `${(cx + v - middle(x)).toFixed(1)},${(cy - y[k] + middle(y)).toFixed(1)}`)
-          .join(" ");
-        svg.append(s("polygon", { points, style: `fill:${seriesColour(g.series)}` }, s("title", {}, `seed ${r.seed}`)));
+        for (const { x, y } of eachCell(r.outline)) {
+          const points = x.map((v, k) => `${(cx + v - mx).toFixed(1)},${(cy - y[k] + my).toFixed(1)}`).join(" ");
+          svg.append(
+            s("polygon", { points, style: `fill:${seriesColour(g.series)}` }, s("title", {}, `seed ${r.seed}`)),
+          );
+        }
       });
       const y = down * side + 0.12 * side;
       svg.append(

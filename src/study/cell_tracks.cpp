@@ -1,0 +1,28 @@
+#include "study/cell_tracks.hpp"
+
+#include "base/file.hpp"
+#include "store/csv.hpp"
+
+#include <algorithm>
+
+namespace matrigrate::study {
+
+std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder) {
+  const std::string table = read_file(run_folder / "tracks.csv", std::size_t{1} << 28);
+  const std::vector<double> cell = io::csv_column(table, "track");
+  const std::vector<double> t = io::csv_column(table, "t_s");
+  const std::vector<double> x = io::csv_column(table, "x_um");
+  const std::vector<double> y = io::csv_column(table, "y_um");
+  std::vector<CellTrack> tracks;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double number = cell.empty() ? 1.0 : cell[i];
+    auto own = std::ranges::find(tracks, number, &CellTrack::cell);
+    if (own == tracks.end()) own = tracks.insert(own, CellTrack{.cell = number, .t = {}, .x = {}, .y = {}});
+    own->t.push_back(t[i]);
+    own->x.push_back(x[i]);
+    own->y.push_back(y[i]);
+  }
+  return tracks;
+}
+
+} // namespace matrigrate::study
