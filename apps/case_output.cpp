@@ -61,11 +61,11 @@ Json rows(const std::vector<validation::Check>& checks) {
   return all;
 }
 
-void add_rows(const std::vector<validation::Check>& checks, std::string_view prefix, io::PageSection& section) {
+void add_rows(const std::vector<validation::Check>& checks, std::string_view prefix, report::PageSection& section) {
   for (const validation::Check& c : checks)
     section.check_rows.push_back(
         {fmt::format("{}{}", prefix, c.quantity), number(c.measured), bound_word(c) + number(c.expected),
-         c.sense == validation::Sense::near ? number(c.tolerance) : "none", c.reason, io::verdict(c.holds())});
+         c.sense == validation::Sense::near ? number(c.tolerance) : "none", c.reason, report::verdict(c.holds())});
 }
 
 } // namespace
@@ -90,8 +90,8 @@ Json to_json(const Outcome& outcome) {
           {"claims", rows(result.claims)}, {"claim_notes", result.claim_notes}, {"remarks", result.remarks}};
 }
 
-io::PageSection to_section(const Outcome& outcome) {
-  io::PageSection section;
+report::PageSection to_section(const Outcome& outcome) {
+  report::PageSection section;
   section.title = outcome.which->name;
   section.summary = outcome.which->summary;
   section.holds = outcome.holds();
@@ -110,9 +110,9 @@ io::PageSection to_section(const Outcome& outcome) {
 void write_outcome(const Outcome& outcome, const std::filesystem::path& folder) {
   if (!outcome.result) return;
   const std::string& name = outcome.which->name;
-  write_file(folder / (name + ".csv"), io::to_csv(outcome.result->table));
+  write_file(folder / (name + ".csv"), store::to_csv(outcome.result->table));
   bool first = true;
-  for (const io::Figure& figure : outcome.result->figures) {
+  for (const draw::Figure& figure : outcome.result->figures) {
     write_file(folder / (first ? name + ".svg" : fmt::format("{}-{}.svg", name, figure.name)), figure.svg);
     first = false;
   }

@@ -29,7 +29,7 @@ std::string to_text(const Outcome& outcome);
 nlohmann::ordered_json to_json(const Outcome& outcome);
 
 /// The chapter of the report.
-io::PageSection to_section(const Outcome& outcome);
+report::PageSection to_section(const Outcome& outcome);
 
 /// Writes NAME.csv, NAME.svg of the first figure and NAME-<figure>.svg of the others; nothing if there is no result.
 void write_outcome(const Outcome& outcome, const std::filesystem::path& folder);

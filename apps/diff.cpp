@@ -80,10 +80,10 @@ Json readouts_of_both(const Side& a, const Side& b) {
 
 /// Time of the first row of tracks.csv in which two runs differ [s]; nothing if one holds the other.
 std::optional<double> first_difference(const Side& a, const Side& b) {
-  const io::CsvTable left = io::read_csv(a.tracks), right = io::read_csv(b.tracks);
+  const store::CsvTable left = store::read_csv(a.tracks), right = store::read_csv(b.tracks);
   const auto time = left.column("t_s");
   for (std::size_t k = 0; time && k < std::min(left.rows.size(), right.rows.size()); ++k)
-    if (left.rows[k] != right.rows[k]) return io::csv_number(left.rows[k][*time]);
+    if (left.rows[k] != right.rows[k]) return store::csv_number(left.rows[k][*time]);
   return {};
 }
 

@@ -140,14 +140,14 @@ void draw_fields(const Parameters& p, const std::string& folder) {
   const std::vector<Vec2> outline = round_cortex(p.cell).x;
   for (const FieldSummary& field : given.fields) {
     const std::string unit = field.row->unit == "1" ? std::string() : fmt::format(" [{}]", field.row->unit);
-    const io::ParticlePicture picture{.title = std::string(field.row->description),
-                                      .value_label = fmt::format("{}{}", key_of(*field.row), unit),
-                                      .position = given.places,
-                                      .value = field.values,
-                                      .particle_size = p.ecm.particle_spacing,
-                                      .outlines = {outline}};
+    const draw::ParticlePicture picture{.title = std::string(field.row->description),
+                                        .value_label = fmt::format("{}{}", key_of(*field.row), unit),
+                                        .position = given.places,
+                                        .value = field.values,
+                                        .particle_size = p.ecm.particle_spacing,
+                                        .outlines = {outline}};
     const auto file = std::filesystem::path(folder) / fmt::format("{}.svg", field.row->path);
-    write_file(file, io::to_svg(picture, 900));
+    write_file(file, draw::to_svg(picture, 900));
     print(fmt::format("{}\n", file.string()));
   }
 }

@@ -22,7 +22,7 @@ constexpr std::size_t max_summary = std::size_t{1} << 20U; // bytes of summary.j
 
 Json summary_of(const run::RunOutcome& outcome) {
   const std::string text =
-      outcome.computed ? io::summary_json(outcome.cells) : read_file(outcome.folder / "summary.json", max_summary);
+      outcome.computed ? store::summary_json(outcome.cells) : read_file(outcome.folder / "summary.json", max_summary);
   return Json::parse(text, nullptr, false);
 }
 
@@ -39,8 +39,8 @@ void print_text(const run::RunOutcome& outcome) {
   print(outcome.sentence + "\n\n");
   for (const CellResult& cell : outcome.cells) {
     if (outcome.cells.size() > 1) print(fmt::format("Cell {}\n", number_of(cell.cell)));
-    for (const io::NamedValue& v : io::shown_values(cell.readouts, outcome.p))
-      print(fmt::format("  {:<50}{:>10}\n", v.meaning, io::readable(v.value)));
+    for (const store::NamedValue& v : store::shown_values(cell.readouts, outcome.p))
+      print(fmt::format("  {:<50}{:>10}\n", v.meaning, store::readable(v.value)));
   }
   print("\n");
 }
@@ -80,7 +80,7 @@ int print_outcome(const run::RunOutcome& outcome, const OutcomeStyle& style) {
 }
 
 void tell_lost_frames(const run::FinishedRun& run) {
-  if (const std::string text = io::to_text(run::lost_frames(run)); !text.empty()) print_warning(text);
+  if (const std::string text = store::to_text(run::lost_frames(run)); !text.empty()) print_warning(text);
 }
 
 } // namespace matrigrate::apps

@@ -48,7 +48,7 @@ Parameters short_migration(Integrator integrator) {
 }
 
 /// Goes on until t_end, and adds each step to the hash.
-void go(State& s, const Parameters& p, double t_end, io::TrajectoryHash& hash) {
+void go(State& s, const Parameters& p, double t_end, store::TrajectoryHash& hash) {
   Workspace w(s, p);
   march(s, p, w, t_end, {}, [&](const State& now) {
     hash.add(now);
@@ -59,7 +59,7 @@ void go(State& s, const Parameters& p, double t_end, io::TrajectoryHash& hash) {
 std::string hash_with_threads(const Parameters& p, std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   State s = initial_state(p);
-  io::TrajectoryHash hash;
+  store::TrajectoryHash hash;
   go(s, p, p.run.duration, hash);
   return hash.text();
 }
@@ -67,12 +67,12 @@ std::string hash_with_threads(const Parameters& p, std::size_t threads) {
 /// The same with a break at two thirds: the state goes through a checkpoint.
 std::string hash_with_break(const Parameters& p) {
   State s = initial_state(p);
-  io::TrajectoryHash hash;
+  store::TrajectoryHash hash;
   go(s, p, std::round(2.0 / 3.0 * p.run.duration / p.run.time_step) * p.run.time_step, hash);
-  const std::string image = io::checkpoint_image(
+  const std::string image = store::checkpoint_image(
       {.state = s, .scenario = to_toml(p), .configuration_hash = {}, .program = version_line(), .memory = {}});
-  State read = io::parse_checkpoint(image, "checkpoint").state;
-  io::TrajectoryHash later(hash.value());
+  State read = store::parse_checkpoint(image, "checkpoint").state;
+  store::TrajectoryHash later(hash.value());
   go(read, p, p.run.duration, later);
   return later.text();
 }
@@ -117,7 +117,7 @@ int selftest(const SelftestArguments& options) {
         {fmt::format("{}: 1 and {} threads, the same bits", name, most), hash_with_threads(p, most) == whole});
     checks.push_back({fmt::format("{}: stopped and resumed, the same bits", name), hash_with_break(p) == whole});
   }
-  const std::string hash = io::text_hash(hashes[0] + hashes[1]);
+  const std::string hash = store::text_hash(hashes[0] + hashes[1]);
   if (!options.other.empty())
     checks.push_back({fmt::format("{}: the same bits", options.other), found_by(options.other).at("hash") == hash});
   const bool all = std::ranges::all_of(checks, &Check::holds);

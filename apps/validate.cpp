@@ -62,11 +62,11 @@ Outcome outcome_of(const validation::Case& c, const Parameters& p) {
 }
 
 void write_report(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
-  std::vector<io::PageSection> sections;
+  std::vector<report::PageSection> sections;
   sections.reserve(outcomes.size());
   for (const Outcome& outcome : outcomes) sections.push_back(to_section(outcome));
   const std::string title = fmt::format("Validation of the matrix: {}", options.name);
-  write_file(std::filesystem::path(options.folder) / "report.html", io::page(title, sections, provenance_text()));
+  write_file(std::filesystem::path(options.folder) / "report.html", report::page(title, sections, provenance_text()));
 }
 
 std::string results_json(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {

@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
   const Protrusion& grown = cell.protrusions.at(0);
   fmt::print("{} since {:.1f} s, l_prot = {:.2f} um\n", name(grown.phase), grown.since, grown.record.length);
   if (argc > 1) {
-    const io::CellScene scene = io::cell_scene(s, p, {});
-    write_file(argv[1], io::cell_picture(scene, io::surroundings({&scene, 1}, 10.0)));
+    const observe::CellScene scene = observe::cell_scene(s, p, {});
+    write_file(argv[1], draw::cell_picture(scene, observe::surroundings({&scene, 1}, 10.0)));
   }
   return grown.record.length > 25.0 && grown.record.length < 30.0 ? 0 : 1;
 }

@@ -85,13 +85,13 @@ void prepare(const std::filesystem::path& to, const std::vector<ExportKind>& kin
 void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
   const auto hash = run.record.find("trajectory_hash");
   const bool finished = hash != run.record.end() && hash->is_string();
-  io::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
+  store::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
 }
 
 void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
-  write_file(to / "tracks_celltrackr.csv", io::celltrackr_csv(run.memory.rows));
-  write_file(to / "tracks_trackmate.csv", io::trackmate_csv(run.memory.rows));
-  write_file(to / "tracks_trackmate.xml", io::trackmate_xml(run.memory.rows));
+  write_file(to / "tracks_celltrackr.csv", store::celltrackr_csv(run.memory.rows));
+  write_file(to / "tracks_trackmate.csv", store::trackmate_csv(run.memory.rows));
+  write_file(to / "tracks_trackmate.xml", store::trackmate_xml(run.memory.rows));
 }
 
 /// The layer of a kind of export: what was asked for, or what it has by default.
@@ -145,7 +145,7 @@ int export_run(ExportArguments options) {
       options.panel.empty() ? std::vector<std::size_t>() : frames_at(run, options.panel);
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
-  if (options.vtk) io::write_vtk(to, run.film);
+  if (options.vtk) store::write_vtk(to, run.film);
   if (options.fields) export_fields(run, to);
   if (options.tracks) export_tracks(run, to);
   if (options.svg) export_svg(run, to);

@@ -15,19 +15,19 @@ namespace {
 struct LayerOf {
   Layer layer;
   std::string_view name, label;
-  const io::Floats& (*of)(const io::Frame&); ///< two components of displacement, one of the others
+  const observe::Floats& (*of)(const observe::Frame&); ///< two components of displacement, one of the others
 };
 constexpr std::array<LayerOf, 5> layers{{
     {Layer::degradation, "degradation", "f_degr: 1 solid, 0 fluid",
-     [](const io::Frame& f) -> const io::Floats& { return f.matrix.f_degr; }},
+     [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.f_degr; }},
     {Layer::displacement, "displacement", "displacement [um]",
-     [](const io::Frame& f) -> const io::Floats& { return f.matrix.displacement; }},
+     [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.displacement; }},
     {Layer::von_mises, "von_mises", "von Mises stress [Pa]",
-     [](const io::Frame& f) -> const io::Floats& { return f.matrix.von_mises; }},
+     [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.von_mises; }},
     {Layer::pressure, "pressure", "pressure [Pa]",
-     [](const io::Frame& f) -> const io::Floats& { return f.matrix.pressure; }},
+     [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; }},
     {Layer::fibre_von_mises, "fibre_von_mises", "von Mises stress of the fibres [Pa]",
-     [](const io::Frame& f) -> const io::Floats& { return f.matrix.fibre_von_mises; }},
+     [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.fibre_von_mises; }},
 }};
 
 const LayerOf& row_of(Layer layer) { return *std::ranges::find(layers, layer, &LayerOf::layer); }
@@ -49,14 +49,14 @@ std::string_view label_of(Layer layer) { return row_of(layer).label; }
 bool is_signed(Layer layer) { return layer == Layer::pressure; }
 
 void require_layer(const run::FinishedRun& run, Layer layer) {
-  for (const io::Frame& frame : run.film.frames)
+  for (const observe::Frame& frame : run.film.frames)
     if (row_of(layer).of(frame).empty())
       throw UsageError(fmt::format("the run has no layer \"{}\": its matrix has no fibres", name_of(layer)));
 }
 
-std::vector<double> values_of(const io::Frame& frame, Layer layer) {
-  const io::Floats& field = row_of(layer).of(frame);
-  std::vector<double> values(frame.matrix.f_degr.size(), never);
+std::vector<double> values_of(const observe::Frame& frame, Layer layer) {
+  const observe::Floats& field = row_of(layer).of(frame);
+  std::vector<double> values(frame.matrix.f_degr.size(), undefined);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (frame.matrix.f_degr[i] <= 0.0F && layer != Layer::degradation) continue;
     values[i] = layer == Layer::displacement ? std::hypot(field[2 * i], field[2 * i + 1]) : field[i];
@@ -64,15 +64,15 @@ std::vector<double> values_of(const io::Frame& frame, Layer layer) {
   return values;
 }
 
-io::Limits limits_of(const io::Film& film, Layer layer) {
+report::Limits limits_of(const observe::Film& film, Layer layer) {
   if (layer == Layer::degradation) return {0.0, 1.0};
   if (layer != Layer::displacement) {
-    const io::Limits limits = io::usual_limits(film, row_of(layer).of);
+    const report::Limits limits = report::usual_limits(film, row_of(layer).of);
     const double most = std::max(-limits.low, limits.high);
-    return is_signed(layer) ? io::Limits{-most, most} : limits;
+    return is_signed(layer) ? report::Limits{-most, most} : limits;
   }
   std::vector<double> all;
-  for (const io::Frame& frame : film.frames)
+  for (const observe::Frame& frame : film.frames)
     for (const double value : values_of(frame, layer))
       if (std::isfinite(value)) all.push_back(value);
   if (all.empty()) return {};

@@ -23,9 +23,9 @@ bool is_signed(Layer layer);            ///< whether its colours have a neutral 
 void require_layer(const run::FinishedRun& run, Layer layer);
 
 /// A layer's value of each particle, NaN in fluid that has none.
-std::vector<double> values_of(const io::Frame& frame, Layer layer);
+std::vector<double> values_of(const observe::Frame& frame, Layer layer);
 
 /// The range of a layer that all but one in a thousand values of the film lie in.
-io::Limits limits_of(const io::Film& film, Layer layer);
+report::Limits limits_of(const observe::Film& film, Layer layer);
 
 } // namespace matrigrate::apps

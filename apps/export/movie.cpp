@@ -100,7 +100,7 @@ std::string bytes_of(const nlohmann::json& picture) {
   const auto address = picture.is_string() ? picture.get<std::string>() : std::string();
   constexpr std::string_view before = "data:image/jpeg;base64,";
   if (!address.starts_with(before)) throw InputOutputError("the page of the run has drawn no picture");
-  return io::from_base64(std::string_view(address).substr(before.size()));
+  return store::from_base64(std::string_view(address).substr(before.size()));
 }
 
 } // namespace

@@ -44,14 +44,15 @@ std::vector<std::vector<Vec2>> paths_until(const run::FinishedRun& run, double t
 } // namespace
 
 std::vector<std::size_t> frames_at(const run::FinishedRun& run, const std::string& times) {
-  const std::vector<io::Frame>& frames = run.film.frames;
+  const std::vector<observe::Frame>& frames = run.film.frames;
   std::vector<std::size_t> chosen;
   std::istringstream list(times);
   for (std::string text; std::getline(list, text, ',');) {
     const std::size_t begin = text.find_first_not_of(' ');
     text = begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
     const double t = time_of(text);
-    const auto nearest = std::ranges::min_element(frames, {}, [&](const io::Frame& f) { return std::abs(f.t - t); });
+    const auto nearest =
+        std::ranges::min_element(frames, {}, [&](const observe::Frame& f) { return std::abs(f.t - t); });
     if (std::abs(nearest->t - t) > 0.5 * run.p.output.field_interval + 1.0)
       throw UsageError(fmt::format("--panel: there is no frame at {}: the frames of {} are from {} to {}, {} apart",
                                    text, run.folder.string(), time_text(frames.front().t), time_text(frames.back().t),
@@ -64,21 +65,21 @@ std::vector<std::size_t> frames_at(const run::FinishedRun& run, const std::strin
 
 void export_panel(const run::FinishedRun& run, const std::vector<std::size_t>& frames, Layer layer,
                   const std::filesystem::path& folder) {
-  const io::Limits limits = limits_of(run.film, layer);
-  io::FigureField field{.label = std::string(label_of(layer)),
-                        .map = is_signed(layer) ? io::ColourMap::diverging : io::ColourMap::sequential,
-                        .low = limits.low,
-                        .high = limits.high,
-                        .position = {},
-                        .value = {}};
-  std::vector<io::CellScene> scenes;
+  const report::Limits limits = limits_of(run.film, layer);
+  draw::FigureField field{.label = std::string(label_of(layer)),
+                          .map = is_signed(layer) ? draw::ColourMap::diverging : draw::ColourMap::sequential,
+                          .low = limits.low,
+                          .high = limits.high,
+                          .position = {},
+                          .value = {}};
+  std::vector<observe::CellScene> scenes;
   for (const std::size_t k : frames) {
-    const io::Frame& frame = run.film.frames[k];
-    scenes.push_back(io::frame_scene(run.film.head, frame, paths_until(run, frame.t)));
-    field.position.push_back(io::matrix_positions(run.film.head, frame));
+    const observe::Frame& frame = run.film.frames[k];
+    scenes.push_back(draw::frame_scene(run.film.head, frame, paths_until(run, frame.t)));
+    field.position.push_back(draw::matrix_positions(run.film.head, frame));
     field.value.push_back(values_of(frame, layer));
   }
-  write_file(folder / "panel.svg", io::figure_panel(scenes, layer == Layer::degradation ? nullptr : &field));
+  write_file(folder / "panel.svg", draw::figure_panel(scenes, layer == Layer::degradation ? nullptr : &field));
 }
 
 } // namespace matrigrate::apps

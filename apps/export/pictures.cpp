@@ -15,32 +15,33 @@ namespace {
 
 constexpr int width = 900; // [pixel]
 
-std::vector<std::vector<Vec2>> outlines(const io::CellScene& scene) {
+std::vector<std::vector<Vec2>> outlines(const observe::CellScene& scene) {
   std::vector<std::vector<Vec2>> all;
-  for (const io::DrawnCell& cell : scene.cells) all.push_back(cell.outline);
+  for (const observe::DrawnCell& cell : scene.cells) all.push_back(cell.outline);
   return all;
 }
 
-std::string picture(const run::FinishedRun& run, const io::Frame& frame, Layer layer, const io::Limits& limits) {
-  return io::to_svg({.title = time_text(frame.t),
-                     .value_label = std::string(label_of(layer)),
-                     .position = io::matrix_positions(run.film.head, frame),
-                     .value = values_of(frame, layer),
-                     .particle_size = run.film.head.spacing,
-                     .value_min = limits.low,
-                     .value_max = limits.high,
-                     .diverging = is_signed(layer),
-                     .outlines = outlines(io::frame_scene(run.film.head, frame, {}))},
-                    width);
+std::string picture(const run::FinishedRun& run, const observe::Frame& frame, Layer layer,
+                    const report::Limits& limits) {
+  return draw::to_svg({.title = time_text(frame.t),
+                       .value_label = std::string(label_of(layer)),
+                       .position = draw::matrix_positions(run.film.head, frame),
+                       .value = values_of(frame, layer),
+                       .particle_size = run.film.head.spacing,
+                       .value_min = limits.low,
+                       .value_max = limits.high,
+                       .diverging = is_signed(layer),
+                       .outlines = outlines(draw::frame_scene(run.film.head, frame, {}))},
+                      width);
 }
 
 } // namespace
 
 void export_svg(const run::FinishedRun& run, const std::filesystem::path& folder) {
-  write_file(folder / "contact_sheet.svg", io::contact_sheet(run.memory.scenes));
-  std::vector<io::Series> paths;
+  write_file(folder / "contact_sheet.svg", draw::contact_sheet(run.memory.scenes));
+  std::vector<draw::Series> paths;
   for (const CellResult& cell : run.cells) {
-    io::Series& path = paths.emplace_back();
+    draw::Series& path = paths.emplace_back();
     path.label = run.cells.size() == 1 ? "centre of mass" : fmt::format("cell {}", number_of(cell.cell));
     for (const TrackRow& row : cell.rows) {
       path.x.push_back(row.centre.x());
@@ -48,12 +49,12 @@ void export_svg(const run::FinishedRun& run, const std::filesystem::path& folder
     }
   }
   write_file(folder / "path.svg",
-             io::to_svg(io::Plot{
+             draw::to_svg(draw::Plot{
                  .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = paths, .equal_axes = true}));
 }
 
 void export_pictures(const run::FinishedRun& run, Layer layer, const std::filesystem::path& folder) {
-  const io::Limits limits = limits_of(run.film, layer);
+  const report::Limits limits = limits_of(run.film, layer);
   for (std::size_t k = 0; k < run.film.frames.size(); ++k) {
     const std::string name = (folder / fmt::format("frame_{:04}", k)).string();
     write_file(name + ".svg", picture(run, run.film.frames[k], layer, limits));

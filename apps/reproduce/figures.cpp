@@ -21,7 +21,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-using Figures = std::map<std::string, std::vector<io::Figure>>;
+using Figures = std::map<std::string, std::vector<draw::Figure>>;
 
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
 constexpr std::string_view fibre_study = "kept-protrusions-fibres";
@@ -51,17 +51,17 @@ std::string row_of(std::string_view study) {
   return found == rows.end() ? std::string() : std::string(found->second);
 }
 
-io::Figure figure(std::string_view study, const Drawn& kind, std::string svg) {
+draw::Figure figure(std::string_view study, const Drawn& kind, std::string svg) {
   return {fmt::format("{}-{}", study, kind.table), fmt::format("{} ({})", kind.caption, study), std::move(svg)};
 }
 
-io::Figure fibre_stress(const std::string& csv, double spacing) {
+draw::Figure fibre_stress(const std::string& csv, double spacing) {
   return {"fibre-stress", "Von Mises stress of the fibres on the solid matrix, at the end of one run (Fig 13)",
           study::fibre_stress_svg(csv, spacing)};
 }
 
 /// The film of the first run with two protrusions among fibres that is done; empty if there is none.
-io::Film film_among_fibres(const study::Ensemble& ensemble, const ReproduceOptions& options) {
+observe::Film film_among_fibres(const study::Ensemble& ensemble, const ReproduceOptions& options) {
   constexpr std::size_t two_protrusions = 1;
   const auto one = std::ranges::find_if(
       ensemble.results, [](const auto& r) { return r.run.point == two_protrusions && r.standing.done(); });
@@ -78,7 +78,7 @@ void draw_cases(Figures& figures, const std::function<std::filesystem::path(std:
     const std::filesystem::path file = table(row.verification);
     const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);
     if (!std::filesystem::exists(file) || !which->draw) continue;
-    figures[std::string(row.id)].push_back(which->draw(io::read_table(read_file(file, largest_table))));
+    figures[std::string(row.id)].push_back(which->draw(store::read_table(read_file(file, largest_table))));
     write_file(std::filesystem::path(options.folder) / fmt::format("validate-{}.svg", row.verification),
                figures[std::string(row.id)].back().svg);
   }
@@ -105,7 +105,7 @@ Figures draw_runs(const study::Evidence& evidence, const ReproduceOptions& optio
       },
       options);
   if (const auto found = evidence.find(fibre_study); found != evidence.end())
-    if (const io::Film film = film_among_fibres(found->second, options); !film.frames.empty()) {
+    if (const observe::Film film = film_among_fibres(found->second, options); !film.frames.empty()) {
       const std::string csv = study::fibre_stress_csv(film);
       figures["E5"].push_back(fibre_stress(csv, film.head.spacing));
       write_file(std::filesystem::path(options.folder) / "fibre-stress.csv", csv);

@@ -17,13 +17,13 @@ namespace matrigrate::apps {
 /// (Figs 2 and 4) from the tables of the verification cases.
 /// @return by the id of the row that they belong to
 /// @throws InputOutputError if frames cannot be read
-std::map<std::string, std::vector<io::Figure>> draw_runs(const study::Evidence& evidence,
-                                                         const ReproduceOptions& options);
+std::map<std::string, std::vector<draw::Figure>> draw_runs(const study::Evidence& evidence,
+                                                           const ReproduceOptions& options);
 
 /// The same and all other figures of studies (<study>.svg, <study>-paths.svg, validate-<case>.svg and so on), drawn
 /// from the kept tables of options.from into options.folder.
 /// @throws InputOutputError if a table cannot be read
-std::map<std::string, std::vector<io::Figure>> draw_kept(const study::Evidence& evidence,
-                                                         const ReproduceOptions& options);
+std::map<std::string, std::vector<draw::Figure>> draw_kept(const study::Evidence& evidence,
+                                                           const ReproduceOptions& options);
 
 } // namespace matrigrate::apps

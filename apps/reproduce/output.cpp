@@ -29,36 +29,37 @@ using View = std::string_view;
 
 /// Every mean and condition of each claim.
 std::string conditions_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
-  std::string text = io::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
-                                   View("verdict"), View("caveat")});
+  std::string text = store::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
+                                      View("verdict"), View("caveat")});
   for (const ReproducedRow& row : rows) {
     const std::string verdict = to_string(row.finding.verdict);
     const std::string ours = joined(row.finding.ours);
     const std::string statistic = joined(row.finding.conditions);
     const std::string caveat = claims_caveat(row.id, evidence);
-    text += io::csv_line({View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic),
-                          View(verdict), View(caveat)});
+    text += store::csv_line({View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic),
+                             View(verdict), View(caveat)});
   }
   return text;
 }
 
 /// The table that people read, a line a claim.
 std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
-  std::string text = io::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"),
-                                   View("verdict"), View("why_not"), View("verdict_in_larger_disc"), View("caveat")});
+  std::string text =
+      store::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"), View("verdict"),
+                       View("why_not"), View("verdict_in_larger_disc"), View("caveat")});
   for (const ReproducedRow& row : rows) {
     const std::string kind = to_string(study::row_kind(row.id));
     const std::string verdict = to_string(row.finding.verdict);
     const std::string why = study::why_not(row.finding);
     const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
     const std::string caveat = claims_caveat(row.id, evidence);
-    text += io::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
-                          View(verdict), View(why), View(larger), View(caveat)});
+    text += store::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
+                             View(verdict), View(why), View(larger), View(caveat)});
   }
   return text;
 }
 
-io::ClaimSection section(const ReproducedRow& row, const study::Evidence& evidence) {
+report::ClaimSection section(const ReproducedRow& row, const study::Evidence& evidence) {
   std::vector<std::string> conditions = row.finding.conditions;
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}",
@@ -82,8 +83,8 @@ Colour colour_of(study::Verdict verdict) {
                                                 : Colour::bad;
 }
 
-std::vector<io::Fact> facts(const study::Evidence& evidence, const std::string& command) {
-  std::vector<io::Fact> list{
+std::vector<report::Fact> facts(const study::Evidence& evidence, const std::string& command) {
+  std::vector<report::Fact> list{
       {"command", command}, {"date", minute_text(std::chrono::system_clock::now())}, {"program", version_line()}};
   for (const auto& [name, ensemble] : evidence) list.push_back({name, ends_text(ensemble)});
   return list;
@@ -93,11 +94,11 @@ std::vector<io::Fact> facts(const study::Evidence& evidence, const std::string& 
 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, std::vector<io::Figure>>& figures, const std::string& setting,
+                        const std::map<std::string, std::vector<draw::Figure>>& figures, const std::string& setting,
                         const std::string& command) {
   write_file(folder / fmt::format("claims-{}.csv", id), conditions_csv(rows, evidence));
   write_file(folder / "claims.csv", claims_csv(rows, evidence));
-  std::vector<io::ClaimSection> sections;
+  std::vector<report::ClaimSection> sections;
   for (const ReproducedRow& row : rows) {
     sections.push_back(section(row, evidence));
     if (const auto figure = figures.find(row.id); figure != figures.end()) sections.back().figures = figure->second;
@@ -115,8 +116,8 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
   if (!all_plots.empty())
     write_file(folder / fmt::format("boxes-{}.svg", id), to_svg(all_plots, fmt::format("Studies of row {}", id)));
   write_file(folder / fmt::format("report-{}.html", id),
-             io::claims_page(fmt::format("Claims of Heck et al. 2020: {}", id), facts(evidence, command), setting,
-                             sections, provenance_text()));
+             report::claims_page(fmt::format("Claims of Heck et al. 2020: {}", id), facts(evidence, command), setting,
+                                 sections, provenance_text()));
 }
 
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {

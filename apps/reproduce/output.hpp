@@ -20,7 +20,7 @@ using ReproducedRow = study::JudgedClaim;
 /// @param figures  beside the box plots, by the id of the row they belong to
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, std::vector<io::Figure>>& figures, const std::string& setting,
+                        const std::map<std::string, std::vector<draw::Figure>>& figures, const std::string& setting,
                         const std::string& command);
 
 /// The table for people. Where runs are not the paper's, that stands beside the verdict.

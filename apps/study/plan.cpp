@@ -18,8 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_points = 60;  ///< that are listed for people
-constexpr std::size_t most_warnings = 5; ///< that are printed
+constexpr std::size_t max_points = 60;  ///< that are listed for people
+constexpr std::size_t max_warnings = 5; ///< that are printed
 
 Json to_json(const study::StudyFolder& study, const study::StudyCost& c, int jobs) {
   Json points = Json::array();
@@ -61,9 +61,9 @@ int print_plan(const study::StudyFolder& study, int jobs, bool json) {
                       : fmt::format(" ({} factor sets x {} conditions)", study.study.sets.size(), conditions);
   print(fmt::format("{} point{}{} x {} replicates = {} runs, into {}\n\n", n, n == 1 ? "" : "s", crossed,
                     study.study.replicates, study.runs.size(), study.folder.string()));
-  for (std::size_t i = 0; i < std::min(n, most_points); ++i)
+  for (std::size_t i = 0; i < std::min(n, max_points); ++i)
     print(fmt::format("  {:<48} {} a run\n", study.study.points[i].label, wall_time_text(c.run_times[i])));
-  if (n > most_points) print(fmt::format("  ... and {} more\n", n - most_points));
+  if (n > max_points) print(fmt::format("  ... and {} more\n", n - max_points));
   print(fmt::format("\nwall time  {} with {} run{} at a time (estimate; {} one after the other)\n"
                     "memory     {:.0f} MB\ndisk       {:.0f} MB\n",
                     wall_time_text(c.wall_time / jobs), jobs, jobs == 1 ? "" : "s", wall_time_text(c.wall_time),
@@ -71,10 +71,10 @@ int print_plan(const study::StudyFolder& study, int jobs, bool json) {
   if (c.looked_at < n)
     print(fmt::format("warnings   looked for at {} of the {} points, spread evenly; {} found\n", c.looked_at, n,
                       c.warnings.size()));
-  for (std::size_t i = 0; i < std::min(c.warnings.size(), most_warnings); ++i)
+  for (std::size_t i = 0; i < std::min(c.warnings.size(), max_warnings); ++i)
     print(fmt::format("\n{} {}\n", coloured("WARNING:", Colour::warning, Stream::out), c.warnings[i]));
-  if (c.warnings.size() > most_warnings)
-    print(fmt::format("\n... and {} more warnings\n", c.warnings.size() - most_warnings));
+  if (c.warnings.size() > max_warnings)
+    print(fmt::format("\n... and {} more warnings\n", c.warnings.size() - max_warnings));
   return done;
 }
 

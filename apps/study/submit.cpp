@@ -27,7 +27,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-constexpr std::size_t most_tasks = 1000; // Slurm's MaxArraySize is 1001 unless a cluster says otherwise
+constexpr std::size_t max_tasks = 1000; // Slurm's MaxArraySize is 1001 unless a cluster says otherwise
 constexpr std::size_t largest_list = std::size_t{1} << 26;
 
 /// Which run is computed by which task: lines "task hash".
@@ -99,13 +99,13 @@ int submit_study(const SubmitOptions& options) {
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
   const std::vector<std::size_t> open = open_runs(study, options.study.retry_failed);
-  const std::size_t chunk = options.chunk > 0 ? options.chunk : (open.size() + most_tasks - 1) / most_tasks;
+  const std::size_t chunk = options.chunk > 0 ? options.chunk : (open.size() + max_tasks - 1) / max_tasks;
   const std::size_t tasks = open.empty() ? 0 : (open.size() + chunk - 1) / chunk;
   std::string job;
   if (tasks > 0) {
     make_output_folder(study.folder / "slurm", true);
     const std::string text = task_list(study, open, chunk);
-    const std::string list = fmt::format("slurm/tasks-{}.txt", io::text_hash(text));
+    const std::string list = fmt::format("slurm/tasks-{}.txt", store::text_hash(text));
     write_file(study.folder / list, text);
     write_file(study.folder / "submit.sh", job_script(options.slurm, study.folder, tasks, list));
     job = submitted(options.slurm, study.folder / "submit.sh", study.folder / "slurm" / "sbatch.log");

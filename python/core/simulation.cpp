@@ -64,7 +64,7 @@ public:
   /// As in run.json of a run that ends now.
   std::string trajectory_hash() const {
     require_rest();
-    io::TrajectoryHash hash(m_hash);
+    store::TrajectoryHash hash(m_hash);
     if (m_seen < m_state.step) hash.add(m_state);
     return hash.text();
   }
@@ -144,7 +144,7 @@ private:
   /// Adds to the hash what a run adds to it at its rows of tracks.csv.
   void see() {
     if (!m_rows.due(m_state.t)) return;
-    io::TrajectoryHash hash(m_hash);
+    store::TrajectoryHash hash(m_hash);
     hash.add(m_state);
     m_hash = hash.value();
     m_seen = m_state.step;

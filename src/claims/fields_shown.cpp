@@ -26,18 +26,18 @@ struct Shown {
 };
 
 std::vector<Shown> summed_up(std::string_view csv) {
-  const io::CsvTable table = io::read_csv(csv);
-  if (io::read_csv(fields_header()).header != table.header) throw InputOutputError("is no table of fields");
+  const store::CsvTable table = store::read_csv(csv);
+  if (store::read_csv(fields_header()).header != table.header) throw InputOutputError("is no table of fields");
   std::vector<Shown> all;
   for (const std::vector<std::string>& row : table.rows) {
     auto shown = std::ranges::find(all, row[5], &Shown::label);
     if (shown == all.end()) shown = all.insert(all.end(), Shown{.label = row[5], .times = {}});
     if (row[1] == row[2])
-      shown->times.insert(io::csv_number(row[0]));
+      shown->times.insert(store::csv_number(row[0]));
     else
       ++shown->undefined;
-    shown->displacement = std::max(shown->displacement, io::csv_number(row[3]));
-    shown->von_mises = std::max(shown->von_mises, io::csv_number(row[4]));
+    shown->displacement = std::max(shown->displacement, store::csv_number(row[3]));
+    shown->von_mises = std::max(shown->von_mises, store::csv_number(row[4]));
   }
   return all;
 }
@@ -46,9 +46,9 @@ std::vector<Shown> summed_up(std::string_view csv) {
 
 std::string fields_header() { return "t_s,particles,defined,largest_displacement_um,largest_von_mises_Pa,point\n"; }
 
-std::string fields_rows(std::string_view label, const io::Film& film) {
+std::string fields_rows(std::string_view label, const observe::Film& film) {
   std::string csv;
-  for (const io::Frame& frame : film.frames) {
+  for (const observe::Frame& frame : film.frames) {
     std::size_t solid = 0;
     std::size_t defined = 0;
     double displacement = 0.0;
@@ -64,7 +64,7 @@ std::string fields_rows(std::string_view label, const io::Film& film) {
       von_mises = std::max(von_mises, stress);
     }
     csv += fmt::format("{:.0f},{},{},{:.3f},{:.1f},{}\n", frame.t, solid, defined, displacement, von_mises,
-                       io::csv_text(label));
+                       store::csv_text(label));
   }
   return csv;
 }

@@ -15,7 +15,7 @@ std::string fields_header();
 
 /// A row a frame: how many particles of solid it has, at how many of them both fields are finite, and the largest
 /// values there.
-std::string fields_rows(std::string_view label, const io::Film& film);
+std::string fields_rows(std::string_view label, const observe::Film& film);
 
 /// Holds if two points are there, each with a frame every 300 s from 0 to t_end, both fields finite at every particle
 /// of solid in all of them, and neither zero throughout.

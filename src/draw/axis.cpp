@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -52,4 +52,4 @@ double label_width(const Axis& axis) {
   return width;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

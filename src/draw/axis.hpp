@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Where a number lies on a drawn axis. Test: tests/unit/draw/plot_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// True if a value has a place on an axis: finite, not so large that differences overflow, positive on a logarithmic
 /// one.
@@ -35,4 +35,4 @@ Axis fitted_axis(std::span<const double> values, bool log, double room, int most
 /// Width of the widest tick label [pixel].
 double label_width(const Axis& axis);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 CellColours cell_colours(std::size_t cell, std::size_t cells) {
   constexpr CellColours single{"#0072b2", "#45c4b8"};
@@ -17,4 +17,4 @@ CellColours cell_colours(std::size_t cell, std::size_t cells) {
   return cells > 1 ? several[cell % cell_colour_count] : single;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

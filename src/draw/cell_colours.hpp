@@ -5,7 +5,7 @@
 
 /// Colours that tell cells apart; the viewer has the same (viewer/src/colour.ts).
 /// Test: tests/unit/draw/cell_picture_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// The front of a cell is lighter than its rear.
 struct CellColours {
@@ -19,4 +19,4 @@ inline constexpr std::size_t cell_colour_count = 8;
 /// @param cell   index of the cell   @param cells  how many there are; a single one has colours of its own
 CellColours cell_colours(std::size_t cell, std::size_t cells);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -10,14 +10,14 @@
 #include <algorithm>
 #include <string_view>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
 // Lightness tells the classes apart without colour: the matrix gets lighter as it is degraded, the cell is darker than
 // both, its front lighter than its rear.
-constexpr std::array<std::string_view, matrix_classes> matrix_colours{"#cbb994", "#d9ccb0", "#e4dbc8", "#eee8dc",
-                                                                      "#f8f6f1"};
+constexpr std::array<std::string_view, observe::matrix_classes> matrix_colours{"#cbb994", "#d9ccb0", "#e4dbc8",
+                                                                               "#eee8dc", "#f8f6f1"};
 constexpr std::string_view obstacle_colour = "#3d4248";
 constexpr std::string_view path_colour = "#1f2328";
 constexpr std::string_view nucleus_colour = "#27406b";
@@ -42,7 +42,7 @@ bool seen(const Vec2& a, const Panel& panel, double margin) {
          && a.y() < panel.top + panel.side + margin;
 }
 
-std::string disc(const CellScene& scene, const Panel& panel) {
+std::string disc(const observe::CellScene& scene, const Panel& panel) {
   const Vec2 centre = panel.at(Vec2::Zero());
   return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>\n", svg::coordinate(centre.x()),
                      svg::coordinate(centre.y()), svg::coordinate(panel.scale() * (scene.radius + 0.5 * scene.spacing)),
@@ -51,8 +51,8 @@ std::string disc(const CellScene& scene, const Panel& panel) {
 
 /// Particles of one colour as squares: short lines as wide as they are long.
 /// @param share  of the spacing that a side is long
-std::string squares(const std::vector<Vec2>& particles, double share, std::string_view colour, const CellScene& scene,
-                    const Panel& panel) {
+std::string squares(const std::vector<Vec2>& particles, double share, std::string_view colour,
+                    const observe::CellScene& scene, const Panel& panel) {
   const double size = share * scene.spacing * panel.scale();
   const std::string stroke = fmt::format("h{:.2f}", size);
   std::string data;
@@ -68,9 +68,9 @@ constexpr double overlapping = 1.08;    ///< side of a square over the spacing: 
 constexpr double without_cracks = 1.25; ///< the same where matrix that is stretched is to leave no gaps either
 
 /// Degraded particles overlap; intact ones leave gaps, in which the deformation of the lattice shows.
-std::string matrix(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
+std::string matrix(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact) {
   std::string out = intact == IntactMatrix::area ? disc(scene, panel) : std::string();
-  for (std::size_t c = 0; c < matrix_classes; ++c) {
+  for (std::size_t c = 0; c < observe::matrix_classes; ++c) {
     if (c == 0 && intact == IntactMatrix::area) continue;
     out += squares(scene.matrix[c], c == 0 ? 0.82 : overlapping, matrix_colours[c], scene, panel);
   }
@@ -94,14 +94,14 @@ std::string adhesion(const Vec2& tip, const Vec2& anchor, std::string_view colou
                        svg::coordinate(anchor.x()), svg::coordinate(anchor.y()), colour);
 }
 
-std::string protrusion(const DrawnProtrusion& drawn, const Panel& panel) {
+std::string protrusion(const observe::DrawnProtrusion& drawn, const Panel& panel) {
   const std::string_view colour = phase_colours[drawn.phase];
   std::string out = edged(curve(drawn.contour, panel, false), colour, 2.8, phase_dashes[drawn.phase]);
   if (drawn.anchor) out += adhesion(panel.at(drawn.tip), panel.at(*drawn.anchor), colour);
   return out;
 }
 
-std::string path(const DrawnCell& cell, const Panel& panel, std::string_view colour) {
+std::string path(const observe::DrawnCell& cell, const Panel& panel, std::string_view colour) {
   if (cell.path.empty()) return {};
   const Vec2 start = panel.at(cell.path.front());
   return edged(curve(cell.path, panel, false), colour, 1.6, "")
@@ -110,7 +110,7 @@ std::string path(const DrawnCell& cell, const Panel& panel, std::string_view col
 }
 
 /// The number of a cell in its middle, dark on a light disc.
-std::string number_of(const DrawnCell& cell, std::size_t index, const Panel& panel) {
+std::string number_of(const observe::DrawnCell& cell, std::size_t index, const Panel& panel) {
   Vec2 sum = Vec2::Zero();
   for (const Vec2& x : cell.outline) sum += x;
   const Vec2 middle = panel.at(sum / static_cast<double>(cell.outline.size()));
@@ -150,10 +150,10 @@ std::vector<Entry> cell_entries(std::size_t cells) {
   return entries;
 }
 
-std::vector<Entry> legend_entries(MatrixColours matrix, const CellScene& scene) {
+std::vector<Entry> legend_entries(MatrixColours matrix, const observe::CellScene& scene) {
   std::vector<Entry> entries;
   std::string shades;
-  for (std::size_t c = 0; c < matrix_classes; ++c)
+  for (std::size_t c = 0; c < observe::matrix_classes; ++c)
     shades += svg::rectangle(6.0 * static_cast<double>(c), -7.0, 6.2, 14.0, matrix_colours[c]);
   if (matrix == MatrixColours::degradation)
     entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
@@ -162,7 +162,7 @@ std::vector<Entry> legend_entries(MatrixColours matrix, const CellScene& scene) 
         {svg::rectangle(0.0, -7.0, 30.0, 14.0, fluid_colour()) + svg::frame(0.0, -7.0, 30.0, 14.0), "fluid matrix"});
   if (!scene.obstacles.empty()) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
   for (Entry& entry : cell_entries(scene.cells.size())) entries.push_back(std::move(entry));
-  if (std::ranges::any_of(scene.cells, [](const DrawnCell& cell) { return !cell.nucleus.empty(); }))
+  if (std::ranges::any_of(scene.cells, [](const observe::DrawnCell& cell) { return !cell.nucleus.empty(); }))
     entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, nucleus_colour), "nucleus"});
   for (std::size_t k = 0; k < phases; ++k)
     entries.push_back({edged("M1 0h28", phase_colours[k], 4.0, phase_dashes[k]), std::string(phase_names[k])});
@@ -181,19 +181,19 @@ std::string_view fluid_colour() { return matrix_colours.back(); }
 
 namespace {
 
-std::string drawing_over(const std::string& ground, const CellScene& scene, const Panel& panel) {
+std::string drawing_over(const std::string& ground, const observe::CellScene& scene, const Panel& panel) {
   // A nested svg element cuts off what lies outside, without an id.
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
   out += ground + squares(scene.obstacles, without_cracks, obstacle_colour, scene, panel);
   const std::size_t n = scene.cells.size();
   for (std::size_t k = 0; k < n; ++k) {
-    const DrawnCell& cell = scene.cells[k];
+    const observe::DrawnCell& cell = scene.cells[k];
     const CellColours colours = cell_colours(k, n);
     if (!cell.outline.empty()) out += area(cell.outline, panel, colours.rear) + area(cell.front, panel, colours.front);
     if (!cell.nucleus.empty()) out += area(cell.nucleus, panel, nucleus_colour);
   }
-  for (const DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
+  for (const observe::DrawnProtrusion& drawn : scene.protrusions) out += protrusion(drawn, panel);
   for (std::size_t k = 0; k < n; ++k) out += path(scene.cells[k], panel, n > 1 ? cell_colours(k, n).rear : path_colour);
   for (std::size_t k = 0; k < n && n > 1; ++k)
     if (!scene.cells[k].outline.empty()) out += number_of(scene.cells[k], k, panel);
@@ -202,11 +202,11 @@ std::string drawing_over(const std::string& ground, const CellScene& scene, cons
 
 } // namespace
 
-std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact) {
+std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact) {
   return drawing_over(matrix(scene, panel, intact), scene, panel);
 }
 
-std::string drawing(const CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix) {
+std::string drawing(const observe::CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix) {
   std::string ground;
   for (const ColouredParticles& some : matrix)
     ground += squares(some.position, without_cracks, some.colour, scene, panel);
@@ -221,7 +221,7 @@ std::string scale_bar(double x, double y, double most, const Panel& panel) {
          + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
 }
 
-CellLegend cell_legend(double width, const CellScene& scene, MatrixColours matrix) {
+CellLegend cell_legend(double width, const observe::CellScene& scene, MatrixColours matrix) {
   constexpr double sign_width = 30.0;
   constexpr double gap = 7.0;
   constexpr double entry_gap = 20.0;
@@ -243,4 +243,4 @@ CellLegend cell_legend(double width, const CellScene& scene, MatrixColours matri
   return legend;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The pieces of which pictures of the cell are made. Test: tests/unit/draw/cell_picture_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// Whether intact particles of the matrix are drawn one by one, or as one area, which takes far fewer bytes.
 enum class IntactMatrix { particles, area };
@@ -40,10 +40,10 @@ struct ColouredParticles {
 std::string_view fluid_colour();
 
 /// Matrix, cells, protrusions, adhesions and paths, cut off at the panel's frame.
-std::string drawing(const CellScene& scene, const Panel& panel, IntactMatrix intact);
+std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact);
 
 /// The same over a matrix in colours of its own in place of the scene's.
-std::string drawing(const CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix);
+std::string drawing(const observe::CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix);
 
 /// A bar of a round length and its length in um.
 /// @param x, y  upper left corner [pixel]
@@ -59,6 +59,7 @@ struct CellLegend {
 /// What the matrix is coloured by: by how intact it is, or by a field that only solid has.
 enum class MatrixColours { degradation, field };
 /// @param scene  whose cells and obstacles are to be told apart
-CellLegend cell_legend(double width, const CellScene& scene, MatrixColours matrix = MatrixColours::degradation);
+CellLegend cell_legend(double width, const observe::CellScene& scene,
+                       MatrixColours matrix = MatrixColours::degradation);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

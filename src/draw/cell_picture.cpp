@@ -10,12 +10,12 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
 /// Scale bar and legend below the panels. @return their SVG and where it ends [pixel]
-CellLegend footer(double top, double width, const Panel& panel, const CellScene& scene) {
+CellLegend footer(double top, double width, const Panel& panel, const observe::CellScene& scene) {
   const CellLegend legend = cell_legend(width - 2.0 * svg::margin, scene);
   CellLegend out;
   out.svg = scale_bar(svg::margin, top + 8.0, 0.5 * panel.side, panel)
@@ -48,7 +48,7 @@ void check(int width) {
 
 } // namespace
 
-std::string cell_picture(const CellScene& scene, const Box& box, int width) {
+std::string cell_picture(const observe::CellScene& scene, const Box& box, int width) {
   check(width);
   const double top = svg::margin + svg::text_height(1, svg::title_size);
   const Panel panel{.box = box, .left = svg::margin, .top = top, .side = width - 2.0 * svg::margin};
@@ -61,7 +61,7 @@ std::string cell_picture(const CellScene& scene, const Box& box, int width) {
   return svg::document(width, below.height, "Cell and matrix after " + title, body);
 }
 
-std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most, int width) {
+std::string contact_sheet(std::span<const observe::CellScene> scenes, std::size_t most, int width) {
   check(width);
   const std::vector<std::size_t> indices = chosen(scenes.size(), most);
   const auto columns = std::clamp<std::size_t>(indices.size(), 1, indices.size() == 4 ? 2 : 3);
@@ -73,7 +73,7 @@ std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most, i
   std::string body;
   double bottom = svg::margin;
   for (std::size_t k = 0; k < indices.size(); ++k) {
-    const CellScene& scene = scenes[indices[k]];
+    const observe::CellScene& scene = scenes[indices[k]];
     const std::size_t row = k / columns;
     panel.left = svg::margin + static_cast<double>(k - row * columns) * (side + gap);
     panel.top = svg::margin + static_cast<double>(row) * (side + gap + heading) + heading;
@@ -81,8 +81,8 @@ std::string contact_sheet(std::span<const CellScene> scenes, std::size_t most, i
     body += drawing(scene, panel, IntactMatrix::area) + svg::frame(panel.left, panel.top, side, side);
     bottom = panel.top + side;
   }
-  const CellLegend below = footer(bottom, width, panel, scenes.empty() ? CellScene{} : scenes.front());
+  const CellLegend below = footer(bottom, width, panel, scenes.empty() ? observe::CellScene{} : scenes.front());
   return svg::document(width, below.height, "The cell over time", body + below.svg);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

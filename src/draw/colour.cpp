@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::string colour(ColourMap map, double fraction) {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue));
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

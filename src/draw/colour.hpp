@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// Colours that people with any kind of colour vision can tell apart. Test: tests/unit/draw/colour_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// A colour of the Okabe-Ito palette, in an order that leaves the lightest for last; goes round after the last.
 std::string_view palette(int index);
@@ -18,4 +18,4 @@ enum class ColourMap {
 /// @return          "#rrggbb"
 std::string colour(ColourMap map, double fraction);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 int colour_level(double value, const Axis& axis) {
   if (!std::isfinite(value)) return -1;
@@ -30,4 +30,4 @@ std::string colour_bar(const Axis& axis, ColourMap map, double left) {
   return out;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -6,7 +6,7 @@
 #include <string>
 
 /// Values as colours, and the bar that explains them. Test: tests/unit/draw/particle_picture_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 inline constexpr int colour_levels = 33;         ///< steps of a map; odd, so that a diverging one has a neutral step
 inline constexpr double colour_bar_width = 18.0; ///< [pixel]
@@ -21,4 +21,4 @@ std::string level_colour(ColourMap map, int level);
 /// @param left  [pixel]
 std::string colour_bar(const Axis& axis, ColourMap map, double left);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -12,14 +12,14 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
 constexpr double side = 300.0;   ///< of a picture [pixel]
 constexpr double bar_gap = 16.0; ///< between the pictures and the colour bar [pixel]
 
-void check(std::span<const CellScene> scenes, const FigureField* field) {
+void check(std::span<const observe::CellScene> scenes, const FigureField* field) {
   if (scenes.empty()) throw std::invalid_argument("a figure of no moment");
   if (field == nullptr) return;
   const bool one_each = field->value.size() == scenes.size() && field->position.size() == scenes.size();
@@ -47,7 +47,7 @@ std::vector<ColouredParticles> coloured(const FigureField& field, std::size_t k,
 
 } // namespace
 
-std::string figure_panel(std::span<const CellScene> scenes, const FigureField* field) {
+std::string figure_panel(std::span<const observe::CellScene> scenes, const FigureField* field) {
   check(scenes, field);
   const std::size_t columns = scenes.size() <= 4 ? scenes.size() : scenes.size() <= 6 ? 3 : 4;
   const std::size_t rows = (scenes.size() + columns - 1) / columns;
@@ -85,4 +85,4 @@ std::string figure_panel(std::span<const CellScene> scenes, const FigureField* f
                        body);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Figures for a publication: a few moments of a run side by side. Test: tests/unit/draw/figure_panel_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// Values of the matrix at the moments of a figure, and the colours of all of them.
 struct FigureField {
@@ -24,6 +24,6 @@ struct FigureField {
 /// @param field  null: the matrix is coloured by how intact it is
 /// @return  the SVG document
 /// @throws std::invalid_argument if there is no scene, or the field is of another number of moments or particles
-std::string figure_panel(std::span<const CellScene> scenes, const FigureField* field);
+std::string figure_panel(std::span<const observe::CellScene> scenes, const FigureField* field);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string fibre_stress_picture(const State& s, const Parameters& p, const Fibr
   return to_svg(drawn, 900);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

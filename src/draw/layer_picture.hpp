@@ -8,7 +8,7 @@
 
 /// Snapshots of fields of the matrix, with the outlines of the cells; fluid is grey.
 /// Test: tests/unit/draw/layer_picture_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// Displacement of the solid: its magnitude in colour, arrows at every third particle along either axis.
 /// @return the SVG document
@@ -17,4 +17,4 @@ std::string displacement_picture(const State& s, const Parameters& p);
 /// Von Mises stress of the fibres (Heck et al. 2020, Eq. (11) and Fig 13).   @return the SVG document
 std::string fibre_stress_picture(const State& s, const Parameters& p, const FibreNetwork& network);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -78,4 +78,4 @@ Legend legend(const std::vector<Series>& series, double width) {
   return result;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

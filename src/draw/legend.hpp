@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The legend of a plot: outside of the axes, so that it never hides data. Test: tests/unit/draw/plot_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// Colour of each series, as an index into the palette.
 std::vector<int> series_colours(const std::vector<Series>& series);
@@ -25,4 +25,4 @@ struct Legend {
 /// Entries side by side in rows not wider than `width` pixels.
 Legend legend(const std::vector<Series>& series, double width);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

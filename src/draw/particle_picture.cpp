@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -193,4 +193,4 @@ std::string to_svg(const ParticlePicture& p, int width) {
   return svg::document(width, top + height + scale_room + 0.5 * svg::margin, p.title, body);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

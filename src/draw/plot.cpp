@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -157,4 +157,4 @@ std::string to_svg(const Plot& plot, int width, int height) {
   return svg::document(width, y.begin + below, plot.title, body);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

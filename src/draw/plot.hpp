@@ -8,7 +8,7 @@
 /// Figures as self-contained SVG text: light background, colour-blind-safe colours, dark text. Nothing here knows
 /// physics. Equal input gives equal bytes in every locale. Test: tests/unit/draw/plot_test.cpp,
 /// particle_picture_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 /// A finished picture.
 struct Figure {
@@ -65,4 +65,4 @@ struct ParticlePicture {
 ///         bar is empty or the drawing is too small
 std::string to_svg(const ParticlePicture& picture, int width = 640);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

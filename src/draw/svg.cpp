@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace matrigrate::io::svg {
+namespace matrigrate::draw::svg {
 
 std::string escape(std::string_view text) {
   std::string out;
@@ -151,4 +151,4 @@ std::string sheet(const std::vector<std::string>& documents, std::size_t columns
   return svg::document(width, y + row_height, title, body);
 }
 
-} // namespace matrigrate::io::svg
+} // namespace matrigrate::draw::svg

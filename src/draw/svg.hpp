@@ -6,7 +6,7 @@
 
 /// The few pieces of SVG that the figures are made of. Lengths are pixels, x to the right, y down. No element carries
 /// an id, so that many pictures can stand in one page. Test: tests/unit/draw/svg_test.cpp
-namespace matrigrate::io::svg {
+namespace matrigrate::draw::svg {
 
 inline constexpr std::string_view dark = "#1f2328";  ///< text, frames
 inline constexpr std::string_view faint = "#e3e6ea"; ///< grid lines
@@ -67,4 +67,4 @@ std::string document(double width, double height, std::string_view title, std::s
 /// Documents of document() side by side, so many in a row, as one document under a title.
 std::string sheet(const std::vector<std::string>& documents, std::size_t columns, std::string_view title);
 
-} // namespace matrigrate::io::svg
+} // namespace matrigrate::draw::svg

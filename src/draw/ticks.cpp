@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::vector<Tick> log_ticks(double low, double high, int most) {
   return labels >= 3 ? ticks : linear_ticks(low, high, most);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -4,7 +4,7 @@
 #include <vector>
 
 /// Round numbers for axes, colour bars and scale bars. Test: tests/unit/draw/ticks_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 struct Tick {
   double value = 0.0;
@@ -23,4 +23,4 @@ std::vector<Tick> linear_ticks(double low, double high, int most);
 /// @param low, high  finite, 0 < low < high
 std::vector<Tick> log_ticks(double low, double high, int most);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace matrigrate::io {
+namespace matrigrate::observe {
 
 namespace {
 
@@ -112,4 +112,4 @@ Box surroundings(std::span<const CellScene> scenes, double room) {
   return {centre - Vec2::Constant(half), centre + Vec2::Constant(half)};
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::observe

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// What is drawn of a state, without the rest. Test: tests/unit/draw/cell_picture_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::observe {
 
 /// Matrix particles are drawn in classes of f_degr: intact, three between, fluid.
 inline constexpr std::size_t matrix_classes = 5;
@@ -63,4 +63,4 @@ Box whole_disc(const CellScene& scene);
 /// @param room  [um]
 Box surroundings(std::span<const CellScene> scenes, double room);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::observe

@@ -49,7 +49,7 @@ double msd_slope(std::span<const MsdPoint> points) {
     xx += a * a;
     xy += a * b;
   }
-  return n < 3.0 ? never : (n * xy - x * y) / (n * xx - x * x);
+  return n < 3.0 ? undefined : (n * xy - x * y) / (n * xx - x * x);
 }
 
 double angle_to(std::span<const TrackRow> rows, double direction, double interval) {
@@ -62,7 +62,7 @@ double angle_to(std::span<const TrackRow> rows, double direction, double interva
     sum += step.norm() * std::atan2(std::abs(cross(d, step)), std::abs(d.dot(step)));
     length += step.norm();
   }
-  return length > 0.0 ? sum / length * 180.0 / std::numbers::pi : never;
+  return length > 0.0 ? sum / length * 180.0 / std::numbers::pi : undefined;
 }
 
 } // namespace matrigrate

@@ -15,7 +15,7 @@
 #include <bit>
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::observe {
 
 namespace {
 
@@ -137,7 +137,7 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
     out.id.push_back(static_cast<float>(protrusion.record.id));
     out.centre.push_back(static_cast<float>(protrusion.centre));
     out.phase.push_back(static_cast<std::uint8_t>(protrusion.phase.index()));
-    add(out.anchor, adhered != nullptr ? *adhered : Vec2(never, never));
+    add(out.anchor, adhered != nullptr ? *adhered : Vec2(undefined, undefined));
     out.f_mat.push_back(static_cast<float>(std::visit(Maturation{}, protrusion.phase)));
     out.force.push_back(static_cast<float>(adhesion_force(cell.cortex, protrusion, p)));
   }
@@ -222,4 +222,4 @@ Frame frame(const State& s, const Parameters& p, const Workspace& w) {
   return frame;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::observe

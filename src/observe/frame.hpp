@@ -10,7 +10,7 @@
 /// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, protrusions alive. Numbers are
 /// 32 bits long, and hold no more digits than are meant: displacements 1/16384 um, velocities and stresses four of
 /// them. Test: tests/unit/observe/frame_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::observe {
 
 /// Numbers beside each other, those of an entry together: x0, y0, x1, y1, ...
 using Floats = std::vector<float>;
@@ -109,4 +109,4 @@ FrameHead frame_head(const State& s, const Parameters& p);
 /// @param w  for its fibres; all else is of the state, so that a run that goes on writes the same frames
 Frame frame(const State& s, const Parameters& p, const Workspace& w);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::observe

@@ -21,7 +21,7 @@ double spread_of(const std::vector<Vec2>& centres, const Vec2& mean) {
 }
 
 double mean_nearest(const std::vector<Vec2>& centres) {
-  if (centres.size() < 2) return never;
+  if (centres.size() < 2) return undefined;
   double sum = 0.0;
   for (std::size_t k = 0; k < centres.size(); ++k) {
     double least = std::numeric_limits<double>::infinity();

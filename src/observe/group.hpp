@@ -19,14 +19,14 @@ inline constexpr double group_window = 600.0;
 struct GroupRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;
-  Vec2 centre = Vec2::Zero(); ///< mean of the centres of mass of the cells [um]
-  double spread = never;      ///< root mean square distance of their centres of mass from it [um]
-  double speed = never;       ///< mean |displacement| over the last group_window, over its time [um/h]
-  double order = never;       ///< |mean of the unit vectors of these displacements|: 1 all the same way [-]
-  double direction = never;   ///< of that mean, from the x axis [rad]
-  double nearest = never;     ///< mean distance of a centre of mass from that of the nearest other cell [um]
-  double gap = never;         ///< least gap of two cortices that feel each other, negative where they overlap [um]
-  std::size_t contacts = 0;   ///< pairs of cells that feel each other
+  Vec2 centre = Vec2::Zero();   ///< mean of the centres of mass of the cells [um]
+  double spread = undefined;    ///< root mean square distance of their centres of mass from it [um]
+  double speed = undefined;     ///< mean |displacement| over the last group_window, over its time [um/h]
+  double order = undefined;     ///< |mean of the unit vectors of these displacements|: 1 all the same way [-]
+  double direction = undefined; ///< of that mean, from the x axis [rad]
+  double nearest = undefined;   ///< mean distance of a centre of mass from that of the nearest other cell [um]
+  double gap = undefined;       ///< least gap of two cortices that feel each other, negative where they overlap [um]
+  std::size_t contacts = 0;     ///< pairs of cells that feel each other
 };
 
 /// @param earlier  rows of all cells at earlier times, in the order of time; rows of other cells are left out

@@ -29,8 +29,8 @@ double fastest(std::span<const Vec2> velocities) {
   return std::sqrt(largest);
 }
 
-constexpr double least_area = 0.05;     // of the initial one; negative inside out
-constexpr double most_imbalance = 1e-6; // rounding leaves less than 1e-9
+constexpr double least_area = 0.05;    // of the initial one; negative inside out
+constexpr double max_imbalance = 1e-6; // rounding leaves less than 1e-9
 
 void add_densities(HealthRow& row, const EcmState& ecm) {
   for (std::size_t i = 0; i < ecm.size(); ++i) {
@@ -71,7 +71,7 @@ SolidInside solid_inside(const EcmState& ecm, const CortexState& c) {
 }
 
 void HealthWatch::see(const StepHealth& step) {
-  most_iterations = std::max(most_iterations, step.solve.iterations);
+  max_iterations = std::max(max_iterations, step.solve.iterations);
   largest_residual = std::max(largest_residual, step.solve.residual);
 }
 
@@ -82,14 +82,14 @@ double force_imbalance(const Workspace& w) {
     sum += force;
     magnitudes += force.norm();
   }
-  return magnitudes > 0.0 ? sum.norm() / magnitudes : never;
+  return magnitudes > 0.0 ? sum.norm() / magnitudes : undefined;
 }
 
 HealthRow HealthWatch::row(const State& s, const Parameters& p, const StepHealth& last) {
   HealthRow row{.t = s.t,
                 .step = s.step,
                 .iterations = last.solve.iterations,
-                .most_iterations = most_iterations,
+                .max_iterations = max_iterations,
                 .residual = last.solve.residual,
                 .largest_residual = largest_residual,
                 .density_bounds = last.density_bounds,
@@ -129,7 +129,7 @@ std::string alarm(const State& s, const Parameters& p, const HealthRow& row) {
   if (row.deepest_solid > p.ecm.particle_spacing)
     return fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid,
                        place(s, [&](const CortexState& c) { return -solid_inside(s.ecm, c).deepest; }));
-  if (row.force_imbalance > most_imbalance)
+  if (row.force_imbalance > max_imbalance)
     return fmt::format("inner forces do not balance: their sum is {:.2g} of their magnitudes", row.force_imbalance);
   return {};
 }

@@ -13,22 +13,22 @@ namespace matrigrate {
 struct HealthRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;
-  int iterations = 0;             ///< of the solver in the last step
-  int most_iterations = 0;        ///< of the solver in a step since the previous row
-  double residual = 0.0;          ///< relative, of the last step [-]
-  double largest_residual = 0.0;  ///< relative, of a step since the previous row [-]
-  double area_ratio = never;      ///< area of the cell over A_0, of the smallest cell [-]
-  double density_min = never;     ///< of solid particles, over rho_0 [-]
-  double density_max = never;     ///< of solid particles, over rho_0 [-]
-  std::size_t density_bounds = 0; ///< particles at a density bound after the last step
-  std::size_t orphans = 0;        ///< particles fluidized for want of support since the start
-  std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
-  std::size_t engulfed = 0;       ///< solid particles fluidized inside a cell since the start
-  std::size_t solid_inside = 0;   ///< solid particles inside a cell
-  double deepest_solid = 0.0;     ///< their largest distance from the cortex [um]
-  bool crosses_itself = false;    ///< whether the cortex of a cell does
-  double fastest = 0.0;           ///< speed of the fastest particle of matrix or cells [um/s]
-  double force_imbalance = never; ///< of the last step; see below [-]
+  int iterations = 0;                 ///< of the solver in the last step
+  int max_iterations = 0;             ///< of the solver in a step since the previous row
+  double residual = 0.0;              ///< relative, of the last step [-]
+  double largest_residual = 0.0;      ///< relative, of a step since the previous row [-]
+  double area_ratio = undefined;      ///< area of the cell over A_0, of the smallest cell [-]
+  double density_min = undefined;     ///< of solid particles, over rho_0 [-]
+  double density_max = undefined;     ///< of solid particles, over rho_0 [-]
+  std::size_t density_bounds = 0;     ///< particles at a density bound after the last step
+  std::size_t orphans = 0;            ///< particles fluidized for want of support since the start
+  std::size_t torn = 0;               ///< particles fluidized at a density bound since the start
+  std::size_t engulfed = 0;           ///< solid particles fluidized inside a cell since the start
+  std::size_t solid_inside = 0;       ///< solid particles inside a cell
+  double deepest_solid = 0.0;         ///< their largest distance from the cortex [um]
+  bool crosses_itself = false;        ///< whether the cortex of a cell does
+  double fastest = 0.0;               ///< speed of the fastest particle of matrix or cells [um/s]
+  double force_imbalance = undefined; ///< of the last step; see below [-]
 };
 
 /// Solid particles inside a cell.
@@ -48,7 +48,7 @@ std::string alarm(const State& s, const Parameters& p, const HealthRow& row);
 
 /// Gathers the extremes of the steps between two rows.
 struct HealthWatch {
-  int most_iterations = 0;
+  int max_iterations = 0;
   double largest_residual = 0.0;
 
   /// To be called after each step.

@@ -49,7 +49,7 @@ std::span<const ReadOutSpec> readout_table() {
        .value = [](const ReadOuts& r) -> Value { return r.mean_simultaneous; }},
       {.name = "n_simultaneous_max", .label = "n_simultaneous_max", .unit = "",
        .meaning = "protrusions at a time, most",
-       .value = [](const ReadOuts& r) -> Value { return r.most_simultaneous; }},
+       .value = [](const ReadOuts& r) -> Value { return r.max_simultaneous; }},
       {.name = "msd_slope", .label = "msd_slope", .unit = "",
        .meaning = "log-log slope of the mean square displacement, lags of 10 min to half the run",
        .value = [](const ReadOuts& r) -> Value { return r.msd_slope; }, .usual = true},

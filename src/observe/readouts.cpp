@@ -42,9 +42,9 @@ void add_protrusions(ReadOuts& out, std::span<const ProtrusionRecord> records, c
   out.n_censored = count(records, still_adheres);
   // A difference or a ratio with a time or value that has not come is NaN, and so left out.
   out.tau_prot = mean_of(records, [](const auto& r) { return (r.t_disassembly - r.t_mature) / seconds_a_minute; });
-  out.l_prot = mean_of(records, [](const auto& r) { return std::isnan(r.t_adhesion) ? never : r.length; });
+  out.l_prot = mean_of(records, [](const auto& r) { return std::isnan(r.t_adhesion) ? undefined : r.length; });
   out.f_mat = mean_of(records, [](const auto& r) { return r.f_mat; });
-  out.force = mean_of(records, [](const auto& r) { return matured(r) ? r.force : never; });
+  out.force = mean_of(records, [](const auto& r) { return matured(r) ? r.force : undefined; });
   out.f_adh_rel = mean_of(records, [&](const auto& r) { return relative_force(r, p); });
 }
 
@@ -53,10 +53,10 @@ OrientedProtrusions oriented(std::span<const ProtrusionRecord> records, double f
   const auto wanted = [&](const ProtrusionRecord& r) {
     return std::cos(2.0 * (r.direction - fibres)) < 0.0 ? across : !across; // of a line: over 45 degrees off, or not
   };
-  return {.f_mat = mean_of(records, [&](const auto& r) { return wanted(r) ? r.f_mat : never; }),
+  return {.f_mat = mean_of(records, [&](const auto& r) { return wanted(r) ? r.f_mat : undefined; }),
           .ruptured = mean_of(records, [&](const auto& r) {
-            if (!wanted(r)) return never;
-            return r.cause == EndCause::rupture ? 1.0 : r.cause == EndCause::disassembly ? 0.0 : never;
+            if (!wanted(r)) return undefined;
+            return r.cause == EndCause::rupture ? 1.0 : r.cause == EndCause::disassembly ? 0.0 : undefined;
           })};
 }
 
@@ -68,12 +68,12 @@ double relative_force(const ProtrusionRecord& r, const ActomyosinParameters& p) 
 
 double path_length(std::span<const TrackRow> rows, double interval) {
   const double tolerance = 1e-6 * interval; // times are multiples of the step
-  if (rows.size() < 2 || rows.back().t - rows.front().t < interval - tolerance) return never;
+  if (rows.size() < 2 || rows.back().t - rows.front().t < interval - tolerance) return undefined;
   double length = 0.0;
   const TrackRow* last = &rows.front();
   double next = last->t + interval;
   for (const TrackRow& row : rows.subspan(1)) {
-    if (row.t > (&row - 1)->t + 1.01 * interval) return never;
+    if (row.t > (&row - 1)->t + 1.01 * interval) return undefined;
     if (row.t < next - tolerance && &row != &rows.back()) continue;
     length += (row.centre - last->centre).norm();
     last = &row;
@@ -95,7 +95,7 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   double alive = 0.0;
   for (const TrackRow& row : rows) {
     alive += row.alive();
-    out.most_simultaneous = std::max<std::size_t>(out.most_simultaneous, row.alive());
+    out.max_simultaneous = std::max<std::size_t>(out.max_simultaneous, row.alive());
   }
   out.mean_simultaneous = alive / static_cast<double>(rows.size());
   out.duration = rows.back().t - rows.front().t;

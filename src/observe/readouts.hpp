@@ -14,7 +14,7 @@ namespace matrigrate {
 
 /// Mean over those for which a value is defined.
 struct Mean {
-  double value = never; ///< NaN where there are none
+  double value = undefined; ///< NaN where there are none
   std::size_t n = 0;
 };
 
@@ -26,24 +26,24 @@ struct OrientedProtrusions {
 
 /// NaN where a run does not define a value.
 struct ReadOuts {
-  double duration = never;           ///< from the first to the last row [s]
-  double v_migr_abs = never;         ///< |x_cm(end) - x_cm(0)| / duration [um/h]
-  double v_migr_path_60s = never;    ///< length of the path of x_cm sampled every 60 s / duration [um/h]
-  double v_migr_path_600s = never;   ///< the same, sampled every 600 s [um/h]
-  std::size_t n_protrusions = 0;     ///< initiated
-  std::size_t n_unadhered = 0;       ///< of them, ended growth where no solid was in reach
-  Mean tau_prot;                     ///< life of an adhesion, from the end of maturation to disassembly [min]
-  std::size_t n_censored = 0;        ///< mature adhesions that the run outlived: not in tau_prot
-  Mean l_prot;                       ///< length at the end of growth, of those that adhered [um]
-  Mean f_mat;                        ///< at the end of maturation [-]
-  Mean force;                        ///< of mature adhesions at disassembly [nN]
-  Mean f_adh_rel;                    ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
-  double mean_simultaneous = never;  ///< protrusions alive, of all phases, mean over the rows
-  std::size_t most_simultaneous = 0; ///< the largest number of them in a row
-  double msd_slope = never;   ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
-  double path_angle = never;  ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
-  OrientedProtrusions along;  ///< uniaxial fibres
-  OrientedProtrusions across; ///< uniaxial fibres
+  double duration = undefined;          ///< from the first to the last row [s]
+  double v_migr_abs = undefined;        ///< |x_cm(end) - x_cm(0)| / duration [um/h]
+  double v_migr_path_60s = undefined;   ///< length of the path of x_cm sampled every 60 s / duration [um/h]
+  double v_migr_path_600s = undefined;  ///< the same, sampled every 600 s [um/h]
+  std::size_t n_protrusions = 0;        ///< initiated
+  std::size_t n_unadhered = 0;          ///< of them, ended growth where no solid was in reach
+  Mean tau_prot;                        ///< life of an adhesion, from the end of maturation to disassembly [min]
+  std::size_t n_censored = 0;           ///< mature adhesions that the run outlived: not in tau_prot
+  Mean l_prot;                          ///< length at the end of growth, of those that adhered [um]
+  Mean f_mat;                           ///< at the end of maturation [-]
+  Mean force;                           ///< of mature adhesions at disassembly [nN]
+  Mean f_adh_rel;                       ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
+  double mean_simultaneous = undefined; ///< protrusions alive, of all phases, mean over the rows
+  std::size_t max_simultaneous = 0;     ///< the largest number of them in a row
+  double msd_slope = undefined;  ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
+  double path_angle = undefined; ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
+  OrientedProtrusions along;     ///< uniaxial fibres
+  OrientedProtrusions across;    ///< uniaxial fibres
 };
 
 /// f_adh_rel of one protrusion, Eq. (9); NaN if its adhesion has not matured or not ended [-].

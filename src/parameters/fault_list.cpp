@@ -12,7 +12,7 @@ namespace matrigrate {
 void FaultList::add(Fault fault, Hint hint) {
   if (!m_seen.insert(std::hash<std::string>{}(to_string(fault))).second) return;
   m_noted.push_back({std::move(fault), std::move(hint)});
-  if (m_noted.size() > 4 * most_listed) sort_and_cut();
+  if (m_noted.size() > 4 * max_listed) sort_and_cut();
 }
 
 void FaultList::sort_and_cut() {
@@ -20,7 +20,7 @@ void FaultList::sort_and_cut() {
     return std::tuple(n.fault.file != m_file, n.fault.line > 0 ? n.fault.line : INT_MAX, n.fault.column);
   };
   std::ranges::stable_sort(m_noted, [&](const Noted& a, const Noted& b) { return order(a) < order(b); });
-  if (m_noted.size() > most_listed) m_noted.erase(m_noted.begin() + most_listed, m_noted.end());
+  if (m_noted.size() > max_listed) m_noted.erase(m_noted.begin() + max_listed, m_noted.end());
 }
 
 void FaultList::raise() {

@@ -15,7 +15,7 @@ namespace matrigrate {
 /// Notes each fault once. The first 200 by place are kept, the others counted.
 class FaultList {
 public:
-  static constexpr std::size_t most_listed = 200;
+  static constexpr std::size_t max_listed = 200;
 
   /// Makes the end of a message that takes long to find, such as the nearest name; called for listed faults only.
   using Hint = std::function<std::string()>;

@@ -66,8 +66,8 @@ CellsRead read_cells(const toml::node& node) {
     return refuse(fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form));
   if (cells->empty())
     return refuse("is empty; leave it out for one cell at cell.start_x, cell.start_y, or " + std::string(form));
-  if (cells->size() > most_cells)
-    return refuse(fmt::format("has {} cells; allowed are 1 to {}", cells->size(), most_cells));
+  if (cells->size() > max_cells)
+    return refuse(fmt::format("has {} cells; allowed are 1 to {}", cells->size(), max_cells));
   for (std::size_t k = 0; k < cells->size(); ++k) {
     const toml::node& one = *cells->get(k);
     if (const toml::table* table = one.as_table())

@@ -9,8 +9,8 @@ namespace matrigrate {
 
 namespace {
 
-constexpr double most_particles = 4e6;
-constexpr double most_steps = 1e9;
+constexpr double max_particles = 4e6;
+constexpr double max_steps = 1e9;
 
 std::string support(const Parameters& p) {
   const double ratio = p.ecm.smoothing_length / p.ecm.particle_spacing;
@@ -134,16 +134,16 @@ std::string particles(const Parameters& p) {
   const double dp = p.ecm.particle_spacing;
   const double area = p.ecm.lattice == Lattice::hexagonal ? dp * dp * std::numbers::sqrt3 / 2.0 : dp * dp;
   const double count = std::numbers::pi * p.ecm.radius * p.ecm.radius / area;
-  if (count <= most_particles) return {};
+  if (count <= max_particles) return {};
   return fmt::format("a disc of {:.4g} um at a spacing of {:.4g} um has {:.2g} particles; allowed are {:.2g}",
-                     p.ecm.radius, dp, count, most_particles);
+                     p.ecm.radius, dp, count, max_particles);
 }
 
 std::string steps(const Parameters& p) {
   const double count = p.run.duration / p.run.time_step;
   if (count < 1.0 - 1e-9)
     return fmt::format("a step of {:.4g} s is longer than the run of {:.4g} s", p.run.time_step, p.run.duration);
-  if (count > most_steps) return fmt::format("the run takes {:.2g} steps; allowed are {:.2g}", count, most_steps);
+  if (count > max_steps) return fmt::format("the run takes {:.2g} steps; allowed are {:.2g}", count, max_steps);
   return {};
 }
 

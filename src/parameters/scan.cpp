@@ -9,7 +9,7 @@ namespace matrigrate {
 namespace {
 
 constexpr int deepest = 32;
-constexpr int most_dotted_keys = 50'000;
+constexpr int max_dotted_keys = 50'000;
 
 /// Follows strings, comments and brackets of a TOML text, byte by byte. On a text that is not valid TOML it agrees with
 /// a parser up to the first error, which is as far as the parser goes.
@@ -32,7 +32,7 @@ public:
   }
 
   bool too_deep() const { return m_brackets > deepest || m_dots > deepest; }
-  bool too_dotted() const { return m_dotted_keys > most_dotted_keys; }
+  bool too_dotted() const { return m_dotted_keys > max_dotted_keys; }
 
 private:
   enum class In { plain, comment, basic, literal, long_basic, long_literal };
@@ -117,7 +117,7 @@ std::optional<Finding> unreadable(std::string_view text) {
     column = static_cast<int>(i - line_start) + 1;
     if (follower.too_deep()) return found(fmt::format("is nested deeper than {} levels", deepest));
     if (follower.too_dotted())
-      return found(fmt::format("has more than {} dotted keys; write sections", most_dotted_keys));
+      return found(fmt::format("has more than {} dotted keys; write sections", max_dotted_keys));
     for (; i < next; ++i)
       if (text[i] == '\n') {
         ++line;

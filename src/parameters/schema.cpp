@@ -11,7 +11,7 @@ constexpr std::string_view table_1 = "Heck et al. 2020, Table 1";
 constexpr std::string_view methods = "Heck et al. 2020, Methods";
 constexpr std::string_view chosen = "this program";
 
-constexpr double most_seeds = 9007199254740991.0; // 2^53 - 1: every tool reads it back exactly
+constexpr double max_seeds = 9007199254740991.0; // 2^53 - 1: every tool reads it back exactly
 constexpr auto numerical = Audience::numerical;
 constexpr auto optional = Audience::optional;
 
@@ -72,7 +72,7 @@ constexpr std::array rows{
         "dt", table_1, "Time step, with the adaptive integrator the longest; left out: 0.4 s, adaptive 5 s"},
     Row{"run.integrator", choice([](Parameters& p) -> Integrator& { return p.run.integrator; }, integrators), "", none,
         "", "MODEL.md, D29", "Steps of time_step throughout, or steps of up to time_step, halved where anything moves far"},
-    Row{"run.seed", [](Parameters& p) -> std::uint64_t& { return p.run.seed; }, "1", closed(0, most_seeds),
+    Row{"run.seed", [](Parameters& p) -> std::uint64_t& { return p.run.seed; }, "1", closed(0, max_seeds),
         "", chosen, "Seed of the random numbers: the same seed gives the same bits"},
     Row{"run.threads", [](Parameters& p) -> int& { return p.run.threads; }, "1", closed(0, 1024),
         "", chosen, "Threads to compute with, 0 for as many as the machine has; never changes a result"},

@@ -75,7 +75,7 @@ inline constexpr std::string_view cells_title =
     "Several cells: one [[cells]] for each, with its centre; without any one cell at cell.start_x, cell.start_y";
 
 /// Largest number of cells.
-inline constexpr std::size_t most_cells = 1000;
+inline constexpr std::size_t max_cells = 1000;
 
 /// @return the row of a dotted path, or null
 const Row* find_row(std::string_view path);

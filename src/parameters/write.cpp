@@ -116,7 +116,7 @@ Json cells_schema() {
   return {{"type", "array"},
           {"description", cells_title},
           {"minItems", 1},
-          {"maxItems", most_cells},
+          {"maxItems", max_cells},
           {"items", std::move(table)}};
 }
 
@@ -237,7 +237,7 @@ std::string parameters_markdown() {
   text += fmt::format("\n## [[cells]] {}\n\n"
                       "1 to {} tables. Their order numbers the cells, from 1. No key may be left out.\n\n"
                       "| key | allowed | meaning |\n|---|---|---|\n",
-                      cells_title, most_cells);
+                      cells_title, max_cells);
   for (const Row& row : cell_rows())
     text += fmt::format("| `{}` | {} | {} |\n", key_of(row), cell(allowed_text(row)), cell(row.description));
   return text;

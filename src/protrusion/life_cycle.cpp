@@ -38,7 +38,7 @@ struct Table {
   Transition operator()(const Maturing& phase) const {
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::lost);
     if (now.age >= p.adhesion.maturation_time) return to(contracting(phase));
-    if (phase.steps < most_maturation_steps && now.force >= step_force(phase.steps, p)) {
+    if (phase.steps < max_maturation_steps && now.force >= step_force(phase.steps, p)) {
       Maturing next = phase;
       ++next.steps;
       next.last_step = now.age;

@@ -12,7 +12,7 @@
 namespace matrigrate {
 
 inline constexpr double maturation_step = 0.1; ///< f_mat gained in a step [-]
-inline constexpr int most_maturation_steps = 10;
+inline constexpr int max_maturation_steps = 10;
 
 /// f_mat while maturing, after a number of steps done: 0.1 (steps + 1), at most 1 [-].
 double maturing_f_mat(int steps);

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 namespace {
 
@@ -17,15 +17,16 @@ std::string_view style_of(const std::string& verdict) {
 }
 
 std::string verdict_html(const ClaimSection& claim) {
-  std::string text = fmt::format("<span class=\"{}\">{}</span>", style_of(claim.verdict), svg::escape(claim.verdict));
-  if (!claim.caveat.empty()) text += fmt::format(" <span class=\"caveat\">{}</span>", svg::escape(claim.caveat));
+  std::string text =
+      fmt::format("<span class=\"{}\">{}</span>", style_of(claim.verdict), draw::svg::escape(claim.verdict));
+  if (!claim.caveat.empty()) text += fmt::format(" <span class=\"caveat\">{}</span>", draw::svg::escape(claim.caveat));
   return text;
 }
 
 std::string list(std::string_view name, const std::vector<std::string>& sentences) {
   if (sentences.empty()) return {};
   std::string text = fmt::format("<dt>{}</dt>\n<dd><ul>\n", name);
-  for (const std::string& sentence : sentences) text += fmt::format("<li>{}</li>\n", svg::escape(sentence));
+  for (const std::string& sentence : sentences) text += fmt::format("<li>{}</li>\n", draw::svg::escape(sentence));
   return text + "</ul></dd>\n";
 }
 
@@ -43,17 +44,19 @@ std::string summary_html(const std::vector<ClaimSection>& claims) {
                         : fmt::format("<td data-label=\"{}\"><span>{}</span></td>", label, html);
   };
   for (std::size_t k = 0; k < claims.size(); ++k)
-    text += fmt::format("<tr><td><a href=\"#c{}\">{}</a> {}</td>{}{}{}{}{}</tr>\n", k + 1, svg::escape(claims[k].id),
-                        svg::escape(claims[k].kind), cell("claim", svg::escape(claims[k].sentence)),
-                        cell("published", svg::escape(claims[k].published)), cell("ours", svg::escape(claims[k].brief)),
-                        cell("verdict", verdict_html(claims[k])), cell("why not", svg::escape(claims[k].why_not)));
+    text += fmt::format(
+        "<tr><td><a href=\"#c{}\">{}</a> {}</td>{}{}{}{}{}</tr>\n", k + 1, draw::svg::escape(claims[k].id),
+        draw::svg::escape(claims[k].kind), cell("claim", draw::svg::escape(claims[k].sentence)),
+        cell("published", draw::svg::escape(claims[k].published)), cell("ours", draw::svg::escape(claims[k].brief)),
+        cell("verdict", verdict_html(claims[k])), cell("why not", draw::svg::escape(claims[k].why_not)));
   return text + "</tbody>\n</table>\n";
 }
 
 std::string claim_html(const ClaimSection& claim, std::size_t number) {
   std::string text = fmt::format("<section id=\"c{}\">\n<h2>{}: {}</h2>\n<p>Verdict: {}</p>\n<dl>\n", number,
-                                 svg::escape(claim.id), svg::escape(claim.sentence), verdict_html(claim));
-  if (!claim.published.empty()) text += fmt::format("<dt>published</dt>\n<dd>{}</dd>\n", svg::escape(claim.published));
+                                 draw::svg::escape(claim.id), draw::svg::escape(claim.sentence), verdict_html(claim));
+  if (!claim.published.empty())
+    text += fmt::format("<dt>published</dt>\n<dd>{}</dd>\n", draw::svg::escape(claim.published));
   text += list("ours; intervals are those of 95 %", claim.ours);
   text += list("conditions, each with its statistic", claim.conditions) + "</dl>\n";
   return text + figures_html(claim.figures, fmt::format("c{}", number)) + "</section>\n";
@@ -66,11 +69,12 @@ std::string claims_page(const std::string& title, const std::vector<Fact>& facts
   const bool caveat = std::ranges::any_of(claims, [](const ClaimSection& claim) { return !claim.caveat.empty(); });
   std::string text = page_head(title);
   for (const Fact& fact : facts)
-    text += fmt::format("<p class=\"fact\">{}: {}</p>\n", svg::escape(fact.name), svg::escape(fact.value));
-  if (!setting.empty()) text += fmt::format("<p{}>{}</p>\n", caveat ? " class=\"notice\"" : "", svg::escape(setting));
+    text += fmt::format("<p class=\"fact\">{}: {}</p>\n", draw::svg::escape(fact.name), draw::svg::escape(fact.value));
+  if (!setting.empty())
+    text += fmt::format("<p{}>{}</p>\n", caveat ? " class=\"notice\"" : "", draw::svg::escape(setting));
   text += summary_html(claims);
   for (std::size_t k = 0; k < claims.size(); ++k) text += claim_html(claims[k], k + 1);
   return text + page_end(provenance);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

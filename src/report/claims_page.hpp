@@ -8,7 +8,7 @@
 
 /// A report on claims as one HTML file that needs nothing else, never wider than its window.
 /// Test: tests/unit/report/claims_page_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// A claim with what became of it.
 struct ClaimSection {
@@ -33,4 +33,4 @@ struct ClaimSection {
 std::string claims_page(const std::string& title, const std::vector<Fact>& facts, const std::string& setting,
                         const std::vector<ClaimSection>& claims, const std::string& provenance);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 namespace {
 
@@ -20,14 +20,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr double byte_range = 255.0;
 
-Json layer(const Film& film, const Floats& (*field)(const Frame&)) {
+Json layer(const observe::Film& film, const observe::Floats& (*field)(const observe::Frame&)) {
   const Limits limits = usual_limits(film, field);
   return packed({.scale = (limits.high - limits.low) / byte_range, .offset = limits.low}, film.frames.size(),
-                [&](std::size_t k) -> const Floats& { return field(film.frames[k]); });
+                [&](std::size_t k) -> const observe::Floats& { return field(film.frames[k]); });
 }
 
 /// Positions to 0.005 um, or coarser where 16 bits would not reach the rim.
-Packing positions(const FrameHead& head) {
+Packing positions(const observe::FrameHead& head) {
   constexpr double reach = 32767.0;
   return {.wide = true, .components = 2, .scale = std::max(0.005, 1.05 * (head.radius + head.spacing) / reach)};
 }
@@ -35,78 +35,83 @@ Packing positions(const FrameHead& head) {
 /// Values of solid and fluid between their own limits.
 /// @param field  of a frame; may be that of all frames
 template <class Field>
-Json everywhere(const Film& film, const Field& field) {
+Json everywhere(const observe::Film& film, const Field& field) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const Frame& frame : film.frames)
+  for (const observe::Frame& frame : film.frames)
     for (const double value : field(frame)) {
       low = std::min(low, value);
       high = std::max(high, value);
     }
   return packed({.scale = (high > low ? high - low : 1.0) / byte_range, .offset = low}, film.frames.size(),
-                [&](std::size_t k) -> const Floats& { return field(film.frames[k]); });
+                [&](std::size_t k) -> const observe::Floats& { return field(film.frames[k]); });
 }
 
-Json particles_json(const Film& film) {
-  Floats x;
-  const auto positions_of = [&](std::size_t k) -> const Floats& {
+Json particles_json(const observe::Film& film) {
+  observe::Floats x;
+  const auto positions_of = [&](std::size_t k) -> const observe::Floats& {
     x = film.frames[k].matrix.displacement;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += film.head.reference[i];
     return x;
   };
-  Json json{{"x", packed(positions(film.head), film.frames.size(), positions_of)},
-            {"f", packed({.scale = 1.0 / byte_range}, film.frames.size(),
-                         [&](std::size_t k) -> const Floats& { return film.frames[k].matrix.f_degr; })},
-            {"pressure", layer(film, [](const Frame& f) -> const Floats& { return f.matrix.pressure; })},
-            {"von_mises", layer(film, [](const Frame& f) -> const Floats& { return f.matrix.von_mises; })}};
+  Json json{
+      {"x", packed(positions(film.head), film.frames.size(), positions_of)},
+      {"f", packed({.scale = 1.0 / byte_range}, film.frames.size(),
+                   [&](std::size_t k) -> const observe::Floats& { return film.frames[k].matrix.f_degr; })},
+      {"pressure", layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; })},
+      {"von_mises", layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.von_mises; })}};
   if (!film.frames.front().matrix.fibre_von_mises.empty())
-    json["fibre_von_mises"] = layer(film, [](const Frame& f) -> const Floats& { return f.matrix.fibre_von_mises; });
+    json["fibre_von_mises"] =
+        layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.fibre_von_mises; });
   if (!film.frames.front().matrix.attractant.empty())
-    json["attractant"] = everywhere(film, [](const Frame& f) -> const Floats& { return f.matrix.attractant; });
-  const auto of_head = [&](const Floats& field) {
-    return everywhere(film, [&](const Frame&) -> const Floats& { return field; });
+    json["attractant"] =
+        everywhere(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.attractant; });
+  const auto of_head = [&](const observe::Floats& field) {
+    return everywhere(film, [&](const observe::Frame&) -> const observe::Floats& { return field; });
   };
   if (!film.head.youngs_modulus.empty()) json["youngs_modulus"] = of_head(film.head.youngs_modulus);
   if (!film.head.ligand.empty()) json["ligand"] = of_head(film.head.ligand);
   return json;
 }
 
-Json outline_json(const Film& film) {
+Json outline_json(const observe::Film& film) {
   const std::size_t n = film.frames.size();
   double strongest = 0.0;
-  for (const Frame& frame : film.frames)
+  for (const observe::Frame& frame : film.frames)
     for (const float force : frame.outline.force) strongest = std::max(strongest, static_cast<double>(force));
-  Floats row;
-  const auto bytes = [&](const Bytes OutlineFrame::*field) {
-    return packed({}, n, [&film, &row, field](std::size_t k) -> const Floats& {
-      const Bytes& values = film.frames[k].outline.*field;
+  observe::Floats row;
+  const auto bytes = [&](const observe::Bytes observe::OutlineFrame::*field) {
+    return packed({}, n, [&film, &row, field](std::size_t k) -> const observe::Floats& {
+      const observe::Bytes& values = film.frames[k].outline.*field;
       row.assign(values.begin(), values.end());
       return row;
     });
   };
-  const auto floats = [&](const Packing& packing, const Floats OutlineFrame::*field) {
-    return packed(packing, n, [&film, field](std::size_t k) -> const Floats& { return film.frames[k].outline.*field; });
+  const auto floats = [&](const Packing& packing, const observe::Floats observe::OutlineFrame::*field) {
+    return packed(packing, n,
+                  [&film, field](std::size_t k) -> const observe::Floats& { return film.frames[k].outline.*field; });
   };
-  Json json{{"x", floats(positions(film.head), &OutlineFrame::x)},
-            {"front", bytes(&OutlineFrame::front)},
-            {"protrusion", bytes(&OutlineFrame::protrusion)},
-            {"f_mat", floats({.scale = 1.0 / byte_range}, &OutlineFrame::f_mat)},
-            {"force", floats({.scale = (strongest > 0.0 ? strongest : 1.0) / byte_range}, &OutlineFrame::force)}};
+  Json json{
+      {"x", floats(positions(film.head), &observe::OutlineFrame::x)},
+      {"front", bytes(&observe::OutlineFrame::front)},
+      {"protrusion", bytes(&observe::OutlineFrame::protrusion)},
+      {"f_mat", floats({.scale = 1.0 / byte_range}, &observe::OutlineFrame::f_mat)},
+      {"force", floats({.scale = (strongest > 0.0 ? strongest : 1.0) / byte_range}, &observe::OutlineFrame::force)}};
   if (!film.frames.front().nucleus.empty())
-    json["nucleus"] =
-        packed(positions(film.head), n, [&film](std::size_t k) -> const Floats& { return film.frames[k].nucleus; });
-  if (const Floats& cell = film.frames.front().outline.cell; !cell.empty())
+    json["nucleus"] = packed(positions(film.head), n,
+                             [&film](std::size_t k) -> const observe::Floats& { return film.frames[k].nucleus; });
+  if (const observe::Floats& cell = film.frames.front().outline.cell; !cell.empty())
     json["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
   return json;
 }
 
 /// Index on the outline of particle 0 of a cell.
-std::size_t first_of(const OutlineFrame& outline, float cell) {
+std::size_t first_of(const observe::OutlineFrame& outline, float cell) {
   return static_cast<std::size_t>(std::ranges::find(outline.cell, cell) - outline.cell.begin());
 }
 
-Json protrusions_json(const Frame& frame) {
-  const ProtrusionFrame& p = frame.protrusions;
+Json protrusions_json(const observe::Frame& frame) {
+  const observe::ProtrusionFrame& p = frame.protrusions;
   Json list = Json::array();
   for (std::size_t i = 0; i < p.id.size(); ++i) {
     const std::size_t first = p.cell.empty() ? 0 : first_of(frame.outline, p.cell[i]);
@@ -123,11 +128,11 @@ Json protrusions_json(const Frame& frame) {
 
 } // namespace
 
-Limits usual_limits(const Film& film, const Floats& (*field)(const Frame&)) {
+Limits usual_limits(const observe::Film& film, const observe::Floats& (*field)(const observe::Frame&)) {
   std::vector<float> values;
   values.reserve(film.frames.size() * film.head.particles()); // without growing: it is a large part of all memory
-  for (const Frame& frame : film.frames) {
-    const Floats& all = field(frame);
+  for (const observe::Frame& frame : film.frames) {
+    const observe::Floats& all = field(frame);
     for (std::size_t i = 0; i < all.size(); ++i)
       if (frame.matrix.f_degr[i] > 0.0F && std::isfinite(all[i])) values.push_back(all[i]);
   }
@@ -141,24 +146,25 @@ Limits usual_limits(const Film& film, const Floats& (*field)(const Frame&)) {
   return limits.high > limits.low ? limits : Limits{limits.low, limits.low + 1.0};
 }
 
-Json film_json(const Film& film) {
+Json film_json(const observe::Film& film) {
   if (film.frames.empty()) return {};
   Json times = Json::array();
   Json protrusions = Json::array();
-  for (const Frame& frame : film.frames) {
+  for (const observe::Frame& frame : film.frames) {
     times.push_back(frame.t);
     protrusions.push_back(protrusions_json(frame));
   }
   Packing reference = positions(film.head);
   reference.delta = false;
-  return {{"times_s", std::move(times)},
-          {"reference", packed(reference, 1, [&](std::size_t) -> const Floats& { return film.head.reference; })},
-          {"particles", particles_json(film)},
-          {"outline", outline_json(film)},
-          {"protrusions", std::move(protrusions)}};
+  return {
+      {"times_s", std::move(times)},
+      {"reference", packed(reference, 1, [&](std::size_t) -> const observe::Floats& { return film.head.reference; })},
+      {"particles", particles_json(film)},
+      {"outline", outline_json(film)},
+      {"protrusions", std::move(protrusions)}};
 }
 
-Json obstacles_json(const FrameHead& head) {
+Json obstacles_json(const observe::FrameHead& head) {
   if (std::ranges::count(head.obstacle, std::uint8_t{1}) == 0) return {};
   Json places = Json::array();
   for (std::size_t i = 0; i < head.particles(); ++i)
@@ -177,4 +183,4 @@ Json fibres_json(const Parameters& p) {
   return {{"bonds_um", std::move(bonds)}, {"onset", p.fibres.onset}};
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

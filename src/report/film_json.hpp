@@ -6,16 +6,16 @@
 #include <nlohmann/json_fwd.hpp>
 
 /// The frames of a run as the report's player takes them (viewer/README.md). Test: tests/unit/report/run_page_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// Takes away what the player does not show, where memory counts.
-inline void keep_what_is_played(Frame& frame) { Floats().swap(frame.matrix.velocity); }
+inline void keep_what_is_played(observe::Frame& frame) { observe::Floats().swap(frame.matrix.velocity); }
 
 /// @return null if there are no frames
-nlohmann::ordered_json film_json(const Film& film);
+nlohmann::ordered_json film_json(const observe::Film& film);
 
 /// Places of the particles of rigid obstacles: [[x, y], ...] [um].   @return null without any
-nlohmann::ordered_json obstacles_json(const FrameHead& head);
+nlohmann::ordered_json obstacles_json(const observe::FrameHead& head);
 
 /// The fibres, which are the same at all times: between which particles, and from which strain on they stiffen. A
 /// fibre's strain follows from the positions of its ends.   @return null without fibres
@@ -25,6 +25,6 @@ nlohmann::ordered_json fibres_json(const Parameters& p);
 struct Limits {
   double low = 0.0, high = 1.0;
 };
-Limits usual_limits(const Film& film, const Floats& (*field)(const Frame&));
+Limits usual_limits(const observe::Film& film, const observe::Floats& (*field)(const observe::Frame&));
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

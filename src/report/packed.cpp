@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 namespace {
 
 /// q of each number, as the bits that are stored.
-std::vector<std::uint16_t> quantised(const Packing& packing, const Floats& values) {
+std::vector<std::uint16_t> quantised(const Packing& packing, const observe::Floats& values) {
   const double low = packing.wide ? -32768.0 : 0.0;
   const double high = packing.wide ? 32767.0 : 255.0;
   std::vector<std::uint16_t> q(values.size(), 0);
@@ -50,7 +50,7 @@ nlohmann::ordered_json packed(const Packing& packing, std::size_t frames, const 
           {"scale", packing.scale},
           {"offset", packing.offset},
           {"delta", packing.delta},
-          {"data", base64(deflated(bytes, 6))}};
+          {"data", store::base64(deflated(bytes, 6))}};
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

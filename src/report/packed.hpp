@@ -7,7 +7,7 @@
 #include <functional>
 
 /// Numbers of many frames in few characters, as viewer/README.md describes it. Test: tests/unit/report/packed_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// How numbers are stored: value = offset + scale q.
 struct Packing {
@@ -19,10 +19,10 @@ struct Packing {
 };
 
 /// The numbers of one frame.
-using FrameValues = std::function<const Floats&(std::size_t frame)>;
+using FrameValues = std::function<const observe::Floats&(std::size_t frame)>;
 
 /// {type, components, per_frame, scale, offset, delta, data}
 /// @param frames  at least one, all of one size
 nlohmann::ordered_json packed(const Packing& packing, std::size_t frames, const FrameValues& values);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

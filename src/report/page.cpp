@@ -9,7 +9,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 namespace {
 
@@ -32,9 +32,9 @@ std::string check_table(const PageSection& section) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool last = c + 1 == row.size();
       const bool known = last && (row[c] == verdict(true) || row[c] == verdict(false));
-      out +=
-          fmt::format("<td data-label=\"{}\"{}><span>{}</span></td>", check_columns[c],
-                      last ? " class=\"verdict\"" : "", known ? badge(row[c] == verdict(true)) : svg::escape(row[c]));
+      out += fmt::format("<td data-label=\"{}\"{}><span>{}</span></td>", check_columns[c],
+                         last ? " class=\"verdict\"" : "",
+                         known ? badge(row[c] == verdict(true)) : draw::svg::escape(row[c]));
     }
     out += "</tr>\n";
   }
@@ -42,12 +42,12 @@ std::string check_table(const PageSection& section) {
 }
 
 std::string section_html(const PageSection& section, std::size_t number) {
-  std::string out = fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", number, svg::escape(section.title));
-  out += fmt::format("<p>{}</p>\n<p>Verdict: {}</p>\n", svg::escape(section.summary), badge(section.holds));
+  std::string out = fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", number, draw::svg::escape(section.title));
+  out += fmt::format("<p>{}</p>\n<p>Verdict: {}</p>\n", draw::svg::escape(section.summary), badge(section.holds));
   out += check_table(section);
   if (!section.remarks.empty()) {
     out += "<ul>\n";
-    for (const auto& remark : section.remarks) out += fmt::format("<li>{}</li>\n", svg::escape(remark));
+    for (const auto& remark : section.remarks) out += fmt::format("<li>{}</li>\n", draw::svg::escape(remark));
     out += "</ul>\n";
   }
   return out + figures_html(section.figures, fmt::format("s{}", number)) + "</section>\n";
@@ -61,7 +61,8 @@ std::string summary_html(const std::vector<PageSection>& sections) {
          "<th scope=\"col\">verdict</th></tr></thead>\n<tbody>\n";
   for (std::size_t s = 0; s < sections.size(); ++s)
     out += fmt::format("<tr><td><a href=\"#s{}\">{}</a></td><td>{}</td><td class=\"verdict\">{}</td></tr>\n", s + 1,
-                       svg::escape(sections[s].title), svg::escape(sections[s].summary), badge(sections[s].holds));
+                       draw::svg::escape(sections[s].title), draw::svg::escape(sections[s].summary),
+                       badge(sections[s].holds));
   return out + "</tbody>\n</table>\n";
 }
 
@@ -75,4 +76,4 @@ std::string page(const std::string& title, const std::vector<PageSection>& secti
   return out + page_end(provenance);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -7,7 +7,7 @@
 
 /// A report as one HTML file that needs nothing else: no network, no script, pictures inside. Reads on a phone, on a
 /// desktop and on paper. Test: tests/unit/report/page_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// One chapter of a report.
 struct PageSection {
@@ -29,4 +29,4 @@ std::string verdict(bool holds);
 /// @throws std::invalid_argument if a check row has not six fields or a figure holds no SVG element
 std::string page(const std::string& title, const std::vector<PageSection>& sections, const std::string& provenance);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 namespace {
 
@@ -34,21 +34,22 @@ std::string page_head(const std::string& title) {
   return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
                      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
-                     svg::escape(title), page_style);
+                     draw::svg::escape(title), page_style);
 }
 
 std::string figures_html(const std::vector<Figure>& figures, const std::string& prefix) {
   if (figures.empty()) return {};
   std::string out = "<div class=\"figures\">\n";
   for (std::size_t f = 0; f < figures.size(); ++f)
-    out += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
-                       inlined(figures[f], fmt::format("{}f{}-", prefix, f + 1)), svg::escape(figures[f].caption));
+    out +=
+        fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                    inlined(figures[f], fmt::format("{}f{}-", prefix, f + 1)), draw::svg::escape(figures[f].caption));
   return out + "</div>\n";
 }
 
 std::string page_end(const std::string& provenance) {
   return fmt::format("<section>\n<h2>Provenance</h2>\n<pre>{}</pre>\n</section>\n</body>\n</html>\n",
-                     svg::escape(provenance));
+                     draw::svg::escape(provenance));
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

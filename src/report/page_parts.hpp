@@ -6,7 +6,7 @@
 #include <vector>
 
 /// What all reports have in common. Test: tests/unit/report/page_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// From the start of the document to its heading.
 std::string page_head(const std::string& title);
@@ -19,4 +19,4 @@ std::string figures_html(const std::vector<Figure>& figures, const std::string& 
 /// The chapter on what made the numbers, and the end of the document.
 std::string page_end(const std::string& provenance);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

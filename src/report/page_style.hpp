@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// The style sheet of a report. On narrow screens each row of a table of checks becomes a card.
 inline constexpr std::string_view page_style = R"css(
@@ -69,4 +69,4 @@ pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #f6f8fa; paddi
 }
 )css";
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

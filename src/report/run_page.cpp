@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 namespace {
 
@@ -27,7 +27,7 @@ Json tracks_json(std::span<const CellResult> cells) {
       json["y_um"].push_back(row.centre.y());
       json["area_um2"].push_back(row.area);
       json["perimeter_um"].push_back(row.perimeter);
-      json["polarization_rad"].push_back(row.polarization.value_or(never));
+      json["polarization_rad"].push_back(row.polarization.value_or(undefined));
       json["n_simultaneous"].push_back(row.alive());
       if (cells.size() > 1) json["cell"].push_back(number_of(row.cell));
     }
@@ -40,7 +40,7 @@ Json json_of(const Field& field) {
 
 Json protrusions_json(const RunReport& report) {
   Json list = Json::array();
-  const std::vector<std::string_view> columns = protrusion_columns();
+  const std::vector<std::string_view> columns = store::protrusion_columns();
   for (const CellResult& cell : report.cells)
     for (const ProtrusionRecord& record : cell.records) {
       const std::vector<Field> row = fields(record, report.p.actomyosin);
@@ -61,7 +61,7 @@ Json facts_json(const std::vector<Fact>& facts) {
 Json readouts_json(const RunReport& report) {
   Json list = Json::array();
   for (const CellResult& cell : report.cells)
-    for (const NamedValue& v : shown_values(cell.readouts, report.p)) {
+    for (const store::NamedValue& v : store::shown_values(cell.readouts, report.p)) {
       list.push_back({{"name", v.name}, {"meaning", v.meaning}, {"value", json_of(v.value)}});
       if (report.cells.size() > 1) list.back()["cell"] = number_of(cell.cell);
     }
@@ -71,7 +71,7 @@ Json readouts_json(const RunReport& report) {
 /// The largest of a column over all rows; NaN without rows.
 template <class Value>
 double worst(std::span<const HealthRow> rows, const Value& value) {
-  double most = never;
+  double most = undefined;
   for (const HealthRow& row : rows) {
     const auto x = static_cast<double>(value(row));
     if (!(x <= most)) most = std::isnan(x) ? most : x;
@@ -85,7 +85,7 @@ Json health_json(std::span<const HealthRow> rows) {
     list.push_back({{"name", name}, {"meaning", meaning}, {"value", value}});
   };
   add("solver_iterations_max", "iterations of the solver in a step, largest number",
-      worst(rows, [](const HealthRow& r) { return r.most_iterations; }));
+      worst(rows, [](const HealthRow& r) { return r.max_iterations; }));
   add("solver_residual_max", "relative residual of the solver, largest [-]",
       worst(rows, [](const HealthRow& r) { return r.largest_residual; }));
   add("force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]",
@@ -154,7 +154,7 @@ Json run_data(const RunReport& report) {
           {"version", 1},
           {"title", report.title},
           {"status", report.status},
-          {"summary", result_sentence(report.cells)},
+          {"summary", store::result_sentence(report.cells)},
           {"facts", facts_json(report.facts)},
           {"t_end_s", report.t_end},
           {"geometry",
@@ -185,4 +185,4 @@ std::string filled_page(std::string_view page_template, const Json& data) {
   return page.append(page_template.substr(start + 4));
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -12,7 +12,7 @@
 
 /// The report of a run: one HTML file that plays it and needs nothing else. Made of a template, which viewer/ builds,
 /// and of data, whose contract is in viewer/README.md. Test: tests/unit/report/run_page_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::report {
 
 /// Something about a run as a whole: "seed", "7".
 struct Fact {
@@ -28,8 +28,8 @@ struct RunReport {
   Parameters p{};
   std::span<const CellResult> cells{}; ///< none: a page without results
   std::span<const HealthRow> health{};
-  const Film* film = nullptr; ///< none: a page without a player
-  std::string provenance{};   ///< its line breaks are kept
+  const observe::Film* film = nullptr; ///< none: a page without a player
+  std::string provenance{};            ///< its line breaks are kept
 };
 
 /// What to cite, on every page.
@@ -42,4 +42,4 @@ nlohmann::ordered_json run_data(const RunReport& report);
 /// @throws std::invalid_argument if the template has no place for it, or several
 std::string filled_page(std::string_view page_template, const nlohmann::ordered_json& data);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// The checkpoint that lies closest before t; none: the start. Warns of those that cannot be read.
 std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t, RunObserver& observer) {
-  std::vector<fs::path> files{folder / io::checkpoint_name, folder / io::previous_checkpoint_name};
+  std::vector<fs::path> files{folder / store::checkpoint_name, folder / store::previous_checkpoint_name};
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
     if (entry.path().extension() == ".h5") files.push_back(entry.path());

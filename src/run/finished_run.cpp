@@ -29,8 +29,8 @@ std::string status_text(const FinishedRun& run) {
   const std::string status = run.record.value("status", "unknown");
   const std::string reason = run.record.value("reason", "");
   const std::string reached = fmt::format("{} of {}", time_text(run.t), time_text(run.p.run.duration));
-  const io::LostFrames lost = lost_frames(run);
-  const std::string gone = lost.count == 0 ? "" : fmt::format(" {}.", io::to_text(lost));
+  const store::LostFrames lost = lost_frames(run);
+  const std::string gone = lost.count == 0 ? "" : fmt::format(" {}.", store::to_text(lost));
   if (status_of(run.record) == RunStatus::done) return fmt::format("Done: {}.{}", time_text(run.t), gone);
   return fmt::format("Status: {}; {} in the last checkpoint{}{}.{}", status, reached, reason.empty() ? "" : ": ",
                      reason, gone);
@@ -65,48 +65,48 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   run.folder = folder;
   run.record = Json::parse(read_file(folder / "run.json", max_text), nullptr, false);
   if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
-  const bool last = std::filesystem::exists(folder / io::checkpoint_name, error);
-  const std::filesystem::path file = folder / (last ? io::checkpoint_name : io::previous_checkpoint_name);
-  const io::Checkpoint checkpoint = io::read_checkpoint(file);
+  const bool last = std::filesystem::exists(folder / store::checkpoint_name, error);
+  const std::filesystem::path file = folder / (last ? store::checkpoint_name : store::previous_checkpoint_name);
+  const store::Checkpoint checkpoint = store::read_checkpoint(file);
   run.p = parse_parameters(checkpoint.scenario, file.string());
   run.t = checkpoint.state.t;
-  run.memory = io::parse_memory(checkpoint.memory);
+  run.memory = store::parse_memory(checkpoint.memory);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
     std::ranges::copy(track_rows(checkpoint.state), std::back_inserter(run.memory.rows)); // as at the end of a run
   run.cells = cell_results(checkpoint.state, run.memory.rows, run.p);
   run.frame_times = run.memory.frames;
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
     run.frame_times.push_back(run.t);
-  const io::FrameShape shape{.head = io::frame_head(checkpoint.state, run.p),
-                             .outline = cortex_particles(checkpoint.state),
-                             .fibres = run.p.fibres.arrangement != FibreArrangement::none};
-  if (run.p.output.field_interval > 0.0) run.film = io::saved_film(folder, shape, run.frame_times);
+  const store::FrameShape shape{.head = observe::frame_head(checkpoint.state, run.p),
+                                .outline = cortex_particles(checkpoint.state),
+                                .fibres = run.p.fibres.arrangement != FibreArrangement::none};
+  if (run.p.output.field_interval > 0.0) run.film = store::saved_film(folder, shape, run.frame_times);
   return run;
 }
 
-io::LostFrames lost_frames(const FinishedRun& run) {
+store::LostFrames lost_frames(const FinishedRun& run) {
   if (run.p.output.field_interval <= 0.0) return {};
-  const std::vector<double> there = io::times_of(run.film);
+  const std::vector<double> there = store::times_of(run.film);
   std::vector<double> written;
   std::ranges::set_union(run.frame_times, there, std::back_inserter(written));
-  return io::lost_frames(written, there);
+  return store::lost_frames(written, there);
 }
 
 nlohmann::ordered_json page_data(const FinishedRun& run) {
   const std::string scenario = scenario_name(run.record, run.folder);
-  return io::run_data({.title = run_title(run.p, scenario),
-                       .status = status_text(run),
-                       .facts = run_facts(run.p, run.record, scenario),
-                       .t_end = run.t,
-                       .p = run.p,
-                       .cells = run.cells,
-                       .health = run.memory.health,
-                       .film = &run.film,
-                       .provenance = provenance_of(run.record)});
+  return report::run_data({.title = run_title(run.p, scenario),
+                           .status = status_text(run),
+                           .facts = run_facts(run.p, run.record, scenario),
+                           .t_end = run.t,
+                           .p = run.p,
+                           .cells = run.cells,
+                           .health = run.memory.health,
+                           .film = &run.film,
+                           .provenance = provenance_of(run.record)});
 }
 
 std::string report_of(const FinishedRun& run, std::string_view page_template) {
-  return io::filled_page(page_template, page_data(run));
+  return report::filled_page(page_template, page_data(run));
 }
 
 } // namespace matrigrate::run

@@ -21,10 +21,10 @@ struct FinishedRun {
   Parameters p;
   nlohmann::ordered_json record; ///< run.json
   double t = 0.0;                ///< of the checkpoint [s]
-  io::RunMemory memory;
+  store::RunMemory memory;
   std::vector<CellResult> cells;   ///< results of each
   std::vector<double> frame_times; ///< of the frames written up to the checkpoint [s]
-  io::Film film;                   ///< those that are still whole, and later ones
+  observe::Film film;              ///< those that are still whole, and later ones
 };
 
 /// The scenario is taken from the checkpoint.
@@ -32,7 +32,7 @@ struct FinishedRun {
 FinishedRun read_run(const std::filesystem::path& folder);
 
 /// Frames that the run has written up to its last checkpoint, and that are not in its film.
-io::LostFrames lost_frames(const FinishedRun& run);
+store::LostFrames lost_frames(const FinishedRun& run);
 
 /// What the page of the run shows (viewer/README.md).
 nlohmann::ordered_json page_data(const FinishedRun& run);

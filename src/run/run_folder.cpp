@@ -40,29 +40,29 @@ std::string time_name(double t) {
 }
 
 template <class Row>
-std::vector<std::vector<io::Field>> fields_of(const std::vector<Row>& rows) {
-  std::vector<std::vector<io::Field>> all;
+std::vector<std::vector<store::Field>> fields_of(const std::vector<Row>& rows) {
+  std::vector<std::vector<store::Field>> all;
   all.reserve(rows.size());
-  for (const Row& row : rows) all.push_back(io::fields(row));
+  for (const Row& row : rows) all.push_back(store::fields(row));
   return all;
 }
 
 /// A row of protrusions.csv, which tells the cell where there are several.
-std::vector<io::Field> fields_of(const State& s, const Cell& cell, const ProtrusionRecord& record,
-                                 const Parameters& p) {
-  std::vector<io::Field> fields = io::fields(record, p.actomyosin);
-  return s.cells.size() > 1 ? io::with_cell(cell.id, std::move(fields)) : fields;
+std::vector<store::Field> fields_of(const State& s, const Cell& cell, const ProtrusionRecord& record,
+                                    const Parameters& p) {
+  std::vector<store::Field> fields = store::fields(record, p.actomyosin);
+  return s.cells.size() > 1 ? store::with_cell(cell.id, std::move(fields)) : fields;
 }
 
-std::vector<std::vector<io::Field>> ended_rows(const State& s, const Parameters& p) {
-  std::vector<std::vector<io::Field>> all;
+std::vector<std::vector<store::Field>> ended_rows(const State& s, const Parameters& p) {
+  std::vector<std::vector<store::Field>> all;
   for (const Cell& cell : s.cells)
     for (const ProtrusionRecord& record : cell.ended) all.push_back(fields_of(s, cell, record, p));
   return all;
 }
 
 std::vector<std::string_view> protrusion_columns(const State& s) {
-  return s.cells.size() > 1 ? io::with_cell(io::protrusion_columns()) : io::protrusion_columns();
+  return s.cells.size() > 1 ? store::with_cell(store::protrusion_columns()) : store::protrusion_columns();
 }
 
 std::vector<std::size_t> numbers_ended(const State& s) {
@@ -74,7 +74,7 @@ std::vector<std::size_t> numbers_ended(const State& s) {
 } // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
-                     io::RunMemory memory, const std::filesystem::path& from)
+                     store::RunMemory memory, const std::filesystem::path& from)
     : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
       m_memory(std::move(memory)), m_ended(numbers_ended(s)), m_row_cadence(p.output.track_interval, p.run.time_step),
       m_snapshot_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
@@ -87,10 +87,10 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   write_record(record);                                                 // first: it tells whose folder this is
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
-  m_tracks.emplace(m_folder / "tracks.csv", io::track_columns(has_nucleus(m_p)), fields_of(m_memory.rows));
+  m_tracks.emplace(m_folder / "tracks.csv", store::track_columns(has_nucleus(m_p)), fields_of(m_memory.rows));
   m_protrusions.emplace(m_folder / "protrusions.csv", protrusion_columns(s), ended_rows(s, p));
-  m_health.emplace(m_folder / "health.csv", io::health_columns(), fields_of(m_memory.health));
-  if (s.cells.size() > 1) m_group.emplace(m_folder / "group.csv", io::group_columns(), fields_of(m_memory.group));
+  m_health.emplace(m_folder / "health.csv", store::health_columns(), fields_of(m_memory.health));
+  if (s.cells.size() > 1) m_group.emplace(m_folder / "group.csv", store::group_columns(), fields_of(m_memory.group));
   if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
   if (m_memory.rows.empty()) return;
   for (Cadence* cadence :
@@ -144,11 +144,11 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
   if (m_frames) m_frames->flush();
   m_memory.counts = w.health;
   m_memory.march_wall_time = march_wall_time;
-  io::write_checkpoint(m_folder, {.state = s,
-                                  .scenario = to_toml(m_p),
-                                  .configuration_hash = configuration_hash(m_p),
-                                  .program = version_line(),
-                                  .memory = io::to_text(m_memory)});
+  store::write_checkpoint(m_folder, {.state = s,
+                                     .scenario = to_toml(m_p),
+                                     .configuration_hash = configuration_hash(m_p),
+                                     .program = version_line(),
+                                     .memory = store::to_text(m_memory)});
   m_safe_until = s.t;
 }
 
@@ -156,7 +156,7 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
 void RunFolder::keep_checkpoint(double t) const {
   make_output_folder(m_folder / "checkpoints", true);
   write_file(m_folder / "checkpoints" / (time_name(t) + ".h5"),
-             read_file(m_folder / io::checkpoint_name, std::size_t{1} << 40U));
+             read_file(m_folder / store::checkpoint_name, std::size_t{1} << 40U));
 }
 
 void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
@@ -169,41 +169,41 @@ void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
 
 void RunFolder::finish(const State& s, const std::string& status, bool failed, const RunRecord& record,
                        std::string_view page_template) {
-  if (m_frames) io::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
+  if (m_frames) store::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
   write_pictures(s, failed);
   m_results = cell_results(s, m_memory.rows, m_p);
-  write_file(m_folder / "protrusions.csv", io::protrusions_csv(m_results, m_p.actomyosin)); // with those still alive
-  write_file(m_folder / "msd.csv", io::msd_csv(m_results, 600.0));
-  write_file(m_folder / "summary.csv", io::summary_csv(m_results));
-  write_file(m_folder / "summary.json", io::summary_json(m_results));
+  write_file(m_folder / "protrusions.csv", store::protrusions_csv(m_results, m_p.actomyosin)); // with those still alive
+  write_file(m_folder / "msd.csv", store::msd_csv(m_results, 600.0));
+  write_file(m_folder / "summary.csv", store::summary_csv(m_results));
+  write_file(m_folder / "summary.json", store::summary_json(m_results));
   if (!m_p.output.report || page_template.empty()) return;
   ::malloc_trim(0); // before all frames that are played are in memory
   const nlohmann::ordered_json record_json = to_json(record, m_p);
   const std::string scenario = scenario_name(record_json, m_folder);
-  const io::Film film = m_frames ? io::read_film(m_folder, io::keep_what_is_played) : io::Film{};
+  const observe::Film film = m_frames ? store::read_film(m_folder, report::keep_what_is_played) : observe::Film{};
   write_file(m_folder / "report.html",
-             io::filled_page(page_template, io::run_data({.title = run_title(m_p, scenario),
-                                                          .status = status,
-                                                          .facts = run_facts(m_p, record_json, scenario),
-                                                          .t_end = s.t,
-                                                          .p = m_p,
-                                                          .cells = m_results,
-                                                          .health = m_memory.health,
-                                                          .film = m_frames ? &film : nullptr,
-                                                          .provenance = provenance_text()})));
+             report::filled_page(page_template, report::run_data({.title = run_title(m_p, scenario),
+                                                                  .status = status,
+                                                                  .facts = run_facts(m_p, record_json, scenario),
+                                                                  .t_end = s.t,
+                                                                  .p = m_p,
+                                                                  .cells = m_results,
+                                                                  .health = m_memory.health,
+                                                                  .film = m_frames ? &film : nullptr,
+                                                                  .provenance = provenance_text()})));
 }
 
 void RunFolder::write_pictures(const State& s, bool failed) const {
-  if (m_p.output.pictures) write_file(m_folder / "snapshots.svg", io::contact_sheet(m_memory.scenes));
+  if (m_p.output.pictures) write_file(m_folder / "snapshots.svg", draw::contact_sheet(m_memory.scenes));
   if (!failed) return;
-  const io::CellScene scene = io::cell_scene(s, m_p, {});
-  write_file(m_folder / "failure.svg", io::cell_picture(scene, io::surroundings(std::span(&scene, 1), 15.0)));
+  const observe::CellScene scene = observe::cell_scene(s, m_p, {});
+  write_file(m_folder / "failure.svg", draw::cell_picture(scene, observe::surroundings(std::span(&scene, 1), 15.0)));
 }
 
 void RunFolder::remove_log() {
   m_frames.reset();
   std::error_code error;
-  std::filesystem::remove(m_folder / io::frame_log_name, error); // one that stays does no harm
+  std::filesystem::remove(m_folder / store::frame_log_name, error); // one that stays does no harm
 }
 
 void RunFolder::write_record(const RunRecord& record) const {
@@ -211,22 +211,22 @@ void RunFolder::write_record(const RunRecord& record) const {
   write_file(m_folder / "run.json", to_json(record, m_p).dump(2, ' ', false, handler) + "\n");
 }
 
-std::string RunFolder::trajectory_hash() const { return io::TrajectoryHash(m_memory.trajectory).text(); }
+std::string RunFolder::trajectory_hash() const { return store::TrajectoryHash(m_memory.trajectory).text(); }
 
 void RunFolder::add_row(const State& s, const Workspace& w) {
-  io::TrajectoryHash trajectory(m_memory.trajectory);
+  store::TrajectoryHash trajectory(m_memory.trajectory);
   trajectory.add(s);
   m_memory.trajectory = trajectory.value();
   if (m_group) {
     m_memory.group.push_back(group_row(s, m_memory.rows, m_p));
-    m_group->add(io::fields(m_memory.group.back()));
+    m_group->add(store::fields(m_memory.group.back()));
   }
   for (const TrackRow& row : track_rows(s)) {
-    m_tracks->add(io::fields(row));
+    m_tracks->add(store::fields(row));
     m_memory.rows.push_back(row);
   }
   m_memory.health.push_back(health_row(s, w, m_memory.watch));
-  m_health->add(io::fields(m_memory.health.back()));
+  m_health->add(store::fields(m_memory.health.back()));
 }
 
 void RunFolder::add_ended(const State& s) {
@@ -245,40 +245,40 @@ void RunFolder::add_snapshot(const State& s, const Workspace& w) {
       if (row.cell == cell.id) path.push_back(row.centre);
     if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(centroid(cell.cortex));
   }
-  io::CellScene scene = io::cell_scene(s, m_p, std::move(paths));
+  observe::CellScene scene = observe::cell_scene(s, m_p, std::move(paths));
   const std::filesystem::path file = m_folder / "snapshots" / time_name(s.t);
   const auto layer = [&file](std::string_view name) { return file.string() + std::string(name) + ".svg"; };
-  write_file(layer(""), io::cell_picture(scene, io::whole_disc(scene)));
-  if (m_p.output.displacement_layer) write_file(layer("_displacement"), io::displacement_picture(s, m_p));
+  write_file(layer(""), draw::cell_picture(scene, observe::whole_disc(scene)));
+  if (m_p.output.displacement_layer) write_file(layer("_displacement"), draw::displacement_picture(s, m_p));
   if (m_p.output.fibre_stress_layer && !w.fibres.empty())
-    write_file(layer("_fibre_stress"), io::fibre_stress_picture(s, m_p, w.fibres));
+    write_file(layer("_fibre_stress"), draw::fibre_stress_picture(s, m_p, w.fibres));
   scene.matrix.front() = {}; // the contact sheet draws the intact matrix as one area
   m_memory.scenes.push_back(std::move(scene));
 }
 
 void RunFolder::add_frame(const State& s, const Workspace& w) {
-  m_frames->add(io::frame(s, m_p, w));
+  m_frames->add(observe::frame(s, m_p, w));
   m_frame_times.push_back(s.t);
   if (m_memory.frames.empty() || m_memory.frames.back() < s.t) m_memory.frames.push_back(s.t);
 }
 
 /// Begins the log with those frames of the past that a folder still holds.
 void RunFolder::open_log(const State& s, const std::filesystem::path& from) {
-  const io::FrameShape shape{.head = io::frame_head(s, m_p),
-                             .outline = cortex_particles(s),
-                             .fibres = m_p.fibres.arrangement != FibreArrangement::none};
-  std::string log = io::log_head(shape.head);
+  const store::FrameShape shape{.head = observe::frame_head(s, m_p),
+                                .outline = cortex_particles(s),
+                                .fibres = m_p.fibres.arrangement != FibreArrangement::none};
+  std::string log = store::log_head(shape.head);
   if (!m_memory.frames.empty())
-    for (const auto& [t, frame] : io::saved_frames(from, shape, m_memory.frames)) {
+    for (const auto& [t, frame] : store::saved_frames(from, shape, m_memory.frames)) {
       log += frame;
       m_frame_times.push_back(t);
     }
-  m_frames.emplace(m_folder / io::frame_log_name, log);
+  m_frames.emplace(m_folder / store::frame_log_name, log);
 }
 
-io::LostFrames RunFolder::lost_frames() const {
+store::LostFrames RunFolder::lost_frames() const {
   if (!m_frames) return {};
-  return io::lost_frames(m_memory.frames, m_frame_times);
+  return store::lost_frames(m_memory.frames, m_frame_times);
 }
 
 } // namespace matrigrate::run

@@ -31,7 +31,7 @@ public:
   /// @param memory  of a run that goes on; a new one has none
   /// @param from    the folder whose frames a branch takes over; empty: `folder`
   RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
-            io::RunMemory memory, const std::filesystem::path& from);
+            store::RunMemory memory, const std::filesystem::path& from);
 
   /// Writes what is due at the start of a new run.
   void begin(const State& s, const Workspace& w);
@@ -66,7 +66,7 @@ public:
   void write_record(const RunRecord& record) const;
 
   /// Frames of earlier parts of the run that could not be taken over.
-  io::LostFrames lost_frames() const;
+  store::LostFrames lost_frames() const;
 
   const std::vector<CellResult>& results() const { return m_results; } ///< of the cells, after finish()
   std::string trajectory_hash() const;                                 ///< so far
@@ -87,13 +87,13 @@ private:
   std::filesystem::path m_folder;
   FolderLock m_lock;
   Parameters m_p;
-  io::RunMemory m_memory;
+  store::RunMemory m_memory;
   std::vector<std::size_t> m_ended; ///< protrusions of each cell written so far
-  std::optional<io::RowFile> m_tracks;
-  std::optional<io::RowFile> m_protrusions;
-  std::optional<io::RowFile> m_health;
-  std::optional<io::RowFile> m_group; ///< of several cells
-  std::optional<io::FrameLog> m_frames;
+  std::optional<store::RowFile> m_tracks;
+  std::optional<store::RowFile> m_protrusions;
+  std::optional<store::RowFile> m_health;
+  std::optional<store::RowFile> m_group; ///< of several cells
+  std::optional<store::FrameLog> m_frames;
   Cadence m_row_cadence;
   Cadence m_snapshot_cadence;
   Cadence m_frame_cadence;

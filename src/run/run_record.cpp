@@ -96,7 +96,7 @@ std::string minute_text(WallClock::time_point time) { return minute_of(utc(time)
 std::string configuration_hash(const Parameters& p) {
   Parameters q = p;
   q.run.threads = RunParameters{}.threads;
-  return io::text_hash(values_text(q));
+  return store::text_hash(values_text(q));
 }
 
 std::string scenario_name(const Json& record, const fs::path& folder) {
@@ -120,7 +120,7 @@ std::vector<std::vector<std::string>> commands_of(const Json& record) {
   return commands;
 }
 
-io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
+store::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
   p.run.threads = RunParameters{}.threads;
   return {.program = "matrigrate",
           .version = version_text(),
@@ -135,8 +135,8 @@ std::string run_title(const Parameters& p, const std::string& scenario) {
                      p.run.seed);
 }
 
-std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
-  std::vector<io::Fact> facts{
+std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
+  std::vector<report::Fact> facts{
       {"scenario", scenario}, {"Young's modulus E", stiffness_text(p)}, {"seed", fmt::format("{}", p.run.seed)}};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
@@ -153,7 +153,7 @@ std::vector<io::Fact> run_facts(const Parameters& p, const Json& record, const s
 
 Json to_json(const RunRecord& record, const Parameters& p) {
   const WallClock::time_point now = record.end.value_or(WallClock::now());
-  const io::LostFrames& lost = record.lost_frames;
+  const store::LostFrames& lost = record.lost_frames;
   Json json{{"status", to_string(record.status())},
             {"exit_code", record.ended ? Json(exit_code(*record.ended)) : Json()},
             {"reason", record.reason},

@@ -26,7 +26,7 @@ struct RunRecord {
   double t = 0.0;                 ///< simulated time reached [s]
   double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
   double earlier_wall_time = 0.0; ///< of this run before it was resumed [s]
-  io::LostFrames lost_frames;
+  store::LostFrames lost_frames;
   std::string trajectory_hash;
   std::string configuration_hash;
   std::vector<std::string> command_line;          ///< of the process that wrote it
@@ -72,7 +72,7 @@ std::vector<std::vector<std::string>> commands_of(const nlohmann::ordered_json& 
 /// What fields.h5 says of the run. The number of threads is left out: it changes no result, and may differ after a
 /// resume.
 /// @param trajectory_hash  empty for a run that is not finished
-io::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
+store::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
 
 /// Heading of the run's report: "cell: E = 200 Pa, seed 1".
 std::string run_title(const Parameters& p, const std::string& scenario);
@@ -80,7 +80,8 @@ std::string run_title(const Parameters& p, const std::string& scenario);
 /// What was run, when and how: scenario, stiffness, seed, the commands that started it and its branches, date, wall
 /// time, trajectory hash.
 /// @param record  as in run.json
-std::vector<io::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record, const std::string& scenario);
+std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record,
+                                    const std::string& scenario);
 
 /// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
 ///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start,

@@ -57,7 +57,7 @@ public:
     m_record.lost_frames = m_folder->lost_frames();
     if (m_record.lost_frames.count == 0) return;
     m_folder->write_record(m_record);
-    m_observer.warn(io::to_text(m_record.lost_frames));
+    m_observer.warn(store::to_text(m_record.lost_frames));
   }
 
   RunOutcome compute() {
@@ -157,15 +157,15 @@ private:
   std::string safe_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     std::error_code error;
-    if (!std::filesystem::exists(m_options.folder / io::checkpoint_name, error))
+    if (!std::filesystem::exists(m_options.folder / store::checkpoint_name, error))
       return "the checkpoint is gone as well";
     return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
-                       time_text(*m_folder->safe_until()), io::checkpoint_name, m_options.folder.string());
+                       time_text(*m_folder->safe_until()), store::checkpoint_name, m_options.folder.string());
   }
 
   std::string last_good_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
-    return fmt::format("the last good checkpoint is {}, at {}", io::checkpoint_name,
+    return fmt::format("the last good checkpoint is {}, at {}", store::checkpoint_name,
                        time_text(*m_folder->safe_until()));
   }
 
@@ -173,7 +173,7 @@ private:
   std::string status_text() const {
     const std::string reached = fmt::format("{} of {}", time_text(m_record.t), time_text(m_p.run.duration));
     const std::string lost =
-        m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", io::to_text(m_record.lost_frames));
+        m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", store::to_text(m_record.lost_frames));
     if (m_record.status() == RunStatus::done)
       return fmt::format("Done: {}, {} steps.{}", time_text(m_record.t), m_record.steps, lost);
     return fmt::format("{} after {}: {}.{}", m_record.status() == RunStatus::failed ? "Failed" : "Interrupted", reached,

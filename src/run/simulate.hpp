@@ -30,7 +30,7 @@ struct BranchPoint {
 struct RunStart {
   State s;
   Parameters p;
-  io::RunMemory memory{};                           ///< empty: a new run
+  store::RunMemory memory{};                        ///< empty: a new run
   std::optional<BranchPoint> before{};              ///< of a branch
   std::vector<nlohmann::ordered_json> lineage{};    ///< restarts and branches, oldest first
   std::filesystem::path frames_from{};              ///< the folder whose frames a branch takes over

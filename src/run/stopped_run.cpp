@@ -60,7 +60,7 @@ std::string expected_configuration(const fs::path& folder) {
 bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) {
   if (status_of(record) != RunStatus::done) return false;
   try {
-    const FoundCheckpoint found = read_checkpoint_of(folder, folder / io::checkpoint_name);
+    const FoundCheckpoint found = read_checkpoint_of(folder, folder / store::checkpoint_name);
     const double t = found.checkpoint.state.t;
     if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return true;
     observer.warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}",
@@ -91,7 +91,7 @@ void restore_scenario(const fs::path& folder, RunObserver& observer) {
 std::string time_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file) {
-  FoundCheckpoint found{.checkpoint = io::read_checkpoint(file), .p = {}, .file = file};
+  FoundCheckpoint found{.checkpoint = store::read_checkpoint(file), .p = {}, .file = file};
   found.p = parse_parameters(found.checkpoint.scenario, file.string());
   const std::string expected = expected_configuration(folder);
   // Another version of the program may have other parameters, and so other hashes.
@@ -102,8 +102,8 @@ FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file)
 }
 
 FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
-  const fs::path last = folder / io::checkpoint_name;
-  const fs::path before = folder / io::previous_checkpoint_name;
+  const fs::path last = folder / store::checkpoint_name;
+  const fs::path before = folder / store::previous_checkpoint_name;
   std::error_code error;
   if (!fs::exists(folder, error)) throw InputOutputError(fmt::format("{}: there is no such folder", folder.string()));
   if (previous || (!fs::exists(last, error) && fs::exists(before, error))) return read_checkpoint_of(folder, before);
@@ -140,7 +140,8 @@ FoundCheckpoint whole_checkpoint(const fs::path& folder, RunObserver& observer) 
 
 bool has_checkpoint(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(folder / io::checkpoint_name, error) || fs::exists(folder / io::previous_checkpoint_name, error);
+  return fs::exists(folder / store::checkpoint_name, error)
+         || fs::exists(folder / store::previous_checkpoint_name, error);
 }
 
 bool has_only_broken_checkpoints(const fs::path& folder) {
@@ -152,13 +153,13 @@ bool has_only_broken_checkpoints(const fs::path& folder) {
       return false;
     }
   };
-  return has_checkpoint(folder) && !whole(io::checkpoint_name) && !whole(io::previous_checkpoint_name);
+  return has_checkpoint(folder) && !whole(store::checkpoint_name) && !whole(store::previous_checkpoint_name);
 }
 
 RunStart start_from(const FoundCheckpoint& found, const Json& record) {
   RunStart start{.s = found.checkpoint.state,
                  .p = found.p,
-                 .memory = io::parse_memory(found.checkpoint.memory),
+                 .memory = store::parse_memory(found.checkpoint.memory),
                  .before = {},
                  .lineage = lineage_of(record)};
   if (record.is_object()) {

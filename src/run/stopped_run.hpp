@@ -27,7 +27,7 @@ void restore_scenario(const std::filesystem::path& folder, RunObserver& observer
 
 /// A checkpoint that a run can be resumed from.
 struct FoundCheckpoint {
-  io::Checkpoint checkpoint;
+  store::Checkpoint checkpoint;
   Parameters p;
   std::filesystem::path file;
 };

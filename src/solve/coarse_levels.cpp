@@ -9,9 +9,9 @@ namespace matrigrate {
 
 namespace {
 
-constexpr double least_share = 1e-3;     // grid points with less of the largest diagonal are left out
-constexpr std::size_t most_direct = 100; // unknowns of the level that is solved directly
-constexpr double least_diagonal = 0.6;   // of a smoother, in sums of a row's magnitudes: over 1/2 it cannot diverge
+constexpr double least_share = 1e-3;    // grid points with less of the largest diagonal are left out
+constexpr std::size_t max_direct = 100; // unknowns of the level that is solved directly
+constexpr double least_diagonal = 0.6;  // of a smoother, in sums of a row's magnitudes: over 1/2 it cannot diverge
 
 constexpr float links_share = 0.6F; // of their row sums in the diagonal of a smoother, for the same reason
 
@@ -84,7 +84,7 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
     level.at_links = grid.without_nodes();
     for (Field* field : {&level.b, &level.x, &level.r, &level.diagonal, &level.inverse_diagonal, &level.smoother})
       field->resize(grid.size());
-    if (grid.size() <= most_direct) break;
+    if (grid.size() <= max_direct) break;
     const Parts parts(A);
     level.pairs.assign(parts.pairs, parts.G);
     for (std::size_t q = 0; q < grid.size(); ++q) {

@@ -6,7 +6,7 @@ namespace matrigrate {
 
 namespace {
 
-constexpr std::size_t most_entries = 64; // of a term that goes into A_cc
+constexpr std::size_t max_entries = 64; // of a term that goes into A_cc
 
 template <class Weight>
 std::span<const std::uint32_t> nodes(const DragTerms<Weight>& terms, std::size_t m) {
@@ -53,7 +53,7 @@ void Elimination::add_link(const DragTerms<double>& terms, std::size_t m) {
   const auto weight = weights(terms, m);
   const double c = terms.c[m];
   const auto in_matrix = std::ranges::count_if(node, [this](std::uint32_t k) { return k < m_matrix; });
-  if (in_matrix != 1 || node[0] >= m_matrix || node.size() > most_entries) {
+  if (in_matrix != 1 || node[0] >= m_matrix || node.size() > max_entries) {
     for (const Vec2& e : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
       std::vector<Vec2> along;
       for (const double w : weight) along.emplace_back(w * e);
@@ -84,7 +84,7 @@ void Elimination::add_term(double c, std::span<const std::uint32_t> node, std::s
     for (std::size_t p = 0; p < node.size(); ++p) m_mixed.add_entry(node[p], weight[p]);
     m_mixed.close(c);
   }
-  if (node.size() > most_entries) {
+  if (node.size() > max_entries) {
     Update update{Eigen::VectorXd::Zero(static_cast<long>(2 * m_cell_dofs)), {}, c};
     for (std::size_t p = 0; p < node.size(); ++p)
       if (!in_matrix(node[p])) update.w.segment<2>(2L * cell_dof(node[p])) += weight[p];

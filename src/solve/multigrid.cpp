@@ -12,7 +12,7 @@ namespace {
 constexpr double least_reduction = 2e-5; // of a residual in one pass in single precision
 constexpr double trusted = 1e-4; // down to this reduction what a pass says of its residual is true to some per cent
 constexpr double margin = 0.9;   // a pass aims at this much of the goal
-constexpr int most_idle = 3;     // passes that do not halve the residual before giving up
+constexpr int max_idle = 3;      // passes that do not halve the residual before giving up
 
 double norm(const NodeVectors& a) {
   double of_cell = 0.0;
@@ -36,7 +36,7 @@ SolveReport Multigrid::solve(const DragSystem& A, std::span<Vec2> v) {
   double r = residual(A);
   if (r > goal) prepare(A);
   int idle = 0;
-  while (r > goal && report.iterations < m_max_iterations && idle < most_idle) {
+  while (r > goal && report.iterations < m_max_iterations && idle < max_idle) {
     const double reduction = std::max(margin * goal / r, least_reduction);
     const double left = correct(r, reduction, report);
     const double before = r;

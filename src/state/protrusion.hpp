@@ -53,22 +53,22 @@ enum class EndCause {
 
 std::string_view name(EndCause cause);
 
-inline constexpr double never = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// What is kept of a protrusion: times of its transitions [s], `never` where they did not happen, and the paper's
 /// read-outs.
 struct ProtrusionRecord {
   std::uint32_t id = 0;     ///< in the order of initiation, from 1
   std::uint32_t centre = 0; ///< the central particle
-  double t_initiation = never;
-  double t_adhesion = never;    ///< end of growth, adhered
-  double t_mature = never;      ///< end of maturation
-  double t_disassembly = never; ///< loss of the adhesion, or end of growth without one
-  double t_end = never;         ///< particles free again
-  double length = never;        ///< l_prot: from between the base particles to the tip, at the end of growth [um]
-  double direction = never;     ///< of d_prot at the end of growth, from the x axis [rad]
-  double f_mat = never;         ///< at the end of maturation [-]
-  double force = never;         ///< of the adhesion at disassembly [nN]
+  double t_initiation = undefined;
+  double t_adhesion = undefined;    ///< end of growth, adhered
+  double t_mature = undefined;      ///< end of maturation
+  double t_disassembly = undefined; ///< loss of the adhesion, or end of growth without one
+  double t_end = undefined;         ///< particles free again
+  double length = undefined;        ///< l_prot: from between the base particles to the tip, at the end of growth [um]
+  double direction = undefined;     ///< of d_prot at the end of growth, from the x axis [rad]
+  double f_mat = undefined;         ///< at the end of maturation [-]
+  double force = undefined;         ///< of the adhesion at disassembly [nN]
   EndCause cause = EndCause::none;
 };
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
-Anchors anchors(const Frame& frame) {
-  const ProtrusionFrame& p = frame.protrusions;
+Anchors anchors(const observe::Frame& frame) {
+  const observe::ProtrusionFrame& p = frame.protrusions;
   Anchors all;
   for (std::size_t i = 0; i < p.id.size(); ++i) {
     if (std::isnan(p.anchor[2 * i])) continue;
@@ -17,4 +17,4 @@ Anchors anchors(const Frame& frame) {
   return all;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

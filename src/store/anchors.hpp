@@ -6,18 +6,18 @@
 #include <vector>
 
 /// The adhesions of a frame as points, for programs that draw fields. Test: tests/unit/store/vtk_files_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// An entry for each protrusion that adheres, in the order of the frame's protrusions.
 struct Anchors {
-  Floats x;                      ///< where they adhere [um]
+  observe::Floats x;             ///< where they adhere [um]
   std::vector<std::uint32_t> id; ///< of the protrusions
-  Floats f_mat;                  ///< maturation [-]
-  Floats force;                  ///< in the adhesion [nN]
+  observe::Floats f_mat;         ///< maturation [-]
+  observe::Floats force;         ///< in the adhesion [nN]
 
   std::size_t size() const { return id.size(); }
 };
 
-Anchors anchors(const Frame& frame);
+Anchors anchors(const observe::Frame& frame);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

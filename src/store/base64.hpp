@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// Bytes as text. Test: tests/unit/store/base64_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// base64 with padding (RFC 4648).
 std::string base64(std::string_view bytes);
@@ -12,4 +12,4 @@ std::string base64(std::string_view bytes);
 /// The bytes that such a text stands for; it ends at the first character that is no digit.
 std::string from_base64(std::string_view text);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

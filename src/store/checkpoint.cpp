@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -275,4 +275,4 @@ void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& che
   rename_file(next, file);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

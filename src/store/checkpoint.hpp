@@ -15,7 +15,7 @@
 /// matrix are in /ecm/E_ratio, /ecm/fibre_direction, /ecm/fibre_ratio, /ecm/obstacle, /ecm/ligand,
 /// /ecm/attractant and /ecm/attractant_source. In version 7 cells have nuclei as well, in /cells/k/nucleus/. Test:
 /// tests/unit/store/checkpoint_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 inline constexpr int checkpoint_version = 7;
 inline constexpr int cells_version = 6; ///< of the format without nuclei, which older programs read as well
@@ -51,4 +51,4 @@ Checkpoint read_checkpoint(const std::filesystem::path& file);
 /// @throws InputOutputError naming the path and the reason
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <limits>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::vector<double> csv_column(std::string_view text, std::string_view column) {
   return values;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

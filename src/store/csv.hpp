@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Reading of CSV as this program writes it (csv_line, csv_text, to_csv). Test: tests/unit/store/csv_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// A table of text: a header, and rows as long as it.
 struct CsvTable {
@@ -33,4 +33,4 @@ std::vector<double> csv_column(std::string_view text, std::string_view column);
 /// @throws InputOutputError as read_csv does
 Table read_table(std::string_view text);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

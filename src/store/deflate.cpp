@@ -6,7 +6,7 @@
 
 #include <new>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 std::string deflated(std::string_view bytes, int level) {
   uLongf size = compressBound(bytes.size());
@@ -20,7 +20,7 @@ std::string deflated(std::string_view bytes, int level) {
 }
 
 std::string deflated_fast(std::string_view bytes) {
-  if (bytes.size() > most_bytes_fast) throw InputOutputError("there is too much to compress at once");
+  if (bytes.size() > max_bytes_fast) throw InputOutputError("there is too much to compress at once");
   constexpr int level = 1, window_bits = 15, memory_level = 8; // the latter zlib's own choices
   z_stream stream{};
   if (deflateInit2(&stream, level, Z_DEFLATED, window_bits, memory_level, Z_RLE) != Z_OK) throw std::bad_alloc();
@@ -45,4 +45,4 @@ std::string inflated(std::string_view bytes, std::size_t size) {
   return out;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -6,15 +6,15 @@
 #include <string_view>
 
 /// Bytes compressed by zlib, as one stream (RFC 1950). Test: tests/unit/store/deflate_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
-inline constexpr std::size_t most_bytes_fast = std::size_t{1} << 30U; ///< a frame, and then some
+inline constexpr std::size_t max_bytes_fast = std::size_t{1} << 30U; ///< a frame, and then some
 
 /// @param level  1 fast to 9 small
 std::string deflated(std::string_view bytes, int level);
 
 /// The same with no search but for runs of one byte: half the time, and a tenth more of numbers whose bytes are sorted.
-/// @throws InputOutputError if there are more than most_bytes_fast
+/// @throws InputOutputError if there are more than max_bytes_fast
 std::string deflated_fast(std::string_view bytes);
 
 /// What either was given.
@@ -34,4 +34,4 @@ std::string byte_planes(std::span<const Number> values) {
   return planes;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -16,29 +16,29 @@
 #include <utility>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
 constexpr std::string_view protrusions = "protrusions/";
 
 /// Vectors of two components with a third one, 0; all else as it is.
-Floats in_space(const Floats& values, std::uint32_t components) {
+observe::Floats in_space(const observe::Floats& values, std::uint32_t components) {
   if (components != 2) return values;
-  Floats all;
+  observe::Floats all;
   all.reserve(values.size() / 2 * 3);
   for (std::size_t i = 0; i + 1 < values.size(); i += 2) all.insert(all.end(), {values[i], values[i + 1], 0.0F});
   return all;
 }
 
-Floats positions(const FrameHead& head, const Frame& frame) {
-  Floats x = frame.matrix.displacement;
+observe::Floats positions(const observe::FrameHead& head, const observe::Frame& frame) {
+  observe::Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += head.reference[i];
   return in_space(x, 2);
 }
 
-Bytes solid(const Frame& frame) {
-  Bytes flags;
+observe::Bytes solid(const observe::Frame& frame) {
+  observe::Bytes flags;
   for (const float f : frame.matrix.f_degr) flags.push_back(f > 0.0F ? 1 : 0);
   return flags;
 }
@@ -48,7 +48,7 @@ template <class Number>
 struct Column {
   std::string name;
   std::string_view unit;
-  std::function<std::vector<Number>(const Frame&)> of;
+  std::function<std::vector<Number>(const observe::Frame&)> of;
   FrameArray array;
 };
 
@@ -57,7 +57,7 @@ bool counts(std::string_view name) {
   return name == "protrusions/id" || name == "protrusions/centre" || name == "protrusions/cell";
 }
 
-std::vector<std::uint32_t> whole(const Floats& values) {
+std::vector<std::uint32_t> whole(const observe::Floats& values) {
   std::vector<std::uint32_t> all;
   all.reserve(values.size());
   for (const float value : values) all.push_back(static_cast<std::uint32_t>(value));
@@ -68,29 +68,30 @@ std::vector<std::uint32_t> whole(const Floats& values) {
 class FieldWriter {
 public:
   /// @param first   frame, which tells the sizes
-  FieldWriter(MemoryFile& file, const FrameHead& head, const Frame& first, std::size_t frames)
+  FieldWriter(MemoryFile& file, const observe::FrameHead& head, const observe::Frame& first, std::size_t frames)
       : m_file(file), m_frames(frames), m_several(!first.outline.cell.empty()) {
-    add_column(m_floats, "/matrix/position", 3, "um", first, [&head](const Frame& f) { return positions(head, f); });
+    add_column(m_floats, "/matrix/position", 3, "um", first,
+               [&head](const observe::Frame& f) { return positions(head, f); });
     add_column(m_bytes, "/matrix/solid", 1, "1", first, solid);
-    for (const auto& field : float_fields())
+    for (const auto& field : observe::float_fields())
       if (!field.name.starts_with(protrusions))
         add_column(m_floats, fmt::format("/{}", field.name), field.components == 2 ? 3 : 1, field.unit, first,
-                   [&field](const Frame& f) { return in_space(field.in(f), field.components); });
+                   [&field](const observe::Frame& f) { return in_space(field.in(f), field.components); });
       else
         m_protrusions.emplace_back(); // a table's column
-    for (const auto& field : byte_fields())
+    for (const auto& field : observe::byte_fields())
       if (!field.name.starts_with(protrusions))
         add_column(m_bytes, fmt::format("/{}", field.name), 1, field.unit, first,
-                   [&field](const Frame& f) { return field.in(f); });
+                   [&field](const observe::Frame& f) { return field.in(f); });
   }
 
-  void add(const Frame& frame) {
+  void add(const observe::Frame& frame) {
     write(m_floats, frame);
     write(m_bytes, frame);
     const std::size_t alive = frame.protrusions.id.size();
     m_frame_of_row.resize(m_frame_of_row.size() + alive, static_cast<std::uint32_t>(m_next));
     auto column = m_protrusions.begin();
-    for (const auto& field : float_fields())
+    for (const auto& field : observe::float_fields())
       if (field.name.starts_with(protrusions)) append(*column++, field.in(frame));
     append(m_phases, frame.protrusions.phase);
     add_anchors(anchors(frame));
@@ -101,7 +102,7 @@ public:
   void finish() {
     m_file.write("/protrusions/frame", m_frame_of_row, "1");
     auto column = m_protrusions.begin();
-    for (const auto& field : float_fields()) {
+    for (const auto& field : observe::float_fields()) {
       if (!field.name.starts_with(protrusions)) continue;
       const std::string name = fmt::format("/{}", field.name);
       if (field.of_several_cells() && !m_several)
@@ -123,7 +124,7 @@ private:
 
   template <class Number, class Of>
   void add_column(std::vector<Column<Number>>& columns, const std::string& name, std::uint32_t components,
-                  std::string_view unit, const Frame& first, const Of& of) {
+                  std::string_view unit, const observe::Frame& first, const Of& of) {
     const std::vector<Number> like = of(first);
     if (like.empty()) return; // fibres, where there are none
     columns.push_back(
@@ -131,7 +132,7 @@ private:
   }
 
   template <class Number>
-  void write(std::vector<Column<Number>>& columns, const Frame& frame) {
+  void write(std::vector<Column<Number>>& columns, const observe::Frame& frame) {
     for (Column<Number>& column : columns) {
       column.array.write(m_next, column.of(frame));
       m_file.name_frame(frame_path(m_next, column.name), column.name, m_next, column.unit);
@@ -169,14 +170,15 @@ private:
   std::vector<Column<float>> m_floats;
   std::vector<Column<std::uint8_t>> m_bytes;
   std::vector<std::uint32_t> m_frame_of_row;
-  std::vector<Floats> m_protrusions;
-  Bytes m_phases;
+  std::vector<observe::Floats> m_protrusions;
+  observe::Bytes m_phases;
   Anchors m_anchors; ///< of all frames
   std::vector<std::size_t> m_anchors_of_frame;
   std::vector<std::uint32_t> m_frame_of_anchor;
 };
 
-void write_head(MemoryFile& file, const FrameHead& head, std::span<const double> times, const FieldOrigin& origin) {
+void write_head(MemoryFile& file, const observe::FrameHead& head, std::span<const double> times,
+                const FieldOrigin& origin) {
   file.write_attribute("program", origin.program);
   file.write_attribute("version", origin.version);
   file.write_attribute("seed", origin.seed);
@@ -195,14 +197,14 @@ void write_head(MemoryFile& file, const FrameHead& head, std::span<const double>
 
 std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
 
-std::string field_file(const Film& film, const FieldOrigin& origin) {
+std::string field_file(const observe::Film& film, const FieldOrigin& origin) {
   MemoryFile file;
   std::vector<double> times;
-  for (const Frame& frame : film.frames) times.push_back(frame.t);
+  for (const observe::Frame& frame : film.frames) times.push_back(frame.t);
   write_head(file, film.head, times, origin);
   if (!film.frames.empty()) {
     FieldWriter writer(file, film.head, film.frames.front(), film.frames.size());
-    for (const Frame& frame : film.frames) writer.add(frame);
+    for (const observe::Frame& frame : film.frames) writer.add(frame);
     writer.finish();
   }
   return std::string(file.view());
@@ -213,11 +215,11 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
   MemoryFile file;
   std::vector<double> times;
   std::vector<std::size_t> adhesions;
-  std::optional<Frame> first;
+  std::optional<observe::Frame> first;
   naming(log, [&] {
     std::ifstream once(log, std::ios::binary);
     FrameReader reader(once);
-    while (std::optional<Frame> frame = reader.next()) {
+    while (std::optional<observe::Frame> frame = reader.next()) {
       times.push_back(frame->t);
       adhesions.push_back(anchors(*frame).size());
       if (!first) first = std::move(frame);
@@ -229,17 +231,17 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
     std::ifstream again(log, std::ios::binary);
     FrameReader rereader(again);
     FieldWriter writer(file, rereader.head(), *first, times.size());
-    while (const std::optional<Frame> frame = rereader.next()) writer.add(*frame);
+    while (const std::optional<observe::Frame> frame = rereader.next()) writer.add(*frame);
     writer.finish();
   });
   write_file(folder / field_file_name, file.view());
   write_file(folder / field_index_name, field_index(first ? &*first : nullptr, times, adhesions));
 }
 
-void write_field_files(const std::filesystem::path& folder, const Film& film, const FieldOrigin& origin) {
+void write_field_files(const std::filesystem::path& folder, const observe::Film& film, const FieldOrigin& origin) {
   std::vector<double> times;
   std::vector<std::size_t> adhesions;
-  for (const Frame& frame : film.frames) {
+  for (const observe::Frame& frame : film.frames) {
     times.push_back(frame.t);
     adhesions.push_back(anchors(frame).size());
   }
@@ -248,4 +250,4 @@ void write_field_files(const std::filesystem::path& folder, const Film& film, co
              field_index(film.frames.empty() ? nullptr : &film.frames.front(), times, adhesions));
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

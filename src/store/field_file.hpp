@@ -26,7 +26,7 @@
 ///   /anchors/frame, id, position, f_mat, force: a row for each protrusion that adheres in a frame, and views of these
 ///   in /frames/<k>/anchors/ where there are any
 /// Test: tests/unit/store/field_file_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 inline constexpr const char* field_file_name = "fields.h5";
 inline constexpr const char* field_index_name = "fields.xdmf";
@@ -42,7 +42,7 @@ struct FieldOrigin {
 
 /// The bytes of fields.h5.
 /// @throws InputOutputError if HDF5 refuses
-std::string field_file(const Film& film, const FieldOrigin& origin = {});
+std::string field_file(const observe::Film& film, const FieldOrigin& origin = {});
 
 /// Writes fields.h5 and fields.xdmf of a run's log into its folder; takes one frame at a time.
 /// @param frames  that the log must hold
@@ -51,7 +51,7 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
 
 /// Writes those of a film into the folder.
 /// @throws InputOutputError naming the path and the reason
-void write_field_files(const std::filesystem::path& folder, const Film& film, const FieldOrigin& origin = {});
+void write_field_files(const std::filesystem::path& folder, const observe::Film& film, const FieldOrigin& origin = {});
 
 /// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
 std::string frame_path(std::size_t k, std::string_view name);
@@ -62,23 +62,24 @@ std::string frame_path(std::size_t k, std::string_view name);
 /// @param first    frame, which tells the sizes; none: no frames
 /// @param times    of all frames [s]
 /// @param anchors  how many adhesions each frame has
-std::string field_index(const Frame* first, std::span<const double> times, std::span<const std::size_t> anchors);
+std::string field_index(const observe::Frame* first, std::span<const double> times,
+                        std::span<const std::size_t> anchors);
 
 /// The frames of a fields.h5.
 /// @throws InputOutputError if it is none
-Film read_field_file(std::string_view bytes);
+observe::Film read_field_file(std::string_view bytes);
 
 /// The frames of the field file of a run's folder; none if it has none.
 /// @throws InputOutputError naming the file, if it cannot be read
-Film read_field_film(const std::filesystem::path& folder);
+observe::Film read_field_film(const std::filesystem::path& folder);
 
 /// The frames of the field file that can be read; none if it has none.
 /// @throws InputOutputError naming the file, if what all frames share cannot be read
-Film read_whole_frames(const std::filesystem::path& folder);
+observe::Film read_whole_frames(const std::filesystem::path& folder);
 
 /// The frames that a run's folder holds: those of its log, else of its field file; none if it has neither.
 /// @throws InputOutputError naming the file, if it cannot be read
 /// @param each  may take away fields that are not wanted
-Film read_film(const std::filesystem::path& folder, const std::function<void(Frame&)>& each = {});
+observe::Film read_film(const std::filesystem::path& folder, const std::function<void(observe::Frame&)>& each = {});
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

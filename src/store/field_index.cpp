@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -23,12 +23,12 @@ std::string attribute(std::string_view name, std::string_view type, std::size_t 
 }
 
 /// All fields of one body; all frames have the same.
-std::string attributes(std::string_view body, const Frame& frame, std::size_t k, std::size_t n) {
+std::string attributes(std::string_view body, const observe::Frame& frame, std::size_t k, std::size_t n) {
   std::string text;
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::float_fields())
     if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
       text += attribute(field.name, floating, k, n, field.components == 2 ? 3 : 1);
-  for (const auto& field : byte_fields())
+  for (const auto& field : observe::byte_fields())
     if (field.name.starts_with(body)) text += attribute(field.name, bytes, k, n, 1);
   return text;
 }
@@ -46,8 +46,8 @@ std::string points(std::size_t n) {
 }
 
 /// A line around each cell. All cells have as many particles.
-std::string closed_lines(const OutlineFrame& outline) {
-  const std::vector<std::size_t> ends = outline_ends(outline);
+std::string closed_lines(const observe::OutlineFrame& outline) {
+  const std::vector<std::size_t> ends = observe::outline_ends(outline);
   std::string points;
   std::size_t first = 0;
   for (const std::size_t end : ends) {
@@ -79,7 +79,8 @@ std::string anchor_grids(std::span<const double> times, std::span<const std::siz
 
 } // namespace
 
-std::string field_index(const Frame* first, std::span<const double> times, std::span<const std::size_t> anchors) {
+std::string field_index(const observe::Frame* first, std::span<const double> times,
+                        std::span<const std::size_t> anchors) {
   std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
   if (first != nullptr) {
     const std::size_t n = first->matrix.f_degr.size();
@@ -100,4 +101,4 @@ std::string field_index(const Frame* first, std::span<const double> times, std::
   return text + "  </Domain>\n</Xdmf>\n";
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <utility>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -113,15 +113,15 @@ std::size_t find_block(std::string_view bytes, std::size_t smallest, std::size_t
   return std::string_view::npos;
 }
 
-Frame frame_of(const std::string& content) {
+observe::Frame frame_of(const std::string& content) {
   Taker taker(content);
-  Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
-  for (const auto& field : float_fields())
+  observe::Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
+  for (const auto& field : observe::float_fields())
     if (field.of_all()) taker.take_planes(field.of(frame));
-  for (const auto& field : byte_fields()) taker.take_planes(field.of(frame));
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::byte_fields()) taker.take_planes(field.of(frame));
+  for (const auto& field : observe::float_fields())
     if (field.of_several_cells() && !taker.empty()) taker.take_planes(field.of(frame));
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::float_fields())
     if (field.of_attractant() && !taker.empty()) taker.take_planes(field.of(frame));
   if (!taker.empty()) taker.take_planes(frame.nucleus);
   return frame;
@@ -129,7 +129,7 @@ Frame frame_of(const std::string& content) {
 
 } // namespace
 
-bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
+bool fits(const observe::Frame& frame, const observe::FrameHead& head, std::size_t fibres) {
   const std::size_t outline = frame.outline.f_mat.size();
   const std::size_t alive = frame.protrusions.id.size();
   const bool several = !frame.outline.cell.empty();
@@ -143,13 +143,13 @@ bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres) {
                                                                                            : outline;
     return field.in(frame).size() == entries * field.components;
   };
-  const std::size_t cells = outline_ends(frame.outline).size();
+  const std::size_t cells = observe::outline_ends(frame.outline).size();
   const bool nuclei = frame.nucleus.empty() || (cells > 0 && frame.nucleus.size() % (2 * cells) == 0);
-  return std::isfinite(frame.t) && nuclei && std::ranges::all_of(float_fields(), right)
-         && std::ranges::all_of(byte_fields(), right);
+  return std::isfinite(frame.t) && nuclei && std::ranges::all_of(observe::float_fields(), right)
+         && std::ranges::all_of(observe::byte_fields(), right);
 }
 
-std::string log_head(const FrameHead& head) {
+std::string log_head(const observe::FrameHead& head) {
   std::string content;
   put(content, head.radius);
   put(content, head.spacing);
@@ -162,37 +162,37 @@ std::string log_head(const FrameHead& head) {
   return std::string(frame_log_magic) + as_block(content);
 }
 
-std::string log_frame(const Frame& frame) {
+std::string log_frame(const observe::Frame& frame) {
   std::string content;
   put(content, frame.t);
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::float_fields())
     if (field.of_all()) put_planes(content, field.in(frame));
-  for (const auto& field : byte_fields()) put_planes(content, field.in(frame));
+  for (const auto& field : observe::byte_fields()) put_planes(content, field.in(frame));
   const bool attractant = !frame.matrix.attractant.empty();
   const bool nuclei = !frame.nucleus.empty();
   if (attractant || nuclei || !frame.outline.cell.empty())
-    for (const auto& field : float_fields())
+    for (const auto& field : observe::float_fields())
       if (field.of_several_cells()) put_planes(content, field.in(frame));
   if (attractant || nuclei) put_planes(content, frame.matrix.attractant);
   if (nuclei) put_planes(content, frame.nucleus);
   return as_block(content);
 }
 
-std::string log_bytes(const Film& film) {
+std::string log_bytes(const observe::Film& film) {
   std::string bytes = log_head(film.head);
-  for (const Frame& frame : film.frames) bytes += log_frame(frame);
+  for (const observe::Frame& frame : film.frames) bytes += log_frame(frame);
   return bytes;
 }
 
-Film read_log(std::string_view bytes) {
+observe::Film read_log(std::string_view bytes) {
   std::istringstream log{std::string(bytes)};
   return read_log(log);
 }
 
-Film read_log(std::istream& log, const std::function<void(Frame&)>& each) {
+observe::Film read_log(std::istream& log, const std::function<void(observe::Frame&)>& each) {
   FrameReader reader(log);
-  Film film{.head = reader.head(), .frames = {}};
-  while (std::optional<Frame> frame = reader.next()) {
+  observe::Film film{.head = reader.head(), .frames = {}};
+  while (std::optional<observe::Frame> frame = reader.next()) {
     if (each) each(*frame);
     film.frames.push_back(*std::move(frame));
   }
@@ -215,13 +215,13 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   head.take_planes(m_head.ligand);
 }
 
-std::optional<Frame> FrameReader::next() {
+std::optional<observe::Frame> FrameReader::next() {
   while (true) {
     const std::streampos start = m_log->tellg();
     if (start < 0) return std::nullopt;
     try {
       if (const std::optional<std::string> content = next_content(*m_log)) {
-        Frame frame = frame_of(*content);
+        observe::Frame frame = frame_of(*content);
         if (!m_fibres) m_fibres = frame.matrix.fibre_von_mises.empty() ? 0 : m_head.particles();
         if (fits(frame, m_head, *m_fibres)) return frame;
         continue; // whole, but of other bodies
@@ -251,6 +251,6 @@ bool FrameReader::find_next(std::streampos start) {
   return true;
 }
 
-void FrameLog::add(const Frame& frame) { m_file.append(log_frame(frame)); }
+void FrameLog::add(const observe::Frame& frame) { m_file.append(log_frame(frame)); }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

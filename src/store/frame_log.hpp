@@ -16,28 +16,28 @@
 /// fingerprint before it. A run that is killed at any moment loses at most the frame that was being written, and damage
 /// loses only the frames in which it lies.
 /// Test: tests/unit/store/frame_log_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 inline constexpr const char* frame_log_name = "fields.part";
 
 /// The beginning of a log, before its first frame.
-std::string log_head(const FrameHead& head);
+std::string log_head(const observe::FrameHead& head);
 
 /// A frame as it stands in a log.
-std::string log_frame(const Frame& frame);
+std::string log_frame(const observe::Frame& frame);
 
 /// The bytes of a log of these frames.
-std::string log_bytes(const Film& film);
+std::string log_bytes(const observe::Film& film);
 
 /// Whether the arrays of a frame have the lengths that its own bodies and those of the head give them.
 /// @param fibres  particles with a stress of fibres: all or none
-bool fits(const Frame& frame, const FrameHead& head, std::size_t fibres);
+bool fits(const observe::Frame& frame, const observe::FrameHead& head, std::size_t fibres);
 
 /// The whole frames of a log.
 /// @throws InputOutputError if not even the head is whole
-Film read_log(std::string_view bytes);
+observe::Film read_log(std::string_view bytes);
 /// @param each  may take away fields that are not wanted
-Film read_log(std::istream& log, const std::function<void(Frame&)>& each = {});
+observe::Film read_log(std::istream& log, const std::function<void(observe::Frame&)>& each = {});
 
 /// The frames of a log, one after the other, so that only one need be in memory; from the first damage on, the rest of
 /// the log is in memory too.
@@ -47,12 +47,12 @@ public:
   /// @throws InputOutputError if not even the head is whole
   explicit FrameReader(std::istream& log);
   /// For a log whose head is not whole.   @param head  what it should be
-  FrameReader(std::istream& log, FrameHead head) : m_log(&log), m_head(std::move(head)) {}
+  FrameReader(std::istream& log, observe::FrameHead head) : m_log(&log), m_head(std::move(head)) {}
 
-  const FrameHead& head() const { return m_head; }
+  const observe::FrameHead& head() const { return m_head; }
 
   /// The next whole frame; what is damaged, or of other sizes than the head, is passed over. None at the end.
-  std::optional<Frame> next();
+  std::optional<observe::Frame> next();
 
 private:
   bool find_next(std::streampos start);
@@ -60,7 +60,7 @@ private:
   std::istream* m_log;
   std::istringstream m_rest; ///< what follows the first damage
   std::size_t m_budget = 0;
-  FrameHead m_head;
+  observe::FrameHead m_head;
   std::optional<std::size_t> m_fibres; ///< as in the first frame
 };
 
@@ -74,7 +74,7 @@ public:
 
   /// Appends a frame; one that does not fit on the disk is taken back.
   /// @throws InputOutputError naming the path and the reason
-  void add(const Frame& frame);
+  void add(const observe::Frame& frame);
 
   /// Waits until all of it is on the disk, which a checkpoint that counts on it needs.
   /// @throws InputOutputError naming the path and the reason
@@ -84,4 +84,4 @@ private:
   GrowingFile m_file;
 };
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -132,7 +132,7 @@ Slab slab_of(const Handle& data, std::size_t first, std::size_t rows) {
   return slab;
 }
 
-constexpr hsize_t most_numbers = hsize_t{1} << 30U; // of a frame or a table
+constexpr hsize_t max_numbers = hsize_t{1} << 30U; // of a frame or a table
 
 } // namespace
 
@@ -295,7 +295,7 @@ std::vector<float> MemoryFile::floats(const std::string& name) const {
   const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
   const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  if (size < 0 || static_cast<hsize_t>(size) > most_numbers) fail(fmt::format("{} has another shape", name));
+  if (size < 0 || static_cast<hsize_t>(size) > max_numbers) fail(fmt::format("{} has another shape", name));
   std::vector<float> values(static_cast<std::size_t>(size));
   require(H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
           fmt::format("{} not read", name));
@@ -306,7 +306,7 @@ template <class Number>
 std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
   const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
   const Slab slab = slab_of(data, frame, 1);
-  if (slab.size > most_numbers) fail(fmt::format("{} has another shape", name));
+  if (slab.size > max_numbers) fail(fmt::format("{} has another shape", name));
   std::vector<Number> values(slab.size);
   const Handle memory(H5Screate_simple(1, &slab.size, nullptr), H5Sclose, "no space");
   require(H5Dread(data.id(), type, memory.id(), slab.space.id(), H5P_DEFAULT, values.data()),
@@ -347,4 +347,4 @@ void FrameArray::write_chunk(std::size_t frame, const std::string& bytes) {
           "a frame was not written");
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -14,7 +14,7 @@
 
 /// A thin layer over the C interface of HDF5: handles that close themselves, arrays of numbers with their unit, and
 /// failures as exceptions. Test: tests/unit/store/checkpoint_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// Any identifier of HDF5, closed at the end of its scope.
 class Handle {
@@ -130,4 +130,4 @@ private:
   Handle m_data;
 };
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// What `call` returns. @throws InputOutputError as it does, with the file named in front
 template <class Call>
@@ -18,4 +18,4 @@ auto naming(const std::filesystem::path& file, const Call& call) {
   }
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -12,31 +12,31 @@
 #include <utility>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
 constexpr std::size_t max_field_file_bytes = std::size_t{64} << 30U;
 constexpr std::string_view protrusions = "protrusions/";
 
-Floats in_plane(const Floats& values) {
-  Floats all;
+observe::Floats in_plane(const observe::Floats& values) {
+  observe::Floats all;
   all.reserve(values.size() / 3 * 2);
   for (std::size_t i = 0; i + 2 < values.size(); i += 3) all.insert(all.end(), {values[i], values[i + 1]});
   return all;
 }
 
-void read_protrusions(const MemoryFile& file, Film& film) {
-  const Floats frame_of_row = file.floats("/protrusions/frame");
+void read_protrusions(const MemoryFile& file, observe::Film& film) {
+  const observe::Floats frame_of_row = file.floats("/protrusions/frame");
   const std::vector<std::uint8_t> phases = file.bytes("/protrusions/phase");
-  std::vector<Floats> columns;
+  std::vector<observe::Floats> columns;
   const bool several = file.has("/protrusions/cell");
   const auto is_column = [several](const auto& field) {
     return field.name.starts_with(protrusions) && (several || !field.of_several_cells());
   };
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::float_fields())
     if (is_column(field)) {
-      const Floats stored = file.floats(fmt::format("/{}", field.name));
+      const observe::Floats stored = file.floats(fmt::format("/{}", field.name));
       columns.push_back(field.components == 2 ? in_plane(stored) : stored);
       if (columns.back().size() != frame_of_row.size() * field.components)
         throw InputOutputError("its tables of protrusions do not belong together");
@@ -48,10 +48,10 @@ void read_protrusions(const MemoryFile& file, Film& film) {
       throw InputOutputError("a protrusion is of no frame");
     const auto k = static_cast<std::size_t>(frame);
     std::size_t column = 0;
-    for (const auto& field : float_fields()) {
+    for (const auto& field : observe::float_fields()) {
       if (!is_column(field)) continue;
       const auto first = columns[column++].begin() + static_cast<std::ptrdiff_t>(row * field.components);
-      Floats& to = field.of(film.frames[k]);
+      observe::Floats& to = field.of(film.frames[k]);
       to.insert(to.end(), first, first + field.components);
     }
     film.frames[k].protrusions.phase.push_back(phases[row]);
@@ -59,8 +59,8 @@ void read_protrusions(const MemoryFile& file, Film& film) {
 }
 
 /// @param whole  whether of each frame is to be told if it could be read; else the first that cannot is an error
-Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
-  Film film;
+observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
+  observe::Film film;
   const std::vector<double> times = file.doubles("/time");
   const std::vector<double> radius = file.doubles("/matrix/radius");
   const std::vector<double> spacing = file.doubles("/matrix/spacing");
@@ -86,16 +86,18 @@ Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr) {
       }
     }
   };
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::float_fields())
     if (!field.name.starts_with(protrusions))
       frames_of(
           fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
-          [&](Frame& f, Floats v) { field.of(f) = field.components == 2 ? in_plane(v) : std::move(v); });
-  for (const auto& field : byte_fields())
+          [&](observe::Frame& f, observe::Floats v) {
+            field.of(f) = field.components == 2 ? in_plane(v) : std::move(v);
+          });
+  for (const auto& field : observe::byte_fields())
     if (!field.name.starts_with(protrusions))
       frames_of(
           fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
-          [&](Frame& f, Bytes v) { field.of(f) = std::move(v); });
+          [&](observe::Frame& f, observe::Bytes v) { field.of(f) = std::move(v); });
   read_protrusions(file, film);
   const std::size_t fibres = file.has("/matrix/fibre_von_mises") ? film.head.particles() : 0;
   for (std::size_t k = 0; k < film.frames.size(); ++k) {
@@ -113,7 +115,7 @@ bool is_there(const std::filesystem::path& file) {
 
 /// Reads the field file of a folder, if it has one.
 template <class Read>
-Film read_in(const std::filesystem::path& folder, const Read& read) {
+observe::Film read_in(const std::filesystem::path& folder, const Read& read) {
   const std::filesystem::path path = folder / field_file_name;
   if (!is_there(path)) return {};
   std::string bytes = read_file(path, max_field_file_bytes);
@@ -126,27 +128,27 @@ Film read_in(const std::filesystem::path& folder, const Read& read) {
 
 } // namespace
 
-Film read_field_file(std::string_view bytes) { return film_in(MemoryFile(bytes)); }
+observe::Film read_field_file(std::string_view bytes) { return film_in(MemoryFile(bytes)); }
 
-Film read_field_film(const std::filesystem::path& folder) {
+observe::Film read_field_film(const std::filesystem::path& folder) {
   return read_in(folder, [](const MemoryFile& file) { return film_in(file); });
 }
 
-Film read_whole_frames(const std::filesystem::path& folder) {
+observe::Film read_whole_frames(const std::filesystem::path& folder) {
   return read_in(folder, [](const MemoryFile& file) {
     std::vector<bool> whole;
-    Film film = film_in(file, &whole);
-    Film found{.head = film.head, .frames = {}};
+    observe::Film film = film_in(file, &whole);
+    observe::Film found{.head = film.head, .frames = {}};
     for (std::size_t k = 0; k < whole.size(); ++k)
       if (whole[k]) found.frames.push_back(std::move(film.frames[k]));
     return found;
   });
 }
 
-Film read_film(const std::filesystem::path& folder, const std::function<void(Frame&)>& each) {
+observe::Film read_film(const std::filesystem::path& folder, const std::function<void(observe::Frame&)>& each) {
   const std::filesystem::path path = folder / frame_log_name;
   if (!is_there(path)) {
-    Film film = read_field_film(folder);
+    observe::Film film = read_field_film(folder);
     if (each) std::ranges::for_each(film.frames, each);
     return film;
   }
@@ -156,4 +158,4 @@ Film read_film(const std::filesystem::path& folder, const std::function<void(Fra
   });
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

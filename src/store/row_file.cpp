@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -48,4 +48,4 @@ RowFile::RowFile(std::filesystem::path path, const std::vector<std::string_view>
 
 void RowFile::add(const std::vector<Field>& fields) { m_file.append(checked_line(m_name, m_columns, fields)); }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -11,7 +11,7 @@
 
 /// A CSV file that grows by a row at a time, for runs that may be ended at any moment.
 /// Test: tests/unit/store/run_files_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// A field of a row: a number in the shortest form that reads back to the same bits (NaN: empty), or a word.
 using Field = std::variant<double, std::uint64_t, std::string_view>;
@@ -43,4 +43,4 @@ private:
   GrowingFile m_file;
 };
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

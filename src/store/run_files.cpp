@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 std::vector<std::string_view> track_columns(bool nucleus) {
   std::vector<std::string_view> columns{
@@ -26,7 +26,7 @@ std::vector<Field> fields(const TrackRow& row) {
                          row.centre.y(),
                          row.area,
                          row.perimeter,
-                         row.polarization.value_or(never),
+                         row.polarization.value_or(undefined),
                          count(row.alive()),
                          count(row.in_phase[0]),
                          count(row.in_phase[1]),
@@ -64,7 +64,7 @@ std::vector<Field> fields(const HealthRow& row) {
   return {row.t,
           row.step,
           count(static_cast<std::size_t>(row.iterations)),
-          count(static_cast<std::size_t>(row.most_iterations)),
+          count(static_cast<std::size_t>(row.max_iterations)),
           row.residual,
           row.largest_residual,
           row.area_ratio,
@@ -226,4 +226,4 @@ std::string summary_json(std::span<const CellResult> cells) {
   return (list.size() == 1 ? list.front() : Json{{"cells", list}}).dump(2) + "\n";
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

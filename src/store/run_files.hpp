@@ -15,7 +15,7 @@
 
 /// The tables of a run. Units stand in the names of the columns; what is not defined is an empty field, or null in
 /// JSON. Test: tests/unit/store/run_files_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// tracks.csv. The first four columns are those that celltrackR reads: track, time, x, y; the track is the number of
 /// the cell.
@@ -72,4 +72,4 @@ std::string summary_csv(std::span<const CellResult> cells);
 /// summary.json: one object; of several cells it is {"cells": [...]}, an object a cell with its number as `cell`.
 std::string summary_json(std::span<const CellResult> cells);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -41,16 +41,16 @@ TrackRow track_of(const Json& json) {
 }
 
 Json json_of(const HealthRow& row) {
-  return {row.t,          row.step,         row.iterations,    row.most_iterations, row.residual, row.largest_residual,
-          row.area_ratio, row.density_min,  row.density_max,   row.density_bounds,  row.orphans,  row.torn,
-          row.engulfed,   row.solid_inside, row.deepest_solid, row.crosses_itself,  row.fastest,  row.force_imbalance};
+  return {row.t,          row.step,         row.iterations,    row.max_iterations, row.residual, row.largest_residual,
+          row.area_ratio, row.density_min,  row.density_max,   row.density_bounds, row.orphans,  row.torn,
+          row.engulfed,   row.solid_inside, row.deepest_solid, row.crosses_itself, row.fastest,  row.force_imbalance};
 }
 
 HealthRow health_of(const Json& json) {
   return {.t = number(json.at(0)),
           .step = integer<std::uint64_t>(json.at(1)),
           .iterations = integer<int>(json.at(2)),
-          .most_iterations = integer<int>(json.at(3)),
+          .max_iterations = integer<int>(json.at(3)),
           .residual = number(json.at(4)),
           .largest_residual = number(json.at(5)),
           .area_ratio = number(json.at(6)),
@@ -102,50 +102,50 @@ StepHealth counts_of(const Json& json) {
           .list_builds = integer<std::size_t>(json.at(7))};
 }
 
-Json json_of(const DrawnProtrusion& drawn) {
+Json json_of(const observe::DrawnProtrusion& drawn) {
   return {{"phase", drawn.phase},
           {"contour", to_json(drawn.contour)},
           {"tip", to_json(drawn.tip)},
           {"anchor", drawn.anchor ? to_json(*drawn.anchor) : Json()}};
 }
 
-DrawnProtrusion drawn_of(const Json& json) {
-  DrawnProtrusion drawn{.phase = integer<std::size_t>(json.at("phase")),
-                        .contour = vectors(json.at("contour")),
-                        .tip = vector(json.at("tip")),
-                        .anchor = {}};
+observe::DrawnProtrusion drawn_of(const Json& json) {
+  observe::DrawnProtrusion drawn{.phase = integer<std::size_t>(json.at("phase")),
+                                 .contour = vectors(json.at("contour")),
+                                 .tip = vector(json.at("tip")),
+                                 .anchor = {}};
   if (drawn.phase >= std::variant_size_v<Phase>) throw std::invalid_argument("there is no such phase");
   if (!json.at("anchor").is_null()) drawn.anchor = vector(json.at("anchor"));
   return drawn;
 }
 
-Json json_of(const DrawnCell& cell) {
+Json json_of(const observe::DrawnCell& cell) {
   Json json{{"cell", to_json(cell.outline)}, {"front", to_json(cell.front)}, {"path", to_json(cell.path)}};
   if (!cell.nucleus.empty()) json["nucleus"] = to_json(cell.nucleus);
   return json;
 }
 
-DrawnCell drawn_cell_of(const Json& json) {
-  DrawnCell cell{
+observe::DrawnCell drawn_cell_of(const Json& json) {
+  observe::DrawnCell cell{
       .outline = vectors(json.at("cell")), .front = vectors(json.at("front")), .path = vectors(json.at("path"))};
   if (json.contains("nucleus")) cell.nucleus = vectors(json.at("nucleus"));
   return cell;
 }
 
 /// A single cell, or none, stands among the scene's own keys.
-Json json_of(const CellScene& scene) {
+Json json_of(const observe::CellScene& scene) {
   Json matrix = Json::array();
   for (const std::vector<Vec2>& particles : scene.matrix) matrix.push_back(to_json(particles));
   Json protrusions = Json::array();
-  for (const DrawnProtrusion& drawn : scene.protrusions) protrusions.push_back(json_of(drawn));
+  for (const observe::DrawnProtrusion& drawn : scene.protrusions) protrusions.push_back(json_of(drawn));
   Json json{
       {"t_s", scene.t}, {"radius_um", scene.radius}, {"spacing_um", scene.spacing}, {"matrix", std::move(matrix)}};
   if (scene.cells.size() > 1) {
-    for (const DrawnCell& cell : scene.cells) json["cells"].push_back(json_of(cell));
+    for (const observe::DrawnCell& cell : scene.cells) json["cells"].push_back(json_of(cell));
     json["protrusions"] = std::move(protrusions);
     return json;
   }
-  const DrawnCell& cell = scene.cells.empty() ? DrawnCell{} : scene.cells.front();
+  const observe::DrawnCell& cell = scene.cells.empty() ? observe::DrawnCell{} : scene.cells.front();
   json["cell"] = to_json(cell.outline);
   json["front"] = to_json(cell.front);
   json["protrusions"] = std::move(protrusions);
@@ -154,12 +154,12 @@ Json json_of(const CellScene& scene) {
   return json;
 }
 
-CellScene scene_of(const Json& json) {
-  CellScene scene;
+observe::CellScene scene_of(const Json& json) {
+  observe::CellScene scene;
   scene.t = number(json.at("t_s"));
   scene.radius = number(json.at("radius_um"));
   scene.spacing = number(json.at("spacing_um"));
-  for (std::size_t k = 0; k < matrix_classes; ++k) scene.matrix[k] = vectors(json.at("matrix").at(k));
+  for (std::size_t k = 0; k < observe::matrix_classes; ++k) scene.matrix[k] = vectors(json.at("matrix").at(k));
   if (json.contains("cells"))
     for (const Json& cell : json.at("cells")) scene.cells.push_back(drawn_cell_of(cell));
   else
@@ -181,7 +181,7 @@ std::string to_text(const RunMemory& memory) {
   Json json{{"rows", list(memory.rows)},
             {"health", list(memory.health)},
             {"last", memory.last ? json_of(*memory.last) : Json()},
-            {"most_iterations", memory.watch.most_iterations},
+            {"most_iterations", memory.watch.max_iterations},
             {"largest_residual", memory.watch.largest_residual},
             {"counts", json_of(memory.counts)},
             {"scenes", list(memory.scenes)},
@@ -199,7 +199,7 @@ RunMemory parse_memory(const std::string& text) {
     for (const Json& row : json.at("rows")) memory.rows.push_back(track_of(row));
     for (const Json& row : json.at("health")) memory.health.push_back(health_of(row));
     if (!json.at("last").is_null()) memory.last = health_of(json.at("last"));
-    memory.watch = {.most_iterations = integer<int>(json.at("most_iterations")),
+    memory.watch = {.max_iterations = integer<int>(json.at("most_iterations")),
                     .largest_residual = number(json.at("largest_residual"))};
     if (json.contains("group"))
       for (const Json& row : json.at("group")) memory.group.push_back(group_of(row));
@@ -216,4 +216,4 @@ RunMemory parse_memory(const std::string& text) {
   }
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

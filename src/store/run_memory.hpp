@@ -12,7 +12,7 @@
 
 /// Output state stored in a checkpoint, so that a resumed run writes the files that one without a break would have
 /// written. Test: tests/unit/store/run_memory_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 struct RunMemory {
   std::vector<TrackRow> rows;    ///< of tracks.csv
@@ -21,10 +21,10 @@ struct RunMemory {
   HealthWatch watch;             ///< since the last row
   std::optional<HealthRow> last; ///< of the last checkpoint's state: a run that goes on from it has not made its step
   StepHealth counts;             ///< since the start
-  std::vector<CellScene> scenes; ///< of the contact sheet
-  std::vector<double> frames;    ///< times of all frames so far, also of those that were lost since [s]
-  std::uint64_t trajectory = 0;  ///< fingerprint of the rows so far
-  double march_wall_time = 0.0;  ///< spent in the steps [s]
+  std::vector<observe::CellScene> scenes; ///< of the contact sheet
+  std::vector<double> frames;             ///< times of all frames so far, also of those that were lost since [s]
+  std::uint64_t trajectory = 0;           ///< fingerprint of the rows so far
+  double march_wall_time = 0.0;           ///< spent in the steps [s]
 };
 
 /// As JSON text; parse_memory gives the same bits back.
@@ -33,4 +33,4 @@ std::string to_text(const RunMemory& memory);
 /// @throws InputOutputError saying what is wrong
 RunMemory parse_memory(const std::string& text);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

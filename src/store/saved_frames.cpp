@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
-bool same(const FrameHead& a, const FrameHead& b) {
+bool same(const observe::FrameHead& a, const observe::FrameHead& b) {
   return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference && a.obstacle == b.obstacle
          && a.youngs_modulus == b.youngs_modulus && a.ligand == b.ligand;
 }
@@ -27,7 +27,7 @@ bool same(const FrameHead& a, const FrameHead& b) {
 template <class Keep, class Missing>
 void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape, const Keep& keep,
                     const Missing& missing) {
-  const auto see = [&](Frame frame) {
+  const auto see = [&](observe::Frame frame) {
     if (frame.outline.f_mat.size() == shape.outline && frame.matrix.fibre_von_mises.empty() != shape.fibres)
       keep(std::move(frame));
   };
@@ -41,12 +41,12 @@ void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape
     reader.emplace(log, shape.head);
   }
   if (same(reader->head(), shape.head))
-    while (std::optional<Frame> frame = reader->next()) see(*std::move(frame));
+    while (std::optional<observe::Frame> frame = reader->next()) see(*std::move(frame));
   if (!missing()) return;
   try {
-    Film film = read_whole_frames(folder);
+    observe::Film film = read_whole_frames(folder);
     if (same(film.head, shape.head))
-      for (Frame& frame : film.frames) see(std::move(frame));
+      for (observe::Frame& frame : film.frames) see(std::move(frame));
   } catch (const InputOutputError&) { // then they are lost
   }
 }
@@ -55,7 +55,7 @@ void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape
 
 SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
   SavedFrames saved;
-  const auto keep = [&](const Frame& frame) {
+  const auto keep = [&](const observe::Frame& frame) {
     if (std::ranges::binary_search(times, frame.t) && !saved.contains(frame.t))
       saved.emplace(frame.t, log_frame(frame));
   };
@@ -63,16 +63,16 @@ SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& 
   return saved;
 }
 
-Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
-  std::map<double, Frame> saved;
+observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
+  std::map<double, observe::Frame> saved;
   for_each_whole(
       folder, shape,
-      [&](Frame frame) {
+      [&](observe::Frame frame) {
         const double t = frame.t;
         saved.try_emplace(t, std::move(frame));
       },
       [&] { return !std::ranges::all_of(times, [&](double t) { return saved.contains(t); }); });
-  Film film{.head = shape.head, .frames = {}};
+  observe::Film film{.head = shape.head, .frames = {}};
   for (auto& [t, frame] : saved) film.frames.push_back(std::move(frame));
   return film;
 }
@@ -92,11 +92,11 @@ std::string to_text(const LostFrames& lost) {
                      lost.count == 1 ? "is" : "are", frame_log_name, field_file_name, lost.count == 1 ? "it" : "them");
 }
 
-std::vector<double> times_of(const Film& film) {
+std::vector<double> times_of(const observe::Film& film) {
   std::vector<double> times;
   times.reserve(film.frames.size());
-  for (const Frame& frame : film.frames) times.push_back(frame.t);
+  for (const observe::Frame& frame : film.frames) times.push_back(frame.t);
   return times;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -11,14 +11,14 @@
 
 /// The whole frames of a run, for one that is resumed and for reports and exports, and those that are no longer there.
 /// Test: tests/unit/store/saved_frames_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// Frames as they stand in a log, by their times [s].
 using SavedFrames = std::map<double, std::string>;
 
 /// What the frames of a run have in common.
 struct FrameShape {
-  FrameHead head;
+  observe::FrameHead head;
   std::size_t outline = 0; ///< particles of the cortex
   bool fibres = false;     ///< whether the matrix has fibres
 };
@@ -30,7 +30,7 @@ SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& 
 
 /// All frames that a folder still holds whole, whether a checkpoint knows of them or not.
 /// @param times  of those that there should be: only where one is missing in the log is the field file read [s]
-Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
+observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
 
 /// Frames that were written once and are not there any longer.
 struct LostFrames {
@@ -48,6 +48,6 @@ LostFrames lost_frames(std::span<const double> written, std::span<const double> 
 std::string to_text(const LostFrames& lost);
 
 /// The times of a film's frames [s].
-std::vector<double> times_of(const Film& film);
+std::vector<double> times_of(const observe::Film& film);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

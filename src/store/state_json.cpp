@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -50,7 +50,7 @@ EndCause cause_of(const std::string& text) {
 
 } // namespace
 
-double number(const Json& json) { return json.is_null() ? never : json.get<double>(); }
+double number(const Json& json) { return json.is_null() ? undefined : json.get<double>(); }
 
 Vec2 vector(const Json& json) { return {number(json.at(0)), number(json.at(1))}; }
 
@@ -115,4 +115,4 @@ Protrusion protrusion_of(const Json& json) {
           .record = record_of(json.at("record"))};
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -12,7 +12,7 @@
 /// Parts of the state as JSON, to be read back to the same bits; what is not defined (NaN) is null. Reading throws
 /// nlohmann::json::exception where something is missing or of another type.
 /// Test: tests/unit/store/checkpoint_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 using Json = nlohmann::ordered_json;
 
@@ -38,4 +38,4 @@ ProtrusionRecord record_of(const Json& json);
 Json to_json(const Protrusion& protrusion);
 Protrusion protrusion_of(const Json& json);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::string to_csv(const Table& table) {
   return out;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// A table of numbers with a name and unit for each column, as in every CSV file of the program.
 struct Table {
@@ -32,4 +32,4 @@ std::string to_csv(const Table& table);
 /// number. Test: tests/unit/store/table_test.cpp
 std::string csv_text(std::string_view field);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

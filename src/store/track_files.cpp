@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string trackmate_xml(std::span<const TrackRow> rows) {
                      cells.size(), interval, particles);
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -7,7 +7,7 @@
 
 /// The paths of the cells for programs that analyse tracks. Test: tests/unit/store/track_files_test.cpp,
 /// tests/readers/tracks_reads.py
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// For celltrackR: columns id, t [s], x, y [um]. Read by read.tracks.csv(file, sep = ",", pos.columns = 3:4).
 std::string celltrackr_csv(std::span<const TrackRow> rows);
@@ -20,4 +20,4 @@ std::string trackmate_csv(std::span<const TrackRow> rows);
 /// of its row, as TrackMate's is that of the frame.
 std::string trackmate_xml(std::span<const TrackRow> rows);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

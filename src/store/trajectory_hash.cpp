@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::string TrajectoryHash::text() const { return digits(m_hash); }
 
 std::string text_hash(std::string_view text) { return digits(XXH3_64bits(text.data(), text.size())); }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -8,7 +8,7 @@
 
 /// Fingerprints: equal ones mean equal bits. XXH3 with 64 bits, of the library xxHash; its values are the same on all
 /// machines with little-endian numbers. Test: tests/unit/store/trajectory_hash_test.cpp
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 /// Fingerprint of all positions of cells and matrix at a sequence of times. Each one is the seed of the next, so that
 /// a sequence can go on from its fingerprint.
@@ -30,4 +30,4 @@ private:
 /// Fingerprint of a text: 16 hexadecimal digits.
 std::string text_hash(std::string_view text);
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

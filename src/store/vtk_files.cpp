@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 
 namespace {
 
@@ -52,12 +52,12 @@ std::string array(std::string_view name, std::string_view type, std::uint32_t co
 }
 
 /// The fields of one body. @param more  that no frame holds
-std::string fields_of(std::string_view body, const Frame& frame, const std::string& more = "") {
+std::string fields_of(std::string_view body, const observe::Frame& frame, const std::string& more = "") {
   std::string text = "<PointData>\n" + more;
-  for (const auto& field : float_fields())
+  for (const auto& field : observe::float_fields())
     if (field.name.starts_with(body) && !field.name.ends_with("/position") && !field.in(frame).empty())
       text += array(field.name.substr(body.size()), "Float32", field.components, field.in(frame));
-  for (const auto& field : byte_fields())
+  for (const auto& field : observe::byte_fields())
     if (field.name.starts_with(body))
       text += array(field.name.substr(body.size()), "UInt8", field.components, field.in(frame));
   return text + "</PointData>\n";
@@ -86,25 +86,27 @@ std::string vertices(std::size_t n) {
   return cells("Verts", points, ends);
 }
 
-std::string points_of(const Floats& x) { return "<Points>\n" + array("position", "Float32", 2, x) + "</Points>\n"; }
+std::string points_of(const observe::Floats& x) {
+  return "<Points>\n" + array("position", "Float32", 2, x) + "</Points>\n";
+}
 
 } // namespace
 
-std::string matrix_vtp(const FrameHead& head, const Frame& frame) {
-  Floats x = frame.matrix.displacement;
+std::string matrix_vtp(const observe::FrameHead& head, const observe::Frame& frame) {
+  observe::Floats x = frame.matrix.displacement;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += head.reference[i];
-  Bytes solid;
+  observe::Bytes solid;
   for (const float f : frame.matrix.f_degr) solid.push_back(f > 0.0F ? 1 : 0);
   const std::size_t n = head.particles();
   return vtp(n, n, 0, points_of(x) + vertices(n) + fields_of("matrix/", frame, array("solid", "UInt8", 1, solid)));
 }
 
-std::string outline_vtp(const Frame& frame) {
+std::string outline_vtp(const observe::Frame& frame) {
   const std::size_t n = frame.outline.front.size();
   std::vector<std::int64_t> points;
   std::vector<std::int64_t> ends;
   std::size_t first = 0;
-  for (const std::size_t end : outline_ends(frame.outline)) {
+  for (const std::size_t end : observe::outline_ends(frame.outline)) {
     for (std::size_t i = first; i < end; ++i) points.push_back(static_cast<std::int64_t>(i));
     points.push_back(static_cast<std::int64_t>(first)); // back to the first
     ends.push_back(static_cast<std::int64_t>(points.size()));
@@ -114,7 +116,7 @@ std::string outline_vtp(const Frame& frame) {
              points_of(frame.outline.x) + cells("Lines", points, ends) + fields_of("outline/", frame));
 }
 
-std::string anchors_vtp(const Frame& frame) {
+std::string anchors_vtp(const observe::Frame& frame) {
   const Anchors a = anchors(frame);
   return vtp(a.size(), a.size(), 0,
              points_of(a.x) + vertices(a.size()) + "<PointData>\n" + array("id", "UInt32", 1, a.id)
@@ -123,7 +125,7 @@ std::string anchors_vtp(const Frame& frame) {
 
 std::string frame_file_name(const std::string& name, std::size_t k) { return fmt::format("{}_{:04}.vtp", name, k); }
 
-std::string series_pvd(const std::string& name, const Film& film) {
+std::string series_pvd(const std::string& name, const observe::Film& film) {
   std::string text = fmt::format(xml_head, "Collection") + "<Collection>\n";
   for (std::size_t k = 0; k < film.frames.size(); ++k)
     text +=
@@ -131,7 +133,7 @@ std::string series_pvd(const std::string& name, const Film& film) {
   return text + "</Collection>\n</VTKFile>\n";
 }
 
-void write_vtk(const std::filesystem::path& folder, const Film& film) {
+void write_vtk(const std::filesystem::path& folder, const observe::Film& film) {
   for (std::size_t k = 0; k < film.frames.size(); ++k) {
     write_file(folder / frame_file_name("matrix", k), matrix_vtp(film.head, film.frames[k]));
     write_file(folder / frame_file_name("outline", k), outline_vtp(film.frames[k]));
@@ -141,4 +143,4 @@ void write_vtk(const std::filesystem::path& folder, const Film& film) {
     write_file(folder / fmt::format("{}.pvd", name), series_pvd(name, film));
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -9,10 +9,10 @@ namespace matrigrate::study {
 
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder) {
   const std::string table = read_file(run_folder / "tracks.csv", std::size_t{1} << 28);
-  const std::vector<double> cell = io::csv_column(table, "track");
-  const std::vector<double> t = io::csv_column(table, "t_s");
-  const std::vector<double> x = io::csv_column(table, "x_um");
-  const std::vector<double> y = io::csv_column(table, "y_um");
+  const std::vector<double> cell = store::csv_column(table, "track");
+  const std::vector<double> t = store::csv_column(table, "t_s");
+  const std::vector<double> x = store::csv_column(table, "x_um");
+  const std::vector<double> y = store::csv_column(table, "y_um");
   std::vector<CellTrack> tracks;
   for (std::size_t i = 0; i < t.size(); ++i) {
     const double number = cell.empty() ? 1.0 : cell[i];

@@ -42,9 +42,9 @@ void check_twins(const std::vector<ConditionDraft>& all, FaultList& faults) {
 
 std::vector<ConditionDraft> read_conditions(const toml::array& list, const Parameters& base, FaultList& faults) {
   std::vector<ConditionDraft> all;
-  if (list.size() > most_runs)
-    faults.add(place_of(list), "conditions", fmt::format("has {} conditions; allowed are {}", list.size(), most_runs));
-  if (list.size() > most_runs) return all;
+  if (list.size() > max_runs)
+    faults.add(place_of(list), "conditions", fmt::format("has {} conditions; allowed are {}", list.size(), max_runs));
+  if (list.size() > max_runs) return all;
   for (const toml::node& node : list) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {

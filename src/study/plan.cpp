@@ -13,7 +13,7 @@ std::uint64_t run_seed(std::uint64_t study_seed, std::vector<Setting> settings, 
   std::string text = fmt::format("seed {}\n", study_seed);
   for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, s.value);
   text += fmt::format("replicate {}\n", replicate);
-  return std::stoull(io::text_hash(text), nullptr, 16) & ((std::uint64_t{1} << 53U) - 1);
+  return std::stoull(store::text_hash(text), nullptr, 16) & ((std::uint64_t{1} << 53U) - 1);
 }
 
 Parameters parameters_of(const Study& study, const Run& run) {

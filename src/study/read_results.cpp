@@ -26,7 +26,7 @@ RunState state_of(const std::string& word) {
   throw InputOutputError(fmt::format("\"{}\" is no status of a run", word));
 }
 
-std::vector<Result> results_of(const Study& study, const io::CsvTable& table) {
+std::vector<Result> results_of(const Study& study, const store::CsvTable& table) {
   const auto column = [&](std::string_view name) {
     const auto found = table.column(name);
     if (!found) throw InputOutputError(fmt::format("has no column {}", name));
@@ -54,7 +54,7 @@ std::vector<Result> results_of(const Study& study, const io::CsvTable& table) {
     r.standing.trajectory_hash = row[hash];
     for (const std::string& name : names) {
       const auto at = table.column(name);
-      r.readouts.push_back(at ? io::csv_number(row[*at]) : std::numeric_limits<double>::quiet_NaN());
+      r.readouts.push_back(at ? store::csv_number(row[*at]) : std::numeric_limits<double>::quiet_NaN());
     }
   }
   if (results.size() != study.runs())
@@ -67,7 +67,7 @@ std::vector<Result> results_of(const Study& study, const io::CsvTable& table) {
 
 std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name) {
   try {
-    return results_of(study, io::read_csv(csv));
+    return results_of(study, store::read_csv(csv));
   } catch (const InputOutputError& error) {
     throw InputOutputError(fmt::format("{}: {}", name, error.what()));
   }

@@ -41,7 +41,7 @@ public:
     if (const auto* node = wanted(table, "to")) step.to = set(*node, "steps.to");
     if (step.design == Design::one_at_a_time) return step;
     if (const auto* node = wanted(table, "trajectory"))
-      step.trajectory = m_faults.whole(*node, "steps.trajectory", 1, most_runs);
+      step.trajectory = m_faults.whole(*node, "steps.trajectory", 1, max_runs);
     if (const auto* node = wanted(table, "size")) step.size = size(*node);
     return step;
   }

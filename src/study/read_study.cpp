@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 25; // the resolved form of 100,000 points
 constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
-constexpr std::size_t most_replicates = 100'000;
+constexpr std::size_t max_replicates = 100'000;
 
 const std::vector<std::string>& known_keys() {
   static const std::vector<std::string> keys{"title",
@@ -105,7 +105,7 @@ private:
     if (const auto* node = get("common_random_numbers"))
       m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");
     if (const auto* node = get("replicates"))
-      m_study.replicates = m_faults.whole(*node, "replicates", 1, most_replicates);
+      m_study.replicates = m_faults.whole(*node, "replicates", 1, max_replicates);
     else
       m_faults.add({}, "replicates", "is missing; write replicates = 12, the runs at each point");
     if (m_changes.replicates) m_study.replicates = *m_changes.replicates;

@@ -208,16 +208,16 @@ std::string results_csv(const Study& study, const std::vector<Result>& results) 
   std::vector<std::string> columns = all_readouts();
   columns.resize(columns_of(study));
   names.insert(names.end(), columns.begin(), columns.end());
-  std::string text = io::csv_line({names.begin(), names.end()});
+  std::string text = store::csv_line({names.begin(), names.end()});
   for (const Result& r : results) {
     const Point& point = study.points[r.run.point];
     const std::vector<std::string> swept = swept_values(study, point);
-    std::vector<io::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
+    std::vector<store::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
     for (const std::string& value : swept) row.emplace_back(std::string_view(value));
     row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, to_string(r.standing.status),
                            std::string_view(r.standing.reason), std::string_view(r.standing.trajectory_hash)});
     for (std::size_t k = 0; k < columns.size(); ++k) row.emplace_back(r.readouts[k]);
-    text += io::csv_line(row);
+    text += store::csv_line(row);
   }
   return text;
 }

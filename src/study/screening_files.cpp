@@ -8,9 +8,9 @@ namespace matrigrate::study {
 
 namespace {
 
-using io::count;
-using io::csv_line;
-using io::Field;
+using store::count;
+using store::csv_line;
+using store::Field;
 using View = std::string_view;
 
 /// A value as it stands in a scenario, without the quotes of a string.

@@ -72,7 +72,7 @@ const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
   for (const std::string_view key : rule.keys) given += fmt::format("\n{}", value_text(*find_row(key), p));
   const auto known = m_found.find(given);
   if (known != m_found.end()) return known->second;
-  if (m_found.size() >= most_found) return unknown;
+  if (m_found.size() >= max_found) return unknown;
   return m_found.emplace(std::move(given), rule.broken(p)).first->second;
 }
 

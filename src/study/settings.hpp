@@ -44,7 +44,7 @@ public:
   void check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places, FaultList& faults);
 
 private:
-  static constexpr std::size_t most_found = 1000;
+  static constexpr std::size_t max_found = 1000;
 
   const std::string& found(const Rule& rule, const Parameters& p);
   static void blame(const Rule& rule, const std::string& broken,

@@ -83,7 +83,7 @@ std::span<const std::string_view> group_readout_names() { return table_readout_n
 
 std::vector<double> table_readouts(const std::filesystem::path& folder) {
   const auto column = [&](const char* file, std::string_view name) {
-    return io::csv_column(read_file(folder / file, largest_table), name);
+    return store::csv_column(read_file(folder / file, largest_table), name);
   };
   const std::vector<CellTrack> tracks = cell_tracks(folder);
   std::vector<double> index;

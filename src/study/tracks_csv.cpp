@@ -21,7 +21,7 @@ std::string tracks_of(const std::filesystem::path& file) {
   std::string text = read_file(file, largest_tracks);
   if (!text.ends_with('\n')) throw InputOutputError(fmt::format("{}: is damaged: it is cut short", file.string()));
   try {
-    io::read_csv(text);
+    store::read_csv(text);
   } catch (const InputOutputError& error) {
     throw InputOutputError(fmt::format("{}: is damaged: {}", file.string(), error.what()));
   }
@@ -29,8 +29,8 @@ std::string tracks_of(const std::filesystem::path& file) {
 }
 
 /// A line without its end.
-std::string line_of(const std::vector<io::Field>& fields) {
-  std::string line = io::csv_line(fields);
+std::string line_of(const std::vector<store::Field>& fields) {
+  std::string line = store::csv_line(fields);
   line.pop_back();
   return line;
 }
@@ -46,7 +46,7 @@ std::string front_names(const Study& study) {
 std::string front_values(const Study& study, const Run& run) {
   const Point& point = study.points[run.point];
   const std::vector<std::string> swept = swept_values(study, point);
-  std::vector<io::Field> row{std::string_view(run.hash), std::string_view(point.label)};
+  std::vector<store::Field> row{std::string_view(run.hash), std::string_view(point.label)};
   for (const std::string& value : swept) row.emplace_back(std::string_view(value));
   row.insert(row.end(), {std::uint64_t{run.replicate}, run.seed});
   return line_of(row);

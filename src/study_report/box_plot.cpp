@@ -15,13 +15,13 @@ namespace matrigrate::study {
 
 namespace {
 
-namespace svg = io::svg;
+namespace svg = draw::svg;
 
 constexpr double margin = 14.0;
 constexpr double plot_height = 230.0;
 constexpr double label_step = 15.0; ///< distance of lines of a label [pixel]
 constexpr double label_size = 12.0;
-constexpr std::size_t most_points = 40;
+constexpr std::size_t max_points = 40;
 
 std::string ring(double x, double y, double radius, std::string_view colour) {
   return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" fill-opacity=\"0.55\"/>\n", svg::coordinate(x),
@@ -29,7 +29,7 @@ std::string ring(double x, double y, double radius, std::string_view colour) {
 }
 
 /// One sample around the vertical line at x.
-std::string drawn_box(const std::vector<double>& sample, const io::Axis& y, double x, double width) {
+std::string drawn_box(const std::vector<double>& sample, const draw::Axis& y, double x, double width) {
   if (sample.empty()) return {};
   const statistics::Box box = statistics::box(sample);
   const double half = 0.5 * width;
@@ -41,11 +41,11 @@ std::string drawn_box(const std::vector<double>& sample, const io::Axis& y, doub
   out += svg::line(x, y.at(box.low_quartile), x, y.at(box.low_whisker), svg::dark, 1.2);
   for (std::size_t i = 0; i < sample.size(); ++i) { // side by side in a fixed pattern, so that equal values are seen
     const double place = std::fmod(0.618 * static_cast<double>(i), 1.0) - 0.5;
-    out += ring(x + 0.7 * place * width, y.at(sample[i]), 3.0, io::palette(0));
+    out += ring(x + 0.7 * place * width, y.at(sample[i]), 3.0, draw::palette(0));
   }
   const double mean = y.at(statistics::moments(sample).mean);
-  out += svg::line(x - 5.0, mean - 5.0, x + 5.0, mean + 5.0, io::palette(1), 2.0);
-  return out + svg::line(x - 5.0, mean + 5.0, x + 5.0, mean - 5.0, io::palette(1), 2.0);
+  out += svg::line(x - 5.0, mean - 5.0, x + 5.0, mean + 5.0, draw::palette(1), 2.0);
+  return out + svg::line(x - 5.0, mean + 5.0, x + 5.0, mean - 5.0, draw::palette(1), 2.0);
 }
 
 struct Panel {
@@ -57,13 +57,13 @@ Panel panel(const BoxPlot& plot, double width) {
   if (plot.labels.size() != plot.samples.size()) throw std::invalid_argument("a box plot needs a sample a label");
   std::vector<double> values;
   for (const auto& sample : plot.samples) values.insert(values.end(), sample.begin(), sample.end());
-  io::Axis y = io::fitted_axis(values, false, 0.08, 5);
-  const double left = margin + io::label_width(y) + 8.0;
+  draw::Axis y = draw::fitted_axis(values, false, 0.08, 5);
+  const double left = margin + draw::label_width(y) + 8.0;
   const double top = margin + 26.0;
   y.begin = top + plot_height;
   y.end = top;
   std::string out = svg::text(margin, margin + 14.0, plot.title, {.size = svg::label_size, .bold = true});
-  for (const io::Tick& t : y.ticks) {
+  for (const draw::Tick& t : y.ticks) {
     out += svg::line(left, y.at(t.value), width - margin, y.at(t.value), svg::faint, 1.0);
     out += svg::text(left - 8.0, y.at(t.value) + 5.0, t.label, {.size = 14.0, .anchor = svg::Anchor::end});
   }
@@ -103,7 +103,7 @@ std::string to_svg(const std::vector<BoxPlot>& plots, const std::string& title) 
 
 std::vector<BoxPlot> box_plots(const Study& study, const std::vector<Result>& results) {
   std::vector<BoxPlot> plots;
-  const std::size_t points = std::min(most_points, study.points.size());
+  const std::size_t points = std::min(max_points, study.points.size());
   for (const std::string& readout : study.readouts) {
     BoxPlot& plot = plots.emplace_back();
     plot.title = readout;

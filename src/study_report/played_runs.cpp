@@ -15,8 +15,8 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr std::size_t most_runs = 5;           ///< that are chosen unasked
-constexpr std::size_t most_bytes = 12'000'000; ///< of all of them
+constexpr std::size_t max_runs = 5;           ///< that are chosen unasked
+constexpr std::size_t max_bytes = 12'000'000; ///< of all of them
 
 struct Choice {
   const Result* result;
@@ -36,11 +36,11 @@ std::optional<Choice> typical(const StudyFolder& study, const std::vector<Result
   return Choice{runs[(runs.size() - 1) / 2], fmt::format("the middle one by {}", readout)};
 }
 
-/// Up to most_runs points, spread over all of them.
+/// Up to max_runs points, spread over all of them.
 std::vector<Choice> typical_ones(const StudyFolder& study, const std::vector<Result>& results) {
   std::vector<Choice> chosen;
   const std::size_t points = study.study.points.size();
-  const std::size_t n = std::min(points, most_runs);
+  const std::size_t n = std::min(points, max_runs);
   for (std::size_t k = 0; k < n; ++k)
     if (auto choice = typical(study, results, n == 1 ? 0 : k * (points - 1) / (n - 1))) chosen.push_back(*choice);
   return chosen;
@@ -59,8 +59,8 @@ std::vector<Choice> asked_for(const std::vector<Result>& results, const std::vec
 }
 
 /// Every `stride`-th frame, and the last one.
-void thin(io::Film& film, std::size_t stride) {
-  std::vector<io::Frame> kept;
+void thin(observe::Film& film, std::size_t stride) {
+  std::vector<observe::Frame> kept;
   for (std::size_t k = 0; k < film.frames.size(); ++k)
     if (k % stride == 0 || k + 1 == film.frames.size()) kept.push_back(std::move(film.frames[k]));
   film.frames = std::move(kept);
@@ -93,7 +93,7 @@ std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<R
       const std::filesystem::path folder = run_folder(study.folder, result->run);
       nlohmann::ordered_json page = page_of(folder, stride);
       if (played.empty()) {
-        stride = page.dump().size() * chosen.size() / most_bytes + 1;
+        stride = page.dump().size() * chosen.size() / max_bytes + 1;
         if (stride > 1) page = page_of(folder, stride);
       }
       played.push_back({result->run.hash, fmt::format("{}: {}", title_of(study, result->run), why), std::move(page)});

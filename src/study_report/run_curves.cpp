@@ -41,19 +41,19 @@ struct CurveRow {
 /// The rows of a table: numbers, then the label.
 std::vector<CurveRow> rows_of(std::string_view csv) {
   std::vector<CurveRow> rows;
-  for (std::vector<std::string>& fields : io::read_csv(csv).rows) {
+  for (std::vector<std::string>& fields : store::read_csv(csv).rows) {
     CurveRow& row = rows.emplace_back();
     row.label = std::move(fields.back());
     fields.pop_back();
-    for (const std::string& field : fields) row.numbers.push_back(io::csv_number(field));
+    for (const std::string& field : fields) row.numbers.push_back(store::csv_number(field));
   }
   return rows;
 }
 
 /// Lags of msd.csv, and the mean over the cells at each.
 std::pair<std::vector<double>, std::vector<double>> msd_of(std::string_view table) {
-  const std::vector<double> lag = io::csv_column(table, "lag_s");
-  const std::vector<double> msd = io::csv_column(table, "msd_um2");
+  const std::vector<double> lag = store::csv_column(table, "lag_s");
+  const std::vector<double> msd = store::csv_column(table, "msd_um2");
   std::map<double, std::vector<double>> at;
   for (std::size_t k = 0; k < lag.size(); ++k) at[lag[k]].push_back(msd[k]);
   std::pair<std::vector<double>, std::vector<double>> means;
@@ -106,8 +106,9 @@ std::string paths_csv(const Study& study, const std::vector<Result>& results,
     for (const auto& [cell, t, x, y] : cell_tracks(folder))
       for (std::size_t k = 0; k < t.size(); ++k) {
         if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
-        csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
-                           several ? fmt::format("{:.0f},", cell) : "", io::csv_text(study.points[r.run.point].label));
+        csv +=
+            fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
+                        several ? fmt::format("{:.0f},", cell) : "", store::csv_text(study.points[r.run.point].label));
       }
   });
   return csv;
@@ -119,7 +120,7 @@ std::string msd_csv(const Study& study, const std::vector<Result>& results, cons
     for (const MeanMsd& m : mean_msd(results, point, study_folder))
       csv += fmt::format("{:.0f},{:.4g},{},{},{}\n", m.lag, m.mean,
                          std::isfinite(m.sem) ? fmt::format("{:.4g}", m.sem) : std::string(), m.runs,
-                         io::csv_text(study.points[point].label));
+                         store::csv_text(study.points[point].label));
   return csv;
 }
 
@@ -128,13 +129,13 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
   std::string csv = "replicate,length_um,f_mat,f_adh_rel,point\n";
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
     const std::string table = read_file(folder / "protrusions.csv", largest_table);
-    const std::vector<double> length = io::csv_column(table, "length_um");
-    const std::vector<double> f_mat = io::csv_column(table, "f_mat");
-    const std::vector<double> force = io::csv_column(table, "f_adh_rel");
+    const std::vector<double> length = store::csv_column(table, "length_um");
+    const std::vector<double> f_mat = store::csv_column(table, "f_mat");
+    const std::vector<double> force = store::csv_column(table, "f_adh_rel");
     for (std::size_t k = 0; k < force.size(); ++k)
       if (std::isfinite(force[k]))
         csv += fmt::format("{},{:.2f},{:.3f},{:.3f},{}\n", r.run.replicate, length[k], f_mat[k], force[k],
-                           io::csv_text(study.points[r.run.point].label));
+                           store::csv_text(study.points[r.run.point].label));
   });
   return csv;
 }
@@ -146,54 +147,54 @@ std::string paths_svg(std::string_view paths_csv) {
     for (const CurveRow& row : rows) extent = std::max({extent, std::abs(row.numbers[2]), std::abs(row.numbers[3])});
   std::vector<std::string> panels;
   for (const auto& [label, rows] : groups) {
-    std::map<std::pair<double, double>, io::Series> paths; // by replicate and cell
+    std::map<std::pair<double, double>, draw::Series> paths; // by replicate and cell
     std::set<double> runs;
     for (const CurveRow& row : rows) {
       runs.insert(row.numbers[0]);
-      io::Series& series = paths[{row.numbers[0], row.numbers.size() > 4 ? row.numbers[4] : 1.0}];
+      draw::Series& series = paths[{row.numbers[0], row.numbers.size() > 4 ? row.numbers[4] : 1.0}];
       series.x.push_back(row.numbers[2]);
       series.y.push_back(row.numbers[3]);
     }
-    io::Plot plot{.title = fmt::format("{} (n = {})", label, runs.size()), .x_label = "x [um]", .y_label = "y [um]"};
+    draw::Plot plot{.title = fmt::format("{} (n = {})", label, runs.size()), .x_label = "x [um]", .y_label = "y [um]"};
     plot.equal_axes = true;
     plot.least_extent = extent;
     for (auto& [path, series] : paths) plot.series.push_back(std::move(series));
-    panels.push_back(io::to_svg(plot, 430, 400));
+    panels.push_back(draw::to_svg(plot, 430, 400));
   }
-  return io::svg::sheet(panels, 3, "Paths of the centres of mass, from a common origin");
+  return draw::svg::sheet(panels, 3, "Paths of the centres of mass, from a common origin");
 }
 
 std::string msd_svg(std::string_view msd_csv) {
-  io::Plot plot{
+  draw::Plot plot{
       .title = "Mean square displacement, mean over the runs", .x_label = "lag [min]", .y_label = "MSD [um^2]"};
   plot.log_x = plot.log_y = true;
   for (const auto& [label, rows] : by_label(rows_of(msd_csv))) {
-    io::Series& series = plot.series.emplace_back(io::Series{.label = label});
+    draw::Series& series = plot.series.emplace_back(draw::Series{.label = label});
     for (const CurveRow& row : rows) {
       series.x.push_back(row.numbers[0] / 60.0);
       series.y.push_back(row.numbers[1]);
     }
   }
-  return io::to_svg(plot);
+  return draw::to_svg(plot);
 }
 
 std::string adhesions_svg(std::string_view adhesions_csv) {
-  io::Plot plot{.title = "Relative force f_adh_rel at the end of adhesions",
-                .x_label = "f_adh_rel [-]",
-                .y_label = "share below it [-]"};
+  draw::Plot plot{.title = "Relative force f_adh_rel at the end of adhesions",
+                  .x_label = "f_adh_rel [-]",
+                  .y_label = "share below it [-]"};
   for (const auto& [label, rows] : by_label(rows_of(adhesions_csv))) {
     std::vector<double> forces;
     for (const CurveRow& row : rows) forces.push_back(row.numbers[3]);
     std::ranges::sort(forces);
-    io::Series& series =
-        plot.series.emplace_back(io::Series{.label = fmt::format("{} (n = {})", label, forces.size())});
+    draw::Series& series =
+        plot.series.emplace_back(draw::Series{.label = fmt::format("{} (n = {})", label, forces.size())});
     for (std::size_t k = 0; k < forces.size(); ++k)
       for (const std::size_t below : {k, k + 1}) { // a step up
         series.x.push_back(forces[k]);
         series.y.push_back(static_cast<double>(below) / static_cast<double>(forces.size()));
       }
   }
-  return io::to_svg(plot);
+  return draw::to_svg(plot);
 }
 
 } // namespace matrigrate::study

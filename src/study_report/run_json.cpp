@@ -22,7 +22,7 @@ constexpr std::size_t max_column_file_bytes = std::size_t{1} << 28U;
 constexpr std::size_t path_points = 100;
 
 std::vector<double> column(const std::filesystem::path& file, std::string_view name) {
-  return io::csv_column(read_file(file, max_column_file_bytes), name);
+  return store::csv_column(read_file(file, max_column_file_bytes), name);
 }
 
 /// Lines of several cells are one list, with null between them.
@@ -58,7 +58,7 @@ Json outline_json(const std::filesystem::path& checkpoint) {
   const auto shown = [](double um) { return std::round(100.0 * um) / 100.0; };
   Json outline{{"x_um", Json::array()}, {"y_um", Json::array()}};
   try {
-    const State end = io::read_checkpoint(checkpoint).state;
+    const State end = store::read_checkpoint(checkpoint).state;
     for (const Cell& cell : end.cells) {
       begin_line(outline);
       for (const Vec2& x : cell.cortex.x) {
@@ -92,7 +92,7 @@ Json run_json(const Study& study, const std::filesystem::path& study_folder, con
   if (!result.standing.done()) return json;
   for (const std::string& name : study.readouts) json["readouts"][name] = result.readouts[readout_column(name)];
   json["path"] = path_json(folder);
-  json["outline"] = outline_json(folder / io::checkpoint_name);
+  json["outline"] = outline_json(folder / store::checkpoint_name);
   for (const double force : column(folder / "protrusions.csv", "f_adh_rel"))
     if (std::isfinite(force)) json["f_adh_rel"].push_back(force);
   return json;

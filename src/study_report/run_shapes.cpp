@@ -45,9 +45,9 @@ std::vector<Vec2> ring_of(const std::vector<float>& numbers) {
 
 /// The speeds of both centres of a run; nothing if it kept no frames.
 std::string centre_row(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / io::field_file_name;
+  const std::filesystem::path file = folder / store::field_file_name;
   if (!std::filesystem::exists(file)) return {};
-  const io::MemoryFile fields(read_file(file, largest_file));
+  const store::MemoryFile fields(read_file(file, largest_file));
   const std::vector<double> times = fields.doubles("/time");
   if (times.size() < 3) return {};
   std::vector<Vec2> areas;
@@ -70,19 +70,19 @@ std::string shapes_csv(const Study& study, const std::vector<Result>& results,
   std::string csv = "replicate,x_um,y_um,point\n";
   for (const Result& r : results) {
     if (!r.standing.done() || r.run.replicate > replicates_shown) continue;
-    const std::filesystem::path checkpoint = run_folder(study_folder, r.run) / io::checkpoint_name;
+    const std::filesystem::path checkpoint = run_folder(study_folder, r.run) / store::checkpoint_name;
     if (!std::filesystem::exists(checkpoint)) continue;
-    const CortexState cortex = io::read_checkpoint(checkpoint).state.cells.at(0).cortex;
+    const CortexState cortex = store::read_checkpoint(checkpoint).state.cells.at(0).cortex;
     for (std::size_t i = 0; i < cortex.size(); i += 2)
       csv += fmt::format("{},{:.2f},{:.2f},{}\n", r.run.replicate, cortex.x[i].x(), cortex.x[i].y(),
-                         io::csv_text(study.points[r.run.point].label));
+                         store::csv_text(study.points[r.run.point].label));
   }
   return csv;
 }
 
 std::string shapes_svg(std::string_view shapes_csv) {
-  const io::CsvTable table = io::read_csv(shapes_csv);
-  std::vector<io::Plot> plots;
+  const store::CsvTable table = store::read_csv(shapes_csv);
+  std::vector<draw::Plot> plots;
   double extent = 1.0;
   std::string replicate;
   for (const std::vector<std::string>& row : table.rows) {
@@ -93,21 +93,21 @@ std::string shapes_svg(std::string_view shapes_csv) {
     }
     if (row[0] != replicate) plots.back().series.emplace_back();
     replicate = row[0];
-    io::Series& outline = plots.back().series.back();
-    outline.x.push_back(io::csv_number(row[1]));
-    outline.y.push_back(io::csv_number(row[2]));
+    draw::Series& outline = plots.back().series.back();
+    outline.x.push_back(store::csv_number(row[1]));
+    outline.y.push_back(store::csv_number(row[2]));
     extent = std::max({extent, std::abs(outline.x.back()), std::abs(outline.y.back())});
   }
   std::vector<std::string> panels;
-  for (io::Plot& plot : plots) {
+  for (draw::Plot& plot : plots) {
     plot.least_extent = extent;
-    for (io::Series& outline : plot.series) { // closed
+    for (draw::Series& outline : plot.series) { // closed
       outline.x.push_back(outline.x.front());
       outline.y.push_back(outline.y.front());
     }
-    panels.push_back(io::to_svg(plot, 430, 400));
+    panels.push_back(draw::to_svg(plot, 430, 400));
   }
-  return io::svg::sheet(panels, 3, "Shapes of three cells at the end of their paths");
+  return draw::svg::sheet(panels, 3, "Shapes of three cells at the end of their paths");
 }
 
 std::string centres_csv(const Study& study, const std::vector<Result>& results,
@@ -118,16 +118,16 @@ std::string centres_csv(const Study& study, const std::vector<Result>& results,
     if (!r.standing.done()) continue;
     const std::string row = centre_row(run_folder(study_folder, r.run));
     if (!row.empty())
-      csv += fmt::format("{},{},{}\n", r.run.replicate, row, io::csv_text(study.points[r.run.point].label));
+      csv += fmt::format("{},{},{}\n", r.run.replicate, row, store::csv_text(study.points[r.run.point].label));
   }
   return csv;
 }
 
-std::string fibre_stress_csv(const io::Film& film) {
+std::string fibre_stress_csv(const observe::Film& film) {
   constexpr double shown = 60.0; // [um]
   std::string csv = "what,x_um,y_um,von_mises_Pa\n";
   if (film.frames.empty()) return csv;
-  const io::Frame& last = film.frames.back();
+  const observe::Frame& last = film.frames.back();
   CortexState cortex{.x = {}, .v = {}, .l0 = {}};
   for (std::size_t i = 0; i + 1 < last.outline.x.size(); i += 2)
     cortex.x.emplace_back(last.outline.x[i], last.outline.x[i + 1]);
@@ -145,18 +145,18 @@ std::string fibre_stress_csv(const io::Film& film) {
 }
 
 std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing) {
-  io::ParticlePicture picture{.title = "Von Mises stress of the fibres (Eq. 11)",
-                              .value_label = "von Mises stress of the fibres [Pa]"};
+  draw::ParticlePicture picture{.title = "Von Mises stress of the fibres (Eq. 11)",
+                                .value_label = "von Mises stress of the fibres [Pa]"};
   std::vector<double> values;
-  for (const std::vector<std::string>& row : io::read_csv(fibre_stress_csv).rows) {
-    const Vec2 x(io::csv_number(row[1]), io::csv_number(row[2]));
+  for (const std::vector<std::string>& row : store::read_csv(fibre_stress_csv).rows) {
+    const Vec2 x(store::csv_number(row[1]), store::csv_number(row[2]));
     if (row[0] == "outline") {
       picture.outlines.resize(1);
       picture.outlines.front().push_back(x);
       continue;
     }
     picture.position.push_back(x);
-    picture.value.push_back(io::csv_number(row[3]));
+    picture.value.push_back(store::csv_number(row[3]));
     if (std::isfinite(picture.value.back())) values.push_back(picture.value.back());
   }
   if (!values.empty()) { // all but one in a hundred lie on the scale
@@ -166,7 +166,7 @@ std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing) 
     picture.value_max = *place > 0.0 ? *place : 1.0;
   }
   picture.particle_size = spacing;
-  return io::to_svg(picture, 700);
+  return draw::to_svg(picture, 700);
 }
 
 } // namespace matrigrate::study

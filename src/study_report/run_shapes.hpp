@@ -29,7 +29,7 @@ std::string centres_csv(const Study& study, const std::vector<Result>& results,
 
 /// fibre-stress.csv: what (matrix, or outline of the cell), x_um, y_um, von_mises_Pa of the fibres (Eq. 11), at the
 /// last frame of a film, as far as 60 um from the cell's centre; fluid and outline have no stress.
-std::string fibre_stress_csv(const io::Film& film);
+std::string fibre_stress_csv(const observe::Film& film);
 
 /// The stress on the solid matrix, with the outline (Fig 13).
 std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing);

@@ -219,7 +219,7 @@ Json study_data(const StudyReport& report) {
           {"screening", screening_json(report.study, report.screening)},
           {"players", players_json(report.played)},
           {"provenance", report.provenance},
-          {"citation", io::citation()}};
+          {"citation", report::citation()}};
 }
 
 } // namespace matrigrate::study

@@ -17,7 +17,7 @@ namespace matrigrate::study {
 struct PlayedRun {
   std::string id;              ///< name of its folder
   std::string label;           ///< which one it is, and why it was chosen
-  nlohmann::ordered_json page; ///< io::run_data
+  nlohmann::ordered_json page; ///< report::run_data
 };
 
 /// What a report is made of.

@@ -30,8 +30,8 @@ void write_or_remove(const std::filesystem::path& file, bool wanted, const std::
 
 /// The tables of what the runs look like, and the figures drawn from them.
 void write_curves(const StudyFolder& study, const std::vector<Result>& results) {
-  constexpr std::size_t most_points = 60;
-  const bool wanted = study.study.points.size() <= most_points;
+  constexpr std::size_t max_points = 60;
+  const bool wanted = study.study.points.size() <= max_points;
   const auto write = [&](const std::string& name, const auto& table, std::string (*figure)(std::string_view)) {
     const std::string csv = wanted ? table(study.study, results, study.folder) : std::string();
     write_or_remove(study.folder / (name + ".csv"), wanted, csv);
@@ -70,17 +70,17 @@ Collected collect_tables(const StudyFolder& study) {
 void write_study_report(const StudyFolder& study, const Collected& collected, const StudyPage& page) {
   write_file(
       study.folder / "report.html",
-      io::filled_page(page.page_template, study_data({.study = study.study,
-                                                      .results = collected.results,
-                                                      .comparisons = collected.comparisons,
-                                                      .folder = study.folder,
-                                                      .provenance = run::provenance_text(),
-                                                      .claims = page.claims,
-                                                      .claims_note = page.claims_note,
-                                                      .claims_caveat = page.claims_caveat,
-                                                      .played = played_runs(study, collected.results, page.played),
-                                                      .command = command_of(study),
-                                                      .screening = collected.screening})));
+      report::filled_page(page.page_template, study_data({.study = study.study,
+                                                          .results = collected.results,
+                                                          .comparisons = collected.comparisons,
+                                                          .folder = study.folder,
+                                                          .provenance = run::provenance_text(),
+                                                          .claims = page.claims,
+                                                          .claims_note = page.claims_note,
+                                                          .claims_caveat = page.claims_caveat,
+                                                          .played = played_runs(study, collected.results, page.played),
+                                                          .command = command_of(study),
+                                                          .screening = collected.screening})));
 }
 
 } // namespace matrigrate::study

@@ -34,7 +34,7 @@ bool is_worked_on(const fs::path& folder) {
 
 /// Simulated time of the last row of tracks.csv [s].
 double time_reached(const fs::path& folder) {
-  const std::vector<double> t = io::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
+  const std::vector<double> t = store::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
   return t.empty() ? 0.0 : t.back();
 }
 

@@ -30,8 +30,8 @@ struct Result {
   std::vector<Check> claims; ///< what the paper says of it (rows V1 to V3), by rules on the quantity that it names
   std::vector<std::string> claim_notes; ///< what has to be known beside the claims
   std::vector<std::string> remarks;     ///< what is off, and why
-  io::Table table;                      ///< the measured curves, written as NAME.csv
-  std::vector<io::Figure> figures;      ///< the first one is the case's plot, written as NAME.svg
+  store::Table table;                   ///< the measured curves, written as NAME.csv
+  std::vector<draw::Figure> figures;    ///< the first one is the case's plot, written as NAME.svg
 
   bool holds() const;       ///< all checks hold, and there is at least one
   bool claims_hold() const; ///< so do all claims, and there is at least one
@@ -43,7 +43,7 @@ struct Case {
   std::string summary; ///< one sentence
   std::function<Result(const Parameters&)> run;
   /// Draws the case's plot from its table alone; empty where `run` makes the plot.
-  std::function<io::Figure(const io::Table&)> draw = {};
+  std::function<draw::Figure(const store::Table&)> draw = {};
 };
 
 /// What the cases start from: the defaults, with a drag system solved so closely that the solver's error does not show

@@ -30,8 +30,8 @@ Result stunting(const Parameters& p);
 
 /// Plots of cases from their tables alone, so that they can be drawn from kept tables.
 /// @throws InputOutputError if the table has not the columns of the case
-io::Figure draw_fibres(const io::Table& table);
-io::Figure draw_fibres_uniaxial(const io::Table& table);
-io::Figure draw_disassembly(const io::Table& table);
+draw::Figure draw_fibres(const store::Table& table);
+draw::Figure draw_fibres_uniaxial(const store::Table& table);
+draw::Figure draw_disassembly(const store::Table& table);
 
 } // namespace matrigrate::validation

@@ -56,7 +56,8 @@ struct Outcome {
   double area = 0.0;                       // largest area of the cell over A_0 [-]
 };
 
-void record(const PlacedProtrusions& cell, const AdhesionParameters& p, int number, io::Table& table, io::Plot& plot) {
+void record(const PlacedProtrusions& cell, const AdhesionParameters& p, int number, store::Table& table,
+            draw::Plot& plot) {
   const double t = cell.state().t;
   const std::vector<Protrusion>& protrusions = cell.cell().protrusions;
   for (std::size_t k = 0; k < protrusions.size(); ++k) {
@@ -69,7 +70,7 @@ void record(const PlacedProtrusions& cell, const AdhesionParameters& p, int numb
   }
 }
 
-Outcome compete(const Parameters& p, const Arrangement& arrangement, io::Table& table, io::Plot& plot) {
+Outcome compete(const Parameters& p, const Arrangement& arrangement, store::Table& table, draw::Plot& plot) {
   PlacedProtrusions cell(p, Vec2::Zero());
   for (const double angle : arrangement.first) cell.begin(angle);
   const std::size_t n = arrangement.first.size();
@@ -108,9 +109,9 @@ Result competition(const Parameters& p) {
   const std::vector<Arrangement> arrangements{{"two opposed", {0.0, pi}, 0.5 * pi},
                                               {"three", {0.0, 0.5 * pi, pi}, 1.5 * pi}};
   for (const Arrangement& arrangement : arrangements) {
-    io::Plot plot{.title = fmt::format("Adhesions of a cell: {} mature, then one more", arrangement.name),
-                  .x_label = "time [s]",
-                  .y_label = "force of the adhesion [nN]"};
+    draw::Plot plot{.title = fmt::format("Adhesions of a cell: {} mature, then one more", arrangement.name),
+                    .x_label = "time [s]",
+                    .y_label = "force of the adhesion [nN]"};
     const Outcome out = compete(p, arrangement, result.table, plot);
     const std::string& name = arrangement.name;
     result.checks.push_back({fmt::format("{}: mean r_off over r_off_min while none grows [-]", name), out.while_held,
@@ -126,7 +127,7 @@ Result competition(const Parameters& p) {
                     name, out.length, out.base_start, out.base_end, out.area));
     result.figures.push_back({result.figures.empty() ? "competition" : "three",
                               "Adhesions hold each other; one more protrusion grows, matures and joins them.",
-                              io::to_svg(plot)});
+                              draw::to_svg(plot)});
   }
   return result;
 }

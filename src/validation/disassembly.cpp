@@ -78,16 +78,16 @@ Result disassembly(const Parameters& p) {
   return result;
 }
 
-io::Figure draw_disassembly(const io::Table& table) {
-  io::Plot plot{.title = "Lifetime of an adhesion, f_mat = 0.5",
-                .x_label = "force of the adhesion [nN]",
-                .y_label = "1/r_off [min]"};
+draw::Figure draw_disassembly(const store::Table& table) {
+  draw::Plot plot{.title = "Lifetime of an adhesion, f_mat = 0.5",
+                  .x_label = "force of the adhesion [nN]",
+                  .y_label = "1/r_off [min]"};
   for (const auto& [z, rows] : table.by_first_column()) {
     plot.series.push_back({.label = fmt::format("zeta_diss = {:.0f} /nN", z)});
     plot.series.back().x = rows.column("force_nN");
     plot.series.back().y = rows.column("lifetime_min");
   }
-  return {"disassembly", "Eq. 7 for the three sensitivities of the paper's Fig 4.", io::to_svg(plot)};
+  return {"disassembly", "Eq. 7 for the three sensitivities of the paper's Fig 4.", draw::to_svg(plot)};
 }
 
 } // namespace matrigrate::validation

@@ -133,11 +133,11 @@ Result fibres(const Parameters& p) {
   return result;
 }
 
-io::Figure draw_fibres(const io::Table& table) {
-  io::Plot plot{.title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
-                .x_label = "strain",
-                .y_label = "nominal stress [Pa]",
-                .log_y = true};
+draw::Figure draw_fibres(const store::Table& table) {
+  draw::Plot plot{.title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
+                  .x_label = "strain",
+                  .y_label = "nominal stress [Pa]",
+                  .log_y = true};
   int colour = 0;
   for (const auto& [k_0, rows] : table.by_first_column()) {
     const std::vector<CollagenGel> gels = collagen_gels();
@@ -145,9 +145,9 @@ io::Figure draw_fibres(const io::Table& table) {
     if (gel_of == gels.end()) throw InputOutputError(fmt::format("no gel of k_0 = {} Pa is known", k_0));
     const std::string name = fmt::format("{} mg/ml", gel_of->concentration);
     const std::vector<double> strain = rows.column("strain");
-    io::Series model{.label = name + ", model", .colour = colour};
-    io::Series measured{.label = name + ", measured", .mark = io::Mark::points, .colour = colour};
-    io::Series law{.label = name + ", semi-affine law", .mark = io::Mark::dashed, .colour = colour++};
+    draw::Series model{.label = name + ", model", .colour = colour};
+    draw::Series measured{.label = name + ", measured", .mark = draw::Mark::points, .colour = colour};
+    draw::Series law{.label = name + ", semi-affine law", .mark = draw::Mark::dashed, .colour = colour++};
     model.x = law.x = strain;
     model.y = rows.column("nominal_stress_Pa");
     law.y = rows.column("semi_affine_Pa");
@@ -159,7 +159,7 @@ io::Figure draw_fibres(const io::Table& table) {
     plot.series.insert(plot.series.end(), {model, measured, law});
   }
   return {"fibres", "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
-          io::to_svg(plot, 720, 560)};
+          draw::to_svg(plot, 720, 560)};
 }
 
 } // namespace matrigrate::validation

@@ -67,11 +67,11 @@ Result initiation(const Parameters& p) {
 
   std::sort(times.begin(), times.end());
   result.table.columns = {"waiting_time_s", "share_still_waiting", "exponential"};
-  io::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
-                .x_label = "time [s]",
-                .y_label = "share still waiting",
-                .log_y = true};
-  io::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = io::Mark::dashed};
+  draw::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
+                  .x_label = "time [s]",
+                  .y_label = "share still waiting",
+                  .log_y = true};
+  draw::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = draw::Mark::dashed};
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const double waiting = 1.0 - static_cast<double>(k + 1) / static_cast<double>(times.size());
     result.table.add({times[k], waiting, std::exp(-rate * times[k])});
@@ -82,7 +82,7 @@ Result initiation(const Parameters& p) {
   }
   plot.series = {measured, expected};
   result.figures.push_back(
-      {"initiation", "A constant rate a front particle: exponential waiting times.", io::to_svg(plot)});
+      {"initiation", "A constant rate a front particle: exponential waiting times.", draw::to_svg(plot)});
   return result;
 }
 

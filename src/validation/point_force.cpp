@@ -70,14 +70,14 @@ double point_displacement(const Specimen& s) {
   return interpolate(centre, u).x();
 }
 
-io::Figure picture(const Specimen& s) {
-  io::ParticlePicture map{.title = "Point force: displacement at 200 Pa",
-                          .value_label = "displacement [um]",
-                          .position = s.s.ecm.x,
-                          .particle_size = s.p.ecm.particle_spacing};
+draw::Figure picture(const Specimen& s) {
+  draw::ParticlePicture map{.title = "Point force: displacement at 200 Pa",
+                            .value_label = "displacement [um]",
+                            .position = s.s.ecm.x,
+                            .particle_size = s.p.ecm.particle_spacing};
   map.title = fmt::format("Point force of {} pN: displacement at {:.0f} Pa", 1e3 * pull, 1e3 * s.p.ecm.youngs_modulus);
   for (std::size_t i = 0; i < s.s.ecm.size(); ++i) map.value.push_back(s.s.ecm.displacement(i).norm());
-  return {"map", "The gel under a kernel-distributed force to the right; the rim is clamped.", io::to_svg(map)};
+  return {"map", "The gel under a kernel-distributed force to the right; the rim is clamped.", draw::to_svg(map)};
 }
 
 } // namespace
@@ -85,10 +85,10 @@ io::Figure picture(const Specimen& s) {
 Result point_force(const Parameters& p) {
   Result result;
   result.table.columns = {"youngs_modulus_Pa", "distance_um", "displacement_um", "closed_form_um"};
-  io::Plot plot{.title = "Point force in a clamped disc",
-                .x_label = "distance along the force [um]",
-                .y_label = "displacement along the force [um]",
-                .log_y = true};
+  draw::Plot plot{.title = "Point force in a clamped disc",
+                  .x_label = "distance along the force [um]",
+                  .y_label = "displacement along the force [um]",
+                  .log_y = true};
   std::vector<double> compliance;
   for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
     const double E = scale * p.ecm.youngs_modulus;
@@ -101,10 +101,10 @@ Result point_force(const Parameters& p) {
         {"field error at " + label + " [-]", field_error(s, a), 0.0, clamp + kernel,
          fmt::format("clamp known to a spacing: {:.3f}; load spread over h, read from 4h on: (1/4)^2", clamp)});
     compliance.push_back(point_displacement(s) * E);
-    io::Series measured{
-        .label = label + ", measured", .mark = io::Mark::points, .colour = static_cast<int>(compliance.size()) - 1};
-    io::Series exact{
-        .label = label + ", closed form", .mark = io::Mark::line, .colour = static_cast<int>(compliance.size()) - 1};
+    draw::Series measured{
+        .label = label + ", measured", .mark = draw::Mark::points, .colour = static_cast<int>(compliance.size()) - 1};
+    draw::Series exact{
+        .label = label + ", closed form", .mark = draw::Mark::line, .colour = static_cast<int>(compliance.size()) - 1};
     for (std::size_t i = 0; i < s.s.ecm.size(); ++i) {
       const Vec2& X = s.s.ecm.X[i];
       if (std::abs(X.y()) > 1e-9 || X.x() <= 0.0 || s.s.ecm.clamped[i]) continue;
@@ -138,7 +138,7 @@ Result point_force(const Parameters& p) {
       "and read with the same kernel: an adhesion feels a gel that is softer by as much, at every stiffness.",
       1e3 * p.ecm.youngs_modulus, measured, measured / continuum, continuum));
   result.figures.insert(result.figures.begin(),
-                        {"point-force", "Displacement along the line of the force.", io::to_svg(plot)});
+                        {"point-force", "Displacement along the line of the force.", draw::to_svg(plot)});
   return result;
 }
 

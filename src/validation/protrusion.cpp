@@ -18,10 +18,11 @@ constexpr double longest_in_paper = 30.0;                // [um]
 constexpr double pi = std::numbers::pi;
 
 /// Length over time of a protrusion that grows for longest_growth.
-io::Series grow(Parameters p, double angle, io::Table& table) {
+draw::Series grow(Parameters p, double angle, store::Table& table) {
   p.protrusion.growth_time = 2.0 * longest_growth;
   SingleProtrusion one(p, angle);
-  io::Series series{.label = fmt::format("{:.0f} Pa, {:.1f} degrees", 1e3 * p.ecm.youngs_modulus, angle * 180.0 / pi)};
+  draw::Series series{.label =
+                          fmt::format("{:.0f} Pa, {:.1f} degrees", 1e3 * p.ecm.youngs_modulus, angle * 180.0 / pi)};
   for (double t = 20.0; t < longest_growth + 1.0; t += 20.0) {
     one.march_for(20.0);
     series.x.push_back(t);
@@ -31,7 +32,7 @@ io::Series grow(Parameters p, double angle, io::Table& table) {
   return series;
 }
 
-double length_at(const io::Series& series, double t) {
+double length_at(const draw::Series& series, double t) {
   for (std::size_t k = 0; k < series.x.size(); ++k)
     if (std::abs(series.x[k] - t) < 1.0) return series.y[k];
   return std::nan("");
@@ -42,16 +43,16 @@ double length_at(const io::Series& series, double t) {
 Result protrusion(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "angle_deg", "time_s", "length_um"};
-  io::Plot plot{.title = "Growth of the first protrusion", .x_label = "time [s]", .y_label = "length [um]"};
+  draw::Plot plot{.title = "Growth of the first protrusion", .x_label = "time [s]", .y_label = "length [um]"};
   Parameters q = p;
   for (const double E : stiffness) {
     q.ecm.youngs_modulus = 1e-3 * E;
     plot.series.push_back(grow(q, 0.0, result.table));
   }
   for (const double angle : {pi / 8.0, pi / 4.0}) plot.series.push_back(grow(p, angle, result.table));
-  const io::Series& soft = plot.series[0];
-  const io::Series& base = plot.series[1];
-  const io::Series& stiff = plot.series[2];
+  const draw::Series& soft = plot.series[0];
+  const draw::Series& base = plot.series[1];
+  const draw::Series& stiff = plot.series[2];
 
   const double mean =
       (length_at(base, times[1]) + length_at(plot.series[3], times[1]) + length_at(plot.series[4], times[1])) / 3.0;
@@ -69,7 +70,7 @@ Result protrusion(const Parameters& p) {
                            length_at(stiff, times[1]) / length_at(soft, times[1]), 1.0, 0.1,
                            "the paper's l_prot is only slightly lower with stiffness"});
   result.figures.push_back(
-      {"protrusion", "A protrusion slows down as its flanks lengthen; stiffness hardly matters.", io::to_svg(plot)});
+      {"protrusion", "A protrusion slows down as its flanks lengthen; stiffness hardly matters.", draw::to_svg(plot)});
   return result;
 }
 

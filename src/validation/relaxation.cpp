@@ -27,7 +27,7 @@ struct RampAndHold {
 };
 
 /// Shears a layer at a constant rate, then holds it; wall stress over time goes into the table.
-RampAndHold ramp_and_hold(const Parameters& p, double ramp, double hold, io::Table& table) {
+RampAndHold ramp_and_hold(const Parameters& p, double ramp, double hold, store::Table& table) {
   const double dp = p.ecm.particle_spacing;
   Specimen a(strip(p.ecm, 12 * dp, 49 * dp), p);
   const double H = wall_distance(a.s.ecm);
@@ -84,9 +84,9 @@ Result relaxation(const Parameters& p) {
   result.checks.push_back({"recovery time after unloading [s]", recovery_time(p, tau), tau, tau * 2.0 * wall + 0.5 * dt,
                            "walls known to a spacing: (H +- dp)^2; half a step of explicit Euler"});
 
-  io::Plot plot{
+  draw::Plot plot{
       .title = "Relaxation: shear ramp, then hold", .x_label = "time [s]", .y_label = "wall shear stress [Pa]"};
-  io::Series measured{.label = "measured"}, expected{.label = "Kelvin-Voigt", .mark = io::Mark::dashed};
+  draw::Series measured{.label = "measured"}, expected{.label = "Kelvin-Voigt", .mark = draw::Mark::dashed};
   for (const auto& row : result.table.rows) {
     measured.x.push_back(row[0]);
     measured.y.push_back(row[2]);
@@ -95,7 +95,7 @@ Result relaxation(const Parameters& p) {
   }
   plot.series = {measured, expected};
   result.figures.push_back(
-      {"relaxation", "A Kelvin-Voigt layer drops by mu times the rate when the ramp ends.", io::to_svg(plot)});
+      {"relaxation", "A Kelvin-Voigt layer drops by mu times the rate when the ramp ends.", draw::to_svg(plot)});
   return result;
 }
 

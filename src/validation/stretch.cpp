@@ -58,13 +58,13 @@ void pull(Specimen& a, double strain, double seconds, double rest) {
   a.march_for(rest);
 }
 
-io::Figure picture(const Specimen& a) {
-  io::ParticlePicture shape{.title = "Stretch: the specimen at the last strain",
-                            .value_label = "von Mises stress [Pa]",
-                            .position = a.s.ecm.x,
-                            .particle_size = a.p.ecm.particle_spacing};
+draw::Figure picture(const Specimen& a) {
+  draw::ParticlePicture shape{.title = "Stretch: the specimen at the last strain",
+                              .value_label = "von Mises stress [Pa]",
+                              .position = a.s.ecm.x,
+                              .particle_size = a.p.ecm.particle_spacing};
   for (const Mat2& S : a.s.ecm.S) shape.value.push_back(1000.0 * von_mises(S));
-  return {"specimen", "The gel between its grips; sides are free.", io::to_svg(shape)};
+  return {"specimen", "The gel between its grips; sides are free.", draw::to_svg(shape)};
 }
 
 } // namespace
@@ -78,16 +78,16 @@ Result stretch(const Parameters& p) {
 
   result.table.columns = {"strain", "lateral_strain", "nominal_stress_Pa", "grip_stress_Pa",
                           "linear_elastic_stress_Pa"};
-  io::Series measured{.label = "measured in the gauge", .mark = io::Mark::points};
-  io::Series grips{.label = "measured at the grip", .mark = io::Mark::points};
-  io::Series linear{.label = "linear elastic, plane strain"};
+  draw::Series measured{.label = "measured in the gauge", .mark = draw::Mark::points};
+  draw::Series grips{.label = "measured at the grip", .mark = draw::Mark::points};
+  draw::Series linear{.label = "linear elastic, plane strain"};
   Reading first{};
   for (int k = 0; k < 6; ++k) {
     pull(a, k == 0 ? 0.002 : 0.02, 2.0 * tau, 8.0 * tau);
     const Reading r = read(a);
     if (k == 0) first = r;
     result.table.add({r.strain_x, r.strain_y, 1e3 * r.stress, 1e3 * r.grip_stress, 1e3 * E_plane * r.strain_x});
-    for (io::Series* s : {&measured, &grips, &linear}) s->x.push_back(r.strain_x);
+    for (draw::Series* s : {&measured, &grips, &linear}) s->x.push_back(r.strain_x);
     measured.y.push_back(1e3 * r.stress);
     grips.y.push_back(1e3 * r.grip_stress);
     linear.y.push_back(1e3 * E_plane * r.strain_x);
@@ -108,11 +108,11 @@ Result stretch(const Parameters& p) {
                   "become thinner, and the rate "
                   "form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
                   last[0], 100.0 * (last[2] / last[4] - 1.0)));
-  io::Plot plot{.title = "Stretch: uniaxial test with free sides",
-                .x_label = "strain",
-                .y_label = "nominal stress [Pa]",
-                .series = {linear, measured, grips}};
-  result.figures.push_back({"stretch", "Quasi-static stress against strain.", io::to_svg(plot)});
+  draw::Plot plot{.title = "Stretch: uniaxial test with free sides",
+                  .x_label = "strain",
+                  .y_label = "nominal stress [Pa]",
+                  .series = {linear, measured, grips}};
+  result.figures.push_back({"stretch", "Quasi-static stress against strain.", draw::to_svg(plot)});
   result.figures.push_back(picture(a));
   return result;
 }

@@ -72,17 +72,17 @@ double largest_gap(const EcmState& ecm) {
   return largest;
 }
 
-io::Figure picture(const Pulled& r, const std::string& name, const std::string& title) {
-  io::ParticlePicture map{.title = title, .value_label = "displacement [um]", .value_min = 0.0, .value_max = 5.0};
+draw::Figure picture(const Pulled& r, const std::string& name, const std::string& title) {
+  draw::ParticlePicture map{.title = title, .value_label = "displacement [um]", .value_min = 0.0, .value_max = 5.0};
   for (std::size_t i = 0; i < r.ecm.size(); ++i) {
     if (r.ecm.f[i] <= 0.0 || r.ecm.X[i].norm() > 45.0) continue;
     map.position.push_back(r.ecm.x[i]);
     map.value.push_back(r.ecm.displacement(i).norm());
   }
-  return {name, title + ": solid particles around the hole.", io::to_svg(map)};
+  return {name, title + ": solid particles around the hole.", draw::to_svg(map)};
 }
 
-io::Series curve(const Pulled& r, const std::string& label) { return {.label = label, .x = r.t, .y = r.travel}; }
+draw::Series curve(const Pulled& r, const std::string& label) { return {.label = label, .x = r.t, .y = r.travel}; }
 
 } // namespace
 
@@ -109,12 +109,12 @@ Result tearing(const Parameters& p) {
       "A pull of {:.3g} nN held for {:.0f} s: {:.2f} um over reference neighbours, {:.2f} um over current ones{}.",
       pull(p), hold(p), reference.travel.back(), current.travel.back(),
       current.failure.empty() ? "" : " (" + current.failure + ")"));
-  io::Plot plot{.title = "Tearing: travel of an adhesion-like load",
-                .x_label = "time [s]",
-                .y_label = "travel of the anchor [um]",
-                .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
+  draw::Plot plot{.title = "Tearing: travel of an adhesion-like load",
+                  .x_label = "time [s]",
+                  .y_label = "travel of the anchor [um]",
+                  .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
   result.figures.push_back(
-      {"tearing", "The anchored point of the gel under a held pull towards the hole.", io::to_svg(plot)});
+      {"tearing", "The anchored point of the gel under a held pull towards the hole.", draw::to_svg(plot)});
   result.figures.push_back(picture(reference, "reference", "Reference neighbours"));
   result.figures.push_back(picture(current, "current", "Current neighbours"));
   return result;

@@ -60,7 +60,7 @@ Result time_step(const Parameters& p) {
   result.table.columns = {"adaptive", "time_step_s", "error_um"};
   const Tips finest = follow(p, Integrator::reference, steps.front());
   const auto errors = [&](Integrator integrator, std::span<const double> all, const std::string& label) {
-    io::Series series{.label = label};
+    draw::Series series{.label = label};
     for (const double dt : all) {
       series.x.push_back(dt);
       series.y.push_back(distance(follow(p, integrator, dt), finest));
@@ -68,8 +68,8 @@ Result time_step(const Parameters& p) {
     }
     return series;
   };
-  const io::Series reference = errors(Integrator::reference, std::span(steps).subspan(1), "reference");
-  const io::Series adaptive = errors(Integrator::adaptive, adaptive_steps, "adaptive");
+  const draw::Series reference = errors(Integrator::reference, std::span(steps).subspan(1), "reference");
+  const draw::Series adaptive = errors(Integrator::adaptive, adaptive_steps, "adaptive");
   const double quarter = 0.25 * p.ecm.particle_spacing;
   result.checks.push_back(
       {fmt::format("tip, reference: error with steps of {} s over the largest [-]", reference.x.front()),
@@ -93,10 +93,10 @@ Result time_step(const Parameters& p) {
                   "{:.0f} s. Later the direction of growth decides, which is unstable.",
                   steps.front(), times[0], times[1], times[2]));
   result.figures.push_back({"time-step", "Distance of the tip from where the shortest steps bring it.",
-                            io::to_svg({.title = "A protrusion with longer steps",
-                                        .x_label = "time step [s]",
-                                        .y_label = "distance of the tip [um]",
-                                        .series = {reference, adaptive}})});
+                            draw::to_svg({.title = "A protrusion with longer steps",
+                                          .x_label = "time step [s]",
+                                          .y_label = "distance of the tip [um]",
+                                          .series = {reference, adaptive}})});
   return result;
 }
 

@@ -19,7 +19,7 @@ protected:
           "ecm.youngs_modulus = \"0.05 kPa\"\n[[points]]\nlabel = \"=stiff\"\necm.youngs_modulus = \"100 Pa\"\n");
   }
 
-  io::CsvTable table(const std::string& name) const { return io::read_csv(text_of(folder / name)); }
+  store::CsvTable table(const std::string& name) const { return store::read_csv(text_of(folder / name)); }
 
   void refuses(const std::string& arguments, const std::string& words) const {
     const Ended ended = run(arguments);
@@ -33,13 +33,13 @@ TEST_F(ExportStudy, PutsTheTracksOfAllRunsInOneFile) {
   const Ended ended = run("export e-study --tracks");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.out, "exported the tracks of 4 of 4 runs to e-study/export/tracks.csv\n");
-  const io::CsvTable all = table("e-study/export/tracks.csv");
-  const io::CsvTable results = table("e-study/results.csv");
+  const store::CsvTable all = table("e-study/export/tracks.csv");
+  const store::CsvTable results = table("e-study/results.csv");
   ASSERT_EQ(std::vector(all.header.begin(), all.header.begin() + 5),
             (std::vector<std::string>{"run", "label", "ecm.youngs_modulus_Pa", "replicate", "seed"}));
   std::size_t at = 0;
   for (const std::vector<std::string>& of_run : results.rows) { // in the order of results.csv, bit by bit
-    const io::CsvTable own = table("e-study/runs/" + of_run[0] + "/tracks.csv");
+    const store::CsvTable own = table("e-study/runs/" + of_run[0] + "/tracks.csv");
     EXPECT_EQ(std::vector(all.header.begin() + 5, all.header.end()), own.header);
     for (const std::vector<std::string>& row : own.rows) {
       ASSERT_LT(at, all.rows.size());
@@ -60,7 +60,7 @@ TEST_F(ExportStudy, LeavesWhatOnlyANucleusHasEmptyElsewhere) {
                   "nucleus.radius = \"0 um\"\n[[points]]\nlabel = \"b\"\nnucleus.radius = \"5 um\"\n");
   ASSERT_EQ(run("study run e.toml").code, 0);
   ASSERT_EQ(run("export e-study --tracks").code, 0);
-  const io::CsvTable all = table("e-study/export/tracks.csv");
+  const store::CsvTable all = table("e-study/export/tracks.csv");
   ASSERT_EQ(all.header.back(), "nucleus_aspect_ratio");
   ASSERT_EQ(all.rows.size(), 2U * 5U);
   EXPECT_EQ(all.rows.front().back(), "");

@@ -14,13 +14,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     switch (data[0] % 3) {
     case 0:
-      matrigrate::io::parse_checkpoint(text, "fuzz.h5");
+      matrigrate::store::parse_checkpoint(text, "fuzz.h5");
       break;
     case 1:
-      matrigrate::io::parse_memory(text);
+      matrigrate::store::parse_memory(text);
       break;
     case 2:
-      matrigrate::io::parse_state_parts(text);
+      matrigrate::store::parse_state_parts(text);
       break;
     }
   } catch (const matrigrate::InputOutputError&) { // refused

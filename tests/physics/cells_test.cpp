@@ -133,7 +133,7 @@ TEST(Cells, InContactGoOnFromACheckpointWithTheSameBits) {
   Workspace w(s, p);
   for (int k = 0; k < 60; ++k) advance(s, p, p.run.time_step, w);
   EXPECT_FALSE(w.touches.empty());
-  State read = io::parse_checkpoint(io::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
+  State read = store::parse_checkpoint(store::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
   EXPECT_TRUE(same_bits(read, s));
   Workspace fresh(read, p);
   for (int k = 0; k < 60; ++k) {

@@ -115,7 +115,7 @@ TEST(NucleusOfACell, GoesOnFromACheckpointWithTheSameBits) {
   ASSERT_EQ(s.cells[1].nucleus.size(), 72U);
   Workspace w(s, p);
   march(s, p, w, 60.0, press(2.0));
-  State read = io::parse_checkpoint(io::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
+  State read = store::parse_checkpoint(store::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
   ASSERT_TRUE(same_bits(read, s));
   ASSERT_EQ(read.cells[1].nucleus.x, s.cells[1].nucleus.x);
   Workspace fresh(read, p);

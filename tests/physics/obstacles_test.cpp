@@ -50,7 +50,7 @@ TEST(Obstacles, GoOnFromACheckpointWithTheSameBits) {
   State s = initial_state(p);
   Workspace w(s, p);
   march(s, p, w, 60.0);
-  State read = io::parse_checkpoint(io::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
+  State read = store::parse_checkpoint(store::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
   Workspace fresh(read, p);
   march(s, p, w, 120.0);
   march(read, p, fresh, 120.0);

@@ -71,7 +71,7 @@ TEST(TwoCells, GoOnFromACheckpointWithTheSameBits) {
   State s = two_cells(p);
   Workspace w(s, p);
   for (int k = 0; k < 40; ++k) advance(s, p, p.run.time_step, w);
-  State read = io::parse_checkpoint(io::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
+  State read = store::parse_checkpoint(store::checkpoint_image({s, {}, {}, {}, {}}), "c.h5").state;
   EXPECT_TRUE(same_bits(read, s));
   Workspace fresh(read, p);
   for (int k = 0; k < 40; ++k) {

@@ -57,19 +57,19 @@ TEST(Structure, HeadersAreGuarded) {
 
 TEST(Structure, FoldersAndFilesStayReadable) {
   const std::filesystem::path root = MATRIGRATE_SOURCE_DIR;
-  constexpr std::ptrdiff_t most_files = 40, most_lines = 350;
+  constexpr std::ptrdiff_t max_files = 40, max_lines = 350;
   const auto size_of = [](const std::filesystem::path& folder) {
     return std::count_if(std::filesystem::directory_iterator(folder), {},
                          [](const auto& entry) { return entry.is_regular_file(); });
   };
   for (const char* top : {"src", "apps", "viewer/src", "python/matrigrate", "examples"}) {
-    EXPECT_LE(size_of(root / top), most_files) << top;
+    EXPECT_LE(size_of(root / top), max_files) << top;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top))
       if (entry.is_directory()) {
-        EXPECT_LE(size_of(entry.path()), most_files) << entry.path();
+        EXPECT_LE(size_of(entry.path()), max_files) << entry.path();
       }
     for (const Source& file : sources(root / top))
-      EXPECT_LE(std::count(file.text.begin(), file.text.end(), '\n'), most_lines) << top << '/' << file.path;
+      EXPECT_LE(std::count(file.text.begin(), file.text.end(), '\n'), max_lines) << top << '/' << file.path;
   }
 }
 

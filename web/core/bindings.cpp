@@ -185,20 +185,20 @@ val array(const char* type, const std::vector<T>& numbers) {
   return val::global(type).new_(val(emscripten::typed_memory_view(numbers.size(), numbers.data())));
 }
 
-val floats(const io::Floats& numbers) { return array("Float32Array", numbers); }
-val bytes(const io::Bytes& numbers) { return array("Uint8Array", numbers); }
+val floats(const observe::Floats& numbers) { return array("Float32Array", numbers); }
+val bytes(const observe::Bytes& numbers) { return array("Uint8Array", numbers); }
 
 /// Reference positions of the particles.
-val reference() { return floats(io::frame_head(simulation().state(), simulation().parameters()).reference); }
+val reference() { return floats(observe::frame_head(simulation().state(), simulation().parameters()).reference); }
 
 /// Copies of what the page draws.
 val frame() {
-  const io::Frame f = simulation().frame();
+  const observe::Frame f = simulation().frame();
   val out = val::object();
   out.set("t_s", f.t);
   out.set("displacement", floats(f.matrix.displacement));
   out.set("f", bytes([&] {
-            io::Bytes share;
+            observe::Bytes share;
             for (const float value : f.matrix.f_degr)
               share.push_back(static_cast<std::uint8_t>(std::lround(255.0F * value)));
             return share;

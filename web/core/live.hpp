@@ -46,7 +46,7 @@ public:
 
   const State& state() const { return m_s; }
   const Parameters& parameters() const { return m_p; }
-  io::Frame frame() const { return io::frame(m_s, m_p, *m_w); }
+  observe::Frame frame() const { return observe::frame(m_s, m_p, *m_w); }
 
   /// Rows at the multiples of output.track_interval that were passed since the last call.
   std::vector<TrackRow> take_tracks();

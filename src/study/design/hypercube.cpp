@@ -27,7 +27,7 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
                                     Allowance& allowance, FaultList& faults) {
   const toml::node* samples = hypercube.get("samples");
   if (samples == nullptr) faults.add(place_of(hypercube), "latin_hypercube.samples", "is missing; write samples = 50");
-  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, most_runs);
+  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, max_runs);
   std::vector<Span> spans;
   for (const Named& named : named_parameters(hypercube, "latin_hypercube", {"samples"}, faults))
     if (const auto span = span_of(named, base, faults)) spans.push_back(*span);
@@ -39,7 +39,7 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
   std::vector<Draft> drafts(n);
   for (Draft& draft : drafts) draft.point.parameters = base;
   for (const Span& span : spans) {
-    const std::uint64_t key = std::stoull(io::text_hash(fmt::format("{} {}", seed, span.row->path)), nullptr, 16);
+    const std::uint64_t key = std::stoull(store::text_hash(fmt::format("{} {}", seed, span.row->path)), nullptr, 16);
     const std::vector<double> places = stratified(n, key);
     for (std::size_t i = 0; i < n; ++i) {
       Point& point = drafts[i].point;

@@ -14,7 +14,7 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr std::size_t most_levels = 100;
+constexpr std::size_t max_levels = 100;
 constexpr std::size_t usual_levels = 4;
 constexpr std::size_t usual_trajectories = 10;
 
@@ -91,7 +91,7 @@ std::optional<Factor> choice_factor(const Named& named, const Parameters& base, 
 std::size_t levels_of(const toml::table& ranges, FaultList& faults) {
   const toml::node* node = ranges.get("levels");
   if (node == nullptr) return usual_levels;
-  const std::size_t levels = faults.whole(*node, "morris.levels", 2, most_levels);
+  const std::size_t levels = faults.whole(*node, "morris.levels", 2, max_levels);
   if (levels % 2 == 0) return levels;
   faults.add(place_of(*node), "morris.levels",
              fmt::format("{} is odd; allowed are even numbers, so that a step of half the levels meets each as often",
@@ -107,7 +107,7 @@ public:
     std::vector<double> rank;
     for (const Factor& factor : factors) {
       const std::uint64_t key =
-          std::stoull(io::text_hash(fmt::format("morris {} {}", seed, factor.row->path)), nullptr, 16);
+          std::stoull(store::text_hash(fmt::format("morris {} {}", seed, factor.row->path)), nullptr, 16);
       const auto draw = [&](Draw what) {
         return uniform(key, Purpose::sampling, number, static_cast<std::uint32_t>(what));
       };
@@ -183,7 +183,7 @@ Designed morris_sets(const toml::table& ranges, const Parameters& base, std::uin
   Designed made;
   const toml::node* node = ranges.get("trajectories");
   const std::size_t trajectories =
-      node == nullptr ? usual_trajectories : faults.whole(*node, "morris.trajectories", 2, most_runs);
+      node == nullptr ? usual_trajectories : faults.whole(*node, "morris.trajectories", 2, max_runs);
   const std::vector<Factor> factors = factors_of(ranges, base, faults);
   const double most = static_cast<double>(trajectories) * static_cast<double>(factors.size() + 1);
   if (factors.empty() || !allowance.allows(most, place_of(ranges), "morris", faults)) return made;

@@ -29,9 +29,9 @@ std::vector<ValueList> value_lists(const toml::table& table, std::string_view se
                              list == nullptr ? type_of(*named.node) : "empty", value_text(*named.row, base)));
       continue;
     }
-    if (list->size() > most_runs) {
+    if (list->size() > max_runs) {
       faults.add(place_of(*named.node), named.row->path,
-                 fmt::format("has {} values; allowed are {}", list->size(), most_runs));
+                 fmt::format("has {} values; allowed are {}", list->size(), max_runs));
       continue;
     }
     ValueList& axis = all.emplace_back(ValueList{named.row, {}, {}});
@@ -68,12 +68,12 @@ bool Allowance::allows(double more, Place place, std::string_view key, FaultList
   m_points += more;
   const double points = m_points * static_cast<double>(std::max<std::size_t>(1, m_conditions));
   const double runs = points * static_cast<double>(m_replicates);
-  if (runs <= static_cast<double>(most_runs)) return true;
+  if (runs <= static_cast<double>(max_runs)) return true;
   const std::string made =
       m_conditions > 0 ? fmt::format("{} factor sets, which times {} conditions and {} replicates",
                                      count_text(m_points), m_conditions, m_replicates)
                        : fmt::format("{} points, which times {} replicates", count_text(m_points), m_replicates);
-  faults.add(place, key, fmt::format("makes {} are {} runs; allowed are {}", made, count_text(runs), most_runs));
+  faults.add(place, key, fmt::format("makes {} are {} runs; allowed are {}", made, count_text(runs), max_runs));
   return false;
 }
 

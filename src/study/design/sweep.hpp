@@ -20,9 +20,9 @@ struct Draft {
   std::vector<std::pair<std::string, Place>> settings;
 };
 
-inline constexpr std::size_t most_runs = 100'000;
+inline constexpr std::size_t max_runs = 100'000;
 
-/// How many factor sets a study may still have: times the conditions and the replicates, most_runs.
+/// How many factor sets a study may still have: times the conditions and the replicates, max_runs.
 class Allowance {
 public:
   /// @param conditions  0 if the study has none

@@ -10,10 +10,10 @@ namespace matrigrate::study {
 namespace {
 
 /// Two particles of solid and one of fluid, each 300 s.
-io::Film film(std::size_t frames) {
-  io::Film film;
+observe::Film film(std::size_t frames) {
+  observe::Film film;
   for (std::size_t k = 0; k < frames; ++k) {
-    io::Frame frame{.t = 300.0 * static_cast<double>(k), .matrix = {}, .outline = {}, .protrusions = {}};
+    observe::Frame frame{.t = 300.0 * static_cast<double>(k), .matrix = {}, .outline = {}, .protrusions = {}};
     const auto u = static_cast<float>(k);
     frame.matrix.f_degr = {1.0F, 0.5F, 0.0F};
     frame.matrix.displacement = {3.0F * u, 4.0F * u, 0.0F, 1.0F, 100.0F, 0.0F};
@@ -23,7 +23,7 @@ io::Film film(std::size_t frames) {
   return film;
 }
 
-std::string table(const io::Film& soft, const io::Film& stiff) {
+std::string table(const observe::Film& soft, const observe::Film& stiff) {
   return fields_header() + fields_rows("100 Pa", soft) + fields_rows("400 Pa", stiff);
 }
 
@@ -37,7 +37,7 @@ TEST(FieldsShown, DoesNotHoldOfLess) {
   EXPECT_EQ(fields_shown(table(film(4), film(3)), 900.0).verdict, Verdict::does_not_hold) << "a frame is missing";
   EXPECT_EQ(fields_shown(fields_header() + fields_rows("100 Pa", film(4)), 900.0).verdict, Verdict::does_not_hold);
   EXPECT_EQ(fields_shown(fields_header(), 900.0).verdict, Verdict::undecided);
-  io::Film broken = film(4);
+  observe::Film broken = film(4);
   broken.frames[2].matrix.von_mises[1] = std::numeric_limits<float>::quiet_NaN();
   const Finding finding = fields_shown(table(film(4), broken), 900.0);
   EXPECT_EQ(finding.verdict, Verdict::does_not_hold);

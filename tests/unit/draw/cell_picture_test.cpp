@@ -11,7 +11,7 @@
 
 #include <numbers>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 CortexState ring_of(std::vector<Vec2> points) {
@@ -44,7 +44,7 @@ State state(const Parameters& p) {
   return s;
 }
 
-TEST(CellScene, SortsTheMatrixIntoClasses) {
+TEST(observe::CellScene, SortsTheMatrixIntoClasses) {
   const Parameters p = parameters(40.0);
   State s = state(p);
   s.ecm.f.assign(s.ecm.size(), 1.0);
@@ -52,26 +52,26 @@ TEST(CellScene, SortsTheMatrixIntoClasses) {
   s.ecm.f[1] = 0.001;
   s.ecm.f[2] = 0.999;
   s.ecm.f[3] = 0.5;
-  const CellScene scene = cell_scene(s, p, {});
+  const observe::CellScene scene = observe::cell_scene(s, p, {});
   EXPECT_EQ(scene.matrix[0].size(), s.ecm.size() - 4);
-  for (std::size_t c = 1; c < matrix_classes; ++c) EXPECT_EQ(scene.matrix[c].size(), 1U) << c;
+  for (std::size_t c = 1; c < observe::matrix_classes; ++c) EXPECT_EQ(scene.matrix[c].size(), 1U) << c;
 }
 
-TEST(CellScene, CutsTheFrontHalfOff) {
+TEST(observe::CellScene, CutsTheFrontHalfOff) {
   const Parameters p = parameters(40.0);
   State s = state(p);
-  const CellScene scene = cell_scene(s, p, {});
+  const observe::CellScene scene = observe::cell_scene(s, p, {});
   EXPECT_NEAR(area(ring_of(scene.cells[0].front)), 0.5 * area(s.cells[0].cortex), 0.01 * area(s.cells[0].cortex));
   const Vec2 ahead = centroid(ring_of(scene.cells[0].front));
   EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), 0.25 * std::numbers::pi, 0.02);
   s.cells[0].polarization.reset();
-  EXPECT_EQ(cell_scene(s, p, {}).cells[0].front.size(), s.cells[0].cortex.size())
+  EXPECT_EQ(observe::cell_scene(s, p, {}).cells[0].front.size(), s.cells[0].cortex.size())
       << "all of it before the first protrusion";
 }
 
-TEST(CellScene, TakesProtrusionsWithTheirAnchors) {
+TEST(observe::CellScene, TakesProtrusionsWithTheirAnchors) {
   const Parameters p = parameters(40.0);
-  const CellScene scene = cell_scene(state(p), p, {});
+  const observe::CellScene scene = observe::cell_scene(state(p), p, {});
   ASSERT_EQ(scene.protrusions.size(), 3U);
   EXPECT_EQ(scene.protrusions[0].contour.size(), 2U * static_cast<std::size_t>(p.protrusion.half_width) + 1U);
   EXPECT_FALSE(scene.protrusions[0].anchor);
@@ -80,7 +80,7 @@ TEST(CellScene, TakesProtrusionsWithTheirAnchors) {
 
 TEST(Surroundings, AreASquareWithinTheDisc) {
   const Parameters p = parameters(40.0);
-  const std::vector<CellScene> scenes{cell_scene(state(p), p, {})};
+  const std::vector<observe::CellScene> scenes{observe::cell_scene(state(p), p, {})};
   const Box box = surroundings(scenes, 3.0);
   EXPECT_NEAR(box.size().x(), 45.0 + 6.0, 0.1); // from the anchor at -30 to the cell's edge at 15, and room
   EXPECT_NEAR(box.size().x(), box.size().y(), 1e-12);
@@ -91,7 +91,7 @@ TEST(Surroundings, AreASquareWithinTheDisc) {
 
 TEST(CellPicture, IsWellFormedAndSmall) {
   const Parameters p = parameters(150.0);
-  const CellScene scene = cell_scene(state(p), p, {{Vec2(0, 0), Vec2(1, 1)}});
+  const observe::CellScene scene = observe::cell_scene(state(p), p, {{Vec2(0, 0), Vec2(1, 1)}});
   const std::string svg = cell_picture(scene, whole_disc(scene));
   EXPECT_LT(svg.size(), 1000000U);
   ASSERT_TRUE(parsed(svg));
@@ -106,10 +106,11 @@ TEST(CellPicture, IsWellFormedAndSmall) {
 TEST(CellPicture, ShowsObstacles) {
   const Parameters p = parameters(40.0);
   State s = state(p);
-  EXPECT_EQ(count(cell_picture(cell_scene(s, p, {}), whole_disc(cell_scene(s, p, {}))), ">obstacle<"), 0U);
+  EXPECT_EQ(count(cell_picture(observe::cell_scene(s, p, {}), whole_disc(observe::cell_scene(s, p, {}))), ">obstacle<"),
+            0U);
   s.ecm.obstacle.assign(s.ecm.size(), 0);
   s.ecm.obstacle[s.ecm.size() / 2] = 1;
-  const CellScene scene = cell_scene(s, p, {});
+  const observe::CellScene scene = observe::cell_scene(s, p, {});
   EXPECT_EQ(scene.obstacles.size(), 1U);
   EXPECT_EQ(count(cell_picture(scene, whole_disc(scene)), ">obstacle<"), 1U);
 }
@@ -118,18 +119,19 @@ TEST(CellPicture, ShowsNuclei) {
   const Parameters p = parameters(40.0);
   State s = state(p);
   const auto signs = [&] {
-    const CellScene scene = cell_scene(s, p, {});
+    const observe::CellScene scene = observe::cell_scene(s, p, {});
     return count(cell_picture(scene, whole_disc(scene)), "#27406b");
   };
   EXPECT_EQ(signs(), 0U);
   s.cells[0].nucleus.x = {{0, 0}, {4, 0}, {0, 4}};
   EXPECT_EQ(signs(), 2U) << "in the cell and in the legend";
-  EXPECT_EQ(count(cell_picture(cell_scene(s, p, {}), whole_disc(cell_scene(s, p, {}))), ">nucleus<"), 1U);
+  EXPECT_EQ(count(cell_picture(observe::cell_scene(s, p, {}), whole_disc(observe::cell_scene(s, p, {}))), ">nucleus<"),
+            1U);
 }
 
 TEST(CellPicture, LeavesOutWhatIsNotSeen) {
   const Parameters p = parameters(150.0);
-  const CellScene scene = cell_scene(state(p), p, {});
+  const observe::CellScene scene = observe::cell_scene(state(p), p, {});
   const std::string part = cell_picture(scene, {Vec2(-20, -20), Vec2(20, 20)});
   EXPECT_LT(10 * part.size(), cell_picture(scene, whole_disc(scene)).size());
 }
@@ -137,13 +139,13 @@ TEST(CellPicture, LeavesOutWhatIsNotSeen) {
 TEST(CellPicture, ShowsEveryCell) {
   const Parameters p = parameters(40.0);
   State s = state(p);
-  const CellScene one = cell_scene(s, p, {});
+  const observe::CellScene one = observe::cell_scene(s, p, {});
   s.cells.push_back(s.cells[0]);
   for (Vec2& x : s.cells[1].cortex.x) x += Vec2(5.0, 0.0);
-  const CellScene both = cell_scene(s, p, {{Vec2(0, 0), Vec2(1, 1)}, {Vec2(5, 0), Vec2(6, 1)}});
+  const observe::CellScene both = observe::cell_scene(s, p, {{Vec2(0, 0), Vec2(1, 1)}, {Vec2(5, 0), Vec2(6, 1)}});
   ASSERT_EQ(both.cells.size(), 2U);
   EXPECT_EQ(both.protrusions.size(), 2 * one.protrusions.size());
-  const auto drawn = [](const CellScene& scene, std::string_view colour) {
+  const auto drawn = [](const observe::CellScene& scene, std::string_view colour) {
     return count(cell_picture(scene, whole_disc(scene)), "<path fill=\"" + std::string(colour) + "\"");
   };
   for (const std::string_view colour : {cell_colours(0, 1).rear, cell_colours(0, 1).front})
@@ -162,7 +164,7 @@ TEST(CellPicture, NumbersCellsWhoseColourRepeats) {
   State s = state(p);
   s.cells[0].protrusions.clear();
   while (s.cells.size() < 20) s.cells.push_back(s.cells[0]);
-  const CellScene scene = cell_scene(s, p, {});
+  const observe::CellScene scene = observe::cell_scene(s, p, {});
   const std::string picture = cell_picture(scene, whole_disc(scene));
   for (const char* word : {"20", "cell 1, 9, 17", "cell 8, 16; rear, front"})
     EXPECT_EQ(count(picture, std::string(">") + word + "<"), 1U) << word;
@@ -171,7 +173,7 @@ TEST(CellPicture, NumbersCellsWhoseColourRepeats) {
 /// Times over the panels of a sheet of n scenes, an hour apart [h].
 std::vector<int> panel_hours(std::size_t n) {
   const Parameters p = parameters(20.0);
-  std::vector<CellScene> scenes(n, cell_scene(state(p), p, {}));
+  std::vector<observe::CellScene> scenes(n, observe::cell_scene(state(p), p, {}));
   for (std::size_t k = 0; k < n; ++k) scenes[k].t = 3600.0 * static_cast<double>(k);
   const std::string svg = contact_sheet(scenes);
   std::vector<int> hours;
@@ -191,8 +193,8 @@ TEST(ContactSheet, HasPanelsAtRegularTimes) {
 
 TEST(ContactSheet, IsOneDocumentWithOneLegend) {
   const Parameters p = parameters(150.0);
-  const CellScene one = cell_scene(state(p), p, {});
-  std::vector<CellScene> scenes(25, one);
+  const observe::CellScene one = observe::cell_scene(state(p), p, {});
+  std::vector<observe::CellScene> scenes(25, one);
   for (std::size_t k = 0; k < scenes.size(); ++k) scenes[k].t = 3600.0 * static_cast<double>(k);
   const std::string svg = contact_sheet(scenes);
   ASSERT_TRUE(parsed(svg));
@@ -206,4 +208,4 @@ TEST(ContactSheet, IsOneDocumentWithOneLegend) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 /// Perceived lightness L* of CIELAB, 0 black to 100 white.
@@ -56,4 +56,4 @@ TEST(Colour, ClampsToItsEnds) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -10,26 +10,26 @@
 #include <limits>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 TEST(FrameScene, IsThatOfTheState) {
   const SmallRun run;
-  const Film film = run.film();
-  const CellScene made = frame_scene(film.head, film.frames[0], {{Vec2(1.0, 2.0)}});
-  const CellScene scene = cell_scene(run.s, run.p, {{Vec2(1.0, 2.0)}});
+  const observe::Film film = run.film();
+  const observe::CellScene made = frame_scene(film.head, film.frames[0], {{Vec2(1.0, 2.0)}});
+  const observe::CellScene scene = observe::cell_scene(run.s, run.p, {{Vec2(1.0, 2.0)}});
   EXPECT_EQ(made.t, scene.t);
   EXPECT_EQ(made.radius, scene.radius);
   EXPECT_EQ(made.spacing, scene.spacing);
   ASSERT_EQ(made.cells.size(), 1U);
-  const DrawnCell& cell = made.cells.front();
+  const observe::DrawnCell& cell = made.cells.front();
   EXPECT_EQ(cell.path, scene.cells.front().path);
   constexpr double rounding = 1e-4; // positions of frames are of 32 bits, displacements of steps of 1/16384 um
   const auto near = [&](const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT((a[i] - b[i]).norm(), rounding) << i;
   };
-  for (std::size_t c = 0; c < matrix_classes; ++c) near(made.matrix[c], scene.matrix[c]);
+  for (std::size_t c = 0; c < observe::matrix_classes; ++c) near(made.matrix[c], scene.matrix[c]);
   near(cell.outline, scene.cells.front().outline);
   EXPECT_NEAR(static_cast<double>(cell.front.size()), 0.5 * static_cast<double>(cell.outline.size()), 1.0);
   ASSERT_EQ(made.protrusions.size(), scene.protrusions.size());
@@ -43,8 +43,8 @@ TEST(FrameScene, IsThatOfTheState) {
 
 struct Moments {
   Moments() {
-    const Film film = SmallRun().film();
-    for (const Frame& frame : film.frames) {
+    const observe::Film film = SmallRun().film();
+    for (const observe::Frame& frame : film.frames) {
       scenes.push_back(frame_scene(film.head, frame, {}));
       field.position.push_back(matrix_positions(film.head, frame));
       field.value.emplace_back(field.position.back().size(), 1.0);
@@ -52,7 +52,7 @@ struct Moments {
         if (field.position.back()[i].norm() < 5.0) field.value.back()[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  std::vector<CellScene> scenes;
+  std::vector<observe::CellScene> scenes;
   FigureField field{
       .label = "pressure [Pa]", .map = ColourMap::diverging, .low = -2.0, .high = 2.0, .position = {}, .value = {}};
 };
@@ -84,4 +84,4 @@ TEST(FigurePanel, RefusesWhatDoesNotFit) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

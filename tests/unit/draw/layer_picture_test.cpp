@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 constexpr const char* grey = "#b8b8b8"; // of particles without a value
@@ -95,4 +95,4 @@ TEST(LayerPicture, ShowsTheStressOfTheFibres) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 
 inline std::size_t count(std::string_view text, std::string_view what) {
   std::size_t n = 0;
@@ -71,4 +71,4 @@ inline std::optional<std::vector<Piece>> parsed(std::string_view xml) {
   return pieces;
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

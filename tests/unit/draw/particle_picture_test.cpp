@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -147,4 +147,4 @@ TEST(ParticlePicture, RefusesWhatDoesNotFitTogether) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

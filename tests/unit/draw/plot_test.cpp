@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -231,4 +231,4 @@ TEST(Legend, AutomaticColoursDoNotCountFixedOnes) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

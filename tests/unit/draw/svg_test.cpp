@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 TEST(Svg, EscapesMarkupAndForbiddenCharacters) {
@@ -50,4 +50,4 @@ TEST(Svg, TheReaderOfTheseTestsRefusesWhatIsNotWellFormed) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::draw {
 namespace {
 
 std::vector<std::string> labels(const std::vector<Tick>& ticks) {
@@ -71,4 +71,4 @@ TEST(Ticks, ShortLogAxesFallBackToRoundNumbers) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::draw

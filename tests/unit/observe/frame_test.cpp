@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace matrigrate::io {
+namespace matrigrate::observe {
 namespace {
 
 TEST(Frame, HoldsTheFieldsOfAState) {
@@ -94,4 +94,4 @@ TEST(Frame, HoldsTheCellAndItsProtrusions) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::observe

@@ -5,7 +5,7 @@
 #include "simulation/workspace.hpp"
 
 /// A small gel with a cell and two protrusions, and a film of it.
-namespace matrigrate::io {
+namespace matrigrate::observe {
 
 struct SmallRun {
   SmallRun() {
@@ -72,4 +72,4 @@ inline std::string difference(const Film& a, const Film& b) {
   return "";
 }
 
-} // namespace matrigrate::io
+} // namespace matrigrate::observe

@@ -91,12 +91,12 @@ TEST(HealthWatch, GathersTheStepsSinceTheLastRow) {
   step.density_bounds = 1;
   const HealthRow row = watch.row(s, p, step);
   EXPECT_EQ(row.iterations, 5);
-  EXPECT_EQ(row.most_iterations, 9);
+  EXPECT_EQ(row.max_iterations, 9);
   EXPECT_NEAR(row.residual, 5e-7, 1e-18);
   EXPECT_NEAR(row.largest_residual, 9e-7, 1e-18);
   EXPECT_EQ(row.orphans, 4U);
   EXPECT_EQ(row.engulfed, 2U);
   EXPECT_EQ(row.density_bounds, 1U);
   EXPECT_TRUE(std::isnan(row.density_min)) << "no solid";
-  EXPECT_EQ(watch.row(s, p, step).most_iterations, 0) << "gathered anew";
+  EXPECT_EQ(watch.row(s, p, step).max_iterations, 0) << "gathered anew";
 }

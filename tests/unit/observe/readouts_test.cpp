@@ -86,9 +86,9 @@ TEST(ReadOuts, AverageTheProtrusionsForWhichAValueIsDefined) {
   ProtrusionRecord unadhered;
   unadhered.id = 4;
   unadhered.length = 9.0;
-  unadhered = ended(unadhered, EndCause::unadhered, 400.0, never);
-  ProtrusionRecord lost_early = mature(5, 22.0, never);
-  lost_early.t_mature = never;
+  unadhered = ended(unadhered, EndCause::unadhered, 400.0, undefined);
+  ProtrusionRecord lost_early = mature(5, 22.0, undefined);
+  lost_early.t_mature = undefined;
   lost_early = ended(lost_early, EndCause::lost, 700.0, 0.3);
   const std::vector<ProtrusionRecord> records{
       ended(mature(1, 20.0, 0.4), EndCause::disassembly, 1600.0, 0.1), // 10 min, 0.1 / (0.4 0.5) = 0.5
@@ -140,7 +140,7 @@ TEST(ReadOuts, CountSimultaneousProtrusions) {
   rows[2].in_phase = {1, 1, 0, 1};
   rows[3].in_phase = {0, 0, 0, 1};
   const ReadOuts r = readouts(rows, {}, Parameters{});
-  EXPECT_EQ(r.most_simultaneous, 3U);
+  EXPECT_EQ(r.max_simultaneous, 3U);
   EXPECT_NEAR(r.mean_simultaneous, 1.5, 1e-12);
 }
 

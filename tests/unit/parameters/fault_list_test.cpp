@@ -27,7 +27,7 @@ TEST(FaultList, TheFirstByPlaceAreKeptWhateverTheirOrder) {
   list.add({"--set", 0, 0, "last", "m"});
   for (int i = 5000; i > 0; --i) list.add({"f", i, 1, fmt::format("k{}", i), "m"});
   const auto faults = raised(list);
-  ASSERT_EQ(faults.size(), FaultList::most_listed + 1);
+  ASSERT_EQ(faults.size(), FaultList::max_listed + 1);
   for (int i = 0; i < 200; ++i) EXPECT_EQ(faults[static_cast<std::size_t>(i)].line, i + 1);
   EXPECT_EQ(to_string(faults.back()), "f: has 4801 more faults");
 }

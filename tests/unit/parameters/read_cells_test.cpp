@@ -66,7 +66,7 @@ TEST(ReadCells, RefusesOtherForms) {
             "f.toml:1:3: cell: is a section; write [cell] and its keys below, each on a line; several cells are "
             "[[cells]], with x and y each");
   std::string many;
-  for (std::size_t k = 0; k <= most_cells; ++k) many += "[[cells]]\nx = 0\ny = 0\n";
+  for (std::size_t k = 0; k <= max_cells; ++k) many += "[[cells]]\nx = 0\ny = 0\n";
   EXPECT_EQ(fault_of(many), "f.toml:1:1: cells: has 1001 cells; allowed are 1 to 1000");
 }
 

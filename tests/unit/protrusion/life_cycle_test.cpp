@@ -58,7 +58,7 @@ TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
   EXPECT_EQ(next.steps, 3);
   EXPECT_EQ(next.anchor, site);
   now.force = 10.0;
-  EXPECT_FALSE(transition(Maturing{d, site, most_maturation_steps}, now, p, time_step).changes);
+  EXPECT_FALSE(transition(Maturing{d, site, max_maturation_steps}, now, p, time_step).changes);
 }
 
 TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {

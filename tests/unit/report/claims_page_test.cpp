@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 namespace {
 
 ClaimSection claim(const std::string& verdict, const std::string& caveat) {
@@ -54,4 +54,4 @@ TEST(ClaimsPage, HoldsEverythingAndIsWellFormed) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 namespace {
 
 PageSection section(bool holds) {
@@ -81,4 +81,4 @@ TEST(Page, RefusesRowsAndFiguresThatItCannotShow) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -11,7 +11,7 @@
 
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::report {
 namespace {
 
 using nlohmann::ordered_json;
@@ -21,9 +21,9 @@ constexpr std::string_view page_template =
 
 TEST(RunPage, HoldsTheRun) {
   const SmallRun run;
-  const Film film = run.film();
+  const observe::Film film = run.film();
   const std::vector<TrackRow> rows{{.t = 0.0, .polarization = {}}, {.t = 60.0, .polarization = 0.5}};
-  const std::vector<HealthRow> health{{.most_iterations = 3, .orphans = 1}, {.most_iterations = 7, .orphans = 2}};
+  const std::vector<HealthRow> health{{.max_iterations = 3, .orphans = 1}, {.max_iterations = 7, .orphans = 2}};
   const std::vector<ProtrusionRecord> records{{.id = 1, .t_initiation = 4.0}};
   std::vector<CellResult> cells{{.rows = rows, .records = records}};
   cells[0].readouts.v_migr_abs = 4.5;
@@ -63,7 +63,7 @@ TEST(RunPage, HoldsTheRun) {
 
 TEST(RunPage, TellsSeveralCellsApart) {
   const TwoCells run;
-  const Film film = run.film();
+  const observe::Film film = run.film();
   std::vector<CellResult> cells(2);
   for (CellResult& cell : cells) {
     cell.rows = {{.t = 0.0, .polarization = {}}};
@@ -87,7 +87,7 @@ TEST(RunPage, TellsSeveralCellsApart) {
 
 TEST(RunPage, NeedsNoFramesAndNoRows) {
   EXPECT_TRUE(run_data({}).at("frames").is_null());
-  const Film none;
+  const observe::Film none;
   EXPECT_TRUE(run_data({.film = &none}).at("frames").is_null());
 }
 
@@ -108,14 +108,15 @@ TEST(RunPage, NamesEachBondOfTheFibresOnce) {
 }
 
 TEST(RunPage, LimitsLeaveOutFewSolidValues) {
-  Film film{.head = {}, .frames = {Frame{}}};
-  Frame& frame = film.frames[0];
+  observe::Film film{.head = {}, .frames = {observe::Frame{}}};
+  observe::Frame& frame = film.frames[0];
   for (int i = 0; i < 10000; ++i) {
     frame.matrix.pressure.push_back(static_cast<float>(i));
     frame.matrix.f_degr.push_back(i < 9000 ? 1.0F : 0.0F);
   }
   frame.matrix.pressure[17] = 1e9F;
-  const Limits limits = usual_limits(film, [](const Frame& f) -> const Floats& { return f.matrix.pressure; });
+  const Limits limits =
+      usual_limits(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; });
   EXPECT_EQ(limits.low, 0.0);
   EXPECT_NEAR(limits.high, 8996.0, 2.0) << "neither the one that stands out nor the fluid";
 }
@@ -129,4 +130,4 @@ TEST(FilledPage, PutsDataInItsPlaceWithoutATag) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::report

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 TEST(Base64, IsThatOfRfc4648) {
@@ -25,4 +25,4 @@ TEST(Base64, IsReadAgain) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

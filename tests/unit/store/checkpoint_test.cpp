@@ -15,7 +15,7 @@
 namespace matrigrate {
 namespace {
 
-using io::Checkpoint;
+using store::Checkpoint;
 
 State lively_state() {
   Parameters p;
@@ -59,7 +59,7 @@ Checkpoint example() {
 
 std::string refusal(std::string_view image) {
   try {
-    io::parse_checkpoint(image, "c.h5");
+    store::parse_checkpoint(image, "c.h5");
   } catch (const InputOutputError& error) {
     return error.what();
   }
@@ -68,13 +68,13 @@ std::string refusal(std::string_view image) {
 
 TEST(Checkpoint, GivesTheSameBitsBack) {
   const Checkpoint before = example();
-  const std::string image = io::checkpoint_image(before);
-  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
+  const std::string image = store::checkpoint_image(before);
+  const Checkpoint after = store::parse_checkpoint(image, "c.h5");
   EXPECT_EQ(after.scenario, before.scenario);
   EXPECT_EQ(after.configuration_hash, before.configuration_hash);
   EXPECT_EQ(after.program, before.program);
   EXPECT_EQ(after.memory, before.memory);
-  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  EXPECT_EQ(store::checkpoint_image(after), image) << "every array and number";
   EXPECT_TRUE(std::signbit(after.state.ecm.v[0].x()));
   EXPECT_EQ(after.state.solver_memory.x_drag, before.state.solver_memory.x_drag);
   EXPECT_EQ(after.state.solver_memory.v_before, before.state.solver_memory.v_before);
@@ -89,13 +89,13 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
 }
 
 TEST(Checkpoint, OfASingleCellHasTheFormatOfBefore) {
-  EXPECT_TRUE(io::checkpoint_image(example()).starts_with("matrigrate checkpoint 5 bytes "));
+  EXPECT_TRUE(store::checkpoint_image(example()).starts_with("matrigrate checkpoint 5 bytes "));
   Checkpoint matrix = example();
   matrix.state.cells.clear();
   matrix.state.solver_memory.v_before.clear();
-  const std::string image = io::checkpoint_image(matrix);
+  const std::string image = store::checkpoint_image(matrix);
   EXPECT_TRUE(image.starts_with("matrigrate checkpoint 5 bytes "));
-  EXPECT_TRUE(io::parse_checkpoint(image, "c.h5").state.cells.empty());
+  EXPECT_TRUE(store::parse_checkpoint(image, "c.h5").state.cells.empty());
 }
 
 TEST(Checkpoint, HoldsSeveralCells) {
@@ -107,17 +107,17 @@ TEST(Checkpoint, HoldsSeveralCells) {
   s.cells[1].protrusions.pop_back();
   s.cells[1].cortex.x[3] = {1.0 / 3.0, -7.0};
   s.solver_memory.v_before.resize(node_count(s), Vec2(0.1, 0.2));
-  const std::string image = io::checkpoint_image(before);
+  const std::string image = store::checkpoint_image(before);
   EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
-  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
-  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  const Checkpoint after = store::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(store::checkpoint_image(after), image) << "every array and number";
   ASSERT_EQ(after.state.cells.size(), 2U);
   EXPECT_EQ(after.state.cells[1].id, 9U);
   EXPECT_FALSE(after.state.cells[1].polarization);
   EXPECT_EQ(after.state.cells[1].protrusions.size(), 3U);
   EXPECT_EQ(after.state.cells[1].cortex.x[3], Vec2(1.0 / 3.0, -7.0));
   before.state.cells[1].cortex.l0.pop_back();
-  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
 TEST(Checkpoint, HoldsNuclei) {
@@ -126,14 +126,14 @@ TEST(Checkpoint, HoldsNuclei) {
   cell.nucleus = cell.cortex;
   cell.nucleus.x[3] = {1.0 / 3.0, -7.0};
   before.state.solver_memory.v_before.resize(node_count(before.state), Vec2(0.1, 0.2));
-  const std::string image = io::checkpoint_image(before);
+  const std::string image = store::checkpoint_image(before);
   EXPECT_TRUE(image.starts_with("matrigrate checkpoint 7 bytes ")) << "older programs would lose the nucleus";
-  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
-  EXPECT_EQ(io::checkpoint_image(after), image);
+  const Checkpoint after = store::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(store::checkpoint_image(after), image);
   EXPECT_EQ(after.state.cells[0].nucleus.x, cell.nucleus.x);
   EXPECT_EQ(after.state.cells[0].nucleus.l0, cell.nucleus.l0);
   cell.nucleus.l0.pop_back();
-  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
 TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
@@ -148,10 +148,10 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
     ecm.attractant.push_back(0.3 * static_cast<double>(i));
     ecm.attractant_source.push_back(0.01 * static_cast<double>(i % 2));
   }
-  const std::string image = io::checkpoint_image(before);
+  const std::string image = store::checkpoint_image(before);
   EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
-  const Checkpoint after = io::parse_checkpoint(image, "c.h5");
-  EXPECT_EQ(io::checkpoint_image(after), image) << "every array and number";
+  const Checkpoint after = store::parse_checkpoint(image, "c.h5");
+  EXPECT_EQ(store::checkpoint_image(after), image) << "every array and number";
   EXPECT_EQ(after.state.ecm.E_ratio, ecm.E_ratio);
   EXPECT_EQ(after.state.ecm.fibre_direction, ecm.fibre_direction);
   EXPECT_EQ(after.state.ecm.obstacle, ecm.obstacle);
@@ -160,13 +160,13 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   EXPECT_EQ(after.state.ecm.attractant, ecm.attractant);
   EXPECT_EQ(after.state.ecm.attractant_source, ecm.attractant_source);
   ecm.E_ratio[5] = 0.0;
-  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("a Young's modulus of the matrix is not above 0"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("a Young's modulus of the matrix is not above 0"));
   ecm.E_ratio.pop_back();
-  EXPECT_TRUE(refusal(io::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }
 
 TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
-  const std::string image = io::checkpoint_image(example());
+  const std::string image = store::checkpoint_image(example());
   EXPECT_TRUE(refusal("").ends_with("c.h5: is no checkpoint of matrigrate"));
   EXPECT_TRUE(refusal("matrigrate checkpoint ").ends_with("is no checkpoint of matrigrate"));
   EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
@@ -179,7 +179,7 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
 }
 
 TEST(Checkpoint, RefusesEveryChangedByte) {
-  const std::string image = io::checkpoint_image(example());
+  const std::string image = store::checkpoint_image(example());
   for (std::size_t at = 0; at < image.size(); at += at < 600 ? 1 : 997) {
     std::string changed = image;
     changed[at] = static_cast<char>(changed[at] ^ 4);
@@ -190,10 +190,10 @@ TEST(Checkpoint, RefusesEveryChangedByte) {
 TEST(Checkpoint, RefusesArraysThatDoNotBelongTogether) {
   Checkpoint broken = example();
   broken.state.ecm.rho.pop_back();
-  EXPECT_TRUE(refusal(io::checkpoint_image(broken)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(broken)).ends_with("its arrays do not belong together"));
   broken = example();
   broken.state.cells[0].protrusions[0].centre = 100000;
-  EXPECT_TRUE(refusal(io::checkpoint_image(broken)).ends_with("a protrusion has no place on the cortex"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(broken)).ends_with("a protrusion has no place on the cortex"));
 }
 
 TEST(Checkpoint, KeepsTheOneBefore) {
@@ -201,26 +201,26 @@ TEST(Checkpoint, KeepsTheOneBefore) {
   ASSERT_NE(::mkdtemp(name.data()), nullptr);
   const std::filesystem::path folder = name;
   Checkpoint checkpoint = example();
-  io::write_checkpoint(folder, checkpoint);
-  EXPECT_FALSE(std::filesystem::exists(folder / io::previous_checkpoint_name));
+  store::write_checkpoint(folder, checkpoint);
+  EXPECT_FALSE(std::filesystem::exists(folder / store::previous_checkpoint_name));
   checkpoint.state.step = 2;
-  io::write_checkpoint(folder, checkpoint);
-  EXPECT_EQ(io::read_checkpoint(folder / io::checkpoint_name).state.step, 2U);
-  EXPECT_EQ(io::read_checkpoint(folder / io::previous_checkpoint_name).state.step, 12345U);
+  store::write_checkpoint(folder, checkpoint);
+  EXPECT_EQ(store::read_checkpoint(folder / store::checkpoint_name).state.step, 2U);
+  EXPECT_EQ(store::read_checkpoint(folder / store::previous_checkpoint_name).state.step, 12345U);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()), 2);
   std::filesystem::remove_all(folder);
-  EXPECT_THROW(io::write_checkpoint(folder, checkpoint), InputOutputError);
+  EXPECT_THROW(store::write_checkpoint(folder, checkpoint), InputOutputError);
 }
 
 TEST(MemoryFile, SaysWhatIsNotThere) {
-  io::MemoryFile file;
+  store::MemoryFile file;
   file.write("/a/x", std::vector<double>{1.0, 2.0}, "um");
-  const io::MemoryFile read(file.view());
+  const store::MemoryFile read(file.view());
   EXPECT_EQ(read.doubles("/a/x"), (std::vector<double>{1.0, 2.0}));
   EXPECT_THROW(read.doubles("/a/y"), InputOutputError);
   EXPECT_THROW(read.vectors("/a/x"), InputOutputError) << "another shape";
   EXPECT_THROW(read.bytes("/a/x"), InputOutputError) << "another type";
-  EXPECT_THROW(io::MemoryFile("no HDF5"), InputOutputError);
+  EXPECT_THROW(store::MemoryFile("no HDF5"), InputOutputError);
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 TEST(Csv, ReadsWhatTheProgramWrites) {
@@ -60,4 +60,4 @@ TEST(Csv, RefusesWhatIsNoTable) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 TEST(Deflated, ComesBackAndRefusesWhatItIsNot) {
@@ -33,4 +33,4 @@ TEST(BytePlanes, HoldTheFirstBytesOfAllNumbersFirst) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -13,7 +13,7 @@
 
 #include <unistd.h>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 /// The attributes of a field file, as any program reads them.
@@ -66,14 +66,14 @@ TEST(FieldFile, GivesTheSameBitsBack) {
 }
 
 TEST(FieldFile, HoldsWhatVariesFromPlaceToPlace) {
-  Film film = SmallRun().film();
+  observe::Film film = SmallRun().film();
   EXPECT_FALSE(MemoryFile(field_file(film)).has("/matrix/obstacle"));
   film.head.obstacle.assign(film.head.particles(), 0);
   film.head.obstacle[7] = 1;
   film.head.youngs_modulus.assign(film.head.particles(), 150.0F);
   film.head.ligand.assign(film.head.particles(), 2.0F);
-  for (Frame& frame : film.frames) frame.matrix.attractant.assign(film.head.particles(), 0.25F);
-  const Film read = read_field_file(field_file(film));
+  for (observe::Frame& frame : film.frames) frame.matrix.attractant.assign(film.head.particles(), 0.25F);
+  const observe::Film read = read_field_file(field_file(film));
   EXPECT_EQ(difference(read, film), "");
   EXPECT_EQ(read.head.obstacle, film.head.obstacle);
   EXPECT_EQ(read.head.youngs_modulus, film.head.youngs_modulus);
@@ -83,22 +83,22 @@ TEST(FieldFile, HoldsWhatVariesFromPlaceToPlace) {
 }
 
 TEST(FieldFile, HoldsNuclei) {
-  Film film = TwoCells().film();
+  observe::Film film = TwoCells().film();
   EXPECT_FALSE(MemoryFile(field_file(film)).has("/nucleus/position"));
-  for (Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};
-  const Film read = read_field_file(field_file(film));
+  for (observe::Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};
+  const observe::Film read = read_field_file(field_file(film));
   EXPECT_EQ(difference(read, film), "");
   EXPECT_EQ(read.frames[1].nucleus, film.frames[1].nucleus);
-  for (Frame& frame : film.frames) frame.nucleus.resize(6); // three particles of two cells
+  for (observe::Frame& frame : film.frames) frame.nucleus.resize(6); // three particles of two cells
   EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
 }
 
 TEST(FieldFile, TellsSeveralCellsApart) {
-  const Film film = TwoCells().film();
+  const observe::Film film = TwoCells().film();
   const std::string image = field_file(film);
   EXPECT_EQ(difference(read_field_file(image), film), "");
   const MemoryFile file(image);
-  EXPECT_EQ(file.floats("/protrusions/cell"), (Floats{1, 1, 5, 1, 5}));
+  EXPECT_EQ(file.floats("/protrusions/cell"), (observe::Floats{1, 1, 5, 1, 5}));
   EXPECT_EQ(file.float_frame("/outline/cell", 1), film.frames[1].outline.cell);
   EXPECT_FALSE(MemoryFile(field_file(SmallRun().film())).has("/outline/cell"));
   const std::string xml = field_index(&film.frames.front(), std::vector{0.0}, std::vector<std::size_t>{0});
@@ -108,15 +108,15 @@ TEST(FieldFile, TellsSeveralCellsApart) {
 }
 
 TEST(FieldFile, NeedsNoFrames) {
-  const Film film{.head = SmallRun().film().head, .frames = {}};
+  const observe::Film film{.head = SmallRun().film().head, .frames = {}};
   EXPECT_EQ(difference(read_field_file(field_file(film)), film), "");
 }
 
 TEST(FieldFile, HoldsPositionsInSpace) {
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   const std::string image = field_file(film);
   const MemoryFile file(image);
-  const Floats x = file.float_frame("/matrix/position", 1);
+  const observe::Floats x = file.float_frame("/matrix/position", 1);
   ASSERT_EQ(x.size(), 3 * film.head.particles());
   EXPECT_EQ(x[3], film.head.reference[2] + film.frames[1].matrix.displacement[2]);
   EXPECT_EQ(x[5], 0.0F);
@@ -130,8 +130,8 @@ TEST(FieldFile, HoldsPositionsInSpace) {
 TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
   SmallRun run;
   for (Vec2& x : run.s.cells[0].cortex.x) x += Vec2(3.0, -7.0);
-  const Film film = read_field_file(field_file(run.film()));
-  const Floats& x = film.frames[0].outline.x;
+  const observe::Film film = read_field_file(field_file(run.film()));
+  const observe::Floats& x = film.frames[0].outline.x;
   CortexState read;
   for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
   EXPECT_LT((centroid(read) - track_row(run.s.cells[0], run.s.now()).centre).norm(), 1e-5) << "32 bits";
@@ -143,7 +143,7 @@ TEST(FieldFile, SaysWhatItIsOf) {
                            .seed = 9007199254740991,
                            .trajectory_hash = "0123456789abcdef",
                            .scenario = "[ecm]\nradius = \"40 \u00b5m\"\n"};
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   const std::string image = field_file(film, origin);
   const Attributes file(image);
   EXPECT_EQ(file.text("/", "program"), origin.program);
@@ -169,13 +169,13 @@ TEST(FieldFile, HasAUnitOnEveryArray) {
 }
 
 TEST(FieldFile, HoldsAdhesionsOfEachFrame) {
-  const Film film = SmallRun().film(); // one protrusion adheres in the first frame, none in the second
+  const observe::Film film = SmallRun().film(); // one protrusion adheres in the first frame, none in the second
   const std::string image = field_file(film);
   const MemoryFile file(image);
-  EXPECT_EQ(file.floats("/anchors/frame"), Floats{0.0F});
-  EXPECT_EQ(file.floats("/anchors/id"), Floats{2.0F});
-  EXPECT_EQ(file.floats("/frames/0/anchors/position"), (Floats{30.5F, -1.25F, 0.0F}));
-  EXPECT_EQ(file.floats("/frames/0/anchors/force"), Floats{film.frames[0].protrusions.force[1]});
+  EXPECT_EQ(file.floats("/anchors/frame"), observe::Floats{0.0F});
+  EXPECT_EQ(file.floats("/anchors/id"), observe::Floats{2.0F});
+  EXPECT_EQ(file.floats("/frames/0/anchors/position"), (observe::Floats{30.5F, -1.25F, 0.0F}));
+  EXPECT_EQ(file.floats("/frames/0/anchors/force"), observe::Floats{film.frames[0].protrusions.force[1]});
   EXPECT_FALSE(file.has("/frames/1/anchors/force"));
 }
 
@@ -183,7 +183,7 @@ TEST(FieldFile, IsMadeOfALogFrameByFrame) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("matrigrate-fields-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   EXPECT_THROW(write_field_files(folder, 2), InputOutputError) << "without a log";
   const std::string log = log_bytes(film);
   write_file(folder / frame_log_name, log.substr(0, log.size() - 1));
@@ -204,14 +204,15 @@ TEST(FieldFile, IsMadeOfALogFrameByFrame) {
 TEST(FieldFile, RefusesWhatItIsNot) { EXPECT_THROW(read_field_file("nonsense"), InputOutputError); }
 
 TEST(FieldFile, RefusesArraysThatDoNotBelongTogether) {
-  Film film = SmallRun().film();
+  observe::Film film = SmallRun().film();
   film.head.reference.insert(film.head.reference.end(), {0.0F, 0.0F});
-  for (Frame& frame : film.frames) frame.matrix.displacement.insert(frame.matrix.displacement.end(), {0.0F, 0.0F});
+  for (observe::Frame& frame : film.frames)
+    frame.matrix.displacement.insert(frame.matrix.displacement.end(), {0.0F, 0.0F});
   EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
 }
 
 TEST(FieldIndex, NamesGridsTimesAndArrays) {
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t},
                                       std::vector<std::size_t>{2, 0});
   EXPECT_TRUE(parsed(xml.substr(xml.find("<Xdmf"))));
@@ -224,4 +225,4 @@ TEST(FieldIndex, NamesGridsTimesAndArrays) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -11,21 +11,22 @@
 #include <cstdint>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 TEST(FrameLog, GivesTheSameBitsBack) {
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
 }
 
 TEST(FrameLog, HoldsWhatVariesFromPlaceToPlace) {
-  Film film = SmallRun().film();
+  observe::Film film = SmallRun().film();
   film.head.obstacle.assign(film.head.particles(), 0);
   film.head.obstacle[7] = 1;
   film.head.ligand.assign(film.head.particles(), 0.5F);
-  for (Frame& frame : film.frames) frame.matrix.attractant.assign(film.head.particles(), static_cast<float>(frame.t));
-  const Film read = read_log(log_bytes(film));
+  for (observe::Frame& frame : film.frames)
+    frame.matrix.attractant.assign(film.head.particles(), static_cast<float>(frame.t));
+  const observe::Film read = read_log(log_bytes(film));
   EXPECT_EQ(difference(read, film), "");
   EXPECT_EQ(read.head.obstacle, film.head.obstacle);
   EXPECT_EQ(read.head.ligand, film.head.ligand);
@@ -33,54 +34,54 @@ TEST(FrameLog, HoldsWhatVariesFromPlaceToPlace) {
 }
 
 TEST(FrameLog, HoldsNuclei) {
-  for (Film film : {SmallRun().film(), TwoCells().film()}) {
-    for (Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};
-    const Film read = read_log(log_bytes(film));
+  for (observe::Film film : {SmallRun().film(), TwoCells().film()}) {
+    for (observe::Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};
+    const observe::Film read = read_log(log_bytes(film));
     EXPECT_EQ(difference(read, film), "");
     EXPECT_EQ(read.frames[1].nucleus, film.frames[1].nucleus);
     EXPECT_TRUE(read.frames[1].matrix.attractant.empty());
-    const std::vector<std::vector<Vec2>> nuclei = nuclei_of(read.frames[1]);
-    ASSERT_EQ(nuclei.size(), outline_ends(film.frames[1].outline).size());
+    const std::vector<std::vector<Vec2>> nuclei = observe::nuclei_of(read.frames[1]);
+    ASSERT_EQ(nuclei.size(), observe::outline_ends(film.frames[1].outline).size());
     EXPECT_EQ(nuclei.back().back(), Vec2(7.0, 8.0));
     EXPECT_EQ(nuclei.front().front(), Vec2(1.0, 2.0));
     EXPECT_EQ(nuclei.front().size() * nuclei.size(), 4U);
   }
-  EXPECT_TRUE(nuclei_of(SmallRun().film().frames[0]).empty());
+  EXPECT_TRUE(observe::nuclei_of(SmallRun().film().frames[0]).empty());
 }
 
 TEST(FrameLog, TellsSeveralCellsApart) {
-  const Film film = TwoCells().film();
+  const observe::Film film = TwoCells().film();
   EXPECT_EQ(difference(read_log(log_bytes(film)), film), "");
 }
 
 TEST(FrameLog, GrowsByWholeFrames) {
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("matrigrate-log-" + std::to_string(::getpid()));
   {
     FrameLog log(file, log_bytes({.head = film.head, .frames = {}}));
-    for (const Frame& frame : film.frames) log.add(frame);
+    for (const observe::Frame& frame : film.frames) log.add(frame);
     log.flush();
   }
   EXPECT_EQ(read_file(file, 1U << 30U), log_bytes(film));
   std::filesystem::remove(file);
 }
 
-std::vector<double> times(const Film& film) {
+std::vector<double> times(const observe::Film& film) {
   std::vector<double> all;
-  for (const Frame& frame : film.frames) all.push_back(frame.t);
+  for (const observe::Frame& frame : film.frames) all.push_back(frame.t);
   return all;
 }
 
-Film four_frames() {
-  Film film = SmallRun().film();
+observe::Film four_frames() {
+  observe::Film film = SmallRun().film();
   film.frames.insert(film.frames.end(), {film.frames[0], film.frames[1]});
   for (std::size_t k = 0; k < film.frames.size(); ++k) film.frames[k].t = 10.0 * static_cast<double>(k);
   return film;
 }
 
 TEST(FrameLog, EndsWhereItIsCutShort) {
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   const std::string bytes = log_bytes(film);
   const std::size_t head = log_head(film.head).size();
   const std::size_t first = head + log_frame(film.frames[0]).size();
@@ -97,7 +98,7 @@ TEST(FrameLog, EndsWhereItIsCutShort) {
 }
 
 TEST(FrameLog, LosesOnlyTheFramesThatAreDamaged) {
-  const Film film = four_frames();
+  const observe::Film film = four_frames();
   const std::size_t second = log_head(film.head).size() + log_frame(film.frames[0]).size();
   const std::size_t third = second + log_frame(film.frames[1]).size();
   for (std::size_t at = second; at < third; at += at < second + 24 ? 1 : 211) { // lengths and fingerprint: each byte
@@ -113,19 +114,20 @@ TEST(FrameLog, LosesOnlyTheFramesThatAreDamaged) {
 }
 
 TEST(FrameLog, PassesOverFramesOfOtherBodies) {
-  const Film film = four_frames();
-  for (const auto change :
-       {+[](Frame& f) { f.matrix.displacement.clear(); }, +[](Frame& f) { f.matrix.f_degr.pop_back(); },
-        +[](Frame& f) { f.matrix.fibre_von_mises = f.matrix.pressure; }, +[](Frame& f) { f.outline.phase.pop_back(); },
-        +[](Frame& f) { f.protrusions.anchor.push_back(0.0F); }}) {
-    Film other = film;
+  const observe::Film film = four_frames();
+  for (const auto change : {+[](observe::Frame& f) { f.matrix.displacement.clear(); },
+                            +[](observe::Frame& f) { f.matrix.f_degr.pop_back(); },
+                            +[](observe::Frame& f) { f.matrix.fibre_von_mises = f.matrix.pressure; },
+                            +[](observe::Frame& f) { f.outline.phase.pop_back(); },
+                            +[](observe::Frame& f) { f.protrusions.anchor.push_back(0.0F); }}) {
+    observe::Film other = film;
     change(other.frames[1]);
     EXPECT_EQ(times(read_log(log_bytes(other))), (std::vector{0.0, 20.0, 30.0}));
   }
 }
 
 TEST(FrameLog, GivesUpOnBytesThatLookLikeHeadsEverywhere) {
-  const Film film = four_frames();
+  const observe::Film film = four_frames();
   std::string bytes = log_head(film.head);
   const std::uint64_t length = 8 * film.head.particles();
   while (bytes.size() < (std::size_t{1} << 22U)) bytes.append(reinterpret_cast<const char*>(&length), sizeof(length));
@@ -133,4 +135,4 @@ TEST(FrameLog, GivesUpOnBytesThatLookLikeHeadsEverywhere) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

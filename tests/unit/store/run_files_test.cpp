@@ -12,7 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 /// A file name that is taken away at the end.
@@ -23,7 +23,7 @@ struct Scratch {
 };
 
 TEST(CsvLine, WritesEachKindOfField) {
-  EXPECT_EQ(csv_line({0.1, std::uint64_t{18446744073709551615U}, never, "word", "a,b", "say \"x\""}),
+  EXPECT_EQ(csv_line({0.1, std::uint64_t{18446744073709551615U}, undefined, "word", "a,b", "say \"x\""}),
             "0.1,18446744073709551615,,word,\"a,b\",\"say \"\"x\"\"\"\n");
 }
 
@@ -161,10 +161,10 @@ TEST(Summary, SaysInASentenceWhatCameOut) {
 }
 
 TEST(Summary, IsReadable) {
-  EXPECT_EQ(readable(never), "-");
+  EXPECT_EQ(readable(undefined), "-");
   EXPECT_EQ(readable(1.23456), "1.235");
   EXPECT_EQ(readable(std::uint64_t{12}), "12");
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 /// A folder for the files of a film of two frames, at 300 and 600 s.
@@ -30,14 +30,14 @@ protected:
   void TearDown() override { std::filesystem::remove_all(folder); }
 
   void write_log(const std::string& bytes) const { write_file(folder / frame_log_name, bytes); }
-  void write_fields(const Film& of) const { write_file(folder / field_file_name, field_file(of)); }
+  void write_fields(const observe::Film& of) const { write_file(folder / field_file_name, field_file(of)); }
   std::vector<double> saved() const {
     std::vector<double> at;
     for (const auto& [t, frame] : saved_frames(folder, shape, times)) at.push_back(t);
     return at;
   }
 
-  Film film = SmallRun().film();
+  observe::Film film = SmallRun().film();
   FrameShape shape;
   std::vector<double> times{300.0, 600.0};
   std::filesystem::path folder;
@@ -124,4 +124,4 @@ TEST(LostFrames, AreCountedAndTold) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

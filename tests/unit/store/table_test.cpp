@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 TEST(Table, WritesAHeaderAndOneLineARow) {
@@ -73,4 +73,4 @@ TEST(Table, RefusesRowsOfAnotherLength) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 TEST(TrackFiles, HoldThePath) {
@@ -34,4 +34,4 @@ TEST(TrackFiles, HaveATrackForEachCell) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

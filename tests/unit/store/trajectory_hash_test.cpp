@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 State state() {
@@ -56,4 +56,4 @@ TEST(TrajectoryHash, GoesOn) {
 TEST(TextHash, IsThatOfXxHash) { EXPECT_EQ(text_hash(""), "2d06800538d394c2"); } // XXH3_64bits of nothing
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace matrigrate::io {
+namespace matrigrate::store {
 namespace {
 
 std::string body(const std::string& xml) { return xml.substr(xml.find("<VTKFile")); }
@@ -19,7 +19,7 @@ TEST(VtkFiles, HaveALineForEachCell) {
 }
 
 TEST(VtkFiles, HoldPointsFieldsAndTimes) {
-  const Film film = SmallRun().film();
+  const observe::Film film = SmallRun().film();
   const std::string matrix = matrix_vtp(film.head, film.frames[0]);
   EXPECT_TRUE(parsed(body(matrix)));
   EXPECT_EQ(count(matrix, "NumberOfPoints=\"" + std::to_string(film.head.particles()) + "\""), 1U);
@@ -40,4 +40,4 @@ TEST(VtkFiles, HoldPointsFieldsAndTimes) {
 }
 
 } // namespace
-} // namespace matrigrate::io
+} // namespace matrigrate::store

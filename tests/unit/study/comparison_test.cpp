@@ -87,13 +87,13 @@ TEST(Results, LabelsAreNoFormulas) {
 
 TEST(Results, NumbersOfAColumn) {
   const std::string csv = "a,b_um,c\n1,2.5,x\n,,y\n3,-1e-3,z\n";
-  const auto b = io::csv_column(csv, "b_um");
+  const auto b = store::csv_column(csv, "b_um");
   ASSERT_EQ(b.size(), 3U);
   EXPECT_EQ(b[0], 2.5);
   EXPECT_TRUE(std::isnan(b[1]));
   EXPECT_EQ(b[2], -1e-3);
-  EXPECT_TRUE(io::csv_column(csv, "d").empty());
-  EXPECT_TRUE(io::csv_column("", "a").empty());
+  EXPECT_TRUE(store::csv_column(csv, "d").empty());
+  EXPECT_TRUE(store::csv_column("", "a").empty());
 }
 
 } // namespace

@@ -21,7 +21,7 @@ std::string source(const std::string& name) {
 TEST(SharedTexts, NameThePaperByItsWholeTitle) {
   const std::string title = "The role of actin protrusion dynamics in cell migration through a degradable viscoelastic "
                             "extracellular matrix: Insights from a computational model";
-  EXPECT_NE(io::citation().find(title + ". PLoS Comput Biol"), std::string::npos);
+  EXPECT_NE(report::citation().find(title + ". PLoS Comput Biol"), std::string::npos);
   for (const char* name : {"README.md", "CITATION.cff"}) EXPECT_NE(source(name).find(title), std::string::npos) << name;
 }
 
@@ -33,7 +33,7 @@ TEST(SharedTexts, CitationGivesCreditToTheProgramToo) {
 
 TEST(SharedTexts, ViewerHasThePaletteOfThePlots) {
   std::string palette = "palette = [";
-  for (int k = 0; k < 8; ++k) palette += (k > 0 ? ", \"" : "\"") + std::string(io::palette(k)) + "\"";
+  for (int k = 0; k < 8; ++k) palette += (k > 0 ? ", \"" : "\"") + std::string(draw::palette(k)) + "\"";
   EXPECT_NE(source("viewer/src/colour.ts").find(palette + "];"), std::string::npos) << palette;
 }
 

@@ -18,8 +18,8 @@ namespace matrigrate::study {
 namespace {
 
 /// A ring of eight particles, all but the first close to its circle; the first one a spike to the right.
-io::Floats ring(double x, double y) {
-  io::Floats all;
+observe::Floats ring(double x, double y) {
+  observe::Floats all;
   for (int i = 0; i < 8; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / 8.0;
     const double radius = i == 0 ? 6.0 : 2.0;
@@ -30,24 +30,24 @@ io::Floats ring(double x, double y) {
 }
 
 /// Frames each 300 s, the cell moved by (1, 0) um in each.
-io::Film film(std::size_t frames) {
-  io::Film film{.head = {.radius = 4.0, .spacing = 2.0, .reference = {0.0F, 0.0F, 2.0F, 0.0F, 500.0F, 0.0F}},
-                .frames = {}};
+observe::Film film(std::size_t frames) {
+  observe::Film film{.head = {.radius = 4.0, .spacing = 2.0, .reference = {0.0F, 0.0F, 2.0F, 0.0F, 500.0F, 0.0F}},
+                     .frames = {}};
   for (std::size_t k = 0; k < frames; ++k) {
-    io::Frame frame{.t = 300.0 * static_cast<double>(k), .matrix = {}, .outline = {}, .protrusions = {}};
-    frame.matrix = {.displacement = io::Floats(6, 0.0F),
-                    .velocity = io::Floats(6, 0.0F),
+    observe::Frame frame{.t = 300.0 * static_cast<double>(k), .matrix = {}, .outline = {}, .protrusions = {}};
+    frame.matrix = {.displacement = observe::Floats(6, 0.0F),
+                    .velocity = observe::Floats(6, 0.0F),
                     .f_degr = {1.0F, 0.0F, 1.0F},
-                    .pressure = io::Floats(3, 0.0F),
-                    .von_mises = io::Floats(3, 0.0F),
+                    .pressure = observe::Floats(3, 0.0F),
+                    .von_mises = observe::Floats(3, 0.0F),
                     .fibre_von_mises = {30.0F, 0.0F, 7.0F}};
     frame.outline = {.x = ring(static_cast<double>(k), 0.0),
-                     .f_mat = io::Floats(8, 0.0F),
-                     .curvature = io::Floats(8, 0.0F),
-                     .force = io::Floats(8, 0.0F),
-                     .front = io::Bytes(8, 1),
-                     .protrusion = io::Bytes(8, io::of_none),
-                     .phase = io::Bytes(8, io::of_none)};
+                     .f_mat = observe::Floats(8, 0.0F),
+                     .curvature = observe::Floats(8, 0.0F),
+                     .force = observe::Floats(8, 0.0F),
+                     .front = observe::Bytes(8, 1),
+                     .protrusion = observe::Bytes(8, observe::of_none),
+                     .phase = observe::Bytes(8, observe::of_none)};
     film.frames.push_back(std::move(frame));
   }
   return film;
@@ -75,11 +75,11 @@ TEST_F(RunShapes, AreTheOutlinesAtTheEndOfThreeRuns) {
     State state = cell;
     for (std::size_t i = 0; i < state.cells[0].cortex.size(); ++i)
       state.cells[0].cortex.x[i] = {static_cast<double>(r.run.replicate), static_cast<double>(i)};
-    io::write_checkpoint(made(r),
-                         {.state = state, .scenario = "", .configuration_hash = "", .program = "", .memory = ""});
+    store::write_checkpoint(made(r),
+                            {.state = state, .scenario = "", .configuration_hash = "", .program = "", .memory = ""});
   }
   const std::string csv = shapes_csv(study, results, folder);
-  const io::CsvTable table = io::read_csv(csv);
+  const store::CsvTable table = store::read_csv(csv);
   const std::size_t shown = (cell.cells[0].cortex.size() + 1) / 2;
   ASSERT_EQ(table.rows.size(), 4 * shown) << "three replicates of the first point, one of the other";
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"1", "1.00", "2.00", "youngs_modulus 50 Pa"})) << "every second";
@@ -92,20 +92,20 @@ TEST_F(RunShapes, AreTheOutlinesAtTheEndOfThreeRuns) {
 
 TEST_F(RunShapes, BothCentresMoveWithTheCell) {
   const std::vector<Result> results = results_of("f_mat", {{0.1}, {0.2}});
-  write_file(made(results[0]) / io::field_file_name, io::field_file(film(13)));
-  const io::CsvTable table = io::read_csv(centres_csv(study, results, folder));
+  write_file(made(results[0]) / store::field_file_name, store::field_file(film(13)));
+  const store::CsvTable table = store::read_csv(centres_csv(study, results, folder));
   ASSERT_EQ(table.rows.size(), 1U) << "the other run kept no frames";
   for (std::size_t column = 1; column <= 4; ++column)
-    EXPECT_NEAR(io::csv_number(table.rows[0][column]), 12.0, 1e-3) << "12 um in an hour, a spike or not";
+    EXPECT_NEAR(store::csv_number(table.rows[0][column]), 12.0, 1e-3) << "12 um in an hour, a spike or not";
 }
 
 TEST_F(RunShapes, FibreStressIsThatOfTheSolidNearTheCell) {
   const std::string csv = fibre_stress_csv(film(1));
   EXPECT_TRUE(csv.starts_with("what,x_um,y_um,von_mises_Pa\nmatrix,0.00,0.00,30.0\nmatrix,2.00,0.00,\noutline,6.00"))
       << csv << "fluid has none, and a particle far away is left out";
-  EXPECT_EQ(io::read_csv(csv).rows.size(), 2U + 8U);
+  EXPECT_EQ(store::read_csv(csv).rows.size(), 2U + 8U);
   EXPECT_NE(fibre_stress_svg(csv, 2.0).find("Eq. 11"), std::string::npos);
-  EXPECT_EQ(io::read_csv(fibre_stress_csv({})).rows.size(), 0U);
+  EXPECT_EQ(store::read_csv(fibre_stress_csv({})).rows.size(), 0U);
 }
 
 } // namespace

@@ -93,7 +93,7 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
   const std::string csv = groups_csv(study, results);
   for (const char* name : {"mean", "low_whisker", "low_quartile", "median", "high_quartile", "high_whisker"})
     for (std::size_t i = 0; i < 2; ++i)
-      EXPECT_EQ(data.at("groups").at(i).at(name).get<double>(), io::csv_column(csv, name).at(i)) << name;
+      EXPECT_EQ(data.at("groups").at(i).at(name).get<double>(), store::csv_column(csv, name).at(i)) << name;
   EXPECT_EQ(data.at("groups").at(0).at("low_quartile"), 0.2125) << "linear between order statistics";
   EXPECT_EQ(data.at("groups").at(1).at("n"), 1);
   EXPECT_TRUE(data.at("tests").at(0).contains("p_holm"));
