@@ -19,7 +19,7 @@ inline constexpr double scale_bar_height = 30.0; ///< of the line with the scale
 
 /// Where a scene is drawn.
 struct Panel {
-  Box box;           ///< what is seen of the plane; a square [um]
+  observe::Box box;  ///< what is seen of the plane; a square [um]
   double left = 0.0; ///< [pixel]
   double top = 0.0;  ///< [pixel]
   double side = 0.0; ///< [pixel]

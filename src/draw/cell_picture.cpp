@@ -48,7 +48,7 @@ void check(int width) {
 
 } // namespace
 
-std::string cell_picture(const observe::CellScene& scene, const Box& box, int width) {
+std::string cell_picture(const observe::CellScene& scene, const observe::Box& box, int width) {
   check(width);
   const double top = svg::margin + svg::text_height(1, svg::title_size);
   const Panel panel{.box = box, .left = svg::margin, .top = top, .side = width - 2.0 * svg::margin};

@@ -13,7 +13,7 @@ namespace matrigrate::draw {
 /// @param box    what is seen: whole_disc() or surroundings()
 /// @param width  [pixel] at least 240
 /// @return  the SVG document
-std::string cell_picture(const observe::CellScene& scene, const Box& box, int width = 640);
+std::string cell_picture(const observe::CellScene& scene, const observe::Box& box, int width = 640);
 
 /// Scenes side by side at one scale, with their times, a scale bar and a legend.
 /// @param most  panels; of more scenes every second is shown, or every third and so on, and the last

@@ -22,7 +22,7 @@ struct ClaimSection {
   std::string caveat;    ///< beside the verdict: "not the paper's runs"; empty for nothing
   std::vector<std::string> ours;
   std::vector<std::string> conditions; ///< each with its statistic
-  std::vector<Figure> figures;
+  std::vector<draw::Figure> figures;
 };
 
 /// @param facts       command, date, version, runs done, at the top of the page

@@ -50,7 +50,7 @@ nlohmann::ordered_json packed(const Packing& packing, std::size_t frames, const 
           {"scale", packing.scale},
           {"offset", packing.offset},
           {"delta", packing.delta},
-          {"data", store::base64(deflated(bytes, 6))}};
+          {"data", store::base64(store::deflated(bytes, 6))}};
 }
 
 } // namespace matrigrate::report

@@ -17,7 +17,7 @@ struct PageSection {
   std::vector<std::vector<std::string>>
       check_rows; ///< quantity, measured, expected, tolerance, why this tolerance, verdict
   std::vector<std::string> remarks;
-  std::vector<Figure> figures;
+  std::vector<draw::Figure> figures;
 };
 
 /// The words of a verdict: "holds" or "does not hold".

@@ -20,7 +20,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 }
 
 /// The SVG element alone, with its ids set apart from those of the other pictures of the page.
-std::string inlined(const Figure& figure, std::string_view prefix) {
+std::string inlined(const draw::Figure& figure, std::string_view prefix) {
   const std::size_t begin = figure.svg.find("<svg");
   if (begin == std::string::npos) throw std::invalid_argument(fmt::format("figure '{}' is no SVG", figure.name));
   std::string svg = replaced(figure.svg.substr(begin), " id=\"", fmt::format(" id=\"{}", prefix));
@@ -37,7 +37,7 @@ std::string page_head(const std::string& title) {
                      draw::svg::escape(title), page_style);
 }
 
-std::string figures_html(const std::vector<Figure>& figures, const std::string& prefix) {
+std::string figures_html(const std::vector<draw::Figure>& figures, const std::string& prefix) {
   if (figures.empty()) return {};
   std::string out = "<div class=\"figures\">\n";
   for (std::size_t f = 0; f < figures.size(); ++f)

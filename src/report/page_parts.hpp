@@ -14,7 +14,7 @@ std::string page_head(const std::string& title);
 /// Pictures side by side where there is room; nothing if there are none.
 /// @param prefix  sets the ids inside of the pictures apart from those of others on the page
 /// @throws std::invalid_argument if a figure holds no SVG element
-std::string figures_html(const std::vector<Figure>& figures, const std::string& prefix);
+std::string figures_html(const std::vector<draw::Figure>& figures, const std::string& prefix);
 
 /// The chapter on what made the numbers, and the end of the document.
 std::string page_end(const std::string& provenance);

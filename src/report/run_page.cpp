@@ -34,7 +34,7 @@ Json tracks_json(std::span<const CellResult> cells) {
   return json;
 }
 
-Json json_of(const Field& field) {
+Json json_of(const store::Field& field) {
   return std::visit([](const auto& value) { return Json(value); }, field);
 }
 
@@ -43,7 +43,7 @@ Json protrusions_json(const RunReport& report) {
   const std::vector<std::string_view> columns = store::protrusion_columns();
   for (const CellResult& cell : report.cells)
     for (const ProtrusionRecord& record : cell.records) {
-      const std::vector<Field> row = fields(record, report.p.actomyosin);
+      const std::vector<store::Field> row = store::fields(record, report.p.actomyosin);
       Json json;
       if (report.cells.size() > 1) json["cell"] = number_of(cell.cell);
       for (std::size_t i = 0; i < columns.size(); ++i) json[std::string(columns[i])] = json_of(row[i]);

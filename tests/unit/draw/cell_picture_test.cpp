@@ -44,7 +44,7 @@ State state(const Parameters& p) {
   return s;
 }
 
-TEST(observe::CellScene, SortsTheMatrixIntoClasses) {
+TEST(CellScene, SortsTheMatrixIntoClasses) {
   const Parameters p = parameters(40.0);
   State s = state(p);
   s.ecm.f.assign(s.ecm.size(), 1.0);
@@ -57,7 +57,7 @@ TEST(observe::CellScene, SortsTheMatrixIntoClasses) {
   for (std::size_t c = 1; c < observe::matrix_classes; ++c) EXPECT_EQ(scene.matrix[c].size(), 1U) << c;
 }
 
-TEST(observe::CellScene, CutsTheFrontHalfOff) {
+TEST(CellScene, CutsTheFrontHalfOff) {
   const Parameters p = parameters(40.0);
   State s = state(p);
   const observe::CellScene scene = observe::cell_scene(s, p, {});
@@ -69,7 +69,7 @@ TEST(observe::CellScene, CutsTheFrontHalfOff) {
       << "all of it before the first protrusion";
 }
 
-TEST(observe::CellScene, TakesProtrusionsWithTheirAnchors) {
+TEST(CellScene, TakesProtrusionsWithTheirAnchors) {
   const Parameters p = parameters(40.0);
   const observe::CellScene scene = observe::cell_scene(state(p), p, {});
   ASSERT_EQ(scene.protrusions.size(), 3U);
@@ -81,11 +81,11 @@ TEST(observe::CellScene, TakesProtrusionsWithTheirAnchors) {
 TEST(Surroundings, AreASquareWithinTheDisc) {
   const Parameters p = parameters(40.0);
   const std::vector<observe::CellScene> scenes{observe::cell_scene(state(p), p, {})};
-  const Box box = surroundings(scenes, 3.0);
+  const observe::Box box = surroundings(scenes, 3.0);
   EXPECT_NEAR(box.size().x(), 45.0 + 6.0, 0.1); // from the anchor at -30 to the cell's edge at 15, and room
   EXPECT_NEAR(box.size().x(), box.size().y(), 1e-12);
   EXPECT_LE(box.low.x(), -33.0 + 0.1);
-  const Box all = surroundings(scenes, 300.0);
+  const observe::Box all = surroundings(scenes, 300.0);
   EXPECT_NEAR((all.low - whole_disc(scenes[0]).low).norm(), 0.0, 1e-12);
 }
 
@@ -95,24 +95,25 @@ TEST(CellPicture, IsWellFormedAndSmall) {
   const std::string svg = cell_picture(scene, whole_disc(scene));
   EXPECT_LT(svg.size(), 1000000U);
   ASSERT_TRUE(parsed(svg));
-  EXPECT_LT(count(svg, "<path"), 60U) << "one path a class, not one a particle";
-  EXPECT_EQ(count(svg, ">1 h 30 min<"), 1U);
-  EXPECT_EQ(count(svg, " um<"), 1U) << "scale bar";
+  EXPECT_LT(occurrences(svg, "<path"), 60U) << "one path a class, not one a particle";
+  EXPECT_EQ(occurrences(svg, ">1 h 30 min<"), 1U);
+  EXPECT_EQ(occurrences(svg, " um<"), 1U) << "scale bar";
   for (const char* word : {"matrix, solid to fluid", "front", "rear", "growing", "maturing", "contracting", "finishing",
                            "adhesion", "path of the centre"})
-    EXPECT_EQ(count(svg, std::string(">") + word + "<"), 1U) << word;
+    EXPECT_EQ(occurrences(svg, std::string(">") + word + "<"), 1U) << word;
 }
 
 TEST(CellPicture, ShowsObstacles) {
   const Parameters p = parameters(40.0);
   State s = state(p);
-  EXPECT_EQ(count(cell_picture(observe::cell_scene(s, p, {}), whole_disc(observe::cell_scene(s, p, {}))), ">obstacle<"),
-            0U);
+  EXPECT_EQ(
+      occurrences(cell_picture(observe::cell_scene(s, p, {}), whole_disc(observe::cell_scene(s, p, {}))), ">obstacle<"),
+      0U);
   s.ecm.obstacle.assign(s.ecm.size(), 0);
   s.ecm.obstacle[s.ecm.size() / 2] = 1;
   const observe::CellScene scene = observe::cell_scene(s, p, {});
   EXPECT_EQ(scene.obstacles.size(), 1U);
-  EXPECT_EQ(count(cell_picture(scene, whole_disc(scene)), ">obstacle<"), 1U);
+  EXPECT_EQ(occurrences(cell_picture(scene, whole_disc(scene)), ">obstacle<"), 1U);
 }
 
 TEST(CellPicture, ShowsNuclei) {
@@ -120,13 +121,14 @@ TEST(CellPicture, ShowsNuclei) {
   State s = state(p);
   const auto signs = [&] {
     const observe::CellScene scene = observe::cell_scene(s, p, {});
-    return count(cell_picture(scene, whole_disc(scene)), "#27406b");
+    return occurrences(cell_picture(scene, whole_disc(scene)), "#27406b");
   };
   EXPECT_EQ(signs(), 0U);
   s.cells[0].nucleus.x = {{0, 0}, {4, 0}, {0, 4}};
   EXPECT_EQ(signs(), 2U) << "in the cell and in the legend";
-  EXPECT_EQ(count(cell_picture(observe::cell_scene(s, p, {}), whole_disc(observe::cell_scene(s, p, {}))), ">nucleus<"),
-            1U);
+  EXPECT_EQ(
+      occurrences(cell_picture(observe::cell_scene(s, p, {}), whole_disc(observe::cell_scene(s, p, {}))), ">nucleus<"),
+      1U);
 }
 
 TEST(CellPicture, LeavesOutWhatIsNotSeen) {
@@ -146,7 +148,7 @@ TEST(CellPicture, ShowsEveryCell) {
   ASSERT_EQ(both.cells.size(), 2U);
   EXPECT_EQ(both.protrusions.size(), 2 * one.protrusions.size());
   const auto drawn = [](const observe::CellScene& scene, std::string_view colour) {
-    return count(cell_picture(scene, whole_disc(scene)), "<path fill=\"" + std::string(colour) + "\"");
+    return occurrences(cell_picture(scene, whole_disc(scene)), "<path fill=\"" + std::string(colour) + "\"");
   };
   for (const std::string_view colour : {cell_colours(0, 1).rear, cell_colours(0, 1).front})
     EXPECT_EQ(drawn(one, colour), 1U) << colour;
@@ -156,7 +158,7 @@ TEST(CellPicture, ShowsEveryCell) {
   const std::string picture = cell_picture(both, whole_disc(both));
   ASSERT_TRUE(parsed(picture));
   for (const char* word : {"1", "2", "cell 1", "cell 2; rear, front"})
-    EXPECT_EQ(count(picture, std::string(">") + word + "<"), 1U) << word;
+    EXPECT_EQ(occurrences(picture, std::string(">") + word + "<"), 1U) << word;
 }
 
 TEST(CellPicture, NumbersCellsWhoseColourRepeats) {
@@ -167,7 +169,7 @@ TEST(CellPicture, NumbersCellsWhoseColourRepeats) {
   const observe::CellScene scene = observe::cell_scene(s, p, {});
   const std::string picture = cell_picture(scene, whole_disc(scene));
   for (const char* word : {"20", "cell 1, 9, 17", "cell 8, 16; rear, front"})
-    EXPECT_EQ(count(picture, std::string(">") + word + "<"), 1U) << word;
+    EXPECT_EQ(occurrences(picture, std::string(">") + word + "<"), 1U) << word;
 }
 
 /// Times over the panels of a sheet of n scenes, an hour apart [h].
@@ -178,7 +180,7 @@ std::vector<int> panel_hours(std::size_t n) {
   const std::string svg = contact_sheet(scenes);
   std::vector<int> hours;
   for (std::size_t k = 0; k < n; ++k)
-    if (count(svg, ">" + time_text(scenes[k].t) + "<") == 1) hours.push_back(static_cast<int>(k));
+    if (occurrences(svg, ">" + time_text(scenes[k].t) + "<") == 1) hours.push_back(static_cast<int>(k));
   return hours;
 }
 
@@ -199,10 +201,10 @@ TEST(ContactSheet, IsOneDocumentWithOneLegend) {
   const std::string svg = contact_sheet(scenes);
   ASSERT_TRUE(parsed(svg));
   EXPECT_LT(svg.size(), 1000000U);
-  EXPECT_EQ(count(svg, "<svg "), 10U) << "the document and nine panels";
-  EXPECT_EQ(count(svg, ">0 s<"), 1U);
-  EXPECT_EQ(count(svg, ">24 h<"), 1U);
-  EXPECT_EQ(count(svg, ">finishing<"), 1U) << "one legend for all";
+  EXPECT_EQ(occurrences(svg, "<svg "), 10U) << "the document and nine panels";
+  EXPECT_EQ(occurrences(svg, ">0 s<"), 1U);
+  EXPECT_EQ(occurrences(svg, ">24 h<"), 1U);
+  EXPECT_EQ(occurrences(svg, ">finishing<"), 1U) << "one legend for all";
   EXPECT_TRUE(parsed(contact_sheet(std::span(scenes).first(1))));
   EXPECT_TRUE(parsed(contact_sheet({}))) << "an empty sheet is a sheet";
 }

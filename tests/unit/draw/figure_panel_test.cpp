@@ -61,17 +61,17 @@ TEST(FigurePanel, HasAPictureForEachMomentAndOneColourBar) {
   const Moments m;
   const std::string svg = figure_panel(m.scenes, &m.field);
   ASSERT_TRUE(parsed(svg)) << svg.substr(0, 400);
-  EXPECT_EQ(count(svg, "viewBox"), 1 + m.scenes.size());
-  EXPECT_EQ(count(svg, ">5 min</text>"), 1U);
-  EXPECT_EQ(count(svg, ">10 min</text>"), 1U);
-  EXPECT_EQ(count(svg, "pressure [Pa]"), 1U);
-  EXPECT_EQ(count(svg, " um</text>"), 1U) << "one scale bar";
-  EXPECT_EQ(count(svg, "fluid matrix"), 1U);
-  EXPECT_GT(count(svg, fluid_colour()), m.scenes.size()) << "fluid in each picture, and in the legend";
+  EXPECT_EQ(occurrences(svg, "viewBox"), 1 + m.scenes.size());
+  EXPECT_EQ(occurrences(svg, ">5 min</text>"), 1U);
+  EXPECT_EQ(occurrences(svg, ">10 min</text>"), 1U);
+  EXPECT_EQ(occurrences(svg, "pressure [Pa]"), 1U);
+  EXPECT_EQ(occurrences(svg, " um</text>"), 1U) << "one scale bar";
+  EXPECT_EQ(occurrences(svg, "fluid matrix"), 1U);
+  EXPECT_GT(occurrences(svg, fluid_colour()), m.scenes.size()) << "fluid in each picture, and in the legend";
   const std::string bare = figure_panel(m.scenes, nullptr);
   ASSERT_TRUE(parsed(bare));
-  EXPECT_EQ(count(bare, "pressure"), 0U);
-  EXPECT_EQ(count(bare, "matrix, solid to fluid"), 1U);
+  EXPECT_EQ(occurrences(bare, "pressure"), 0U);
+  EXPECT_EQ(occurrences(bare, "matrix, solid to fluid"), 1U);
 }
 
 TEST(FigurePanel, RefusesWhatDoesNotFit) {

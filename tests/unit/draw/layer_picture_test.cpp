@@ -32,7 +32,7 @@ std::map<std::string, std::size_t> dot_counts(const std::string& drawing) {
   for (const Piece& piece : *pieces) {
     const auto path = piece.attributes.find("d");
     if (piece.name != "path" || path == piece.attributes.end()) continue;
-    if (const std::size_t n = count(path->second, "h0"); n > 0) of_colour[piece.attributes.at("stroke")] += n;
+    if (const std::size_t n = occurrences(path->second, "h0"); n > 0) of_colour[piece.attributes.at("stroke")] += n;
   }
   return of_colour;
 }
@@ -53,9 +53,9 @@ TEST(LayerPicture, ShowsDisplacementsWithArrowsAndTheCell) {
   const State s = pulled(p);
   const std::string drawing = displacement_picture(s, p);
   EXPECT_TRUE(parsed(drawing));
-  EXPECT_EQ(count(drawing, "displacement [um]"), 1U);
-  EXPECT_GE(count(drawing, "30 min"), 1U);
-  EXPECT_EQ(count(drawing, "nan"), 0U);
+  EXPECT_EQ(occurrences(drawing, "displacement [um]"), 1U);
+  EXPECT_GE(occurrences(drawing, "30 min"), 1U);
+  EXPECT_EQ(occurrences(drawing, "nan"), 0U);
   const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), s.ecm.size());
   const std::size_t fluid = without_value(displacement_field(s.ecm));
@@ -70,7 +70,7 @@ TEST(LayerPicture, OfAMatrixAtRestHasOneColourAndNoArrows) {
   State at_rest;
   at_rest.ecm = disc(p);
   const std::string drawing = displacement_picture(at_rest, p);
-  EXPECT_EQ(count(drawing, "nan"), 0U);
+  EXPECT_EQ(occurrences(drawing, "nan"), 0U);
   const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), at_rest.ecm.size());
   EXPECT_EQ(drawn.size(), 2U);                                          // solid without displacement, and fluid
@@ -87,7 +87,7 @@ TEST(LayerPicture, ShowsTheStressOfTheFibres) {
   const FibreNetwork network(s.ecm, p.ecm, p.fibres, Reference(s.ecm, p.ecm));
   const std::string drawing = fibre_stress_picture(s, p, network);
   EXPECT_TRUE(parsed(drawing));
-  EXPECT_EQ(count(drawing, "von Mises stress [Pa]"), 1U);
+  EXPECT_EQ(occurrences(drawing, "von Mises stress [Pa]"), 1U);
   const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), s.ecm.size());
   EXPECT_EQ(drawn.at(grey), without_value(fibre_stress_field(s.ecm, p.fibres, network)));

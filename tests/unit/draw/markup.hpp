@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace matrigrate::draw {
+namespace matrigrate {
 
-inline std::size_t count(std::string_view text, std::string_view what) {
+inline std::size_t occurrences(std::string_view text, std::string_view what) {
   std::size_t n = 0;
   for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + what.size())) ++n;
   return n;
@@ -28,9 +28,9 @@ inline std::optional<std::vector<Piece>> parsed(std::string_view xml) {
   std::vector<Piece> pieces;
   std::vector<std::string> open;
   const auto entities_hold = [](std::string_view text) {
-    return count(text, "&")
-           == count(text, "&amp;") + count(text, "&lt;") + count(text, "&gt;") + count(text, "&quot;")
-                  + count(text, "&#39;");
+    return occurrences(text, "&")
+           == occurrences(text, "&amp;") + occurrences(text, "&lt;") + occurrences(text, "&gt;")
+                  + occurrences(text, "&quot;") + occurrences(text, "&#39;");
   };
   while (!xml.empty()) {
     if (xml.front() != '<') {
@@ -71,4 +71,4 @@ inline std::optional<std::vector<Piece>> parsed(std::string_view xml) {
   return pieces;
 }
 
-} // namespace matrigrate::draw
+} // namespace matrigrate

@@ -44,7 +44,7 @@ TEST(ParticlePicture, DrawsEachParticleOnceGroupedByColour) {
   std::size_t particles = 0;
   std::set<std::string> colours;
   for (const Dots& group : groups) {
-    particles += count(group.data, "M");
+    particles += occurrences(group.data, "M");
     colours.insert(group.colour);
   }
   EXPECT_EQ(particles, 400U);
@@ -79,8 +79,8 @@ TEST(ParticlePicture, MissingValuesAreGreyAndMissingPlacesLeftOut) {
   const auto groups = dots(to_svg(picture));
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].colour, "#b8b8b8");
-  EXPECT_EQ(count(groups[0].data, "M"), 1U);
-  EXPECT_EQ(count(groups[1].data, "M"), 1U);
+  EXPECT_EQ(occurrences(groups[0].data, "M"), 1U);
+  EXPECT_EQ(occurrences(groups[1].data, "M"), 1U);
 }
 
 TEST(ParticlePicture, ZeroIsNeutralOnADivergingMap) {
@@ -99,15 +99,15 @@ TEST(ParticlePicture, ValuesBeyondTheBarGetTheColourOfItsEnd) {
   picture.value_max = 1.0;
   const auto groups = dots(to_svg(picture));
   ASSERT_EQ(groups.size(), 2U);
-  EXPECT_EQ(count(groups[0].data, "M"), 2U);
+  EXPECT_EQ(occurrences(groups[0].data, "M"), 2U);
 }
 
 TEST(ParticlePicture, HasAScaleBarAndALabelledColourBar) {
   const std::string svg = to_svg(lattice(60, 30));
-  EXPECT_EQ(count(svg, ">20 um<"), 1U);
-  EXPECT_EQ(count(svg, ">x [um]<"), 1U);
-  EXPECT_EQ(count(svg, ">100<"), 1U);
-  EXPECT_EQ(count(svg, " id="), 0U);
+  EXPECT_EQ(occurrences(svg, ">20 um<"), 1U);
+  EXPECT_EQ(occurrences(svg, ">x [um]<"), 1U);
+  EXPECT_EQ(occurrences(svg, ">100<"), 1U);
+  EXPECT_EQ(occurrences(svg, " id="), 0U);
 }
 
 TEST(ParticlePicture, DrawsArrowsThatCanBeSeen) {
@@ -117,16 +117,16 @@ TEST(ParticlePicture, DrawsArrowsThatCanBeSeen) {
   const std::size_t start = svg.find("stroke-width=\"1.3\"");
   ASSERT_NE(start, std::string::npos);
   const std::string path = svg.substr(start, svg.find("/>", start) - start);
-  EXPECT_EQ(count(path, "M"), 2U) << "one shaft, one head";
+  EXPECT_EQ(occurrences(path, "M"), 2U) << "one shaft, one head";
 }
 
 TEST(ParticlePicture, DrawsAnythingWellFormed) {
   for (const ParticlePicture& picture : {ParticlePicture{}, lattice(1, 1), lattice(1, 200), lattice(200, 1)}) {
     const std::string svg = to_svg(picture);
     EXPECT_TRUE(parsed(svg));
-    EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0U);
+    EXPECT_EQ(occurrences(svg, "nan") + occurrences(svg, "inf"), 0U);
   }
-  EXPECT_EQ(count(to_svg(ParticlePicture{}), "no particles to draw"), 1U);
+  EXPECT_EQ(occurrences(to_svg(ParticlePicture{}), "no particles to draw"), 1U);
 }
 
 TEST(ParticlePicture, RefusesWhatDoesNotFitTogether) {

@@ -79,9 +79,9 @@ TEST(Plot, ShowsTitleLabelsAndLegend) {
   const std::string svg = to_svg(two_lines());
   ASSERT_TRUE(parsed(svg));
   for (const char* text : {">Relaxation<", ">time [s]<", ">stress [Pa]<", ">measured<", ">theory<"})
-    EXPECT_EQ(count(svg, text), 1U) << text;
-  EXPECT_EQ(count(svg, "no data"), 0U);
-  EXPECT_EQ(count(svg, " id="), 0U) << "ids would collide in a page";
+    EXPECT_EQ(occurrences(svg, text), 1U) << text;
+  EXPECT_EQ(occurrences(svg, "no data"), 0U);
+  EXPECT_EQ(occurrences(svg, " id="), 0U) << "ids would collide in a page";
 }
 
 TEST(Plot, PutsDataWhereTheAxesSay) {
@@ -102,24 +102,24 @@ TEST(Plot, BreaksLinesAtMissingValues) {
   Plot plot{"", "", "", false, false, {{"", {0, 1, 2, 3, 4, 5}, {0, 1, not_known, 3, not_known, 5}, Mark::line, 0}}};
   const auto data = curves(to_svg(plot));
   ASSERT_EQ(data.size(), 1U);
-  EXPECT_EQ(count(data[0], "M"), 3U);
-  EXPECT_EQ(count(data[0], "L"), 1U);
-  EXPECT_EQ(count(data[0], "h0.1"), 2U) << "lone points are still seen";
+  EXPECT_EQ(occurrences(data[0], "M"), 3U);
+  EXPECT_EQ(occurrences(data[0], "L"), 1U);
+  EXPECT_EQ(occurrences(data[0], "h0.1"), 2U) << "lone points are still seen";
 }
 
 TEST(Plot, LeavesOutWhatALogAxisCannotShow) {
   Plot plot{"", "", "", true, true, {{"", {-1, 0, 1, 10, 100}, {1, 1, 1, 0, 100}, Mark::points, 0}}};
   const auto data = curves(to_svg(plot));
   ASSERT_EQ(data.size(), 1U);
-  EXPECT_EQ(count(data[0], "M"), 2U);
+  EXPECT_EQ(occurrences(data[0], "M"), 2U);
 }
 
 TEST(Plot, SaysThatThereIsNothingToDraw) {
-  EXPECT_EQ(count(to_svg(Plot{}), "no data to draw"), 1U);
+  EXPECT_EQ(occurrences(to_svg(Plot{}), "no data to draw"), 1U);
   Plot plot = two_lines();
   plot.log_y = true;
   plot.series = {{"all negative", {1, 2}, {-1, -2}, Mark::line, 0}};
-  EXPECT_EQ(count(to_svg(plot), "no data to draw"), 1U);
+  EXPECT_EQ(occurrences(to_svg(plot), "no data to draw"), 1U);
 }
 
 TEST(Plot, SkipsPointsThatFallOnOnePixel) {
@@ -138,8 +138,8 @@ TEST(Plot, SurvivesExtremeValues) {
     Plot plot{"", "", "", log, log, {{"", {1e-320, 1.0, inf, max}, {1.0, 1.0, 2.0, -max}, Mark::line, 0}}};
     const std::string svg = to_svg(plot);
     EXPECT_TRUE(parsed(svg));
-    EXPECT_EQ(count(svg, "nan"), 0U);
-    EXPECT_EQ(count(svg, "inf"), 0U);
+    EXPECT_EQ(occurrences(svg, "nan"), 0U);
+    EXPECT_EQ(occurrences(svg, "inf"), 0U);
   }
 }
 
@@ -210,8 +210,8 @@ TEST(EqualAxes, DrawACircleAsACircle) {
 
 TEST(EqualAxes, StandAPathThatDoesNotMove) {
   const Plot plot{.title = "a point", .series = {Series{.x = {3.0, 3.0}, .y = {1.0, 1.0}}}, .equal_axes = true};
-  EXPECT_EQ(count(to_svg(plot), "nan"), 0U);
-  EXPECT_EQ(count(to_svg({.title = "nothing", .equal_axes = true}), "nan"), 0U);
+  EXPECT_EQ(occurrences(to_svg(plot), "nan"), 0U);
+  EXPECT_EQ(occurrences(to_svg({.title = "nothing", .equal_axes = true}), "nan"), 0U);
 }
 
 TEST(Legend, WrapsInsteadOfRunningOutOfTheDrawing) {
@@ -219,7 +219,7 @@ TEST(Legend, WrapsInsteadOfRunningOutOfTheDrawing) {
   const Legend narrow = legend(series, 300.0);
   const Legend wide = legend(series, 3000.0);
   EXPECT_DOUBLE_EQ(narrow.height, 6.0 * wide.height);
-  EXPECT_EQ(count(narrow.svg, "<text"), 6U);
+  EXPECT_EQ(occurrences(narrow.svg, "<text"), 6U);
 }
 
 TEST(Legend, SkipsSeriesWithoutALabel) { EXPECT_EQ(legend({Series{"", {1}, {1}, Mark::line, -1}}, 300.0).height, 0.0); }

@@ -5,7 +5,7 @@
 #include "simulation/workspace.hpp"
 
 /// A small gel with a cell and two protrusions, and a film of it.
-namespace matrigrate::observe {
+namespace matrigrate {
 
 struct SmallRun {
   SmallRun() {
@@ -26,14 +26,14 @@ struct SmallRun {
     s.ecm.f[4] = 0.5;
   }
 
-  Film film() const {
+  observe::Film film() const {
     const Workspace w(s, p);
-    Film film{.head = frame_head(s, p), .frames = {frame(s, p, w)}};
+    observe::Film film{.head = observe::frame_head(s, p), .frames = {observe::frame(s, p, w)}};
     State later = s;
     later.t = 600.0;
     later.cells[0].protrusions.pop_back();
     for (Vec2& x : later.cells[0].cortex.x) x.x() += 1.0;
-    film.frames.push_back(frame(later, p, w));
+    film.frames.push_back(observe::frame(later, p, w));
     return film;
   }
 
@@ -53,23 +53,23 @@ struct TwoCells : SmallRun {
 };
 
 /// The first field in which two films differ; "" if they are the same.
-inline std::string difference(const Film& a, const Film& b) {
+inline std::string difference(const observe::Film& a, const observe::Film& b) {
   if (a.head.reference != b.head.reference || a.head.radius != b.head.radius || a.head.spacing != b.head.spacing)
     return "head";
   if (a.frames.size() != b.frames.size()) return "number of frames";
   for (std::size_t k = 0; k < a.frames.size(); ++k) {
     if (a.frames[k].t != b.frames[k].t) return "t";
-    for (const auto& field : float_fields()) {
-      const Floats& x = field.in(a.frames[k]);
-      const Floats& y = field.in(b.frames[k]);
+    for (const auto& field : observe::float_fields()) {
+      const observe::Floats& x = field.in(a.frames[k]);
+      const observe::Floats& y = field.in(b.frames[k]);
       if (x.size() != y.size()) return std::string(field.name);
       for (std::size_t i = 0; i < x.size(); ++i)
         if (x[i] != y[i] && !(x[i] != x[i] && y[i] != y[i])) return std::string(field.name);
     }
-    for (const auto& field : byte_fields())
+    for (const auto& field : observe::byte_fields())
       if (field.in(a.frames[k]) != field.in(b.frames[k])) return std::string(field.name);
   }
   return "";
 }
 
-} // namespace matrigrate::observe
+} // namespace matrigrate

@@ -23,7 +23,7 @@ nlohmann::ordered_json pack(const Packing& packing, const std::vector<observe::F
 
 TEST(Packed, IsTheWorkedExampleOfTheContract) {
   const auto json = pack({.wide = true}, {{0x0201, 0x0403}});
-  EXPECT_EQ(json.at("data"), store::base64(deflated(stored({1, 3, 2, 4}), 6)));
+  EXPECT_EQ(json.at("data"), store::base64(store::deflated(stored({1, 3, 2, 4}), 6)));
   EXPECT_EQ(json.at("type"), "int16");
   EXPECT_EQ(json.at("components"), 1);
   EXPECT_EQ(json.at("per_frame"), 2);
@@ -31,17 +31,18 @@ TEST(Packed, IsTheWorkedExampleOfTheContract) {
 
 TEST(Packed, StoresDifferencesOfRoundedNumbers) {
   const auto json = pack({.scale = 0.5, .offset = 1.0}, {{1.0, 2.0}, {1.3F, 1.0}});
-  EXPECT_EQ(json.at("data"), store::base64(deflated(stored({0, 2, 1, 254}), 6))) << "modulo 256";
+  EXPECT_EQ(json.at("data"), store::base64(store::deflated(stored({0, 2, 1, 254}), 6))) << "modulo 256";
   const auto plain = pack({.scale = 0.5, .offset = 1.0, .delta = false}, {{1.0, 2.0}, {1.3F, 1.0}});
-  EXPECT_EQ(plain.at("data"), store::base64(deflated(stored({0, 2, 1, 0}), 6)));
+  EXPECT_EQ(plain.at("data"), store::base64(store::deflated(stored({0, 2, 1, 0}), 6)));
   const auto wide = pack({.wide = true}, {{-1.0}, {1.0}});
-  EXPECT_EQ(wide.at("data"), store::base64(deflated(stored({255, 255, 2, 0}), 6))) << "modulo 65536";
+  EXPECT_EQ(wide.at("data"), store::base64(store::deflated(stored({255, 255, 2, 0}), 6))) << "modulo 65536";
 }
 
 TEST(Packed, ClampsAndReplacesWhatIsNotFinite) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(pack({}, {{-3, 300, nan}}).at("data"), store::base64(deflated(stored({0, 255, 0}), 6)));
-  EXPECT_EQ(pack({.wide = true}, {{-40000, 40000}}).at("data"), store::base64(deflated(stored({0, 255, 128, 127}), 6)));
+  EXPECT_EQ(pack({}, {{-3, 300, nan}}).at("data"), store::base64(store::deflated(stored({0, 255, 0}), 6)));
+  EXPECT_EQ(pack({.wide = true}, {{-40000, 40000}}).at("data"),
+            store::base64(store::deflated(stored({0, 255, 128, 127}), 6)));
 }
 
 } // namespace

@@ -21,19 +21,19 @@ PageSection section(bool holds) {
 
 TEST(Page, NamesVerdictsInWords) {
   const std::string html = page("Report", {section(true), section(false)}, "");
-  EXPECT_EQ(count(html, ">holds<"), 3U) << "overview, chapter, check";
-  EXPECT_EQ(count(html, ">does not hold<"), 3U);
-  EXPECT_EQ(count(html, "1 of 2 hold."), 1U);
+  EXPECT_EQ(occurrences(html, ">holds<"), 3U) << "overview, chapter, check";
+  EXPECT_EQ(occurrences(html, ">does not hold<"), 3U);
+  EXPECT_EQ(occurrences(html, "1 of 2 hold."), 1U);
 }
 
 TEST(Page, HoldsEverythingOfASection) {
   const std::string html = page("Report", {section(true)}, "commit 1234\nseed 5");
   for (const char* text :
        {"stress [Pa]", "1.01", "0.02", "two percent", "a remark", "What it shows.", "commit 1234\nseed 5"})
-    EXPECT_EQ(count(html, text), 1U) << text;
-  EXPECT_EQ(count(html, "Stress decays."), 2U);
+    EXPECT_EQ(occurrences(html, text), 1U) << text;
+  EXPECT_EQ(occurrences(html, "Stress decays."), 2U);
   for (const char* column : {"quantity", "measured", "expected", "tolerance", "why this tolerance", "verdict"})
-    EXPECT_EQ(count(html, std::string("<th scope=\"col\">") + column + "</th>"),
+    EXPECT_EQ(occurrences(html, std::string("<th scope=\"col\">") + column + "</th>"),
               std::string_view(column) == "verdict" ? 2U : 1U)
         << column;
 }
@@ -43,25 +43,25 @@ TEST(Page, KeepsTheIdsOfPicturesApart) {
   twice.figures.push_back(twice.figures[0]);
   const std::string html = page("Report", {twice, section(true)}, "");
   for (const char* id : {"s1f1-a", "s1f2-a", "s2f1-a"}) {
-    EXPECT_EQ(count(html, std::string(" id=\"") + id + '"'), 1U) << id;
-    EXPECT_EQ(count(html, std::string("href=\"#") + id + '"'), 1U) << id;
-    EXPECT_EQ(count(html, std::string("url(#") + id + ')'), 1U) << id;
+    EXPECT_EQ(occurrences(html, std::string(" id=\"") + id + '"'), 1U) << id;
+    EXPECT_EQ(occurrences(html, std::string("href=\"#") + id + '"'), 1U) << id;
+    EXPECT_EQ(occurrences(html, std::string("url(#") + id + ')'), 1U) << id;
   }
-  EXPECT_EQ(count(html, "<?xml"), 0U);
+  EXPECT_EQ(occurrences(html, "<?xml"), 0U);
 }
 
 TEST(Page, NeedsNothingFromOutside) {
   const std::string html = page("Report", {section(true)}, "");
   for (const char* outside : {"<script", "<link", "src=", "@import", "http://", "https://"})
-    EXPECT_EQ(count(html, outside), 0U) << outside;
+    EXPECT_EQ(occurrences(html, outside), 0U) << outside;
 }
 
 TEST(Page, EscapesAllText) {
   const std::string evil = "<script>\"&";
   PageSection s{evil, evil, false, {{evil, evil, evil, evil, evil, evil}}, {evil}, {{"f", evil, "<svg></svg>"}}};
   const std::string html = page(evil, {s}, evil);
-  EXPECT_EQ(count(html, "<script"), 0U);
-  EXPECT_EQ(count(html, "&lt;script&gt;&quot;&amp;"), 15U);
+  EXPECT_EQ(occurrences(html, "<script"), 0U);
+  EXPECT_EQ(occurrences(html, "&lt;script&gt;&quot;&amp;"), 15U);
 }
 
 TEST(Page, IsWellFormed) {

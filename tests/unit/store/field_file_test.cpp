@@ -102,9 +102,9 @@ TEST(FieldFile, TellsSeveralCellsApart) {
   EXPECT_EQ(file.float_frame("/outline/cell", 1), film.frames[1].outline.cell);
   EXPECT_FALSE(MemoryFile(field_file(SmallRun().film())).has("/outline/cell"));
   const std::string xml = field_index(&film.frames.front(), std::vector{0.0}, std::vector<std::size_t>{0});
-  EXPECT_EQ(count(xml, "NumberOfElements=\"2\" NodesPerElement=\"236\""), 1U);
-  EXPECT_EQ(count(xml, " 234 0 235 236 "), 1U) << "both lines are closed";
-  EXPECT_EQ(count(xml, " 469 235 <"), 1U);
+  EXPECT_EQ(occurrences(xml, "NumberOfElements=\"2\" NodesPerElement=\"236\""), 1U);
+  EXPECT_EQ(occurrences(xml, " 234 0 235 236 "), 1U) << "both lines are closed";
+  EXPECT_EQ(occurrences(xml, " 469 235 <"), 1U);
 }
 
 TEST(FieldFile, NeedsNoFrames) {
@@ -216,12 +216,13 @@ TEST(FieldIndex, NamesGridsTimesAndArrays) {
   const std::string xml = field_index(&film.frames.front(), std::vector{film.frames[0].t, film.frames[1].t},
                                       std::vector<std::size_t>{2, 0});
   EXPECT_TRUE(parsed(xml.substr(xml.find("<Xdmf"))));
-  EXPECT_EQ(count(xml, "GridType=\"Uniform\""), 5U) << "matrix and outline, twice, and anchors once";
-  EXPECT_EQ(count(xml, "<Time Value=\"600\"/>"), 2U);
-  EXPECT_EQ(count(xml, "<Grid Name=\"anchors\" GridType=\"Uniform\">"), 1U) << "not at the time without an adhesion";
-  EXPECT_EQ(count(xml, "fields.h5:/frames/0/anchors/force<"), 1U);
-  EXPECT_EQ(count(xml, "fields.h5:/frames/1/matrix/position<"), 1U);
-  EXPECT_EQ(count(xml, "fibre"), 0U);
+  EXPECT_EQ(occurrences(xml, "GridType=\"Uniform\""), 5U) << "matrix and outline, twice, and anchors once";
+  EXPECT_EQ(occurrences(xml, "<Time Value=\"600\"/>"), 2U);
+  EXPECT_EQ(occurrences(xml, "<Grid Name=\"anchors\" GridType=\"Uniform\">"), 1U)
+      << "not at the time without an adhesion";
+  EXPECT_EQ(occurrences(xml, "fields.h5:/frames/0/anchors/force<"), 1U);
+  EXPECT_EQ(occurrences(xml, "fields.h5:/frames/1/matrix/position<"), 1U);
+  EXPECT_EQ(occurrences(xml, "fibre"), 0U);
 }
 
 } // namespace

@@ -13,11 +13,11 @@ TEST(TrackFiles, HoldThePath) {
   const std::vector<TrackRow> rows{{.t = 0.0, .centre = {1.5, -2.0}, .area = 3.141592653589793, .polarization = {}},
                                    {.t = 60.0, .centre = {2.5, 0.25}, .polarization = {}}};
   EXPECT_EQ(celltrackr_csv(rows), "id,t,x,y\n1,0,1.5,-2\n1,60,2.5,0.25\n");
-  EXPECT_EQ(count(trackmate_csv(rows), "0,0,1.5,-2,0,0,0,1\n"), 1U);
+  EXPECT_EQ(occurrences(trackmate_csv(rows), "0,0,1.5,-2,0,0,0,1\n"), 1U);
   const std::string xml = trackmate_xml(rows);
-  EXPECT_EQ(count(xml, "frameInterval=\"60\""), 1U);
-  EXPECT_EQ(count(xml, "<detection t=\"1\" x=\"2.5\" y=\"0.25\" z=\"0\" />"), 1U);
-  EXPECT_EQ(count(celltrackr_csv({}), "\n"), 1U);
+  EXPECT_EQ(occurrences(xml, "frameInterval=\"60\""), 1U);
+  EXPECT_EQ(occurrences(xml, "<detection t=\"1\" x=\"2.5\" y=\"0.25\" z=\"0\" />"), 1U);
+  EXPECT_EQ(occurrences(celltrackr_csv({}), "\n"), 1U);
 }
 
 TEST(TrackFiles, HaveATrackForEachCell) {
@@ -26,11 +26,11 @@ TEST(TrackFiles, HaveATrackForEachCell) {
                                    {.t = 60.0, .centre = {5, 6}, .polarization = {}},
                                    {.t = 60.0, .cell = 1, .centre = {7, 8}, .polarization = {}}};
   EXPECT_EQ(celltrackr_csv(rows), "id,t,x,y\n1,0,1,2\n2,0,3,4\n1,60,5,6\n2,60,7,8\n");
-  EXPECT_EQ(count(trackmate_csv(rows), "3,1,7,8,0,60,1,0\n"), 1U);
+  EXPECT_EQ(occurrences(trackmate_csv(rows), "3,1,7,8,0,60,1,0\n"), 1U);
   const std::string xml = trackmate_xml(rows);
-  EXPECT_EQ(count(xml, "nTracks=\"2\""), 1U);
-  EXPECT_EQ(count(xml, "<particle nSpots=\"2\">"), 2U);
-  EXPECT_EQ(count(xml, "<detection t=\"1\" x=\"7\" y=\"8\" z=\"0\" />"), 1U);
+  EXPECT_EQ(occurrences(xml, "nTracks=\"2\""), 1U);
+  EXPECT_EQ(occurrences(xml, "<particle nSpots=\"2\">"), 2U);
+  EXPECT_EQ(occurrences(xml, "<detection t=\"1\" x=\"7\" y=\"8\" z=\"0\" />"), 1U);
 }
 
 } // namespace
