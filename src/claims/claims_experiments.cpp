@@ -37,9 +37,9 @@ Finding x3(const Evidence& e) {
 Finding x4(const Evidence& e) {
   // At 5.2 um, half of the diameter of the nucleus, and 17.2 um.
   const Group narrow{"channel-width", 1};
-  const Group nucleus_narrow{"channel-width", 5};
-  const Group nucleus_wide{"channel-width", 7};
-  const Group nucleus_narrow_degrading{"channel-width", 13};
+  const Group nucleus_narrow{"channel-width", 4};
+  const Group nucleus_wide{"channel-width", 5};
+  const Group nucleus_narrow_degrading{"channel-width", 7};
   return Judge(e)
       .differs(nucleus_wide, nucleus_narrow, v_abs, Sign::down)
       .differs(narrow, nucleus_narrow, v_abs, Sign::down)
