@@ -200,6 +200,9 @@ for (const [kind, dx] of [["hole", 250], ["soft", -250]]) {
 await page.locator("input[name=brush][value=look]").check();
 await playTo(page, 40);
 await page.screenshot({ path: join(folder, "drawn.png") });
+const [picture] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save PNG" }).click()]);
+assert.match(picture.suggestedFilename(), /^Matrigrate-live-degradation-.*\.png$/);
+assert.deepEqual([...readFileSync(await picture.path()).subarray(1, 4)], [...Buffer.from("PNG")]);
 const downloads = [];
 page.on("download", (d) => downloads.push(d));
 await page.locator("button[name=export]").click();

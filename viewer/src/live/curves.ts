@@ -70,7 +70,12 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
   const element = h(
     "div",
     {},
-    section("path", "Speed and protrusions", h("div", { class: "plots" }, speed, alive)),
+    section(
+      "path",
+      "Speed and protrusions",
+      h("div", { class: "plots" }, speed, alive),
+      h("p", { class: "note" }, "Speed: displacement over ten minutes, from the first ten on."),
+    ),
     section("protrusions", "Protrusions", life, older),
   );
   return { element, changed };
