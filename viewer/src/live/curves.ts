@@ -74,7 +74,7 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
       "path",
       "Speed and protrusions",
       h("div", { class: "plots" }, speed, alive),
-      h("p", { class: "note" }, "Speed: displacement over ten minutes, from the first ten on."),
+      h("p", { class: "note" }, "Speed: displacement over ten minutes, at first over less."),
     ),
     section("protrusions", "Protrusions", life, older),
   );
