@@ -28,9 +28,9 @@ const several: CellColours[] = [
   { rear: "#4d4d4d", front: "#b0b0b0" },
   { rear: "#c51b7d", front: "#f1b6da" },
 ];
-/** Number of colours for several cells, the same as in src/draw/cell_colours.cpp; they repeat beyond, and numbers tell those apart. */
 /** Of the nucleus of any cell. */
 export const nucleusColour = "#27406b";
+/** Number of colours for several cells, the same as in src/draw/cell_colours.cpp; they repeat beyond, and numbers tell those apart. */
 export const cellColourCount = several.length;
 /** @param cell  from 0   @param cells  how many there are; a single one has colours of its own */
 export const cellColours = (cell: number, cells: number): CellColours =>

@@ -3,8 +3,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { exported } from "../src/live/export";
 import { LiveFilm } from "../src/live/film";
-import type { CoreFrame, Head } from "../src/live/protocol";
+import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario } from "../src/live/scenario";
+import { addTracks, noTracks } from "../src/live/scene";
+import { tracksOfCells } from "../src/run/cells";
 import { valueAt } from "../src/unpack";
 
 const head: Head = {
@@ -15,6 +17,7 @@ const head: Head = {
   spacing_um: 2,
   n_particles: 2,
   n_outline: 3,
+  n_nucleus: 0,
   duration_s: 21600,
   time_step_s: 5,
   changed: [],
@@ -71,6 +74,62 @@ test("a film that was kept is the same again, and grows on", () => {
   again.restore(structuredClone(live.image()));
   for (const film of [live, again]) for (let t = 900; t <= 2000; t += 10) film.add(moment(t));
   assert.deepEqual(again.image(), live.image());
+});
+
+/** Two cells with nuclei, each of them once moved: the second one's protrusion is at its own particle 1. */
+const pair: Head = { ...head, n_outline: 6, n_nucleus: 4, cell: [1, 1, 1, 2, 2, 2] };
+const ofPair = (t: number): CoreFrame => ({
+  ...moment(t),
+  outline: Float32Array.of(0, 0, 1, 0, 0, 1, 20, 0, 21, 0, 20, 1),
+  front: Uint8Array.of(1, 1, 0, 0, 0, 1),
+  protrusionOf: Uint8Array.of(0, 255, 255, 255, 1, 255),
+  fMat: new Float32Array(6),
+  force: new Float32Array(6),
+  nucleus: Float32Array.of(0.1, 0.2, 0.3, 0.2, 20.1, 0.2, 20.3, 0.2),
+  cells: Float32Array.of(1, 2),
+  ids: Float32Array.of(7, 7),
+  centres: Float32Array.of(0, 1),
+  phases: Uint8Array.of(2, 0),
+  anchors: Float32Array.of(NaN, NaN, NaN, NaN),
+  fMats: Float32Array.of(0.9, 0),
+  forces: Float32Array.of(0, 0),
+});
+
+test("a film has the nuclei and the points of all cells, and none of them where there is one cell without", () => {
+  const live = new LiveFilm(pair, Float32Array.of(10, 20, -30, -40));
+  for (const t of [0, 10]) live.add(ofPair(t));
+  const again = new LiveFilm(pair, Float32Array.of(10, 20, -30, -40));
+  again.restore(structuredClone(live.image()));
+  for (const { film } of [live, again]) {
+    assert.deepEqual(film.cells, [
+      { number: 1, first: 0, end: 3 },
+      { number: 2, first: 3, end: 6 },
+    ]);
+    assert.equal(film.nucleus?.stride, 8);
+    assert.ok(Math.abs(valueAt(film.nucleus!, 1, 6) - 20.3) < 0.01);
+    assert.ok(Math.abs(valueAt(film.outline.x, 1, 8) - 21) < 0.01);
+    assert.deepEqual(film.protrusions[1].map(({ cell, centre }) => [cell, centre]), [[1, 0], [2, 4]]);
+  }
+  const one = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
+  one.restore(live.image()); // of another simulation: nothing is taken over
+  assert.deepEqual(one.film.times, []);
+  one.add(moment(0));
+  assert.equal(one.film.nucleus, null);
+  assert.equal(one.film.cells.length, 1);
+  assert.deepEqual(Object.keys(one.film.protrusions[0][0]), ["id", "phase", "centre", "anchor", "f_mat", "force_nN"]);
+});
+
+test("tracks of several cells are told apart, also once they have grown", () => {
+  const row = (t: number, x: number, cell?: number): TrackRow => (cell ? [t, x, 0, 700, 95, null, 0, cell] : [t, x, 0, 700, 95, null, 0]);
+  const tracks = noTracks();
+  addTracks(tracks, [row(0, 1, 1), row(0, 2, 2), row(60, 3, 1), row(60, 4, 2)]);
+  assert.deepEqual(tracksOfCells(tracks).map(({ tracks: own }) => own.x_um), [[1, 3], [2, 4]]);
+  addTracks(tracks, [row(60, 5, 1), row(60, 6, 2), row(120, 7, 1), row(120, 8, 2)]);
+  assert.deepEqual(tracksOfCells(tracks).map(({ tracks: own }) => own.x_um), [[1, 3, 7], [2, 4, 8]]);
+  const single = noTracks();
+  addTracks(single, [row(0, 1), row(60, 2), row(60, 3)]);
+  assert.deepEqual(single.x_um, [1, 2]);
+  assert.equal(single.cell, undefined);
 });
 
 const drawn: Scenario = {

@@ -94,6 +94,14 @@ Json bonds_json(const Parameters& p) {
   return bonds;
 }
 
+/// Of all cells: points on their outlines, particles of their nuclei; of several the number of the cell of each point.
+void put_cells(Json& head, const io::Frame& frame) {
+  head["n_outline"] = frame.outline.front.size();
+  head["n_nucleus"] = frame.nucleus.size() / 2;
+  const io::Floats& cell = frame.outline.cell;
+  if (!cell.empty()) head["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
+}
+
 /// Places of the particles of rigid obstacles [um].
 Json obstacles_json(const EcmState& ecm) {
   Json places = Json::array();
@@ -109,7 +117,7 @@ Json head_json() {
   head["radius_um"] = p.ecm.radius;
   head["spacing_um"] = p.ecm.particle_spacing;
   head["n_particles"] = s.state().ecm.size();
-  head["n_outline"] = s.state().cells.front().cortex.size();
+  put_cells(head, s.frame());
   head["duration_s"] = p.run.duration;
   head["time_step_s"] = p.run.time_step;
   head["bonds_um"] = bonds_json(p);
@@ -117,6 +125,21 @@ Json head_json() {
   head["obstacles_um"] = obstacles_json(s.state().ecm);
   head["changed"] = changed_json(Parameters{}, p);
   return head;
+}
+
+Json record_json(const ProtrusionRecord& r, const Parameters& p) {
+  return {{"id", r.id},
+          {"centre_particle", r.centre},
+          {"t_initiation_s", number(r.t_initiation)},
+          {"t_adhesion_s", number(r.t_adhesion)},
+          {"t_mature_s", number(r.t_mature)},
+          {"t_disassembly_s", number(r.t_disassembly)},
+          {"t_end_s", number(r.t_end)},
+          {"length_um", number(r.length)},
+          {"f_mat", number(r.f_mat)},
+          {"force_nN", number(r.force)},
+          {"f_adh_rel", number(r.force / (r.f_mat * p.actomyosin.force))},
+          {"cause", name(r.cause)}};
 }
 
 /// Makes a file in memory, for fields that a scenario names.
@@ -211,6 +234,8 @@ val frame() {
   out.set("protrusionOf", bytes(f.outline.protrusion));
   out.set("fMat", floats(f.outline.f_mat));
   out.set("force", floats(f.outline.force));
+  if (!f.nucleus.empty()) out.set("nucleus", floats(f.nucleus));
+  if (!f.protrusions.cell.empty()) out.set("cells", floats(f.protrusions.cell));
   out.set("ids", floats(f.protrusions.id));
   out.set("centres", floats(f.protrusions.centre));
   out.set("phases", bytes(f.protrusions.phase));
@@ -220,36 +245,30 @@ val frame() {
   return out;
 }
 
-/// Rows of tracks since the last call, those of the first cell.
+/// Rows of tracks since the last call; those of several cells end with the number of the cell.
 std::string tracks() {
   return answer([] {
+    const bool several = simulation().state().cells.size() > 1;
     Json all = Json::array();
-    for (const TrackRow& row : simulation().take_tracks())
-      if (row.cell == 0)
-        all.push_back({row.t, row.centre.x(), row.centre.y(), row.area, row.perimeter,
-                       row.polarization ? Json(*row.polarization) : Json(), row.alive()});
+    for (const TrackRow& row : simulation().take_tracks()) {
+      all.push_back({row.t, row.centre.x(), row.centre.y(), row.area, row.perimeter,
+                     row.polarization ? Json(*row.polarization) : Json(), row.alive()});
+      if (several) all.back().push_back(number_of(row.cell));
+    }
     return all;
   });
 }
 
-/// Protrusions of the first cell, ended or alive, as the page of a run has them.
+/// Protrusions of one cell after those of the other, ended or alive, as the page of a run has them.
 std::string protrusions() {
   return answer([] {
-    const Parameters& p = simulation().parameters();
+    const std::vector<Cell>& cells = simulation().state().cells;
     Json all = Json::array();
-    for (const ProtrusionRecord& r : protrusion_records(simulation().state().cells.front()))
-      all.push_back({{"id", r.id},
-                     {"centre_particle", r.centre},
-                     {"t_initiation_s", number(r.t_initiation)},
-                     {"t_adhesion_s", number(r.t_adhesion)},
-                     {"t_mature_s", number(r.t_mature)},
-                     {"t_disassembly_s", number(r.t_disassembly)},
-                     {"t_end_s", number(r.t_end)},
-                     {"length_um", number(r.length)},
-                     {"f_mat", number(r.f_mat)},
-                     {"force_nN", number(r.force)},
-                     {"f_adh_rel", number(r.force / (r.f_mat * p.actomyosin.force))},
-                     {"cause", name(r.cause)}});
+    for (const Cell& cell : cells)
+      for (const ProtrusionRecord& r : protrusion_records(cell)) {
+        all.push_back(record_json(r, simulation().parameters()));
+        if (cells.size() > 1) all.back()["cell"] = number_of(cell.id);
+      }
     return all;
   });
 }

@@ -43,6 +43,23 @@ for (const key of Object.keys(x))
 if (y !== now.step) throw new Error("steps differ after a state was taken up");
 console.log("a state that was kept and taken up goes on to the same bits");
 
+// Cells with nuclei: all of them are in the frames; a single one without has none of that.
+const sizes = () => {
+  const { outline, nucleus, cells } = core.frame();
+  return { outline: outline.length / 2, nucleus: nucleus?.length / 2, cells: cells && [...new Set(cells)] };
+};
+const alone = ask(core.start("", settings));
+if (alone.n_nucleus !== 0 || "cell" in alone || "nucleus" in core.frame() || "cells" in core.frame()) throw new Error("a nucleus or a number where there is none");
+const two = ask(core.start("[nucleus]\nradius = '5 um'\n[[cells]]\nx = '-25 um'\ny = 0\n[[cells]]\nx = '25 um'\ny = 0\n[protrusion]\ninitiation_rate = '0.01 1/s'\n", settings));
+for (now = two; now.t_s < 120; ) now = ask(core.march(120, 1000));
+const found = sizes();
+console.log(`two cells with nuclei: ${JSON.stringify(found)}`);
+if (found.outline !== 2 * alone.n_outline || two.n_outline !== found.outline || two.cell.length !== found.outline) throw new Error("not the outlines of both cells");
+if (!(found.nucleus > 0) || found.nucleus !== two.n_nucleus) throw new Error("not the nuclei of both cells");
+const numbers = (list) => [...new Set(list)].sort().join();
+if (numbers(found.cells) !== "1,2" || numbers(ask(core.tracks()).map((row) => row[7])) !== "1,2" || numbers(ask(core.protrusions()).map(({ cell }) => cell)) !== "1,2")
+  throw new Error("not protrusions and tracks of both cells");
+
 if (native) {
   const table = (name) => {
     const [head, ...lines] = readFileSync(`${native}/${name}`, "utf8").trim().split("\n").map((line) => line.split(","));

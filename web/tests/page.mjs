@@ -147,8 +147,9 @@ const changed = (s, path) => s.scenario.changes.some(({ overrides }) => override
 const paths = await page.locator(".slider input[type=range]").evaluateAll((all) => all.map((e) => e.name));
 assert.equal(paths.length, 6);
 for (const path of paths) {
-  await page.locator(`input[name="${path}"]`).fill("90");
-  await until(page, (s) => changed(s, path), `${path} changes`);
+  const { length } = (await state(page)).scenario.changes;
+  await page.locator(`input[name="${path}"]`).press("PageUp"); // by a tenth; no number typed need be one of its steps
+  await until(page, (s) => s.scenario.changes.length > length && changed(s, path), `${path} changes`);
 }
 await page.locator('select[name="fibres.arrangement"]').selectOption("isotropic");
 await until(page, (s) => changed(s, "fibres.arrangement"), "fibres come");
@@ -199,6 +200,9 @@ for (const [kind, dx] of [["hole", 250], ["soft", -250]]) {
 await page.locator("input[name=brush][value=look]").check();
 await playTo(page, 40);
 await page.screenshot({ path: join(folder, "drawn.png") });
+const [picture] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save PNG" }).click()]);
+assert.match(picture.suggestedFilename(), /^Matrigrate-live-degradation-.*\.png$/);
+assert.deepEqual([...readFileSync(await picture.path()).subarray(1, 4)], [...Buffer.from("PNG")]);
 const downloads = [];
 page.on("download", (d) => downloads.push(d));
 await page.locator("button[name=export]").click();
@@ -229,6 +233,33 @@ assert.deepEqual((await state(copy)).scenario.strokes, (await state(page)).scena
 await copy.goto("about:blank");
 const broken = await visit(context, `${address}?broken#scenario=AAAA`);
 assert.match(await broken.locator(".fault").textContent(), /address holds a scenario that cannot be read/);
+await broken.close();
+
+// Two cells with nuclei: each is drawn in its colours, with its nucleus; a single cell without has neither of these.
+const pixels = (colour) =>
+  page.evaluate(async (wanted) => {
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const canvas = document.querySelector(".stage canvas.cell");
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const [r, g, b] = [1, 3, 5].map((k) => parseInt(wanted.slice(k, k + 2), 16));
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] === r && data[i + 1] === g && data[i + 2] === b) ++count;
+    return count;
+  }, colour);
+const [nucleus, ...ofTwo] = ["#27406b", "#0072b2", "#73b9e2", "#1b7837", "#7fc78d"];
+await page.bringToFront();
+assert.equal(await pixels(nucleus), 0);
+const cells = "[nucleus]\nradius = '5 um'\n[[cells]]\nx = '-25 um'\ny = 0\n[[cells]]\nx = '25 um'\ny = 0\n[protrusion]\ninitiation_rate = '0.003 1/s'\n";
+await page.locator(".own summary").click();
+await page.locator("textarea[name=toml]").fill(cells);
+await page.locator(".own button").click();
+await until(page, (s) => s.scenario.toml.includes("[[cells]]") && s.frames > 0, "two cells");
+await playTo(page, 600);
+for (const colour of [nucleus, ...ofTwo]) assert.ok((await pixels(colour)) > 100, `nothing has the colour ${colour}`);
+const signs = await page.locator(".panel .signs").textContent();
+assert.match(signs, /cell 1 \(rear, front\)cell 2nucleus/);
+assert.equal(await page.locator("#path .plot").first().locator(".curve").count(), 2);
+console.log("two cells with nuclei are drawn, each in its colours");
 await context.close();
 
 // A phone, light and dark.

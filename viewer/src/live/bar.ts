@@ -1,6 +1,7 @@
 /** Below the picture: play, step, reset, time, speed, and what to do with the simulation. */
 import { h } from "../dom";
 import { readable, timeText } from "../numbers";
+import { pictureButtons } from "../run/save/saving";
 import type { Stage } from "../run/stage";
 import type { LiveClock } from "./clock";
 
@@ -38,6 +39,9 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
   const follow = h("input", { type: "checkbox", name: "follow", checked: true });
   follow.addEventListener("change", () => stage()?.setFollow(follow.checked));
   const told = h("span", { class: "told", role: "status" });
+  const tell = (text: string) => {
+    told.textContent = text;
+  };
   let shown = "";
   const update = () => {
     const rate = clock.playing && clock.measured > 0 ? `${readable(clock.measured, 2)} times faster than life` : "";
@@ -64,6 +68,7 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
       button("Save", "save", acts.keep, "In this browser; also by itself twice a minute"),
       button("Copy link", "link", acts.link, "Address that begins this scenario"),
       button("Export", "export", acts.exported, "Scenario for the program, and what is drawn"),
+      ...pictureButtons("Matrigrate live", clock, stage, tell),
       told,
     ),
   );
@@ -72,8 +77,6 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
     done: (yes) => {
       more.hidden = !yes;
     },
-    tell: (text) => {
-      told.textContent = text;
-    },
+    tell,
   };
 }

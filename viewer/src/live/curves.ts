@@ -2,7 +2,8 @@
 import type { ProtrusionRow, Tracks } from "../contract";
 import { h, onResize, s, section } from "../dom";
 import { ticks } from "../numbers";
-import { frame, hours, onPick, speeds } from "../run/plots";
+import { tracksOfCells } from "../run/cells";
+import { colour, frame, hours, onPick, speeds, tint } from "../run/plots";
 import { timeline } from "../run/timeline";
 import type { LiveClock } from "./clock";
 
@@ -11,13 +12,21 @@ const pause = 1000;
 /** Rows of protrusions that are drawn: the latest ones. */
 const mostRows = 25;
 
-function curve(clock: LiveClock, width: number, t: number[], v: number[], label: string, stairs: boolean): SVGSVGElement {
-  const high = Math.max(1e-9, ...v);
+/** Of one cell. */
+interface Line {
+  t: number[];
+  v: number[];
+}
+
+function curve(clock: LiveClock, width: number, lines: Line[], label: string, stairs: boolean): SVGSVGElement {
+  const high = Math.max(1e-9, ...lines.map(({ v }) => v.reduce((a, b) => Math.max(a, b), 0)));
   const axis = { low: 0, high: 1.06 * high, label, ticks: ticks(0, 1.06 * high, 4) };
   const made = frame(width, 190, hours(clock), axis, `${label} over time`);
-  const at = (i: number) => `${made.x(t[i] / 3600).toFixed(1)} ${made.y(v[i]).toFixed(1)}`;
-  const d = t.map((_, i) => (i === 0 ? `M${at(0)}` : stairs ? `H${made.x(t[i] / 3600).toFixed(1)}V${made.y(v[i]).toFixed(1)}` : `L${at(i)}`));
-  made.svg.append(s("path", { class: "curve", d: d.join("") }));
+  lines.forEach(({ t, v }, k) => {
+    const at = (i: number) => `${made.x(t[i] / 3600).toFixed(1)} ${made.y(v[i]).toFixed(1)}`;
+    const d = t.map((_, i) => (i === 0 ? `M${at(0)}` : stairs ? `H${made.x(t[i] / 3600).toFixed(1)}V${made.y(v[i]).toFixed(1)}` : `L${at(i)}`));
+    made.svg.append(s("path", { class: "curve", d: d.join(""), ...tint(colour(k + 1, lines.length)) }));
+  });
   onPick(made, (x) => clock.jump(3600 * made.toX(x)));
   return made.svg;
 }
@@ -45,10 +54,10 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
     drawn = performance.now();
     const width = Math.floor(speed.clientWidth);
     if (width < 50 || clock.end <= 0) return;
-    const measured = tracks.t_s.length > 1 ? speeds(tracks) : { t: [], v: [] };
-    speed.replaceChildren(curve(clock, width, measured.t, measured.v, "speed [\u00b5m/h]", false));
-    alive.replaceChildren(curve(clock, width, tracks.t_s, tracks.n_simultaneous, "protrusions alive", true));
-    const all = rows();
+    const cells = tracksOfCells(tracks).map((one) => one.tracks);
+    speed.replaceChildren(curve(clock, width, cells.map((own) => (own.t_s.length > 1 ? speeds(own) : { t: [], v: [] })), "speed [\u00b5m/h]", false));
+    alive.replaceChildren(curve(clock, width, cells.map((own) => ({ t: own.t_s, v: own.n_simultaneous })), "protrusions alive", true));
+    const all = [...rows()].sort((a, b) => a.t_initiation_s - b.t_initiation_s); // of several cells, too
     redrawn.abort();
     redrawn = new AbortController();
     life.replaceChildren(timeline(all.slice(-mostRows), clock, Math.floor(life.clientWidth), redrawn.signal));
@@ -61,7 +70,12 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
   const element = h(
     "div",
     {},
-    section("path", "Speed and protrusions", h("div", { class: "plots" }, speed, alive)),
+    section(
+      "path",
+      "Speed and protrusions",
+      h("div", { class: "plots" }, speed, alive),
+      h("p", { class: "note" }, "Speed: displacement over ten minutes, at first over less."),
+    ),
     section("protrusions", "Protrusions", life, older),
   );
   return { element, changed };

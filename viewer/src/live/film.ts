@@ -5,7 +5,7 @@
 import type { FrameProtrusion, PhaseNumber } from "../contract";
 import type { Film } from "../run/frames";
 import { fibresOf } from "../run/bonds";
-import { cellParts } from "../run/cells";
+import { cellParts, type CellPart } from "../run/cells";
 import type { Field } from "../unpack";
 import type { CoreFrame, Head } from "./protocol";
 
@@ -38,7 +38,7 @@ export class LiveFilm {
   private readonly fields: Field[];
 
   constructor(head: Head, reference: Float32Array) {
-    const { n_particles: n, n_outline: m, radius_um: radius } = head;
+    const { n_particles: n, n_outline: m, n_nucleus: k, radius_um: radius } = head;
     const frames = history + newest;
     const field = (wide: boolean, entries: number, components: number, scale: number): Field => {
       const stride = entries * components;
@@ -60,8 +60,9 @@ export class LiveFilm {
       fMat: field(false, m, 1, 1 / 255),
       force: field(false, m, 1, forceLimit / 255),
     };
+    const nucleus = k > 0 ? field(true, k, 2, place) : null;
     this.X = reference;
-    this.fields = [x, f, pressure, vonMises, ...(fibreVonMises ? [fibreVonMises] : []), ...Object.values(outline)];
+    this.fields = [x, f, pressure, vonMises, fibreVonMises, ...Object.values(outline), nucleus].filter((one) => one !== null);
     this.film = {
       times: [],
       reference: fixed,
@@ -74,10 +75,10 @@ export class LiveFilm {
       youngsModulus: null,
       ligand: null,
       obstacles: head.obstacles_um,
-      cells: cellParts(m, undefined),
+      cells: cellParts(m, head.cell),
       fibres: withFibres ? fibresOf({ bonds_um: head.bonds_um, onset: head.onset }, fixed) : null,
       outline,
-      nucleus: null,
+      nucleus,
       protrusions: [],
       growing: true,
       particles: n,
@@ -95,7 +96,7 @@ export class LiveFilm {
     if (times.length - this.past >= newest) this.retire();
     const at = times.length;
     times.push(frame.t_s);
-    protrusions.push(alive(frame));
+    protrusions.push(alive(frame, this.film.cells));
     this.write(at, frame);
   }
 
@@ -112,7 +113,9 @@ export class LiveFilm {
   }
 
   restore(image: FilmImage): void {
-    if (image.fields.length !== this.fields.length || image.times.length > history + newest) return;
+    const n = image.times.length;
+    const same = image.fields.length === this.fields.length && this.fields.every(({ stride }, k) => image.fields[k].length === n * stride);
+    if (!same || n > history + newest) return; // of another version of the page
     this.fields.forEach(({ q }, k) => q.set(image.fields[k].subarray(0, q.length)));
     this.film.times.splice(0, Infinity, ...image.times);
     this.film.protrusions.splice(0, Infinity, ...image.protrusions);
@@ -183,16 +186,20 @@ export class LiveFilm {
     put(film.outline.protrusion, frame.protrusionOf);
     put(film.outline.fMat, frame.fMat);
     put(film.outline.force, frame.force);
+    put(film.nucleus, frame.nucleus);
   }
 }
 
-function alive(frame: CoreFrame): FrameProtrusion[] {
+function alive(frame: CoreFrame, cells: CellPart[]): FrameProtrusion[] {
   return Array.from(frame.ids, (id, k) => {
     const [x, y] = [frame.anchors[2 * k], frame.anchors[2 * k + 1]];
+    const cell = frame.cells?.[k];
+    const first = cells.find(({ number }) => number === cell)?.first ?? 0;
     return {
       id,
+      ...(cell === undefined ? {} : { cell }),
       phase: frame.phases[k] as PhaseNumber,
-      centre: frame.centres[k],
+      centre: first + frame.centres[k],
       anchor: Number.isNaN(x) ? null : [x, y],
       f_mat: frame.fMats[k],
       force_nN: frame.forces[k],

@@ -10,7 +10,7 @@ if (page) {
   try {
     const live = new Live();
     page.replaceChildren(
-      h("header", {}, h("h1", {}, "Matrigrate live"), h("p", { class: "status" }, "One cell in a viscoelastic gel, computed in this tab.")),
+      h("header", {}, h("h1", {}, "Matrigrate live"), h("p", { class: "status" }, "Cell migration through a degradable viscoelastic gel, computed in this tab.")),
       ...live.parts,
     );
     window.matrigrateLive = live;

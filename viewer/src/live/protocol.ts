@@ -25,7 +25,12 @@ export interface Head {
   radius_um: number;
   spacing_um: number;
   n_particles: number;
+  /** Points on the outlines of all cells. */
   n_outline: number;
+  /** Particles of the nuclei of all cells; 0: they have none. */
+  n_nucleus: number;
+  /** Of several cells: the number of the cell of each point, from 1. */
+  cell?: number[];
   duration_s: number;
   time_step_s: number;
   changed: Changed;
@@ -51,7 +56,11 @@ export interface CoreFrame {
   protrusionOf: Uint8Array;
   fMat: Float32Array;
   force: Float32Array;
+  nucleus?: Float32Array;
+  /** Of several cells: the number of the cell of each protrusion. */
+  cells?: Float32Array;
   ids: Float32Array;
+  /** Counted on the cell of each. */
   centres: Float32Array;
   phases: Uint8Array;
   anchors: Float32Array;
@@ -59,8 +68,8 @@ export interface CoreFrame {
   forces: Float32Array;
 }
 
-/** t [s], x, y [um], area [um^2], perimeter [um], polarization [rad], protrusions alive. */
-export type TrackRow = [number, number, number, number, number, number | null, number];
+/** t [s], x, y [um], area [um^2], perimeter [um], polarization [rad], protrusions alive; of several cells its number. */
+export type TrackRow = [number, number, number, number, number, number | null, number, number?];
 
 export interface Preset {
   name: string;

@@ -2,6 +2,7 @@
 import type { ProtrusionRow, RunPage, Tracks } from "../contract";
 import { h } from "../dom";
 import { timeText } from "../numbers";
+import { haunts } from "../run/frames";
 import { attachKeys, keyList } from "../run/keys";
 import { layers } from "../run/matrix/layers";
 import { panel } from "../run/panel";
@@ -24,8 +25,11 @@ const firstView = 120;
 export const noTracks = (): Tracks => ({ t_s: [], x_um: [], y_um: [], area_um2: [], perimeter_um: [], polarization_rad: [], n_simultaneous: [] });
 
 export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
-  for (const [t, x, y, area, perimeter, polarization, alive] of rows) {
-    if (tracks.t_s.length > 0 && t <= tracks.t_s[tracks.t_s.length - 1]) continue;
+  for (const [t, x, y, area, perimeter, polarization, alive, cell] of rows) {
+    const last = tracks.t_s.length - 1;
+    // What a state that was taken up repeats.
+    if (last >= 0 && (t < tracks.t_s[last] || (t === tracks.t_s[last] && (cell ?? 0) <= (tracks.cell?.[last] ?? 0)))) continue;
+    if (cell !== undefined) (tracks.cell ??= []).push(cell);
     tracks.t_s.push(t);
     tracks.x_um.push(x);
     tracks.y_um.push(y);
@@ -95,10 +99,12 @@ export function scene(
   const keys = keyList(true);
   attachKeys(clock, stage, new Probe(stage), all, keys, document, gone);
   brush.attach(stage, strokes);
-  // Once it has a size: the cell with room to walk.
+  // Once it has a size: the cell with room to walk, or all cells.
   const show = () => {
     const { camera } = stage;
-    camera.scale = before?.scale ?? Math.min(camera.width, camera.height) / firstView;
+    const { left, right, bottom, top } = haunts(film.film);
+    const least = film.film.cells.length > 1 ? Math.max(firstView, right - left, top - bottom) : firstView;
+    camera.scale = before?.scale ?? Math.min(camera.width, camera.height) / least;
     if (before) [camera.x, camera.y] = [before.x, before.y];
     stage.follow = before?.follow ?? true;
     stage.viewChanged();

@@ -27,23 +27,23 @@ export interface CellTracks {
   tracks: Tracks;
 }
 
-const split = new WeakMap<Tracks, CellTracks[]>();
+const split = new WeakMap<Tracks, { rows: number; found: CellTracks[] }>();
 
-/** The tracks of each cell, in the order of their numbers; of a single one those that were given. */
+/** The tracks of each cell, in the order of their numbers; of a single one those that were given. They may have grown. */
 export function tracksOfCells(tracks: Tracks): CellTracks[] {
   const { cell } = tracks;
   if (!cell) return [{ number: 1, tracks }];
-  let found = split.get(tracks);
-  if (found) return found;
+  const before = split.get(tracks);
+  if (before?.rows === cell.length) return before.found;
   const numbers = [...new Set(cell)].sort((a, b) => a - b);
   const columns = Object.entries(tracks) as [keyof Tracks, number[]][];
-  found = numbers.map((number) => ({
+  const found = numbers.map((number) => ({
     number,
     tracks: Object.fromEntries(
       columns.map(([name, column]) => [name, column.filter((_, i) => cell[i] === number)]),
     ) as unknown as Tracks,
   }));
-  split.set(tracks, found);
+  split.set(tracks, { rows: cell.length, found });
   return found;
 }
 

@@ -6,6 +6,7 @@ import {
   gelOnDark,
   gelOnLight,
   gradient,
+  mapped,
   nucleusColour,
   phaseColours,
   phaseColoursOnDark,
@@ -18,25 +19,50 @@ import { obstacleColour, obstacleColourOnDark } from "./over/obstacles";
 import type { Layer } from "./matrix/layers";
 import type { LayerScale } from "./matrix/scale";
 
-/** The colour bar of a layer, with low, middle and high value; an arrow at an end where values lie beyond it. */
+const title = (layer: Layer): string => layer.name + (layer.unit ? ` [${layer.unit}]` : "");
+
+/** Its colours; an arrow at an end where values lie beyond it. */
+function strip(scale: LayerScale): HTMLElement {
+  const beyond = scale.clamped();
+  const ends = `${beyond.low ? " more-low" : ""}${beyond.high ? " more-high" : ""}`;
+  return h("div", { class: `bar${ends}`, style: `background:${gradient(scale.on(isDark()).map)}` });
+}
+
+/** What stands at the ends of a bar, and in its middle. */
+function barNumbers(scale: LayerScale, middle: boolean): HTMLElement {
+  const beyond = scale.clamped();
+  const value = (share: number) => readable(scale.low + share * (scale.high - scale.low), 3);
+  return h(
+    "div",
+    { class: "bar-numbers" },
+    h("span", {}, (beyond.low ? "\u2264 " : "") + value(0)),
+    middle ? h("span", {}, value(0.5)) : null,
+    h("span", {}, (beyond.high ? "\u2265 " : "") + value(1)),
+  );
+}
+
+/** In the picture: what its colours mean, in short. Pixel by pixel, so that the same view is the same picture. */
+export function smallBar(layer: Layer, scale: LayerScale): HTMLElement[] {
+  const canvas = h("canvas", { width: 120, height: 8 });
+  const c = canvas.getContext("2d");
+  for (let x = 0; c && x < canvas.width; ++x) {
+    c.fillStyle = css(mapped(scale.on(isDark()).map, (x + 0.5) / canvas.width));
+    c.fillRect(x, 0, 1, canvas.height);
+  }
+  return [h("span", {}, title(layer)), canvas, barNumbers(scale, false)];
+}
+
+/** The colour bar of a layer, with low, middle and high value. */
 export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
   const dark = isDark();
   const beyond = scale.clamped();
-  const value = (share: number) => readable(scale.low + share * (scale.high - scale.low), 3);
   const ground = css((dark ? gelOnDark : gelOnLight)[0]);
-  const ends = `${beyond.low ? " more-low" : ""}${beyond.high ? " more-high" : ""}`;
   return h(
     "div",
     { class: "legend-layer" },
-    h("p", { class: "legend-title" }, layer.name + (layer.unit ? ` [${layer.unit}]` : "")),
-    h("div", { class: `bar${ends}`, style: `background:${gradient(scale.on(dark).map)}` }),
-    h(
-      "div",
-      { class: "bar-numbers" },
-      h("span", {}, (beyond.low ? "\u2264 " : "") + value(0)),
-      h("span", {}, value(0.5)),
-      h("span", {}, (beyond.high ? "\u2265 " : "") + value(1)),
-    ),
+    h("p", { class: "legend-title" }, title(layer)),
+    strip(scale),
+    barNumbers(scale, true),
     layer.ends
       ? h("div", { class: "bar-numbers words" }, h("span", {}, layer.ends[0]), h("span", {}, layer.ends[1]))
       : null,

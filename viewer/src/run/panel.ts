@@ -5,7 +5,7 @@ import type { ArrowKind } from "./over/arrows";
 import { edgeChoice, edges } from "./over/edge";
 import type { Film } from "./frames";
 import { overlays, type Layer } from "./matrix/layers";
-import { colourBar, signs } from "./legend";
+import { colourBar, signs, smallBar } from "./legend";
 import { scaleControls } from "./scale_controls";
 import type { Stage } from "./stage";
 
@@ -44,8 +44,18 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   const arrowChoice = h("div", { class: "edge" }, h("label", {}, "Arrows show: ", arrows), arrowNote);
   const fibres = h("div", {});
   const { fibreLayer } = stage;
+  const small = h("div", { class: "small-bar", "aria-hidden": "true" });
+  stage.element.append(small);
+  /** What the bar says: in a film that grows, values come to lie beyond its ends. */
+  const ends = () => {
+    const { low, high } = stage.scale().clamped();
+    return `${low} ${high}`;
+  };
+  let said = "";
   const refreshBar = () => {
+    said = ends();
     bar.replaceChildren(colourBar(stage.layer, stage.scale()));
+    small.replaceChildren(...smallBar(stage.layer, stage.scale()));
     if (!fibreLayer) return;
     fibres.hidden = !stage.drawsFibres;
     const every = stage.fibreRows();
@@ -97,6 +107,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   });
   stage.onLayer(chosen);
   stage.onScale(chosen);
+  if (film.growing) stage.onPaint(() => ends() !== said && refreshBar());
   onDarkMode(refresh, gone);
   let rows = 0;
   stage.onView(() => {

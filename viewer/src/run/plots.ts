@@ -96,7 +96,7 @@ interface Curve {
   colour: string | undefined;
 }
 
-const tint = (colour: string | undefined, what: "stroke" | "fill" = "stroke") => (colour ? { style: `${what}:${colour}` } : {});
+export const tint = (colour: string | undefined, what: "stroke" | "fill" = "stroke") => (colour ? { style: `${what}:${colour}` } : {});
 
 /** One curve for each cell. */
 function overTime(
@@ -232,7 +232,7 @@ function path(clock: Clock, width: number, cells: CellTracks[], gone: AbortSigna
 const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
 
 /** Of several cells; of one the style sheet has it. */
-const colour = (number: number, cells: number) =>
+export const colour = (number: number, cells: number): string | undefined =>
   cells > 1 ? coloursOf(number, cells)[isDark() ? "front" : "rear"] : undefined;
 
 /** @param gone  when these plots are taken away */

@@ -104,12 +104,13 @@ export function layers(film: Film): Layer[] {
   return out;
 }
 
-/** Smallest and largest value over the whole run, as far as it was stored. */
-export function extremes(film: Film, layer: Layer): { low: number; high: number } {
+/** Smallest and largest value over the whole run, as far as it was stored.   @param first  frame, to leave out those before */
+export function extremes(film: Film, layer: Layer, first = 0): { low: number; high: number } {
   if (layer.range) return layer.range;
   if (layer.field) {
     let [low, high] = [Infinity, -Infinity];
-    for (const q of layer.field.q) {
+    const { q: all, stride } = layer.field;
+    for (const q of film.growing ? all.subarray(first * stride, film.times.length * stride) : all) {
       if (q < low) low = q;
       if (q > high) high = q;
     }
@@ -117,7 +118,7 @@ export function extremes(film: Film, layer: Layer): { low: number; high: number 
     return { low: offset + scale * low, high: offset + scale * high };
   }
   let high = 0;
-  for (let frame = 0; frame < film.times.length; ++frame)
+  for (let frame = first; frame < film.times.length; ++frame)
     for (let i = 0; i < film.particles; ++i) {
       if (valueAt(film.f, frame, i) < solidFrom) continue;
       const dx = valueAt(film.x, frame, 2 * i) - valueAt(film.reference, 0, 2 * i);

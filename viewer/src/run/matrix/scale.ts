@@ -52,6 +52,8 @@ export class Limits {
 /** How a layer of a run is coloured. */
 export class LayerScale {
   private range: { low: number; high: number } | null = null;
+  /** When it was found, where the film grows. */
+  private found = 0;
 
   constructor(
     private readonly layer: Layer,
@@ -67,10 +69,22 @@ export class LayerScale {
     return this.limits.high;
   }
 
+  /** Smallest and largest value; of a film that grows, its newest moment is looked at once a second. */
+  private reach(): { low: number; high: number } {
+    const { film, layer } = this;
+    if (!this.range) this.range = extremes(film, layer);
+    else if (film.growing && performance.now() > this.found + 1000) {
+      const { low, high } = extremes(film, layer, film.times.length - 1);
+      this.range = { low: Math.min(low, this.range.low), high: Math.max(high, this.range.high) };
+    } else return this.range;
+    this.found = performance.now();
+    return this.range;
+  }
+
   /** At which ends of the bar values of this run lie beyond it, or were cut off when they were stored. */
   clamped(): { low: boolean; high: boolean } {
-    this.range ??= extremes(this.film, this.layer);
-    const { range, layer } = this;
+    const { layer } = this;
+    const range = this.reach();
     const slack = 1e-6 * (this.high - this.low);
     const stored = layer.field ? [layer.field.offset, layer.field.offset + 255 * layer.field.scale] : [NaN, NaN];
     const isAt = (a: number, b: number) => Math.abs(a - b) <= slack;

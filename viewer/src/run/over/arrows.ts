@@ -122,23 +122,24 @@ export interface ArrowKey {
   /** Pixels of one unit. */
   unit: number;
   name: string;
+  /** It stands on a dark ground: arrows that are white do. */
+  dark: boolean;
 }
 
 /** An arrow of round length with its number for each kind drawn, one above the other at the lower right. */
-export function paintArrowKeys(c: Pen, camera: Camera, keys: ArrowKey[], dark: boolean): void {
-  const { line } = ink(dark);
+export function paintArrowKeys(c: Pen, camera: Camera, keys: ArrowKey[]): void {
   keys.forEach((key, k) => {
     const value = roundStep(16 / key.unit);
     const text = `${Number(value.toPrecision(3))} ${key.name}`;
     c.font = labelFont;
     const [length, wide] = [value * key.unit, c.measureText(text).width];
     const [x, y] = [camera.width - 16 - length - 8 - wide, camera.height - 18 - 25 * k];
-    c.fillStyle = dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
+    c.fillStyle = key.dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
     c.fillRect(x - 8, y - 11, length + wide + 24, 24);
     c.beginPath();
     arrow(c, x, y, length, 0, 9);
     edged(c, key.colour, key.edge, key.width);
-    c.fillStyle = line;
+    c.fillStyle = ink(key.dark).line;
     c.fillText(text, x + length + 8, y + 5);
   });
 }

@@ -193,11 +193,11 @@ function paintScaleBar(c: Pen, { camera, dark }: CellScene): void {
 function keys({ shown, arrows, usual, camera, dark, darkGround }: CellScene): ArrowKey[] {
   const out: ArrowKey[] = [];
   if (shown.traction && usual.force > 0)
-    out.push({ colour: tractionColour(dark), edge: ink(dark).edge, width: 3, unit: pixelsPerForce(usual), name: "nN traction" });
+    out.push({ colour: tractionColour(dark), edge: ink(dark).edge, width: 3, unit: pixelsPerForce(usual), name: "nN traction", dark });
   if (shown.arrows) {
     const name = arrows === "velocity" ? "\u00b5m/h" : "\u00b5m displacement";
     const { line, edge } = ink(darkGround);
-    out.push({ colour: line, edge, width: 1.4, unit: pixelsPerUnit(arrows, usual, camera), name });
+    out.push({ colour: line, edge, width: 1.4, unit: pixelsPerUnit(arrows, usual, camera), name, dark: darkGround });
   }
   return out;
 }
@@ -239,5 +239,5 @@ export function paintCell(c: Pen, scene: CellScene): void {
   if (shown.traction) paintTraction(c, scene, outline, pixelsPerForce(usual));
   part("scales");
   paintScaleBar(c, scene);
-  paintArrowKeys(c, camera, keys(scene), dark);
+  paintArrowKeys(c, camera, keys(scene));
 }

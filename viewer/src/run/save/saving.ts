@@ -18,34 +18,50 @@ function download(blob: Blob, name: string): void {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
+type Tell = (text: string) => void;
+
+function button(text: string, title: string, tell: Tell, act: () => void | Promise<void>): HTMLElement {
+  const made = h("button", { type: "button", title }, text);
+  made.addEventListener("click", () => {
+    void (async () => act())().catch((fault: unknown) => tell(`Not saved: ${String(fault)}`));
+  });
+  return made;
+}
+
+function save(blob: Blob, title: string, clock: Clock, stage: Stage, ending: string, tell: Tell): void {
+  const file = fileName(title, stage.layer.key, clock.time, ending);
+  download(blob, file);
+  tell(`Saved ${file}.`);
+}
+
+/** Buttons that save the view as a picture.   @param shown  null: there is none yet */
+export function pictureButtons(title: string, clock: Clock, shown: () => Stage | null, tell: Tell): HTMLElement[] {
+  const picture = (text: string, words: string, ending: string, make: (stage: Stage) => Blob | Promise<Blob>) =>
+    button(text, words, tell, async () => {
+      const stage = shown();
+      if (stage) save(await make(stage), title, clock, stage, ending, tell);
+    });
+  return [
+    picture("Save PNG", "The view with time and colour bar", "png", png),
+    picture("Save SVG", "Cell, path and arrows as vector graphics over the matrix as an image", "svg", (stage) => svg(stage, title)),
+  ];
+}
+
 /** @param alone  the address of the page is that of this run */
 export function saving(run: RunPage, clock: Clock, stage: Stage, alone: boolean, gone: AbortSignal): HTMLElement {
   const told = h("span", { class: "told", role: "status" });
   const tell = (text: string) => {
     told.textContent = text;
   };
-  const name = (ending: string) => fileName(run.title, stage.layer.key, clock.time, ending);
-  const button = (text: string, title: string, act: () => void | Promise<void>) => {
-    const made = h("button", { type: "button", title }, text);
-    made.addEventListener("click", () => {
-      void (async () => act())().catch((fault: unknown) => tell(`Not saved: ${String(fault)}`));
-    });
-    return made;
-  };
-  const save = (blob: Blob, ending: string) => {
-    const file = name(ending);
-    download(blob, file);
-    tell(`Saved ${file}.`);
-  };
   const type = recordable();
   let recording: Recording | null = null;
-  const film = button("Record WebM", "Films the player from now to the end, or until stopped", () => {
+  const film = button("Record WebM", "Films the player from now to the end, or until stopped", tell, () => {
     if (recording) return recording.stop();
     film.textContent = "Stop recording";
     recording = record(clock, stage, type ?? "", (made) => {
       recording = null;
       film.textContent = "Record WebM";
-      if (made && !gone.aborted) save(made, "webm");
+      if (made && !gone.aborted) save(made, run.title, clock, stage, "webm", tell);
     });
   });
   gone.addEventListener("abort", () => recording?.stop());
@@ -53,10 +69,7 @@ export function saving(run: RunPage, clock: Clock, stage: Stage, alone: boolean,
     "div",
     { class: "saving", role: "group", "aria-label": "This view" },
     alone ? linkButton(clock, stage, tell) : null,
-    button("Save PNG", "The view with time and colour bar", async () => save(await png(stage), "png")),
-    button("Save SVG", "Cell, path and arrows as vector graphics over the matrix as an image", () =>
-      save(svg(stage, run.title), "svg"),
-    ),
+    ...pictureButtons(run.title, clock, () => stage, tell),
     type ? film : null,
     told,
   );
