@@ -95,10 +95,10 @@ Json bonds_json(const Parameters& p) {
 }
 
 /// Of all cells: points on their outlines, particles of their nuclei; of several the number of the cell of each point.
-void put_cells(Json& head, const io::Frame& frame) {
+void put_cells(Json& head, const observe::Frame& frame) {
   head["n_outline"] = frame.outline.front.size();
   head["n_nucleus"] = frame.nucleus.size() / 2;
-  const io::Floats& cell = frame.outline.cell;
+  const observe::Floats& cell = frame.outline.cell;
   if (!cell.empty()) head["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
 }
 
