@@ -80,7 +80,8 @@ std::span<const Claim> experiment_claims() {
        x4},
       {"X5",
        {"two-cells"},
-       "cells that meet part again, unless they adhere to each other (Scarpa et al. 2013, Biol Open 2:901; simulated: "
+       "cells that meet move apart again, unless they adhere to each other (Scarpa et al. 2013, Biol Open 2:901; "
+       "simulated: "
        "Kulawiak et al. 2016, PLoS Comput Biol 12:e1005239)",
        "after a collision neural crest cells repolarize and the distance of their nuclei grows; adhesion holds pairs",
        x5}};

@@ -18,8 +18,8 @@ public:
   /// @param X  reference positions [um]   @param spacing  of the lattice [um]
   DragTiles(std::span<const Vec2> X, double spacing);
 
-  /// Sets x_drag, the positions at which the drag coefficients were last evaluated, to x in every tile in which a
-  /// particle has moved further than `lag` [um] since; everywhere if x_drag has another size than x.
+  /// x_drag are the positions at which the drag coefficients were last evaluated. Sets them to x in every tile in which
+  /// a particle has moved further than `lag` [um] since then, and in all tiles if x_drag and x differ in size.
   void refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const;
 
 private:

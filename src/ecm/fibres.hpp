@@ -24,8 +24,8 @@ double fibre_direction(const EcmState& ecm, const FibreParameters& p, std::size_
 
 /// Pairs of reference neighbours that are permanently joined by a fibre. Weights, Eq. (4): w_ij = (W_ij/S_i +
 /// W_ij/S_j)/2, S_i the sum of W over i itself and all its neighbours [-]. Where the stiffness of fibres differs from
-/// place to place, the mean of both ratios to fibres.stiffness is part of w_ij: every law is in proportion to k_0
-/// (D32).
+/// place to place, w_ij also contains the mean, over i and j, of the local stiffness over fibres.stiffness; every fibre
+/// law is proportional to k_0 (D32).
 class FibreNetwork {
 public:
   FibreNetwork() = default; ///< no fibres

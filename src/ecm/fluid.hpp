@@ -14,8 +14,8 @@ namespace matrigrate {
 /// Sum of V_0 W over an intact lattice, the particle itself included [-].
 double lattice_density(const EcmParameters& p);
 
-/// Pressure that particle i adds as fluid, (1 - f_i) K max(0, rho_sum / rho_lattice - 1), with rho_sum the summed
-/// density V_0 sum_j W_ij of all particles, itself included, at current positions, and K_i in proportion to E_i [kPa].
+/// Pressure of particle i as fluid, (1 - f_i) K_i max(0, rho_sum / rho_lattice - 1) [kPa]. rho_sum is the summed
+/// density V_0 sum_j W_ij over all particles, i included, at current positions; K_i is proportional to E_i.
 double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, const Kernel& kernel,
                       double rho_lattice, std::size_t i);
 

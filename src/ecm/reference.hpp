@@ -18,8 +18,8 @@ namespace matrigrate {
 /// Support tensor     A_i = sum_j V_0 f_j (X_j - X_i) (x) grad_0 W_ij      (about the identity in intact matrix)
 /// Correction         B_i = A_i^-1, eigenvalues of A_i below support_floor raised to it
 /// Clamped particles  B_i of a full lattice: the clamp continues beyond the last row as a rigid, intact body.
-/// The edge of a body is not damage: where the smallest eigenvalue of the intact A_i is below 1, both thresholds are
-/// relative to it.
+/// The edge of a body is not damage: where the smallest eigenvalue of the intact A_i is below 1, support_floor and
+/// orphan_support are relative to it.
 class Reference {
 public:
   Reference(const EcmState& ecm, const EcmParameters& p);

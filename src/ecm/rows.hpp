@@ -67,7 +67,8 @@ private:
   std::vector<double> m_has;
 };
 
-/// One number per particle, padded with zeros: `lanes` numbers may be read from, and before, any particle.
+/// One number per particle, padded with zeros at both ends: a read of `lanes` numbers that starts at any particle, or
+/// ends before it, stays inside.
 class Plane {
 public:
   void resize(std::size_t n) { m_values.resize(n + 2 * ParticleRows::lanes); }

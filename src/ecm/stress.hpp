@@ -27,7 +27,7 @@ double hourglass_energy(const EcmState& ecm, const EcmParameters& p, const Refer
 
 /// Workspace of the sums over neighbours; structures of arrays, times f_degr where stated.
 struct SolidFields {
-  std::vector<double> f{};       ///< degradation for which the fields are valid; empty: none [-]
+  std::vector<double> f{};       ///< f_degr for which the fields are valid; empty: none [-]
   VectorPlanes fu{};             ///< displacement times f [um]
   TensorPlanes H{};              ///< deformation gradient less the identity, F - I [-]
   VectorPlanes hourglass{};      ///< sums of sum_hourglass() [1/um^3]
@@ -54,7 +54,7 @@ void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& 
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains J sigma F^-T and the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// Where E varies, as ecm/graded.hpp says.
+/// Where E varies from particle to particle, ecm/graded.hpp states the terms.
 /// @param solid  updated here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);

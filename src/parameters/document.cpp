@@ -1,5 +1,6 @@
 #include "parameters/document.hpp"
 
+#include "base/file.hpp"
 #include "parameters/scan.hpp"
 
 #include <fmt/format.h>
@@ -32,6 +33,15 @@ std::variant<toml::table, Fault> parse_document(std::string_view text, const std
                  fmt::format("cannot be read as TOML: {}{}", excerpt(error.description(), 200),
                              in_value ? "; text, and numbers with a unit, stand in quotes" : "")};
   }
+}
+
+std::string read_document(const std::filesystem::path& file, std::size_t max_bytes) {
+  std::error_code unknown_size; // of folders, devices and missing files, which read_file() refuses
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown_size);
+  if (!unknown_size && size > max_bytes)
+    throw ConfigurationError(
+        {Fault{file.string(), 0, 0, "", fmt::format("has {} bytes, more than the {} allowed", size, max_bytes)}});
+  return read_file(file, max_bytes);
 }
 
 bool is_study(const toml::table& table) {

@@ -4,6 +4,8 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,6 +17,10 @@ namespace matrigrate {
 /// too deep, a syntax error. Takes a time linear in the length of the text.
 /// @param name  the file, as it stands in the fault
 std::variant<toml::table, Fault> parse_document(std::string_view text, const std::string& name);
+
+/// The text of a file that is to be a table.
+/// @throws ConfigurationError if it is larger than max_bytes   @throws InputOutputError if it cannot be read
+std::string read_document(const std::filesystem::path& file, std::size_t max_bytes);
 
 /// Whether a table is that of a study, which varies a scenario: it has replicates, or something to vary.
 bool is_study(const toml::table& table);

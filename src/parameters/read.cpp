@@ -1,6 +1,5 @@
 #include "parameters/read.hpp"
 
-#include "base/file.hpp"
 #include "fields/field.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
@@ -236,7 +235,7 @@ private:
 Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                            std::span<const Rule> more) {
   Reader reader{Parameters{}, file.string()};
-  reader.read_text(read_file(file, largest_file));
+  reader.read_text(read_document(file, largest_file));
   for (const std::string& text : overrides) reader.override_with(text);
   return reader.finish(more);
 }

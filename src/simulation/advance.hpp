@@ -18,7 +18,7 @@ namespace matrigrate {
 [[nodiscard]] std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w,
                                                  const Loads& loads, const StepBounds& bounds);
 
-/// The same without alternative: a particle may move by up to half a spacing.
+/// The same, but throws where the other overload returns a bound; a particle may move by up to half a spacing.
 /// @throws NumericalFailure also if one would move further; the state is then unchanged
 void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads = {});
 

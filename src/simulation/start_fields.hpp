@@ -21,8 +21,8 @@ MatrixFields matrix_fields(const Parameters& p);
 /// field.
 std::string fault_of_field(const Parameters& p, const Row& row);
 
-/// Where an obstacle lies on the cell or in the fluid margin around it at the start, in words. Empty without such a
-/// place, and with a fault of the field itself.
+/// Message that names a place at which an obstacle lies on a cell, or in the fluid margin around it, at the start.
+/// Empty if there is no such place, or if the field itself has a fault.
 std::string fault_of_obstacles(const Parameters& p);
 
 /// A field as `explain` shows it.

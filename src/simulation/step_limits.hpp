@@ -41,8 +41,8 @@ StepLimits step_limits(const Parameters& p, const EcmState& ecm);
 ///         for the reference integrator
 double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits);
 
-/// Maximum displacement of a particle per step of the adaptive integrator, about that by the recoil of a released
-/// protrusion in the paper's 0.4 s [particle spacings].
+/// Maximum displacement of a particle per step of the adaptive integrator [particle spacings]. The recoil of a released
+/// protrusion moves a particle about this far in the paper's 0.4 s.
 inline constexpr double usual_move = 0.2;
 
 /// Relative residual at which a step's system counts as solved [-]: solver.tolerance, or 100 solver.tolerance for the
@@ -69,7 +69,8 @@ double longest_step(const Parameters& p, const StepLimits& limits);
 /// `step`, rounded down to two significant digits [s].
 double rounded_down(double step);
 
-/// Why run.time_step is too long, with a stable value; empty if it, or a halved step of the integrator, is stable.
+/// Why run.time_step is too long, and a stable value; empty if run.time_step or, with the adaptive integrator, the
+/// shortest halved step is stable.
 std::string fault_of_step(const Parameters& p, const StepLimits& limits);
 
 /// @throws NumericalFailure if run.time_step is too long, with a stable value

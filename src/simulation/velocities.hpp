@@ -13,7 +13,7 @@ namespace matrigrate {
 struct StepBounds {
   double max_move;         ///< maximum displacement of a particle of matrix or cells [um]
   bool may_cross = true;   ///< whether a ring may cross itself, or a nucleus its cortex, in the step
-  bool tried_once = false; ///< whether Workspace::v holds the velocities of a longer, rejected step from here
+  bool tried_once = false; ///< whether Workspace::v is that of a longer, rejected step from this state
 };
 
 /// Why a step was rejected: the bound that it would have broken.

@@ -29,7 +29,7 @@ struct StepHealth {
   std::size_t density_bounds = 0; ///< particles at a density bound after the last step
   std::size_t orphans = 0;        ///< particles fluidized because of lost support since the start
   std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
-  std::size_t engulfed = 0;       ///< solid particles fluidized inside the cell since the start
+  std::size_t engulfed = 0;       ///< solid particles fluidized inside a cell since the start
   std::size_t list_builds = 0;    ///< updates of the neighbour list since the start, local or global
 };
 

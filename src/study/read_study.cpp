@@ -1,6 +1,5 @@
 #include "study/read_study.hpp"
 
-#include "base/file.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
@@ -286,11 +285,11 @@ Study parse_study(std::string_view text, const std::string& name, const std::fil
 }
 
 Study read_study(const std::filesystem::path& file, const Changes& changes) {
-  return parse_study(read_file(file, largest_file), file.string(), file.parent_path(), changes);
+  return parse_study(read_document(file, largest_file), file.string(), file.parent_path(), changes);
 }
 
 bool is_study_file(const std::filesystem::path& file) {
-  const auto document = parse_document(read_file(file, largest_file), file.string());
+  const auto document = parse_document(read_document(file, largest_file), file.string());
   if (const auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({*fault});
   return is_study(std::get<toml::table>(document));
 }

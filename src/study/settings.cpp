@@ -28,6 +28,8 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
       faults.add(place_of(name), shown,
                  path == "run.seed" ? "the seeds of the runs follow from the study's own `seed`"
                                     : "the runs of a study take one thread each, or what Slurm gives them");
+    else if (path == "cells")
+      faults.add(place_of(name), shown, "a study takes its cells from its scenario or preset");
     else if (row != nullptr)
       found.push_back({row, &node});
     else if (node.is_table() && is_section(path))

@@ -8,8 +8,9 @@ namespace matrigrate {
 
 /// Drag between two particles, viscous term of Heck et al. 2020, Eq. (2):
 ///   G_ij = t_z V_i V_j (mu_i + mu_j) (-x_ij . grad_i W_ij) / (|x_ij|^2 + 0.01 h^2) >= 0
-/// The force on i is -G_ij (v_i - v_j): the weakly Laplacian form mu lap(v) of Morris et al. 1997. It acts along the
-/// velocity difference. So it conserves linear momentum exactly, and resists the rotation of a finite body.
+/// The force on i is -G_ij (v_i - v_j), an approximation of mu lap(v) (Morris et al. 1997). It acts along the velocity
+/// difference. So it conserves linear momentum exactly, but not angular momentum: it resists the rotation of a finite
+/// body.
 /// @param r2       |x_ij|^2 [um^2]   @param W_slope  kernel.W_slope(|x_ij|) [1/um^4], <= 0
 /// @param V        volume of either particle per depth [um^2]
 /// @param mu       viscosity [nN s/um^2]   @param t_z  depth [um]   @param h  smoothing length [um]
