@@ -40,17 +40,19 @@ std::string duration_text(double seconds) {
 std::string description(const Parameters& p, const Derived& d) {
   std::string text;
   const std::size_t cells = cell_starts(p).size();
-  text += fmt::format("{} of {:.4g} um radius in a disc of matrix of {:.4g} um radius ({:.4g} Pa, Poisson's ratio "
+  const bool graded = !p.ecm.fields.youngs_modulus.empty();
+  text += fmt::format("{} of {:.4g} um radius in a disc of matrix of {:.4g} um radius ({}, Poisson's ratio "
                       "{:.4g},\nviscosity {:.4g} Pa s), "
                       "clamped at its rim, followed for {} in steps of {}{:.4g} s.\n\n",
                       cells == 1 ? std::string("A cell") : fmt::format("{} cells", cells), p.cell.radius, p.ecm.radius,
-                      1e3 * p.ecm.youngs_modulus, p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity,
-                      duration_text(p.run.duration), p.run.integrator == Integrator::adaptive ? "up to " : "",
-                      d.longest_step);
+                      graded ? "E by a field" : fmt::format("{:.4g} Pa", 1e3 * p.ecm.youngs_modulus),
+                      p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity, duration_text(p.run.duration),
+                      p.run.integrator == Integrator::adaptive ? "up to " : "", d.longest_step);
   const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
     text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
   };
-  add("bulk modulus K", fmt::format("{:.4g} Pa", 1e3 * d.K), "E / (3 (1 - 2 nu))");
+  add("bulk modulus K", fmt::format("{:.4g} Pa", 1e3 * d.K),
+      std::string("E / (3 (1 - 2 nu))") + (graded ? "; here and below E is ecm.youngs_modulus" : ""));
   add("shear modulus G", fmt::format("{:.4g} Pa", 1e3 * d.G), "E / (2 (1 + nu))");
   add("relaxation in shear", duration_text(d.shear_time), "mu / G");
   add("relaxation, compression", duration_text(d.compression_time), "mu / (K + 4G/3)");

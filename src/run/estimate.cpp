@@ -142,6 +142,10 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
         fmt::format("the time step of {:.3g} s is more than half of the largest stable one, {:.3g} s: stable, but "
                     "the fastest relaxation is resolved by a few steps only.",
                     p.run.time_step, limit));
+  for (const FieldSummary& field : field_summaries(p).fields)
+    if (field.row->path == "ecm.fields.obstacle" && !in_obstacle(field.high))
+      found.emplace_back("no particle lies in an obstacle: ecm.fields.obstacle is below 0.5 at all of them, which lie "
+                         "ecm.particle_spacing apart.");
   if (p.run.duration < d.shear_time)
     found.push_back(
         fmt::format("the run of {:.3g} s is shorter than the relaxation of the matrix in shear, {:.3g} s: it will "

@@ -62,6 +62,18 @@ TEST_F(FieldsOfScenarios, EveryFaultIsToldAtOnceWithItsPlaceAndNothingIsWritten)
     EXPECT_TRUE(contains(ended.err, part)) << part << "\n" << ended.err;
 }
 
+TEST_F(FieldsOfScenarios, AnObstacleBetweenParticlesIsToldOf) {
+  const auto explained = [&](const std::string& radius2) {
+    write("post.toml", "[ecm]\nradius = \"60 um\"\n[ecm.fields]\nyoungs_modulus = \"200 + x\"\nobstacle = "
+                       "\"(x-41)^2 + (y-1)^2 < "
+                           + radius2 + " ? 1 : 0\"\n");
+    return run("explain post.toml").out;
+  };
+  EXPECT_TRUE(contains(explained("0.5"), "no particle lies in an obstacle"));
+  EXPECT_FALSE(contains(explained("9"), "no particle lies in an obstacle"));
+  EXPECT_TRUE(contains(explained("9"), "E by a field"));
+}
+
 TEST_F(FieldsOfScenarios, PresetsRun) {
   for (const char* preset : {"stiffness-gradient", "stiffness-step", "channel", "microtrack", "curved-fibres"}) {
     const std::string name(preset);
