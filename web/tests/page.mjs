@@ -130,7 +130,10 @@ if (native) {
   assert.ok(Math.abs(length - theirs) < 0.1, "the first protrusions differ");
 }
 
-// A step, a slider on the way, an export.
+// A step, a slider on the way, an export; from the start, since six hours may be over by now.
+await page.locator("button[name=reset]").click();
+await until(page, (s) => s.t_s === 0, "a new start");
+await playTo(page, 60);
 await page.evaluate(() => window.matrigrateLive.clock.playing && window.matrigrateLive.clock.toggle());
 await until(page, (s) => !s.playing, "it pauses");
 await page.waitForTimeout(500);
