@@ -24,7 +24,7 @@ src/ecm/degradation.cpp|f - rate * dt|f * (1.0 - rate * dt)|ecm|degradation
 src/sph/kernel.hpp|(2.0 * q + 1.0)|(2.0 * q + 1.01)|sph|kernel
 src/cell/actomyosin.cpp|std::min(f_mat_i, f_mat_j)|std::max(f_mat_i, f_mat_j)|cell|actomyosin, Eq. 6
 src/cell/area.cpp|std::max(0.0, initial_area(p) - area(c))|initial_area(p) - area(c)|cell|area
-src/protrusion/adhesion.cpp|-p.zeta_diss * F / f_mat|-p.zeta_diss * F|protrusion|disassembly, Eq. 7
+src/protrusion/adhesion.cpp|-p.zeta_diss * F / f_mat|-p.zeta_diss * F * f_mat|protrusion|disassembly, Eq. 7
 src/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|maturation, Eq. 8
 src/protrusion/growth.cpp|? 1.0 / area : 1.0|? 2.0 - area : 1.0|protrusion|area limit, Eq. 10
 '
