@@ -46,6 +46,12 @@ Moments moments(Values x) {
   return m;
 }
 
+double mean_of_defined(Values x) {
+  std::vector<double> defined;
+  std::ranges::copy_if(x, std::back_inserter(defined), [](double value) { return !std::isnan(value); });
+  return moments(defined).mean;
+}
+
 double quantile(Values x, double share) { return quantile_of_sorted(sorted(x), share); }
 
 Box box(Values x) {

@@ -22,6 +22,9 @@ struct Moments {
 };
 Moments moments(Values x);
 
+/// Mean of the values that are not NaN; NaN if there are none.
+double mean_of_defined(Values x);
+
 /// Quantile of a sample by linear interpolation between order statistics, at (n - 1) share of the way: definition 7 of
 /// Hyndman and Fan 1996, Am Stat 50: 361, the default of R and NumPy. NaN for an empty sample.
 /// @param share  in [0, 1]

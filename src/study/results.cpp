@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
+#include "statistics/sample.hpp"
 #include "store/row_file.hpp"
 #include "study/table_readouts.hpp"
 
@@ -74,15 +75,9 @@ std::string swept_text(const Point& point, const std::string& key) {
 double summary_readout(const json& summary, const char* name) {
   const auto cells = summary.find("cells");
   if (cells == summary.end() || !cells->is_array()) return value_or(summary, name, undefined);
-  double sum = 0.0;
-  std::size_t n = 0;
-  for (const json& cell : *cells) {
-    const double value = value_or(cell, name, undefined);
-    if (!std::isfinite(value)) continue;
-    sum += value;
-    ++n;
-  }
-  return n == 0 ? undefined : sum / static_cast<double>(n);
+  std::vector<double> values;
+  for (const json& cell : *cells) values.push_back(value_or(cell, name, undefined));
+  return statistics::mean_of_defined(values);
 }
 
 std::vector<double> readouts_of(const std::filesystem::path& folder) {
@@ -97,8 +92,7 @@ std::vector<double> readouts_of(const std::filesystem::path& folder) {
 
 /// Read-outs of groups only where a point has several cells.
 std::size_t columns_of(const Study& study) {
-  const bool groups = std::ranges::any_of(study.points, [](const Point& p) { return p.parameters.cells.size() > 1; });
-  return all_readouts().size() - (groups ? 0 : group_readout_names().size());
+  return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_names().size());
 }
 
 } // namespace

@@ -34,6 +34,10 @@ std::size_t readout_column(std::string_view readout) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
+bool has_several_cells(const Study& study) {
+  return std::ranges::any_of(study.points, [](const Point& point) { return point.parameters.cells.size() > 1; });
+}
+
 std::vector<std::string> swept_keys(const Study& study) {
   std::vector<std::string> keys;
   for (const Point& point : study.points)

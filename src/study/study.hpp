@@ -110,4 +110,7 @@ std::size_t readout_column(std::string_view readout);
 /// The parameters that differ between points, each once, in the order in which they are first named.
 std::vector<std::string> swept_keys(const Study& study);
 
+/// Whether runs of a point have several cells.
+bool has_several_cells(const Study& study);
+
 } // namespace matrigrate::study

@@ -1,6 +1,7 @@
 #include "study/table_readouts.hpp"
 
 #include "base/file.hpp"
+#include "statistics/sample.hpp"
 #include "store/csv.hpp"
 #include "study/cell_tracks.hpp"
 
@@ -23,24 +24,12 @@ constexpr std::array<std::string_view, 7> names{"share_f_adh_rel_low",
                                                 "order"};
 constexpr std::size_t group_names = 4;
 
-/// Mean of the finite values.
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  std::size_t n = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    sum += value;
-    ++n;
-  }
-  return n == 0 ? not_defined : sum / static_cast<double>(n);
-}
-
 /// Share of the finite values that fulfil a condition.
 template <class Condition>
 double share(std::vector<double> values, const Condition& condition) {
   for (double& value : values)
     if (std::isfinite(value)) value = condition(value) ? 1.0 : 0.0;
-  return mean(values);
+  return statistics::mean_of_defined(values);
 }
 
 /// The way along x over the length of the path sampled at multiples of 600 s; NaN where nothing moved.
@@ -90,7 +79,8 @@ std::vector<double> table_readouts(const std::filesystem::path& folder) {
   for (const CellTrack& track : tracks) index.push_back(migration_index(track));
   std::vector<double> values{
       share(column("protrusions.csv", "f_adh_rel"), [](double f) { return f < low_relative_force; }),
-      share(column("tracks.csv", "n_simultaneous"), [](double n) { return n == 2.0 || n == 3.0; }), mean(index)};
+      share(column("tracks.csv", "n_simultaneous"), [](double n) { return n == 2.0 || n == 3.0; }),
+      statistics::mean_of_defined(index)};
   if (tracks.size() < 2) {
     values.resize(names.size(), not_defined);
     return values;
@@ -98,8 +88,10 @@ std::vector<double> table_readouts(const std::filesystem::path& folder) {
   std::vector<double> away;
   for (const CellTrack& track : tracks) away.push_back(parting(tracks, track));
   const std::vector<double> nearest = column("group.csv", "nearest_um");
-  values.insert(values.end(), {mean(away), share(column("group.csv", "n_contacts"), [](double n) { return n > 0.0; }),
-                               nearest.empty() ? not_defined : nearest.back(), mean(column("group.csv", "order"))});
+  values.insert(values.end(), {statistics::mean_of_defined(away),
+                               share(column("group.csv", "n_contacts"), [](double n) { return n > 0.0; }),
+                               nearest.empty() ? not_defined : nearest.back(),
+                               statistics::mean_of_defined(column("group.csv", "order"))});
   return values;
 }
 

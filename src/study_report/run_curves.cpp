@@ -100,7 +100,7 @@ std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t po
 
 std::string paths_csv(const Study& study, const std::vector<Result>& results,
                       const std::filesystem::path& study_folder) {
-  const bool several = std::ranges::any_of(study.points, [](const Point& p) { return p.parameters.cells.size() > 1; });
+  const bool several = has_several_cells(study);
   std::string csv = fmt::format("replicate,t_s,x_um,y_um,{}point\n", several ? "cell," : "");
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
     for (const auto& [cell, t, x, y] : cell_tracks(folder))

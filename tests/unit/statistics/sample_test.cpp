@@ -17,6 +17,11 @@ TEST(Sample, MomentsOfStudentsData) {
   EXPECT_NEAR(m.sd, 2.002249, 1e-6); // R: sd(sleep$extra[11:20])
 }
 
+TEST(Sample, AMeanOfDefinedValuesLeavesTheOthersOut) {
+  EXPECT_EQ(mean_of_defined(std::vector<double>{1.0, std::nan(""), 4.0}), 2.5);
+  EXPECT_TRUE(std::isnan(mean_of_defined(std::vector<double>{std::nan("")})));
+}
+
 TEST(Sample, WhatIsNotDefinedIsNaN) {
   EXPECT_TRUE(std::isnan(moments({}).mean));
   EXPECT_TRUE(std::isnan(moments(std::vector{1.0}).sd));

@@ -68,6 +68,23 @@ TEST_F(RunCurves, MeanSquareDisplacementsAreMeansOverRuns) {
   EXPECT_NE(msd_svg(csv).find("soft, &quot;50&quot;"), std::string::npos);
 }
 
+TEST_F(RunCurves, OfSeveralCellsEachHasAPathAndARunCountsOnce) {
+  study.points[0].parameters.cells = {{-16.0, 0.0}, {16.0, 0.0}};
+  results.resize(1);
+  const std::filesystem::path run = run_folder(folder, results[0].run);
+  write_file(run / "tracks.csv", "track,t_s,x_um,y_um\n1,0,-16,0\n2,0,16,0\n1,600,-18,0\n2,600,16,5\n");
+  write_file(run / "msd.csv", "cell,lag_s,msd_um2,samples\n1,600,4,1\n2,600,25,1\n");
+  const std::string csv = paths_csv(study, results, folder);
+  EXPECT_TRUE(csv.starts_with("replicate,t_s,x_um,y_um,cell,point\n1,0,0.00,0.00,1,")) << csv;
+  EXPECT_NE(csv.find("\n1,600,-2.00,0.00,1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n1,600,0.00,5.00,2,"), std::string::npos) << csv;
+  EXPECT_NE(paths_svg(csv).find("(n = 1)"), std::string::npos) << "runs, not cells";
+  const std::vector<MeanMsd> means = mean_msd(results, 0, folder);
+  ASSERT_EQ(means.size(), 1U);
+  EXPECT_EQ(means[0].mean, 14.5);
+  EXPECT_EQ(means[0].runs, 1U);
+}
+
 TEST_F(RunCurves, AdhesionsThatHaveEndedAreListedAndCounted) {
   const std::string csv = adhesions_csv(study, results, folder);
   EXPECT_EQ(csv, "replicate,length_um,f_mat,f_adh_rel,point\n1,28.00,0.700,0.100,\"soft, \"\"50\"\"\"\n"
