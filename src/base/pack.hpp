@@ -26,7 +26,7 @@ template <class Pack, class Number>
 }
 
 template <class Pack, class Number>
-[[gnu::always_inline]] inline void store(const Pack& a, Number* p) {
+[[gnu::always_inline]] inline void store_pack(const Pack& a, Number* p) {
   static_assert(sizeof(a[0]) == sizeof(Number));
   std::memcpy(p, &a, sizeof a);
 }

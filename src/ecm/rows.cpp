@@ -59,10 +59,10 @@ struct FourTensors {
     yy += ay * by;
   }
   [[gnu::always_inline]] void keep(std::size_t t, RowTensors& sum) const {
-    store(xx, sum.xx + t);
-    store(xy, sum.xy + t);
-    store(yx, sum.yx + t);
-    store(yy, sum.yy + t);
+    store_pack(xx, sum.xx + t);
+    store_pack(xy, sum.xy + t);
+    store_pack(yx, sum.yx + t);
+    store_pack(yy, sum.yy + t);
   }
 };
 
@@ -148,8 +148,8 @@ struct FourHourglass {
   }
   [[gnu::always_inline]] void keep(std::size_t t, RowTensors& of_moment, RowVectors& of_force) const {
     moment.keep(t, of_moment);
-    store(x, of_force.x + t);
-    store(y, of_force.y + t);
+    store_pack(x, of_force.x + t);
+    store_pack(y, of_force.y + t);
   }
 };
 
@@ -190,10 +190,10 @@ template <bool ragged>
     }
     apply(at, j.distance + 4, gx, gy, x_high, y_high);
   }
-  store(x_low, sum.x + t);
-  store(x_high, sum.x + t + 4);
-  store(y_low, sum.y + t);
-  store(y_high, sum.y + t + 4);
+  store_pack(x_low, sum.x + t);
+  store_pack(x_high, sum.x + t + 4);
+  store_pack(y_low, sum.y + t);
+  store_pack(y_high, sum.y + t + 4);
 }
 
 } // namespace

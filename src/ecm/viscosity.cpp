@@ -32,7 +32,7 @@ constexpr double nowhere = 1e9; // where the particles beyond the last are, out 
     load(y_i + distance + l, y_j);
     x -= x_j;
     y -= y_j;
-    store(__builtin_convertvector(x * x + y * y, HalfFloats), r2 + l);
+    store_pack(__builtin_convertvector(x * x + y * y, HalfFloats), r2 + l);
   }
 }
 
@@ -55,15 +55,15 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, double period_x, c
     HalfFloats g_low, g_high;
     load(G + RowBlocks::lanes * k, g_low);
     load(G + RowBlocks::lanes * k + 4, g_high);
-    store(g_low, G + RowBlocks::lanes * count);
-    store(g_high, G + RowBlocks::lanes * count + 4);
+    store_pack(g_low, G + RowBlocks::lanes * count);
+    store_pack(g_high, G + RowBlocks::lanes * count + 4);
     low += __builtin_convertvector(g_low, Doubles);
     high += __builtin_convertvector(g_high, Doubles);
     distances[count] = distances[k];
     if (any(g_low) || any(g_high)) ++count;
   }
-  store(low, D);
-  store(high, D + 4);
+  store_pack(low, D);
+  store_pack(high, D + 4);
   return count;
 }
 
@@ -78,7 +78,7 @@ std::size_t leave_out_clamps(const Field& free, std::size_t row, std::span<std::
     load(G + RowBlocks::lanes * k, g);
     load(free.x() + row + distances[k], of_j);
     g *= of_i * of_j;
-    store(g, G + RowBlocks::lanes * count);
+    store_pack(g, G + RowBlocks::lanes * count);
     distances[count] = distances[k];
     if (any(g)) ++count;
   }

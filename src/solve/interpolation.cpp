@@ -56,8 +56,8 @@ void add_points(const std::uint32_t* first, const std::uint32_t* point, const st
       x += w * a_x;
       y += w * a_y;
     }
-    store(x, z.x() + lanes * b);
-    store(y, z.y() + lanes * b);
+    store_pack(x, z.x() + lanes * b);
+    store_pack(y, z.y() + lanes * b);
   }
 }
 

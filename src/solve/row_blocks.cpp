@@ -49,8 +49,8 @@ void products(std::span<const std::uint32_t> first, std::span<const std::uint32_
       to_x = b_x - to_x;
       to_y = b_y - to_y;
     }
-    store(to_x, y.x() + row);
-    store(to_y, y.y() + row);
+    store_pack(to_x, y.x() + row);
+    store_pack(to_y, y.y() + row);
   }
 }
 
@@ -61,7 +61,7 @@ void products(std::span<const std::uint32_t> first, std::span<const std::uint32_
   load(D, d);
   load(b, of_b);
   load(x, of_x);
-  store(of_b - (d * of_x - sum), y);
+  store_pack(of_b - (d * of_x - sum), y);
 }
 
 /// y = b - (D x - G x) in double precision; D has no frame, and rows beyond `size` are left alone.
@@ -98,10 +98,10 @@ void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32
       continue;
     }
     double sx[lanes], sy[lanes];
-    store(x_low, sx);
-    store(x_high, sx + 4);
-    store(y_low, sy);
-    store(y_high, sy + 4);
+    store_pack(x_low, sx);
+    store_pack(x_high, sx + 4);
+    store_pack(y_low, sy);
+    store_pack(y_high, sy + 4);
     for (std::size_t l = 0; row + l < size; ++l) {
       y.x()[row + l] = b.x()[row + l] - (D[row + l] * at_x[l] - sx[l]);
       y.y()[row + l] = b.y()[row + l] - (D[row + l] * at_y[l] - sy[l]);

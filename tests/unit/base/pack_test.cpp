@@ -15,7 +15,7 @@ TEST(Pack, IsReadFromAndWrittenToAnyPlace) {
     Doubles a;
     load(numbers.data() + at, a);
     std::vector<double> copy(numbers.size(), -1.0);
-    store(a, copy.data() + at);
+    store_pack(a, copy.data() + at);
     for (std::size_t i = 0; i < copy.size(); ++i)
       EXPECT_EQ(copy[i], i >= at && i < at + pack_size<Doubles> ? numbers[i] : -1.0);
   }
