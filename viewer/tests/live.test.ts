@@ -1,6 +1,7 @@
 /** The live page without its simulation: the film that grows, and scenarios in addresses and files. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { thinned } from "../src/live/curves";
 import { exported } from "../src/live/export";
 import { LiveFilm } from "../src/live/film";
 import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
@@ -164,6 +165,16 @@ test("what is drawn becomes grids with a node at each particle", () => {
   assert.ok(overrides.includes("ecm.fields.f_degr=/f_degr.csv"));
   assert.equal(now(drawn)["actomyosin.force"], "1 nN");
   assert.deepEqual([pascals("0.2 kPa"), pascals("50 Pa"), pascals("7")], [200, 50, 7]);
+});
+
+test("a long line is drawn with no more points than can be seen, and to its end", () => {
+  const t = Array.from({ length: 3480 }, (_, i) => 60 * i);
+  const line = thinned({ t, v: t.map((s) => s / 2) });
+  assert.ok(line.t.length <= 1001 && line.t.length > 800);
+  assert.deepEqual([line.t[0], line.t[1], line.t[line.t.length - 1]], [0, 240, 60 * 3479]);
+  assert.deepEqual(line.v, line.t.map((s) => s / 2));
+  const short = { t: [0, 60], v: [1, 2] };
+  assert.deepEqual(thinned(short), short);
 });
 
 test("an export names its files beside it, and says the commands", () => {

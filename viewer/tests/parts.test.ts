@@ -49,6 +49,27 @@ test("a clock forgets who is gone", () => {
   assert.equal(clock.listening, 0);
 });
 
+test("a clock with a loop begins anew at its end, one without stops there", () => {
+  const queued: FrameRequestCallback[] = [];
+  const before = globalThis.requestAnimationFrame;
+  globalThis.requestAnimationFrame = (tick) => queued.push(tick);
+  try {
+    for (const loop of [true, false]) {
+      const clock = new Clock(100, [0, 50, 100]);
+      clock.loop = loop;
+      clock.speed = 1e6;
+      clock.toggle();
+      queued.shift()!(performance.now() + 50);
+      assert.equal(clock.time, loop ? 0 : 100);
+      assert.equal(clock.playing, loop);
+      assert.equal(queued.length, loop ? 1 : 0);
+      queued.length = 0;
+    }
+  } finally {
+    globalThis.requestAnimationFrame = before;
+  }
+});
+
 test("zoom keeps the point under the pointer", () => {
   const camera = new Camera({ left: -150, right: 150, bottom: -150, top: 150 });
   camera.resize(800, 600);

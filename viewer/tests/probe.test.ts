@@ -2,8 +2,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
+import { cellTextAt, isInside } from "../src/run/cell_at";
 import { description } from "../src/run/describe";
-import { film } from "../src/run/frames";
+import { film, outlineAt } from "../src/run/frames";
+import { valueAt } from "../src/unpack";
 import { layers } from "../src/run/matrix/layers";
 import { probeText } from "../src/run/probe";
 import { launch, open, settled } from "./browser";
@@ -25,6 +27,36 @@ test("a moment in words", async () => {
   assert.match(text, /Matrix coloured by degradation\.$/);
 });
 
+test("a point lies in a ring or outside of it", () => {
+  const ring = [0, 0, 4, 0, 4, 4, 2, 1, 0, 4]; // with a notch from above
+  assert.ok(isInside(ring, 0.5, 1));
+  assert.ok(isInside(ring, 3.5, 1));
+  assert.ok(!isInside(ring, 2, 3));
+  assert.ok(!isInside(ring, 5, 1));
+});
+
+test("what of a cell lies at a point is said: its body, a protrusion with its phase, or nothing", async () => {
+  const made = (await film(run))!;
+  let protrusions = 0;
+  for (let frame = 0; frame < made.times.length; ++frame) {
+    const place = { frame, next: frame, fraction: 0 };
+    const outline = outlineAt(made, place);
+    const [cx, cy] = [0, 1].map((c) => outline.filter((_, k) => k % 2 === c).reduce((a, b) => a + b, 0) / made.outlinePoints);
+    assert.match(cellTextAt(made, place, cx, cy, 0), /^Cell$/);
+    assert.equal(cellTextAt(made, place, cx + 500, cy, 2), "");
+    for (let i = 0; i < made.outlinePoints; ++i) {
+      const p = made.protrusions[frame][valueAt(made.outline.protrusion, frame, i)];
+      const text = cellTextAt(made, place, outline[2 * i], outline[2 * i + 1], 0.01);
+      if (!p) assert.equal(text, "Cell");
+      else {
+        ++protrusions;
+        assert.match(text, new RegExp(`^Protrusion ${p.id}: (growing|maturing, f_mat|contracting, f_mat|finishing, f_mat)`));
+      }
+    }
+  }
+  assert.ok(protrusions > 0);
+});
+
 test("the pointer and the keyboard find the same value, as field and as particles", async () => {
   const browser = await launch(false);
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
@@ -36,7 +68,7 @@ test("the pointer and the keyboard find the same value, as field and as particle
   await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
   await settled(page);
   const pointed = await probe.textContent();
-  assert.match(pointed ?? "", /^Pressure \S+ Pa at x \S+, y \S+ \u00b5m$/);
+  assert.match(pointed ?? "", /^Pressure \S+ Pa at x \S+, y \S+ \u00b5m(\. (Cell|Protrusion).*)?$/);
   await page.mouse.move(5, 5);
   assert.ok(!(await probe.isVisible()));
   await page.locator(".stage").focus();

@@ -39,11 +39,25 @@ test("limits and colours can be chosen, and are taken back", async () => {
   assert.notEqual(await still(page), narrow);
   await page.getByRole("button", { name: "Reset" }).click();
   assert.equal(await still(page), before);
+  // Fitted to the moment nothing lies beyond the limits, which another moment has others of.
+  await page.locator("button[name=fit]").click();
+  const ends = () => Promise.all(["low", "high"].map((end) => page.locator(`input[name=${end}]`).inputValue().then(Number)));
+  const [low, high] = await ends();
+  assert.ok(low >= 0 && high > low && high < 120, `${low} to ${high}`);
+  assert.doesNotMatch((await bar.getAttribute("class")) ?? "", /more-low/);
+  await page.locator(".scrub").fill("7200");
+  await page.locator("button[name=fit]").click();
+  assert.notDeepEqual(await ends(), [low, high]);
+  await page.getByRole("button", { name: "Reset" }).click();
+  assert.deepEqual(await ends(), [0, 120]);
   // Where white means zero, both limits move together, and each layer keeps its own.
   await page.locator("input[value=pressure]").check();
   await page.locator("input[name=high]").fill("15");
   await page.locator("input[name=high]").press("Enter");
   assert.equal(await page.locator("input[name=low]").inputValue(), "-15");
+  await page.locator("button[name=fit]").click();
+  const [negative, positive] = await ends();
+  assert.equal(negative, -positive);
   await page.locator("input[value=von_mises]").check();
   assert.equal(await page.locator("input[name=high]").inputValue(), "120");
   assert.deepEqual(errors, []);

@@ -203,45 +203,58 @@ std::string change(const std::string& overrides) {
   });
 }
 
-template <class T>
-val array(const char* type, const std::vector<T>& numbers) {
-  return val::global(type).new_(val(emscripten::typed_memory_view(numbers.size(), numbers.data())));
+/// Reference positions of the particles.
+val reference() {
+  const observe::Floats all = observe::frame_head(simulation().state(), simulation().parameters()).reference;
+  return val::global("Float32Array").new_(val(emscripten::typed_memory_view(all.size(), all.data())));
 }
 
-val floats(const observe::Floats& numbers) { return array("Float32Array", numbers); }
-val bytes(const observe::Bytes& numbers) { return array("Uint8Array", numbers); }
-
-/// Reference positions of the particles.
-val reference() { return floats(observe::frame_head(simulation().state(), simulation().parameters()).reference); }
+/// Puts numbers into the member `name` of `out`: into the array of that name in `spare` where it has their length, else
+/// into a new one. Pictures come ten times a second, so that new arrays each time would be much garbage.
+template <class T>
+void put(val& out, const val& spare, const char* name, const char* type, const std::vector<T>& numbers) {
+  const val view(emscripten::typed_memory_view(numbers.size(), numbers.data()));
+  const val old = spare.isUndefined() ? val::undefined() : spare[name];
+  if (old.isUndefined() || old["length"].as<std::size_t>() != numbers.size()) {
+    out.set(name, val::global(type).new_(view));
+    return;
+  }
+  old.call<void>("set", view);
+  out.set(name, old);
+}
 
 /// Copies of what the page draws.
-val frame() {
+/// @param spare  a frame of before that nobody reads any more, or undefined; its arrays are used again
+val frame(const val& spare) {
   const observe::Frame f = simulation().frame();
   val out = val::object();
+  const auto floats = [&](const char* name, const observe::Floats& numbers) {
+    put(out, spare, name, "Float32Array", numbers);
+  };
+  const auto bytes = [&](const char* name, const observe::Bytes& numbers) {
+    put(out, spare, name, "Uint8Array", numbers);
+  };
+  observe::Bytes f_degr;
+  for (const float value : f.matrix.f_degr) f_degr.push_back(static_cast<std::uint8_t>(std::lround(255.0F * value)));
   out.set("t_s", f.t);
-  out.set("displacement", floats(f.matrix.displacement));
-  out.set("f", bytes([&] {
-            observe::Bytes share;
-            for (const float value : f.matrix.f_degr)
-              share.push_back(static_cast<std::uint8_t>(std::lround(255.0F * value)));
-            return share;
-          }()));
-  out.set("pressure", floats(f.matrix.pressure));
-  out.set("vonMises", floats(f.matrix.von_mises));
-  if (!f.matrix.fibre_von_mises.empty()) out.set("fibreVonMises", floats(f.matrix.fibre_von_mises));
-  out.set("outline", floats(f.outline.x));
-  out.set("front", bytes(f.outline.front));
-  out.set("protrusionOf", bytes(f.outline.protrusion));
-  out.set("fMat", floats(f.outline.f_mat));
-  out.set("force", floats(f.outline.force));
-  if (!f.nucleus.empty()) out.set("nucleus", floats(f.nucleus));
-  if (!f.protrusions.cell.empty()) out.set("cells", floats(f.protrusions.cell));
-  out.set("ids", floats(f.protrusions.id));
-  out.set("centres", floats(f.protrusions.centre));
-  out.set("phases", bytes(f.protrusions.phase));
-  out.set("anchors", floats(f.protrusions.anchor));
-  out.set("fMats", floats(f.protrusions.f_mat));
-  out.set("forces", floats(f.protrusions.force));
+  floats("displacement", f.matrix.displacement);
+  bytes("f", f_degr);
+  floats("pressure", f.matrix.pressure);
+  floats("vonMises", f.matrix.von_mises);
+  if (!f.matrix.fibre_von_mises.empty()) floats("fibreVonMises", f.matrix.fibre_von_mises);
+  floats("outline", f.outline.x);
+  bytes("front", f.outline.front);
+  bytes("protrusionOf", f.outline.protrusion);
+  floats("fMat", f.outline.f_mat);
+  floats("force", f.outline.force);
+  if (!f.nucleus.empty()) floats("nucleus", f.nucleus);
+  if (!f.protrusions.cell.empty()) floats("cells", f.protrusions.cell);
+  floats("ids", f.protrusions.id);
+  floats("centres", f.protrusions.centre);
+  bytes("phases", f.protrusions.phase);
+  floats("anchors", f.protrusions.anchor);
+  floats("fMats", f.protrusions.f_mat);
+  floats("forces", f.protrusions.force);
   return out;
 }
 

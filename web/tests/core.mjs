@@ -32,24 +32,33 @@ const tracks = ask(core.tracks());
 const image = core.image();
 const on = now.t_s + 60;
 while (now.t_s < on - 1e-6) now = ask(core.march(on, 1000));
-const [x, y] = [core.frame(), now.step];
+const [x, y] = [core.frame(undefined), now.step];
 ask(core.takeUp("", settings, image));
 now = { t_s: 0 };
 while (now.t_s < on - 1e-6) now = ask(core.march(on, 1000));
-const again = core.frame();
+const again = core.frame(undefined);
 for (const key of Object.keys(x))
   if (JSON.stringify(Array.from([x[key]].flat())) !== JSON.stringify(Array.from([again[key]].flat())))
     throw new Error(`${key} differs after a state was taken up`);
 if (y !== now.step) throw new Error("steps differ after a state was taken up");
 console.log("a state that was kept and taken up goes on to the same bits");
 
+// The arrays of a frame that is no longer read are used again, where they fit.
+const spare = core.frame(undefined);
+spare.displacement.fill(7);
+spare.outline = new Float32Array(3);
+const used = core.frame(spare);
+if (used.displacement !== spare.displacement || used.outline === spare.outline) throw new Error("arrays are not used again, or do not fit");
+for (const key of Object.keys(again))
+  if (JSON.stringify(Array.from([again[key]].flat())) !== JSON.stringify(Array.from([used[key]].flat()))) throw new Error(`${key} differs in arrays used again`);
+
 // Cells with nuclei: all of them are in the frames; a single one without has none of that.
 const sizes = () => {
-  const { outline, nucleus, cells } = core.frame();
+  const { outline, nucleus, cells } = core.frame(undefined);
   return { outline: outline.length / 2, nucleus: nucleus?.length / 2, cells: cells && [...new Set(cells)] };
 };
 const alone = ask(core.start("", settings));
-if (alone.n_nucleus !== 0 || "cell" in alone || "nucleus" in core.frame() || "cells" in core.frame()) throw new Error("a nucleus or a number where there is none");
+if (alone.n_nucleus !== 0 || "cell" in alone || "nucleus" in core.frame(undefined) || "cells" in core.frame(undefined)) throw new Error("a nucleus or a number where there is none");
 const two = ask(core.start("[nucleus]\nradius = '5 um'\n[[cells]]\nx = '-25 um'\ny = 0\n[[cells]]\nx = '25 um'\ny = 0\n[protrusion]\ninitiation_rate = '0.01 1/s'\n", settings));
 for (now = two; now.t_s < 120; ) now = ask(core.march(120, 1000));
 const found = sizes();

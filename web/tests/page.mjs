@@ -48,7 +48,7 @@ const playTo = async (page, t) => {
   await until(page, (s) => !s.playing && s.t_s >= t - 1e-6, `${t} s`);
 };
 
-/** Resident memory of the browser and all that it has started [MB]. */
+/** Resident memory of the browser and of the processes that it has started, by kind [MB]. */
 function memory() {
   const all = readdirSync("/proc").filter((name) => /^\d+$/.test(name));
   const of = new Map();
@@ -61,16 +61,19 @@ function memory() {
     }
   const root = [...of].find(([, { command }]) => command.includes(`--user-data-dir=${folder}`) && !command.includes("--type="))?.[0];
   const belongs = (pid) => pid === root || (of.has(pid) && of.get(pid).parent !== "0" && belongs(of.get(pid).parent));
-  let mb = 0;
-  for (const pid of of.keys())
+  const kinds = {};
+  for (const [pid, { command }] of of)
     if (belongs(pid))
       try {
-        mb += Number(/Pss:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/smaps_rollup`, "utf8"))?.[1] ?? 0) / 1024;
+        const kind = /--type=([a-z-]+)/.exec(command)?.[1] ?? "browser";
+        const mb = Number(/Pss:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/smaps_rollup`, "utf8"))?.[1] ?? 0) / 1024;
+        kinds[kind] = (kinds[kind] ?? 0) + mb;
       } catch {
         // not ours to read, or ended
       }
-  return mb;
+  return { kinds, mb: Object.values(kinds).reduce((a, b) => a + b, 0) };
 }
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
 console.log(`page of ${(statSync(file).size / 1e6).toFixed(1)} MB; load of the machine ${loadavg()[0].toFixed(1)}`);
 assert.ok(statSync(file).size < 5e6, "the page is too large");
@@ -83,7 +86,7 @@ await until(page, (s) => s.t_s === 0 && !s.playing, "a new start");
 await page.locator("button[name=play]").click();
 await until(page, (s) => s.t_s > 60, "it runs");
 const seen = [];
-const measure = async () => ({ ...(await state(page)), at: performance.now(), mb: memory() });
+const measure = async () => ({ ...(await state(page)), at: performance.now(), ...memory() });
 seen.push(await measure());
 /** Model time before the last new start [s]. */
 let [from, covered] = [seen[0], 0];
@@ -93,7 +96,7 @@ while (performance.now() - seen[0].at < 1000 * watch) {
   const now = await measure();
   const before = last;
   const wall = (now.at - before.at) / 1000;
-  console.log(`t = ${(now.t_s / 3600).toFixed(2)} h: ${((now.t_s - before.t_s) / wall).toFixed(0)} times faster than life, ${((now.painted - before.painted) / wall).toFixed(1)} pictures a second, ${now.mb.toFixed(0)} MB, ${now.frames} moments kept; load ${loadavg()[0].toFixed(1)}`);
+  console.log(`t = ${(now.t_s / 3600).toFixed(2)} h: ${((now.t_s - before.t_s) / wall).toFixed(0)} times faster than life, ${((now.painted - before.painted) / wall).toFixed(1)} pictures a second, ${now.mb.toFixed(0)} MB (page ${now.kinds.renderer?.toFixed(0)}, drawing ${now.kinds["gpu-process"]?.toFixed(0)}, browser ${now.kinds.browser?.toFixed(0)}), ${now.frames} moments kept; load ${loadavg()[0].toFixed(1)}`);
   seen.push(now);
   last = now;
   if (!now.playing && performance.now() - seen[0].at < 1000 * watch) {
@@ -116,6 +119,12 @@ const wall = (last.at - first.at) / 1000;
 const speed = (covered + last.t_s - from.t_s) / wall;
 console.log(`in all: ${speed.toFixed(0)} times faster than life, ${((last.painted - first.painted) / wall).toFixed(1)} pictures a second, memory ${first.mb.toFixed(0)} to ${last.mb.toFixed(0)} MB, at most ${Math.max(...seen.map(({ mb }) => mb)).toFixed(0)} MB`);
 const failed = [];
+if (watch >= 600) {
+  const third = Math.floor(seen.length / 3);
+  const [early, late] = [seen.slice(0, third), seen.slice(-third)].map((some) => median(some.map(({ mb }) => mb)));
+  console.log(`memory, median of the first third ${early.toFixed(0)} MB, of the last third ${late.toFixed(0)} MB`);
+  if (late > 1.1 * early) failed.push("memory grows");
+}
 if (speed < 60) failed.push("slower than 60 times life");
 if ((last.painted - first.painted) / wall < 20) failed.push("fewer than 20 pictures a second");
 

@@ -12,17 +12,28 @@ const pause = 1000;
 /** Rows of protrusions that are drawn: the latest ones. */
 const mostRows = 25;
 
+/** Points of a line at most, which is about one a pixel. */
+const mostPoints = 1000;
+
 /** Of one cell. */
 interface Line {
   t: number[];
   v: number[];
 }
 
+/** Every k-th point of a line, and the last one. */
+export function thinned({ t, v }: Line): Line {
+  const k = Math.ceil(t.length / mostPoints);
+  if (k <= 1) return { t, v };
+  const kept = (_: number, i: number) => i % k === 0 || i === t.length - 1;
+  return { t: t.filter(kept), v: v.filter(kept) };
+}
+
 function curve(clock: LiveClock, width: number, lines: Line[], label: string, stairs: boolean): SVGSVGElement {
   const high = Math.max(1e-9, ...lines.map(({ v }) => v.reduce((a, b) => Math.max(a, b), 0)));
   const axis = { low: 0, high: 1.06 * high, label, ticks: ticks(0, 1.06 * high, 4) };
   const made = frame(width, 190, hours(clock), axis, `${label} over time`);
-  lines.forEach(({ t, v }, k) => {
+  lines.map(thinned).forEach(({ t, v }, k) => {
     const at = (i: number) => `${made.x(t[i] / 3600).toFixed(1)} ${made.y(v[i]).toFixed(1)}`;
     const d = t.map((_, i) => (i === 0 ? `M${at(0)}` : stairs ? `H${made.x(t[i] / 3600).toFixed(1)}V${made.y(v[i]).toFixed(1)}` : `L${at(i)}`));
     made.svg.append(s("path", { class: "curve", d: d.join(""), ...tint(colour(k + 1, lines.length)) }));

@@ -24,8 +24,9 @@ export class EngineWorker {
     this.worker.onerror = (event) => hear({ kind: "failure", text: `The simulation has stopped: ${event.message}` });
   }
 
-  tell(message: ToWorker): void {
-    this.worker.postMessage(message);
+  /** @param transfer  memory that is handed over with it */
+  tell(message: ToWorker, transfer: Transferable[] = []): void {
+    this.worker.postMessage(message, transfer);
   }
 
   ask(question: Question): Promise<Answer> {

@@ -11,7 +11,7 @@ import { EngineWorker } from "./engine";
 import { download, exported } from "./export";
 import { LiveFilm } from "./film";
 import { keep, kept, type Kept } from "./keep";
-import type { Answer, Changed, FromWorker, Head } from "./protocol";
+import { buffersOf, type Answer, type Changed, type FromWorker, type Head } from "./protocol";
 import { addTracks, noTracks, scene, viewOf, type Scene, type View } from "./scene";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Ground, type Scenario } from "./scenario";
 import { Troubles } from "./troubles";
@@ -131,12 +131,12 @@ export class Live {
         if (!this.film || !this.head) return;
         this.film.add(message.frame);
         addTracks(this.tracks, message.tracks);
-        this.protrusions = message.protrusions;
+        if (message.protrusions) this.protrusions = message.protrusions;
         this.clock.arrive(message.frame.t_s);
         if (!this.shown) this.look(this.head, this.film);
         this.shown?.curves.changed();
         this.bar.done(message.done);
-        this.engine.tell({ kind: "seen" });
+        this.engine.tell({ kind: "seen", frame: message.frame }, buffersOf(message.frame));
         if (this.clock.playing && performance.now() - this.lastKept > keepEvery) void this.keep(false);
         return;
       case "stopped":

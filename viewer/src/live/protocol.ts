@@ -68,6 +68,10 @@ export interface CoreFrame {
   forces: Float32Array;
 }
 
+/** The memory of a frame, to be handed over with it. */
+export const buffersOf = (frame: CoreFrame): ArrayBuffer[] =>
+  Object.values(frame).flatMap((v) => (ArrayBuffer.isView(v) ? [v.buffer as ArrayBuffer] : []));
+
 /** t [s], x, y [um], area [um^2], perimeter [um], polarization [rad], protrusions alive; of several cells its number. */
 export type TrackRow = [number, number, number, number, number, number | null, number, number?];
 
@@ -102,14 +106,15 @@ export type ToWorker =
   | { kind: "step" }
   | { kind: "change"; overrides: string[] }
   | { kind: "image"; ticket: number }
-  /** The last picture has been taken over; the next one may come. */
-  | { kind: "seen" };
+  /** The last picture has been taken over; the next one may come, in the same arrays. */
+  | { kind: "seen"; frame: CoreFrame };
 
 export type FromWorker =
   | { kind: "ready"; presets: Preset[] }
   | { kind: "begun"; head: Head; reference: Float32Array; resumed: boolean }
   | { kind: "changed"; head: Head; overrides: string[] }
-  | { kind: "frame"; frame: CoreFrame; tracks: TrackRow[]; protrusions: ProtrusionRow[]; step: number; done: boolean }
+  /** Rows of protrusions come only where they have changed. */
+  | { kind: "frame"; frame: CoreFrame; tracks: TrackRow[]; protrusions?: ProtrusionRow[]; step: number; done: boolean }
   | { kind: "stopped"; why: "paused" | "done" | "failed" }
   | { kind: "faults"; faults: Fault[]; of: "start" | "change" }
   | { kind: "failure"; text: string }

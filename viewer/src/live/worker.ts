@@ -1,6 +1,6 @@
 /** Runs in a worker, behind the script of the core: computes piece by piece, so that messages are heard in between. */
 import type { ProtrusionRow } from "../contract";
-import type { Answer, CoreFrame, Fault, FromWorker, Given, Head, Preset, ToWorker, TrackRow } from "./protocol";
+import { buffersOf, type Answer, type CoreFrame, type Fault, type FromWorker, type Given, type Head, type Preset, type ToWorker, type TrackRow } from "./protocol";
 
 /** As web/core/bindings.cpp exports it; all text is JSON. */
 interface Core {
@@ -12,7 +12,8 @@ interface Core {
   step(): string;
   change(overrides: string): string;
   reference(): Float32Array;
-  frame(): CoreFrame;
+  /** @param spare  a frame that nobody reads any more, whose arrays may be used again */
+  frame(spare: CoreFrame | undefined): CoreFrame;
   tracks(): string;
   protrusions(): string;
   image(): Uint8Array;
@@ -39,6 +40,10 @@ let playing = false;
 let waiting = false; // for the page to take the last picture over
 let target = Infinity;
 let lastFrame = 0;
+/** The picture before, once the page has taken it over. */
+let spare: CoreFrame | undefined;
+/** Rows of protrusions as they were last told. */
+let told = "";
 const heartbeat = new MessageChannel();
 
 const read = <T>(text: string): T & Refusal => JSON.parse(text) as T & Refusal;
@@ -51,13 +56,15 @@ function refused(answer: Refusal, of: "start" | "change"): boolean {
 }
 
 function show(step: number, done: boolean): void {
-  const frame = core.frame();
+  const frame = core.frame(spare);
+  spare = undefined;
   const tracks = read<TrackRow[]>(core.tracks());
-  const protrusions = read<ProtrusionRow[]>(core.protrusions());
+  const rows = core.protrusions();
+  const protrusions = rows === told ? undefined : read<ProtrusionRow[]>(rows);
+  told = rows;
   waiting = true;
   lastFrame = performance.now();
-  const buffers = Object.values(frame).flatMap((v) => (ArrayBuffer.isView(v) ? [v.buffer as ArrayBuffer] : []));
-  send({ kind: "frame", frame, tracks, protrusions, step, done }, buffers);
+  send({ kind: "frame", frame, tracks, protrusions, step, done }, buffersOf(frame));
 }
 
 /** Where it is, which may be later than what has been shown. */
@@ -94,6 +101,7 @@ function begin(given: Given, image?: Uint8Array): void {
   const head = read<Head>(image ? core.takeUp(given.toml, overrides, image) : core.start(given.toml, overrides));
   if (refused(head, "start")) return;
   playing = false;
+  told = "";
   const reference = core.reference();
   send({ kind: "begun", head, reference, resumed: image !== undefined }, [reference.buffer as ArrayBuffer]);
   show(head.step, head.done);
@@ -138,6 +146,7 @@ function act(message: ToWorker): void {
     }
     case "seen":
       waiting = false;
+      spare = message.frame;
   }
 }
 

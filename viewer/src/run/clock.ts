@@ -5,6 +5,8 @@ export class Clock {
   playing = false;
   /** Model seconds in a second of watching. */
   speed = 1200;
+  /** Whether it begins anew at its end. */
+  loop = false;
   private readonly listeners = new Set<() => void>();
   private last = 0;
 
@@ -62,6 +64,7 @@ export class Clock {
     const passed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     this.time = Math.min(this.end, this.time + this.speed * passed);
+    if (this.time >= this.end && this.loop) this.time = 0;
     if (this.time >= this.end) this.playing = false;
     else requestAnimationFrame(this.tick);
     this.tell();

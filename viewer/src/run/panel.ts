@@ -69,10 +69,15 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   const chosen = () => {
     refreshBar();
     controls.replaceChildren(
-      scaleControls(stage.layer, stage.scale(), () => {
-        refreshBar();
-        stage.scaleChanged();
-      }),
+      scaleControls(
+        stage.layer,
+        stage.scale(),
+        () => stage.extremesNow(),
+        () => {
+          refreshBar();
+          stage.scaleChanged();
+        },
+      ),
     );
   };
   const refreshArrows = () => {

@@ -1,4 +1,4 @@
-/** The value of the layer under the pointer or, by keyboard, in the middle of the view. */
+/** The value of the layer under the pointer or, by keyboard, in the middle of the view, and what of a cell lies there. */
 import { h } from "../dom";
 import { readable } from "../numbers";
 import type { Layer } from "./matrix/layers";
@@ -56,7 +56,8 @@ export class Probe {
     this.words.hidden = at === null;
     if (!at) return;
     const [x, y] = [camera.fromScreenX(at.x), camera.fromScreenY(at.y)];
-    const text = probeText(layer, this.stage.valueAt(x, y), x, y);
+    const cell = this.stage.cellAt(x, y);
+    const text = probeText(layer, this.stage.valueAt(x, y), x, y) + (cell ? `. ${cell}` : "");
     if (this.words.textContent !== text) this.words.textContent = text;
   }
 }

@@ -4,17 +4,34 @@ import { h } from "../dom";
 import type { Layer } from "./matrix/layers";
 import type { LayerScale } from "./matrix/scale";
 
-/** Which limits a person asked for: about zero, where the colours mean that, both ends move together. */
+/** Whether colours mean values below and above zero, so that both ends move together. */
+const isAboutZero = (scale: LayerScale, layer: Layer): boolean =>
+  (scale.limits.map === "blueWhiteOrange" || scale.limits.map === "purpleGreen") && layer.low < 0;
+
+/** Which limits a person asked for. */
 export function asked(scale: LayerScale, layer: Layer, end: "low" | "high", value: number): [number, number] {
-  const aboutZero = scale.limits.map === "blueWhiteOrange" || scale.limits.map === "purpleGreen";
-  if (aboutZero && layer.low < 0) return [-Math.abs(value), Math.abs(value)];
+  if (isAboutZero(scale, layer)) return [-Math.abs(value), Math.abs(value)];
   return end === "low" ? [value, scale.high] : [scale.low, value];
 }
 
 const fitting = (value: number): string => String(Number(value.toPrecision(4)));
 
-/** @param changed  called after a change, to draw anew */
-export function scaleControls(layer: Layer, scale: LayerScale, changed: () => void): HTMLElement {
+/** Limits that hold all values from `low` to `high`. */
+export function fitted(scale: LayerScale, layer: Layer, { low, high }: { low: number; high: number }): [number, number] {
+  const larger = Math.max(Math.abs(low), Math.abs(high));
+  return isAboutZero(scale, layer) ? [-larger, larger] : [low, high];
+}
+
+/**
+ * @param moment   smallest and largest value at the moment shown
+ * @param changed  called after a change, to draw anew
+ */
+export function scaleControls(
+  layer: Layer,
+  scale: LayerScale,
+  moment: () => { low: number; high: number },
+  changed: () => void,
+): HTMLElement {
   const map = h(
     "select",
     { name: "map" },
@@ -40,6 +57,7 @@ export function scaleControls(layer: Layer, scale: LayerScale, changed: () => vo
     return input;
   };
   const [low, high] = [number("low", "Lower limit"), number("high", "Upper limit")];
+  const fit = h("button", { type: "button", name: "fit", title: "Limits that hold all values of this moment" }, "Fit");
   const reset = h("button", { type: "button" }, "Reset");
   const show = () => {
     low.value = fitting(scale.low);
@@ -53,6 +71,10 @@ export function scaleControls(layer: Layer, scale: LayerScale, changed: () => vo
     scale.limits.map = map.value as MapKey;
     show();
   });
+  fit.addEventListener("click", () => {
+    if (scale.limits.set(...fitted(scale, layer, moment()))) show();
+    else fault.textContent = "At this moment all values are the same.";
+  });
   reset.addEventListener("click", () => {
     scale.limits.reset();
     show();
@@ -61,7 +83,7 @@ export function scaleControls(layer: Layer, scale: LayerScale, changed: () => vo
     "div",
     { class: "scale-controls" },
     h("label", {}, "Colours ", map),
-    h("span", { class: "limits" }, h("label", {}, "from ", low), h("label", {}, "to ", high), reset),
+    h("span", { class: "limits" }, h("label", {}, "from ", low), h("label", {}, "to ", high), fit, reset),
     fault,
   );
 }

@@ -1,4 +1,4 @@
-/** Play, scrub, speed, follow. */
+/** Play, scrub, speed, loop, follow. */
 import { h } from "../dom";
 import { timeText } from "../numbers";
 import type { Clock } from "./clock";
@@ -32,6 +32,10 @@ export function transport(clock: Clock, stage: Stage, leads: boolean, gone: Abor
   speed.addEventListener("change", () => {
     clock.speed = Number(speed.value);
   });
+  const loop = h("input", { type: "checkbox", name: "loop", checked: clock.loop });
+  loop.addEventListener("change", () => {
+    clock.loop = loop.checked;
+  });
   const times = h("span", { class: "times" });
   const update = () => {
     play.textContent = clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
@@ -50,6 +54,7 @@ export function transport(clock: Clock, stage: Stage, leads: boolean, gone: Abor
     scrub,
     times,
     h("label", {}, "Speed ", speed),
+    h("label", {}, loop, "Loop"),
     followBox(stage),
   );
 }

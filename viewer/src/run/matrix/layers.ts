@@ -106,11 +106,15 @@ export function layers(film: Film): Layer[] {
 
 /** Smallest and largest value over the whole run, as far as it was stored.   @param first  frame, to leave out those before */
 export function extremes(film: Film, layer: Layer, first = 0): { low: number; high: number } {
-  if (layer.range) return layer.range;
+  return layer.range ?? extremesOf(film, layer, first, film.growing ? film.times.length : Infinity);
+}
+
+/** Those of the frames from `first` up to, but without, `end`. */
+export function extremesOf(film: Film, layer: Layer, first: number, end: number): { low: number; high: number } {
   if (layer.field) {
     let [low, high] = [Infinity, -Infinity];
     const { q: all, stride } = layer.field;
-    for (const q of film.growing ? all.subarray(first * stride, film.times.length * stride) : all) {
+    for (const q of all.subarray(first * stride, end * stride)) {
       if (q < low) low = q;
       if (q > high) high = q;
     }
@@ -118,7 +122,7 @@ export function extremes(film: Film, layer: Layer, first = 0): { low: number; hi
     return { low: offset + scale * low, high: offset + scale * high };
   }
   let high = 0;
-  for (let frame = first; frame < film.times.length; ++frame)
+  for (let frame = first; frame < Math.min(end, film.times.length); ++frame)
     for (let i = 0; i < film.particles; ++i) {
       if (valueAt(film.f, frame, i) < solidFrom) continue;
       const dx = valueAt(film.x, frame, 2 * i) - valueAt(film.reference, 0, 2 * i);
