@@ -69,12 +69,12 @@ observe::Film film_among_fibres(const study::Ensemble& ensemble, const Reproduce
   return read_run(study::run_folder(std::filesystem::path(options.folder) / fibre_study, one->run)).film;
 }
 
-/// The plots of verification cases that rows are judged by, from the tables of these cases.
+/// The plots of verification cases that the chosen rows are judged by, from the tables of these cases.
 /// @param table  where the table of a case is
 void draw_cases(Figures& figures, const std::function<std::filesystem::path(std::string_view)>& table,
                 const ReproduceOptions& options) {
   for (const PartRow& row : part_rows()) {
-    if (row.verification.empty()) continue;
+    if (row.verification.empty() || !options.chooses(row.id)) continue;
     const std::filesystem::path file = table(row.verification);
     const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);
     if (!std::filesystem::exists(file) || !which->draw) continue;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -20,6 +21,9 @@ struct ReproduceOptions {
   bool markdown = false;
   bool quiet = false;
   std::string command; ///< as it was typed
+
+  /// Whether a row of the claims, by its id, was asked for.
+  bool chooses(std::string_view row) const { return id == "all" || row.starts_with(id); }
 };
 
 /// A signal ended the work.

@@ -21,15 +21,13 @@ namespace matrigrate::apps {
 
 namespace {
 
-bool chosen_by(std::string_view row, const std::string& id) { return id == "all" || row.starts_with(id); }
-
 /// Of the paper's claims and, where they are asked for by name, of the experiments beside it.
-std::vector<const study::Claim*> chosen_claims(const std::string& id) {
+std::vector<const study::Claim*> chosen_claims(const ReproduceOptions& options) {
   std::vector<const study::Claim*> chosen;
   for (const study::Claim& claim : study::claims())
-    if (chosen_by(claim.id, id)) chosen.push_back(&claim);
+    if (options.chooses(claim.id)) chosen.push_back(&claim);
   for (const study::Claim& claim : study::experiment_claims())
-    if (claim.id.starts_with(id)) chosen.push_back(&claim);
+    if (claim.id.starts_with(options.id)) chosen.push_back(&claim);
   return chosen;
 }
 
@@ -72,14 +70,14 @@ std::vector<ReproducedRow> judged_rows(const std::vector<const study::Claim*>& c
     rows.back().in_larger_disc = claim->judge(larger);
   }
   for (const PartRow& row : part_rows())
-    if (row.verification.empty() && chosen_by(row.id, options.id))
+    if (row.verification.empty() && options.chooses(row.id))
       rows.push_back(judged_by_fields(row, all.evidence, options));
   return rows;
 }
 
 int reproduce(const ReproduceOptions& options) {
   check_id(options.id);
-  std::vector<const study::Claim*> claims = chosen_claims(options.id);
+  std::vector<const study::Claim*> claims = chosen_claims(options);
   for (const study::Claim* claim : claims) // faults of overrides before anything is written
     for (const std::string_view name : claim->studies) shipped(name, options);
   if (!options.from.empty() && !std::filesystem::is_directory(options.from))
@@ -91,9 +89,10 @@ int reproduce(const ReproduceOptions& options) {
   ClaimEvidence all;
   try {
     for (const PartRow& row : part_rows())
-      if (!row.verification.empty() && chosen_by(row.id, options.id)) rows.push_back(judged_by_case(row, options));
+      if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
     auto needed = claims;
-    if (chosen_by("F1", options.id) && options.from.empty()) needed.push_back(chosen_claims("A1").front()); // its runs
+    if (options.chooses("F1") && options.from.empty())
+      needed.push_back(chosen_claims({.id = "A1"}).front()); // its runs
     all = gather_evidence(needed, options);
   } catch (const Stopped& stopped) {
     print("stopped; the same command goes on\n");

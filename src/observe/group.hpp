@@ -15,7 +15,7 @@ namespace matrigrate {
 /// motion [s].
 inline constexpr double group_window = 600.0;
 
-/// Several cells at one time; `never` where a value is not defined.
+/// Several cells at one time; `undefined` where a value is not defined.
 struct GroupRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;

@@ -55,7 +55,7 @@ std::string_view name(EndCause cause);
 
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// What is kept of a protrusion: times of its transitions [s], `never` where they did not happen, and the paper's
+/// What is kept of a protrusion: times of its transitions [s], `undefined` where they did not happen, and the paper's
 /// read-outs.
 struct ProtrusionRecord {
   std::uint32_t id = 0;     ///< in the order of initiation, from 1

@@ -92,5 +92,12 @@ TEST_F(Reproduce, KeptFiguresAreDrawnFromKeptTables) {
   EXPECT_GE(figures, 4U);
 }
 
+TEST_F(Reproduce, DrawsOnlyWhatBelongsToTheChosenRows) {
+  run("reproduce A5 -o one --from '" + kept.string() + "'");
+  EXPECT_TRUE(exists("one/stiffness.svg"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "one"))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("validate-")) << entry.path();
+}
+
 } // namespace
 } // namespace matrigrate

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thinned } from "../src/live/curves";
 import { exported } from "../src/live/export";
-import { LiveFilm } from "../src/live/film";
+import { LiveFilm, type FilmImage } from "../src/live/film";
 import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario } from "../src/live/scenario";
 import { addTracks, noTracks } from "../src/live/scene";
@@ -26,6 +26,9 @@ const head: Head = {
   obstacles_um: [],
   onset: 0,
 };
+
+/** All that is kept of a film. */
+const imageOf = (live: LiveFilm): FilmImage => ({ ...live.index(), moments: live.film.times.map((_, k) => live.moment(k)) });
 
 const moment = (t: number): CoreFrame => ({
   t_s: t,
@@ -56,6 +59,7 @@ test("a film that grows keeps the newest moments and evenly spaced old ones, in 
     assert.equal(times[times.length - 1], t);
     assert.ok(times.length <= 102);
     assert.equal(live.film.protrusions.length, times.length);
+    assert.equal(live.unsaved.size, times.length);
   }
   assert.equal(live.film.x.q.byteLength, bytes);
   const { times, x } = live.film;
@@ -72,9 +76,11 @@ test("a film that was kept is the same again, and grows on", () => {
   const live = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
   for (let t = 0; t <= 900; t += 10) live.add(moment(t));
   const again = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
-  again.restore(structuredClone(live.image()));
+  again.restore(structuredClone(imageOf(live)));
   for (const film of [live, again]) for (let t = 900; t <= 2000; t += 10) film.add(moment(t));
-  assert.deepEqual(again.image(), live.image());
+  assert.deepEqual(imageOf(again), imageOf(live));
+  const { times } = again.film;
+  assert.deepEqual([...again.unsaved], times.filter((t) => t >= 900), "what was kept needs no keeping again, but for what came anew");
 });
 
 /** Two cells with nuclei, each of them once moved: the second one's protrusion is at its own particle 1. */
@@ -100,7 +106,7 @@ test("a film has the nuclei and the points of all cells, and none of them where 
   const live = new LiveFilm(pair, Float32Array.of(10, 20, -30, -40));
   for (const t of [0, 10]) live.add(ofPair(t));
   const again = new LiveFilm(pair, Float32Array.of(10, 20, -30, -40));
-  again.restore(structuredClone(live.image()));
+  again.restore(structuredClone(imageOf(live)));
   for (const { film } of [live, again]) {
     assert.deepEqual(film.cells, [
       { number: 1, first: 0, end: 3 },
@@ -112,7 +118,7 @@ test("a film has the nuclei and the points of all cells, and none of them where 
     assert.deepEqual(film.protrusions[1].map(({ cell, centre }) => [cell, centre]), [[1, 0], [2, 4]]);
   }
   const one = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
-  one.restore(live.image()); // of another simulation: nothing is taken over
+  one.restore(imageOf(live)); // of another simulation: nothing is taken over
   assert.deepEqual(one.film.times, []);
   one.add(moment(0));
   assert.equal(one.film.nucleus, null);

@@ -13,7 +13,7 @@ import { field } from "./fields";
 const spacing = 2;
 
 /** A square lattice with a value at each particle. */
-function lattice(value: (x: number, y: number) => number, solid: (x: number, y: number) => boolean) {
+function lattice(value: (x: number, y: number) => number, solid: (x: number, y: number) => boolean, spare?: Float32Array) {
   const places: number[] = [];
   for (let i = -20; i <= 20; ++i) for (let j = -20; j <= 20; ++j) places.push(spacing * i, spacing * j);
   const all = Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i], places[2 * i + 1]] as const);
@@ -24,7 +24,7 @@ function lattice(value: (x: number, y: number) => number, solid: (x: number, y: 
   const camera = new Camera({ left: -40, right: 40, bottom: -40, top: 40 });
   camera.resize(600, 600);
   camera.showWhole();
-  return resample(film, layer, { frame: 0, next: 0, fraction: 0 }, camera, spacing);
+  return resample(film, layer, { frame: 0, next: 0, fraction: 0 }, camera, spacing, spare);
 }
 
 test("a linear field is interpolated as it is, and the solid alone makes the value", () => {
@@ -33,6 +33,15 @@ test("a linear field is interpolated as it is, and the solid alone makes the val
     assert.ok(Math.abs(valueOn(patch, x, y)! - (3 + 0.2 * x - 0.1 * y)) < 0.01, `at ${x}, ${y}`);
   assert.ok(Number.isNaN(valueOn(patch, -20, 3)), "fluid has a value");
   assert.equal(valueOn(patch, 46, 0), null, "there is matrix where there is none");
+});
+
+test("the memory of a patch is used again, with nothing of what was in it", () => {
+  const first = lattice((x) => x, () => true);
+  const apart = lattice((x, y) => x * y, (x) => x >= 0);
+  const again = lattice((x, y) => x * y, (x) => x >= 0, first.sums);
+  assert.equal(again.sums.buffer, first.sums.buffer);
+  assert.deepEqual(again.sums, apart.sums);
+  assert.notEqual(lattice((x) => x, () => true, new Float32Array(8)).sums.buffer.byteLength, 32);
 });
 
 /** How far two pictures are apart, and in how many places the second leaps from pixel to pixel; computed in a page. */

@@ -183,15 +183,21 @@ assert.equal((await state(page)).t_s > 60, true);
 await page.locator(".fault button").click();
 
 // What was saved is there again after the browser was closed.
+/** What must be the same after it; sums of positions and pressure of all moments of the film. */
+const standing = () => {
+  const { film, tracks, protrusions } = window.matrigrateLive;
+  const sums = [film.film.x, film.film.pressure].map(({ q, stride }) => q.subarray(0, film.film.times.length * stride).reduce((a, b, k) => a + (k % 97) * b, 0));
+  return { ...window.matrigrateLive.state(), rows: tracks.t_s.length, n: protrusions.length, sums: sums.join() };
+};
 await page.locator("button[name=save]").click();
 await page.waitForSelector("text=Saved in this browser");
-const saved = await page.evaluate(() => ({ ...window.matrigrateLive.state(), rows: window.matrigrateLive.tracks.t_s.length, n: window.matrigrateLive.protrusions.length }));
+const saved = await page.evaluate(standing);
 await context.close();
 context = await open();
 page = await visit(context);
 await until(page, (s) => s.frames > 0, "it is taken up");
-const again = await page.evaluate(() => ({ ...window.matrigrateLive.state(), rows: window.matrigrateLive.tracks.t_s.length, n: window.matrigrateLive.protrusions.length }));
-for (const key of ["t_s", "rows", "n", "frames"]) assert.equal(again[key], saved[key], `${key} after reopening`);
+const again = await page.evaluate(standing);
+for (const key of ["t_s", "rows", "n", "frames", "sums"]) assert.equal(again[key], saved[key], `${key} after reopening`);
 assert.deepEqual(again.scenario, saved.scenario);
 await playTo(page, saved.t_s + 20);
 console.log(`closed and opened again: ${saved.t_s} s, ${saved.rows} rows, ${saved.n} protrusions, ${saved.frames} moments are there, and it goes on`);

@@ -1,5 +1,5 @@
 /** Below the picture: play, step, reset, time, speed, and what to do with the simulation. */
-import { h } from "../dom";
+import { h, setText } from "../dom";
 import { readable, timeText } from "../numbers";
 import { pictureButtons } from "../run/save/saving";
 import type { Stage } from "../run/stage";
@@ -42,19 +42,32 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
   const tell = (text: string) => {
     told.textContent = text;
   };
+  /** What the bar last showed: it is told with every picture, but changes only where that can be seen. */
   let shown = "";
+  let rate = "";
+  let rateAt = 0;
   const update = () => {
-    const rate = clock.playing && clock.measured > 0 ? `${readable(clock.measured, 2)} times faster than life` : "";
-    const text = `${timeText(60 * Math.floor(clock.end / 60))}${rate ? `, ${rate}` : ""}`;
+    const { playing } = clock;
+    const time = playing && clock.atFront ? 10 * Math.floor(clock.time / 10) : Math.round(clock.time);
+    if (!playing || performance.now() > rateAt + 1000) {
+      rate = playing && clock.measured > 0 ? `, ${readable(clock.measured, 2)} times faster than life` : "";
+      rateAt = performance.now();
+    }
+    const end = Math.ceil(clock.end);
+    const text = `${timeText(60 * Math.floor(end / 60))}${rate}`;
+    const following = stage()?.follow ?? true;
+    const now = [playing, clock.atFront, following, time, playing ? Math.floor(end / 10) : end, text].join();
+    if (now === shown) return;
+    shown = now;
     front.hidden = clock.atFront;
-    follow.checked = stage()?.follow ?? true;
-    play.textContent = clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
-    play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
-    scrub.max = String(Math.max(1, Math.ceil(clock.end)));
-    scrub.value = String(Math.round(clock.time));
-    scrub.style.setProperty("--done", `${(100 * clock.time) / Math.max(1, clock.end)}%`);
-    scrub.setAttribute("aria-valuetext", timeText(clock.time));
-    if (text !== shown) times.textContent = shown = text;
+    follow.checked = following;
+    setText(play, playing ? "\u275a\u275a" : "\u25b6\ufe0e");
+    play.setAttribute("aria-label", playing ? "Pause" : "Play");
+    scrub.max = String(Math.max(1, end));
+    scrub.value = String(time);
+    scrub.style.setProperty("--done", `${((100 * clock.time) / Math.max(1, end)).toFixed(1)}%`);
+    scrub.setAttribute("aria-valuetext", timeText(time));
+    setText(times, text);
   };
   clock.onChange(update, never);
   update();

@@ -54,6 +54,9 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
   const life = h("div", {});
   const older = h("p", { class: "note" });
   let drawn = 0;
+  /** Up to when they are drawn [s], and with which rows. */
+  let [drawnTo, drawnRows]: [number, ProtrusionRow[] | null] = [-Infinity, null];
+  let drawnWidth = 0;
   let later: ReturnType<typeof setTimeout> | undefined;
   let redrawn = new AbortController();
   gone.addEventListener("abort", () => {
@@ -65,6 +68,10 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
     drawn = performance.now();
     const width = Math.floor(speed.clientWidth);
     if (width < 50 || clock.end <= 0) return;
+    // While it runs, not before a pixel more can be seen.
+    const tooSoon = clock.playing && clock.end > drawnTo && clock.end - drawnTo < clock.end / width;
+    if (tooSoon && rows() === drawnRows && width === drawnWidth) return;
+    [drawnTo, drawnRows, drawnWidth] = [clock.end, rows(), width];
     const cells = tracksOfCells(tracks).map((one) => one.tracks);
     speed.replaceChildren(curve(clock, width, cells.map((own) => (own.t_s.length > 1 ? speeds(own) : { t: [], v: [] })), "speed [\u00b5m/h]", false));
     alive.replaceChildren(curve(clock, width, cells.map((own) => ({ t: own.t_s, v: own.n_simultaneous })), "protrusions alive", true));

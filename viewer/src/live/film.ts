@@ -18,19 +18,28 @@ const firstInterval = 60;
 const stressLimit = { pressure: 60, vonMises: 100, fibreVonMises: 100 };
 const forceLimit = 4;
 
-type Numbers = Int16Array | Uint8Array;
+export type Numbers = Int16Array | Uint8Array;
 
-/** What is kept in the browser of a film. */
-export interface FilmImage {
+/** What is kept in the browser of a film, without its moments. */
+export interface FilmIndex {
+  id: string;
   times: number[];
   protrusions: FrameProtrusion[][];
   interval: number;
   past: number;
-  fields: Numbers[];
+}
+
+export interface FilmImage extends FilmIndex {
+  /** Of each time: the numbers of each field. */
+  moments: Numbers[][];
 }
 
 export class LiveFilm {
   readonly film: Film;
+  /** Times of moments that have come, or come anew, since they were last kept in the browser. */
+  readonly unsaved = new Set<number>();
+  /** Tells its moments from those of other films where they are kept. */
+  private id = `${Date.now()}-${Math.random()}`;
   /** How many of the film's moments are of the past. */
   private past = 0;
   private interval = firstInterval;
@@ -95,38 +104,39 @@ export class LiveFilm {
     if (times.length > 0 && frame.t_s <= this.end) this.cut(frame.t_s);
     if (times.length - this.past >= newest) this.retire();
     const at = times.length;
+    this.unsaved.add(frame.t_s);
     times.push(frame.t_s);
     protrusions.push(alive(frame, this.film.cells));
     this.write(at, frame);
   }
 
-  /** What must be kept of it, and no more. */
-  image(): FilmImage {
-    const n = this.film.times.length;
-    return {
-      times: [...this.film.times],
-      protrusions: [...this.film.protrusions],
-      interval: this.interval,
-      past: this.past,
-      fields: this.fields.map(({ q, stride }) => q.slice(0, n * stride)),
-    };
+  index(): FilmIndex {
+    const { id, interval, past } = this;
+    return { id, times: [...this.film.times], protrusions: [...this.film.protrusions], interval, past };
+  }
+
+  /** Copies of the numbers of the moment `k`, a field each. */
+  moment(k: number): Numbers[] {
+    return this.fields.map(({ q, stride }) => q.slice(k * stride, (k + 1) * stride));
   }
 
   restore(image: FilmImage): void {
     const n = image.times.length;
-    const same = image.fields.length === this.fields.length && this.fields.every(({ stride }, k) => image.fields[k].length === n * stride);
-    if (!same || n > history + newest) return; // of another version of the page
-    this.fields.forEach(({ q }, k) => q.set(image.fields[k].subarray(0, q.length)));
+    const same = (moment: Numbers[]) =>
+      moment.length === this.fields.length && this.fields.every(({ stride }, f) => moment[f].length === stride);
+    if (image.moments.length !== n || !image.moments.every(same) || n > history + newest) return; // of another version of the page
+    image.moments.forEach((moment, k) => this.fields.forEach(({ q, stride }, f) => q.set(moment[f], k * stride)));
     this.film.times.splice(0, Infinity, ...image.times);
     this.film.protrusions.splice(0, Infinity, ...image.protrusions);
-    [this.interval, this.past] = [image.interval, image.past];
+    this.unsaved.clear();
+    ({ id: this.id, interval: this.interval, past: this.past } = image);
   }
 
   /** Takes moments from a time on away. */
   private cut(from: number): void {
     const { times, protrusions } = this.film;
     let n = times.length;
-    while (n > 0 && times[n - 1] >= from) --n;
+    while (n > 0 && times[n - 1] >= from) this.unsaved.delete(times[--n]);
     times.length = protrusions.length = n;
     this.past = Math.min(this.past, n);
   }
@@ -154,7 +164,10 @@ export class LiveFilm {
     const gone = new Set(which);
     let to = 0;
     for (let from = 0; from < times.length; ++from) {
-      if (gone.has(from)) continue;
+      if (gone.has(from)) {
+        this.unsaved.delete(times[from]);
+        continue;
+      }
       if (to !== from) {
         for (const { q, stride } of this.fields) q.copyWithin(to * stride, from * stride, (from + 1) * stride);
         times[to] = times[from];

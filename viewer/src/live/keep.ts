@@ -1,39 +1,58 @@
 /** What is kept in this browser: the simulation where it stands, so that a tab that was closed goes on. */
 import type { ProtrusionRow, Tracks } from "../contract";
-import type { FilmImage } from "./film";
+import type { FilmImage, FilmIndex, LiveFilm, Numbers } from "./film";
 import type { Scenario } from "./scenario";
 
-export interface Kept {
+/** All but the film. */
+interface KeptState {
   scenario: Scenario;
   /** Time of the state [s]. */
   t_s: number;
   image: Uint8Array;
   tracks: Tracks;
   protrusions: ProtrusionRow[];
-  film: FilmImage;
   /** When it was kept, as Date.now(). */
   when: number;
 }
 
-const [name, store, key] = ["matrigrate-live", "runs", "last"];
+export interface Kept extends KeptState {
+  /** null where its moments are not all there. */
+  film: FilmImage | null;
+}
+
+/** A run as it is stored; the moments of its film are records of their own, so that each is written once. */
+type Stored = KeptState & { film: FilmIndex };
+
+const [name, version, runs, moments, last] = ["matrigrate-live", 2, "runs", "moments", "last"] as const;
+
+const keyOf = (film: FilmIndex, t: number): string => `${film.id}/${t}`;
 
 function database(): Promise<IDBDatabase> {
   return new Promise((done, failed) => {
-    const asked = indexedDB.open(name, 1);
-    asked.onupgradeneeded = () => asked.result.createObjectStore(store);
+    const asked = indexedDB.open(name, version);
+    asked.onupgradeneeded = () => {
+      // A run that an earlier version kept stays, without its film.
+      for (const store of [runs, moments]) if (!asked.result.objectStoreNames.contains(store)) asked.result.createObjectStore(store);
+    };
     asked.onsuccess = () => done(asked.result);
     asked.onerror = () => failed(asked.error ?? new Error("the browser keeps nothing"));
+    asked.onblocked = () => failed(new Error("another tab has an earlier version of this page open"));
   });
 }
 
-async function within<T>(mode: IDBTransactionMode, act: (s: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+/** One transaction over all that is kept. @param act  calls `result` with what is to be returned */
+async function within<T>(mode: IDBTransactionMode, act: (t: IDBTransaction, result: (value: T) => void) => void): Promise<T> {
   const base = await database();
+  base.onversionchange = () => base.close(); // a newer page wants it
   try {
     return await new Promise((done, failed) => {
-      const transaction = base.transaction(store, mode);
-      const asked = act(transaction.objectStore(store));
+      const transaction = base.transaction([runs, moments], mode);
+      let result: T;
+      act(transaction, (value) => {
+        result = value;
+      });
       // A write counts once the transaction is through, not when it was asked for.
-      transaction.oncomplete = () => done(asked.result);
+      transaction.oncomplete = () => done(result);
       transaction.onerror = transaction.onabort = () => failed(transaction.error ?? new Error("the browser keeps nothing"));
     });
   } finally {
@@ -41,7 +60,48 @@ async function within<T>(mode: IDBTransactionMode, act: (s: IDBObjectStore) => I
   }
 }
 
-/** @throws where the browser has no room or keeps nothing */
-export const keep = (what: Kept): Promise<unknown> => within("readwrite", (s) => s.put(what, key));
-export const kept = (): Promise<Kept | undefined> => within("readonly", (s) => s.get(key) as IDBRequest<Kept | undefined>);
-export const forget = (): Promise<unknown> => within("readwrite", (s) => s.delete(key));
+/** All or nothing. Of the film only those moments are written that are not there yet.   @throws where the browser has no room or keeps nothing */
+export async function keep(what: KeptState, film: LiveFilm): Promise<void> {
+  const written: number[] = [];
+  try {
+    await within<void>("readwrite", (transaction) => {
+      const places = transaction.objectStore(moments);
+      const asked = places.getAllKeys();
+      asked.onsuccess = () => {
+        const index = film.index();
+        const there = new Set(asked.result as string[]);
+        const wanted = index.times.map((t) => keyOf(index, t));
+        for (const key of there) if (!wanted.includes(key)) places.delete(key);
+        index.times.forEach((t, k) => {
+          if (there.has(wanted[k]) && !film.unsaved.has(t)) return;
+          places.put(film.moment(k), wanted[k]);
+          film.unsaved.delete(t);
+          written.push(t);
+        });
+        transaction.objectStore(runs).put({ ...what, film: index } satisfies Stored, last);
+      };
+    });
+  } catch (reason) {
+    for (const t of written) film.unsaved.add(t);
+    throw reason;
+  }
+}
+
+export const kept = (): Promise<Kept | undefined> =>
+  within("readonly", (transaction, result) => {
+    const asked = transaction.objectStore(runs).get(last) as IDBRequest<Stored | undefined>;
+    asked.onsuccess = () => {
+      const run = asked.result;
+      if (!run) return;
+      const all: Numbers[][] = [];
+      const film = { ...run.film, moments: all };
+      result({ ...run, film: null });
+      run.film.times.forEach((t, k) => {
+        const one = transaction.objectStore(moments).get(keyOf(run.film, t)) as IDBRequest<Numbers[] | undefined>;
+        one.onsuccess = () => {
+          if (one.result) all[k] = one.result;
+          if (k === run.film.times.length - 1 && Object.keys(all).length === k + 1) result({ ...run, film });
+        };
+      });
+    };
+  });

@@ -224,7 +224,7 @@ export class Live {
     this.film = new LiveFilm(head, this.reference);
     this.times.length = 0;
     this.film.film.times = this.times; // the clock steps by them
-    if (from) this.film.restore(from.film);
+    if (from?.film) this.film.restore(from.film);
   }
 
   /** Makes all that shows the film, once it has a moment. */
@@ -260,7 +260,7 @@ export class Live {
       const { bytes, t_s } = await this.engine.ask({ kind: "image" });
       if (!bytes || t_s === undefined) return;
       const { scenario, tracks, protrusions } = this;
-      await keep({ scenario, t_s, image: bytes, tracks, protrusions, film: this.film.image(), when: Date.now() });
+      await keep({ scenario, t_s, image: bytes, tracks, protrusions, when: Date.now() }, this.film);
       document.documentElement.dataset["kept"] = String(t_s);
       if (asked) this.bar.tell(`Saved in this browser at ${timeText(t_s)}.`);
     } catch (reason) {

@@ -1,6 +1,6 @@
 /** What is looked at: stage, layers and plots of one simulation. */
 import type { ProtrusionRow, RunPage, Tracks } from "../contract";
-import { h } from "../dom";
+import { h, setText } from "../dom";
 import { timeText } from "../numbers";
 import { haunts } from "../run/frames";
 import { attachKeys, keyList } from "../run/keys";
@@ -91,7 +91,7 @@ export function scene(
   const stage = new Stage(run, film.film, clock, all, usual, undefined, gone);
   const time = h("output", { class: "time" });
   const showTime = () => {
-    time.textContent = timeText(clock.playing ? 10 * Math.floor(clock.time / 10) : clock.time);
+    setText(time, timeText(clock.playing ? 10 * Math.floor(clock.time / 10) : clock.time));
   };
   clock.onChange(showTime, gone);
   showTime();

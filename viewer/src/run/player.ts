@@ -1,7 +1,7 @@
 /** The player: stage, transport, choice of layers, legend, and what is true at the time shown. */
 import type { RunPage } from "../contract";
 import { phaseNames } from "../contract";
-import { h, wantsStillness } from "../dom";
+import { h, setText, wantsStillness } from "../dom";
 import { readable, timeText } from "../numbers";
 import { usual } from "./over/arrows";
 import type { Clock } from "./clock";
@@ -38,20 +38,27 @@ export function viewButtons(stage: Stage): HTMLElement {
 export function present(film: Film, clock: Clock, gone: AbortSignal): HTMLElement {
   const body = h("tbody", {});
   let shown = -1;
+  /** Which protrusions the rows are of, and the cells with their numbers. */
+  let rowsOf: string | null = null;
+  let cells: HTMLElement[] = [];
   const update = () => {
     const { frame } = placeAt(film.times, clock.time);
     if (film.times[frame] === shown) return;
     shown = film.times[frame];
-    const rows = film.protrusions[frame].map((p) =>
-      h(
-        "tr",
-        {},
-        h("td", {}, h("span", { class: `dot phase${p.phase}` }), `${ofCell(p.cell)}${p.id} ${phaseNames[p.phase]}`),
-        h("td", { class: "number" }, p.anchor ? readable(p.f_mat, 2) : "\u2013"),
-        h("td", { class: "number" }, p.anchor ? readable(p.force_nN, 2) : "\u2013"),
-      ),
-    );
-    body.replaceChildren(...(rows.length > 0 ? rows : [h("tr", {}, h("td", { colspan: 3 }, "none"))]));
+    const alive = film.protrusions[frame];
+    const names = alive.map((p) => `${ofCell(p.cell)}${p.id} ${phaseNames[p.phase]}`);
+    if (names.join() !== rowsOf) {
+      rowsOf = names.join();
+      cells = alive.flatMap(() => [h("td", { class: "number" }), h("td", { class: "number" })]);
+      const rows = alive.map((p, k) =>
+        h("tr", {}, h("td", {}, h("span", { class: `dot phase${p.phase}` }), names[k]), cells[2 * k], cells[2 * k + 1]),
+      );
+      body.replaceChildren(...(rows.length > 0 ? rows : [h("tr", {}, h("td", { colspan: 3 }, "none"))]));
+    }
+    alive.forEach((p, k) => {
+      setText(cells[2 * k], p.anchor ? readable(p.f_mat, 2) : "\u2013");
+      setText(cells[2 * k + 1], p.anchor ? readable(p.force_nN, 2) : "\u2013");
+    });
   };
   clock.onChange(update, gone);
   update();
@@ -97,7 +104,7 @@ export function player(run: RunPage, film: Film, clock: Clock, role: Role, gone:
   const stage = new Stage(run, film, clock, all, usual(film, displacement), role.shared, gone);
   const time = h("output", { class: "time" });
   const showTime = () => {
-    time.textContent = timeText(clock.time);
+    setText(time, timeText(clock.time));
   };
   clock.onChange(showTime, gone);
   showTime();

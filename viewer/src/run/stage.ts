@@ -344,7 +344,7 @@ export class Stage {
     const dark = isDark();
     const { layer } = this;
     const scale = this.scale().on(dark);
-    this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um) : null;
+    this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um, this.patch?.sums) : null;
     this.painter.paint({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
     const c = this.top.getContext("2d");
     if (!c) return;

@@ -115,7 +115,11 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
   made.svg.append(s("text", { x: 2, y: 13 }, rows[0].cell === undefined ? "protrusion" : "cell/protrusion"));
   const cursor = s("path", { class: "cursor" });
   made.svg.append(cursor, remarks);
-  const update = () => cursor.setAttribute("d", `M${made.x(clock.time / 3600)} ${top}V${height - bottom}`);
+  let drawn = "";
+  const update = () => {
+    const d = `M${made.x(clock.time / 3600).toFixed(1)} ${top}V${height - bottom}`;
+    if (d !== drawn) cursor.setAttribute("d", (drawn = d));
+  };
   clock.onChange(update, gone);
   update();
   onPick(made, (x) => clock.jump(3600 * made.toX(x)));

@@ -1,5 +1,5 @@
 /** Play, scrub, speed, loop, follow. */
-import { h } from "../dom";
+import { h, setText } from "../dom";
 import { timeText } from "../numbers";
 import type { Clock } from "./clock";
 import type { Stage } from "./stage";
@@ -38,12 +38,12 @@ export function transport(clock: Clock, stage: Stage, leads: boolean, gone: Abor
   });
   const times = h("span", { class: "times" });
   const update = () => {
-    play.textContent = clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
+    setText(play, clock.playing ? "\u275a\u275a" : "\u25b6\ufe0e");
     play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
     scrub.value = String(Math.round(clock.time));
     scrub.style.setProperty("--done", `${(100 * clock.time) / clock.end}%`);
     scrub.setAttribute("aria-valuetext", timeText(clock.time));
-    times.textContent = `${timeText(60 * Math.floor(clock.time / 60))} of ${timeText(clock.end)}`;
+    setText(times, `${timeText(60 * Math.floor(clock.time / 60))} of ${timeText(clock.end)}`);
   };
   clock.onChange(update, gone);
   update();

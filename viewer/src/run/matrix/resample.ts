@@ -58,9 +58,17 @@ export function valueOfNearest(film: Film, layer: Layer, place: Place, x: number
   return particleValue(film, layer, place, found, between(film.x, place, 2 * found), between(film.x, place, 2 * found + 1));
 }
 
+/** So many zeros, in the memory of `spare` where it is large enough; a little more than needed, since views change by a node. */
+function zeros(count: number, spare?: Float32Array): Float32Array {
+  const bytes = 4 * count;
+  const memory = spare && spare.buffer.byteLength >= bytes ? spare.buffer : new ArrayBuffer(Math.ceil(1.1 * count) * 4);
+  return new Float32Array(memory, 0, count).fill(0);
+}
+
 const [wx, wy] = [new Float64Array(8), new Float64Array(8)];
 
-export function resample(film: Film, layer: Layer, place: Place, camera: Camera, spacing: number): Patch {
+/** @param spare  the sums of a patch that is no longer needed: their memory is used again where it is large enough */
+export function resample(film: Film, layer: Layer, place: Place, camera: Camera, spacing: number, spare?: Float32Array): Patch {
   // Far out, nodes as far apart as particles are close enough on the screen.
   const step = spacing * camera.scale < 5 ? spacing : 0.5 * spacing;
   const [halfWidth, halfHeight] = [(0.5 * camera.width) / camera.scale, (0.5 * camera.height) / camera.scale];
@@ -69,7 +77,7 @@ export function resample(film: Film, layer: Layer, place: Place, camera: Camera,
   const bottom = step * (Math.floor((camera.y - halfHeight) / step) - 1);
   const columns = Math.ceil((camera.x + halfWidth - left) / step) + 2;
   const rows = Math.ceil((camera.y + halfHeight - bottom) / step) + 2;
-  const sums = new Float32Array(channels * columns * rows);
+  const sums = zeros(channels * columns * rows, spare);
   const stepsPerSpacing = spacing / step;
   const reach = support * stepsPerSpacing;
   const { q, scale, offset, stride } = film.x;
