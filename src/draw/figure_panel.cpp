@@ -16,8 +16,8 @@ namespace matrigrate::draw {
 
 namespace {
 
-constexpr double side = 300.0;   ///< of a picture [pixel]
-constexpr double bar_gap = 16.0; ///< between the pictures and the colour bar [pixel]
+constexpr double side = 300.0;          ///< of a picture [pixel]
+constexpr double colour_bar_gap = 16.0; ///< between the pictures and the colour bar [pixel]
 
 void check(std::span<const observe::CellScene> scenes, const FigureField* field) {
   if (scenes.empty()) throw std::invalid_argument("a figure of no moment");
@@ -68,7 +68,7 @@ std::string figure_panel(std::span<const observe::CellScene> scenes, const Figur
   }
   double width = pictures + 2.0 * svg::margin;
   if (field != nullptr) {
-    const double left = svg::margin + along(columns) + bar_gap;
+    const double left = svg::margin + along(columns) + colour_bar_gap;
     const double label = left + colour_bar_width + 9.0 + label_width(axis) + svg::label_size + 4.0;
     body += colour_bar(axis, field->map, left);
     body += svg::text(label, 0.5 * (axis.begin + axis.end), field->label,

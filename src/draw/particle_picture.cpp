@@ -77,7 +77,7 @@ Axis value_axis(const ParticlePicture& p) {
 }
 
 /// From um to pixels, the same in both directions.
-struct Frame {
+struct Projection {
   Vec2 low = Vec2::Zero(); ///< lower left corner of the box of the particles [um]
   double left = 0.0, bottom = 0.0;
   double scale = 1.0; ///< [pixel/um]
@@ -89,16 +89,16 @@ struct Frame {
 /// Place of a level in the list of paths; -1, for values that are missing, comes first.
 std::size_t slot(int level) { return level < 0 ? 0 : std::size_t{1} + static_cast<std::size_t>(level); }
 
-std::string dots(const ParticlePicture& p, const Axis& axis, const Frame& frame) {
+std::string dots(const ParticlePicture& p, const Axis& axis, const Projection& projection) {
   std::array<std::string, colour_levels + 1> path;
   for (std::size_t i = 0; i < p.position.size(); ++i) {
     if (!finite(p.position[i])) continue;
-    const Vec2 a = frame.at(p.position[i]);
+    const Vec2 a = projection.at(p.position[i]);
     path[slot(colour_level(p.value[i], axis))] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
   const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\">\n",
-                                p.particle_size * frame.scale);
+                                p.particle_size * projection.scale);
   for (int level = -1; level < colour_levels; ++level) {
     const auto& data = path[slot(level)];
     const std::string c = level < 0 ? std::string(missing) : level_colour(map, level);
@@ -107,12 +107,12 @@ std::string dots(const ParticlePicture& p, const Axis& axis, const Frame& frame)
   return out + "</g>\n";
 }
 
-std::string arrows(const ParticlePicture& p, const Frame& frame) {
+std::string arrows(const ParticlePicture& p, const Projection& projection) {
   std::string path;
   for (std::size_t i = 0; i < p.arrow.size(); ++i) {
     if (!finite(p.position[i]) || !finite(p.arrow[i])) continue;
-    const Vec2 tail = frame.at(p.position[i]);
-    const Vec2 tip = frame.at(p.position[i] + p.arrow_scale * p.arrow[i]);
+    const Vec2 tail = projection.at(p.position[i]);
+    const Vec2 tip = projection.at(p.position[i] + p.arrow_scale * p.arrow[i]);
     const double length = (tip - tail).norm();
     if (length < 0.5) continue;
     const Vec2 back = (tail - tip) * (std::min(0.4 * length, 6.0) / length);
@@ -132,10 +132,10 @@ std::string arrows(const ParticlePicture& p, const Frame& frame) {
 }
 
 /// A closed curve, dark with a light edge.
-std::string outline(const std::vector<Vec2>& points, const Frame& frame) {
+std::string outline(const std::vector<Vec2>& points, const Projection& projection) {
   std::string path;
   for (const Vec2& x : points) {
-    const Vec2 a = frame.at(x);
+    const Vec2 a = projection.at(x);
     path += (path.empty() ? 'M' : 'L') + svg::point(a.x(), a.y());
   }
   if (path.empty()) return path;
@@ -144,10 +144,10 @@ std::string outline(const std::vector<Vec2>& points, const Frame& frame) {
                      path, svg::dark);
 }
 
-std::string scale_bar(double um, const Frame& frame, double y) {
-  const double length = um * frame.scale;
-  return svg::rectangle(frame.left, y, length, 5.0, svg::dark)
-         + svg::text(frame.left + length + 8.0, y + 8.5, fmt::format("{} um", um), {});
+std::string scale_bar(double um, const Projection& projection, double y) {
+  const double length = um * projection.scale;
+  return svg::rectangle(projection.left, y, length, 5.0, svg::dark)
+         + svg::text(projection.left + length + 8.0, y + 8.5, fmt::format("{} um", um), {});
 }
 
 } // namespace
@@ -168,11 +168,11 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const double room = room_without_label - svg::text_height(label.size(), svg::label_size) - 4.0;
   const double height = height_for(room);
 
-  Frame frame;
-  frame.low = box.low;
-  frame.scale = std::min(room / size.x(), height / size.y());
-  frame.left = svg::margin + 0.5 * (room - frame.scale * size.x());
-  frame.bottom = top + 0.5 * (height + frame.scale * size.y());
+  Projection projection;
+  projection.low = box.low;
+  projection.scale = std::min(room / size.x(), height / size.y());
+  projection.left = svg::margin + 0.5 * (room - projection.scale * size.x());
+  projection.bottom = top + 0.5 * (height + projection.scale * size.y());
   values.begin = top + height;
   values.end = top;
 
@@ -181,12 +181,12 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const double bar_left = svg::margin + room + bar_gap;
   const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string body = svg::text_lines(svg::margin, svg::margin + svg::title_size - 3.0, title, heading);
-  body += dots(p, values, frame) + arrows(p, frame);
-  for (const std::vector<Vec2>& points : p.outlines) body += outline(points, frame);
+  body += dots(p, values, projection) + arrows(p, projection);
+  for (const std::vector<Vec2>& points : p.outlines) body += outline(points, projection);
   body += colour_bar(values, map, bar_left);
   body += svg::text_lines(bar_left + colour_bar_width + 9.0 + label_width(values) + svg::label_size + 4.0,
                           top + 0.5 * height, label, upward);
-  body += scale_bar(round_step(0.1 * room / frame.scale), frame, top + height + 0.4 * scale_room);
+  body += scale_bar(round_step(0.1 * room / projection.scale), projection, top + height + 0.4 * scale_room);
   if (p.position.empty())
     body += svg::text(svg::margin + 0.5 * room, top + 0.5 * height, "no particles to draw",
                       {.anchor = svg::Anchor::middle});

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t max_text = std::size_t{64} << 20U; // of run.json
+constexpr std::size_t max_record = std::size_t{64} << 20U; // of run.json
 
 /// How the run stands, in a sentence.
 std::string status_text(const FinishedRun& run) {
@@ -63,7 +63,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
     throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
   FinishedRun run;
   run.folder = folder;
-  run.record = Json::parse(read_file(folder / "run.json", max_text), nullptr, false);
+  run.record = Json::parse(read_file(folder / "run.json", max_record), nullptr, false);
   if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
   const bool last = std::filesystem::exists(folder / store::checkpoint_name, error);
   const std::filesystem::path file = folder / (last ? store::checkpoint_name : store::previous_checkpoint_name);

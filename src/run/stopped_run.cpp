@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_text = std::size_t{64} << 20U; // of a scenario
+constexpr std::size_t max_scenario = std::size_t{64} << 20U;
 constexpr const char* scenario_file = "scenario.resolved.toml";
 
 /// Whether a text gives every parameter: a part of a resolved scenario is valid TOML too, with defaults for the rest.
@@ -41,7 +41,7 @@ bool is_complete(const std::string& text) {
 /// The scenario that a folder's file holds; none if it is missing, incomplete or not valid.
 std::optional<Parameters> written_scenario(const fs::path& folder) {
   try {
-    const std::string text = read_file(folder / scenario_file, max_text);
+    const std::string text = read_file(folder / scenario_file, max_scenario);
     if (is_complete(text)) return parse_parameters(text, scenario_file);
   } catch (const InputOutputError&) {   // is not there
   } catch (const ConfigurationError&) { // was damaged

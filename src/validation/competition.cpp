@@ -16,7 +16,6 @@ namespace {
 
 constexpr double alone = 600.0;    // for which the first ones hold each other before one more begins [s]
 constexpr double followed = 300.0; // the end of that time, in which their rate is measured [s]
-constexpr double pi = std::numbers::pi;
 
 struct Arrangement {
   std::string name;
@@ -106,8 +105,9 @@ Outcome compete(const Parameters& p, const Arrangement& arrangement, store::Tabl
 Result competition(const Parameters& p) {
   Result result;
   result.table.columns = {"held", "protrusion", "time_s", "force_nN", "f_mat", "base_width_um", "slack"};
-  const std::vector<Arrangement> arrangements{{"two opposed", {0.0, pi}, 0.5 * pi},
-                                              {"three", {0.0, 0.5 * pi, pi}, 1.5 * pi}};
+  const std::vector<Arrangement> arrangements{
+      {"two opposed", {0.0, std::numbers::pi}, 0.5 * std::numbers::pi},
+      {"three", {0.0, 0.5 * std::numbers::pi, std::numbers::pi}, 1.5 * std::numbers::pi}};
   for (const Arrangement& arrangement : arrangements) {
     draw::Plot plot{.title = fmt::format("Adhesions of a cell: {} mature, then one more", arrangement.name),
                     .x_label = "time [s]",

@@ -8,6 +8,10 @@
 /// Test: tests/unit/validation/fibre_gels_test.cpp
 namespace matrigrate::validation {
 
+inline constexpr double largest_strain = 0.16; ///< of the specimens and the lattice
+inline constexpr int strip_increments = 16;    ///< of a specimen, 0.01 each
+inline constexpr int lattice_increments = 160; ///< of the infinite lattice
+
 /// The sides of a gel that is stretched. Extensional rheometers hold wide, flat samples: their sides cannot move in,
 /// and the deformation gradient is diag(1 + strain, 1, 1).
 enum class Sides { held, free };

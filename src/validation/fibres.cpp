@@ -12,9 +12,6 @@ namespace matrigrate::validation {
 
 namespace {
 
-constexpr double largest = 0.16;      // strain of the specimens
-constexpr int increments = 16;        // of the specimens, 0.01 each
-constexpr int fine = 160;             // of the infinite lattice
 constexpr double judged_up_to = 0.10; // strain
 constexpr double data_up_to = 0.15;   // strain
 constexpr double agreement = 0.15;    // largest rms relative error that is called agreement
@@ -43,7 +40,7 @@ double relative_error(const std::vector<Stretch>& curve, const std::vector<Stres
 /// The semi-affine law in steps of 0.01.
 std::vector<StressPoint> law_curve(const Parameters& p, double k_0, Sides sides) {
   std::vector<StressPoint> points;
-  for (int k = 1; k <= increments; ++k) {
+  for (int k = 1; k <= strip_increments; ++k) {
     const double strain = 0.01 * k;
     points.push_back(
         {strain, 1e3 * k_0 * semi_affine_stress(strain, p.fibres.onset, p.fibres.stiffening_strain, sides)});
@@ -55,17 +52,17 @@ std::vector<StressPoint> law_curve(const Parameters& p, double k_0, Sides sides)
 double onset_of(const Parameters& p) {
   Parameters plain = p;
   plain.fibres.onset = 10.0;
-  const std::vector<Stretch> stiffening = affine_lattice(p, largest, fine, Sides::held);
-  const std::vector<Stretch> without = affine_lattice(plain, largest, fine, Sides::held);
-  for (std::size_t k = 0; k < fine; ++k)
+  const std::vector<Stretch> stiffening = affine_lattice(p, largest_strain, lattice_increments, Sides::held);
+  const std::vector<Stretch> without = affine_lattice(plain, largest_strain, lattice_increments, Sides::held);
+  for (std::size_t k = 0; k < lattice_increments; ++k)
     if (stiffening[k].stress > 1.0001 * without[k].stress) return stiffening[k].strain;
   return std::nan("");
 }
 
 /// Error of the infinite lattice against the semi-affine law, both with the same sides.
 double law_error(const Parameters& p, Sides sides) {
-  return relative_error(affine_lattice(p, largest * 1.01, fine, sides), law_curve(p, p.fibres.stiffness, sides),
-                        judged_up_to);
+  return relative_error(affine_lattice(p, largest_strain * 1.01, lattice_increments, sides),
+                        law_curve(p, p.fibres.stiffness, sides), judged_up_to);
 }
 
 Parameters without_rest(Parameters p) {
@@ -97,8 +94,8 @@ Result fibres(const Parameters& p) {
   result.table.columns = {"k_0_Pa", "strain", "nominal_stress_Pa", "infinite_lattice_Pa", "semi_affine_Pa"};
   for (const CollagenGel& gel_of : collagen_gels()) {
     const Parameters q = gel(p, gel_of.k_0);
-    const std::vector<Stretch> specimen = pull_strip(q, largest, increments);
-    const std::vector<Stretch> lattice = affine_lattice(q, largest * 1.01, fine, Sides::held);
+    const std::vector<Stretch> specimen = pull_strip(q, largest_strain, strip_increments);
+    const std::vector<Stretch> lattice = affine_lattice(q, largest_strain * 1.01, lattice_increments, Sides::held);
     const std::vector<StressPoint> law_points = law_curve(p, gel_of.k_0, Sides::held);
     const std::string name = fmt::format("{} mg/ml", gel_of.concentration);
     for (std::size_t k = 0; k < specimen.size(); ++k) {
@@ -112,7 +109,8 @@ Result fibres(const Parameters& p) {
            stress_at(specimen, at) / stress_at(lattice, at), 1.0, 0.01,
            "both are homogeneous: steps in time, and the end of relaxation"});
     result.checks.push_back({fmt::format("{}: strain at which stiffening sets in", name), onset_of(q), p.fibres.onset,
-                             2.0 * largest / fine, "two increments of the infinite lattice"});
+                             2.0 * largest_strain / lattice_increments,
+                             "two increments of the infinite lattice"});
     const double error = relative_error(specimen, law_points, judged_up_to);
     if (gel_of.concentration > 1.0)
       result.claims.push_back({fmt::format("{}: rms relative error of the stress to strain {:.2f} against the "
@@ -152,7 +150,7 @@ draw::Figure draw_fibres(const store::Table& table) {
     model.y = rows.column("nominal_stress_Pa");
     law.y = rows.column("semi_affine_Pa");
     for (const StressPoint& point : gel_of->measured) {
-      if (point.strain > largest) continue;
+      if (point.strain > largest_strain) continue;
       measured.x.push_back(point.strain);
       measured.y.push_back(point.stress);
     }

@@ -9,12 +9,9 @@ namespace matrigrate::validation {
 
 namespace {
 
-constexpr double largest = 0.16;
-constexpr int increments = 16;
-constexpr int fine = 160;
 constexpr double densest_k_0 = 5.208; // of the isotropic gel of 2.4 mg/ml [kPa]
 
-Parameters gel(Parameters p, double direction_deg) {
+Parameters parallel_gel(Parameters p, double direction_deg) {
   p.ecm.youngs_modulus = 0.01;
   p.fibres.arrangement = FibreArrangement::uniaxial;
   p.fibres.stiffness = 10.0;
@@ -28,15 +25,16 @@ Result fibres_uniaxial(const Parameters& p) {
   Result result;
   result.table.columns = {"angle_to_fibres_deg", "strain", "nominal_stress_Pa", "infinite_lattice_Pa",
                           "isotropic_gel_Pa"};
-  Parameters densest = gel(p, 0.0);
+  Parameters densest = parallel_gel(p, 0.0);
   densest.fibres.arrangement = FibreArrangement::isotropic;
   densest.fibres.stiffness = densest_k_0;
-  const std::vector<Stretch> isotropic = affine_lattice(densest, largest * 1.01, fine, Sides::held);
+  const std::vector<Stretch> isotropic =
+      affine_lattice(densest, largest_strain * 1.01, lattice_increments, Sides::held);
   std::vector<std::vector<Stretch>> specimens;
   for (const double angle : {0.0, 90.0}) {
-    const Parameters q = gel(p, angle);
-    const std::vector<Stretch> specimen = pull_strip(q, largest, increments);
-    const std::vector<Stretch> lattice = affine_lattice(q, largest * 1.01, fine, Sides::held);
+    const Parameters q = parallel_gel(p, angle);
+    const std::vector<Stretch> specimen = pull_strip(q, largest_strain, strip_increments);
+    const std::vector<Stretch> lattice = affine_lattice(q, largest_strain * 1.01, lattice_increments, Sides::held);
     for (const Stretch& s : specimen)
       result.table.add(
           {angle, s.strain, 1e3 * s.stress, 1e3 * stress_at(lattice, s.strain), 1e3 * stress_at(isotropic, s.strain)});

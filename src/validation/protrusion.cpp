@@ -15,19 +15,18 @@ constexpr double longest_growth = 600.0;                 // [s]
 constexpr std::array<double, 3> times{200, 400, 600};    // T_prot of the paper's Fig 8 [s]
 constexpr std::array<double, 3> stiffness{50, 200, 400}; // [Pa]
 constexpr double longest_in_paper = 30.0;                // [um]
-constexpr double pi = std::numbers::pi;
 
 /// Length over time of a protrusion that grows for longest_growth.
 draw::Series grow(Parameters p, double angle, store::Table& table) {
   p.protrusion.growth_time = 2.0 * longest_growth;
   SingleProtrusion one(p, angle);
-  draw::Series series{.label =
-                          fmt::format("{:.0f} Pa, {:.1f} degrees", 1e3 * p.ecm.youngs_modulus, angle * 180.0 / pi)};
+  draw::Series series{
+      .label = fmt::format("{:.0f} Pa, {:.1f} degrees", 1e3 * p.ecm.youngs_modulus, angle * 180.0 / std::numbers::pi)};
   for (double t = 20.0; t < longest_growth + 1.0; t += 20.0) {
     one.march_for(20.0);
     series.x.push_back(t);
     series.y.push_back(one.length());
-    table.add({1e3 * p.ecm.youngs_modulus, angle * 180.0 / pi, t, one.length()});
+    table.add({1e3 * p.ecm.youngs_modulus, angle * 180.0 / std::numbers::pi, t, one.length()});
   }
   return series;
 }
@@ -49,7 +48,8 @@ Result protrusion(const Parameters& p) {
     q.ecm.youngs_modulus = 1e-3 * E;
     plot.series.push_back(grow(q, 0.0, result.table));
   }
-  for (const double angle : {pi / 8.0, pi / 4.0}) plot.series.push_back(grow(p, angle, result.table));
+  for (const double angle : {std::numbers::pi / 8.0, std::numbers::pi / 4.0})
+    plot.series.push_back(grow(p, angle, result.table));
   const draw::Series& soft = plot.series[0];
   const draw::Series& base = plot.series[1];
   const draw::Series& stiff = plot.series[2];

@@ -4,6 +4,7 @@ import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import { groupOf } from "../sample/group";
 import { sampleRun } from "../sample/run";
+import { sampleStudy } from "../sample/study";
 import { cellColourCount, cellColours } from "../src/colour";
 import { cellParts, tracksOfCells } from "../src/run/cells";
 import { launch, open } from "./browser";
@@ -70,6 +71,37 @@ test("the player draws each cell in its colours, and the page says which cell", 
   assert.equal(await page.locator("#path .plot").nth(1).locator(".curve").count(), 3);
   assert.match((await page.locator("#protrusions .plot").textContent()) ?? "", /2\/1/);
   assert.equal(await page.locator("#readouts th").first().textContent(), "cell");
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("the page of a study plays all cells of a run, and has a path for each", async () => {
+  const study = sampleStudy();
+  const first = study.players![0];
+  first.run = await groupOf(one(), shifts);
+  const run = study.runs.find(({ id }) => id === first.id)!;
+  const { x_um: x, y_um: y } = run.path!;
+  run.path = { x_um: [...x, null, ...x.map((v) => v && v + 20)], y_um: [...y, null, ...y] };
+  const { page, errors } = await open(browser, "study", JSON.stringify(study));
+  await page.locator("#players .stage").waitFor({ state: "attached" });
+  await page.locator("#players h2 >> nth=0").scrollIntoViewIfNeeded();
+  await page.locator("#players .scrub").fill("6000");
+  for (const k of [0, 1, 2]) {
+    const { rear, front } = cellColours(k, 3);
+    assert.ok((await pixelsOf(page, rear)) > 100, `rear of cell ${k + 1}`);
+    assert.ok((await pixelsOf(page, front)) > 100, `front of cell ${k + 1}`);
+  }
+  assert.match((await page.locator("#players .panel .signs").textContent()) ?? "", /cell 1 \(rear, front\)cell 2cell 3/);
+  const ofSecondCell = () =>
+    page.evaluate(
+      () =>
+        [...document.querySelectorAll<HTMLElement & { data?: { text?: string }[] }>("#paths .js-plotly-plot")]
+          .flatMap((plot) => (plot.data ?? []).map(({ text }) => String(text)))
+          .filter((text) => text.includes("cell 2")).length,
+    );
+  await page.locator("#paths").scrollIntoViewIfNeeded();
+  for (let k = 0; k < 100 && (await ofSecondCell()) === 0; ++k) await page.waitForTimeout(100); // drawn when it is looked at
+  assert.equal(await ofSecondCell(), 1, "a path of the second cell");
   assert.deepEqual(errors, []);
   await page.context().close();
 });

@@ -17,7 +17,7 @@ using namespace matrigrate;
 
 namespace {
 
-std::vector<Vec2> forces_of(const EcmState& ecm, const EcmParameters& p, const Reference& ref) {
+std::vector<Vec2> elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref) {
   std::vector<Vec2> force(ecm.size(), Vec2::Zero());
   SolidFields solid;
   add_elastic_forces(ecm, p, ref, solid, force);
@@ -50,9 +50,9 @@ TEST(GradedForces, OfAConstantFieldAreThoseOfAUniformMatrix) {
   const Reference ref(ecm, p);
   for (const double ratio : {1.0, 2.5}) {
     ecm.E_ratio.clear();
-    const std::vector<Vec2> expected = forces_of(ecm, stiffer(p, ratio), ref);
+    const std::vector<Vec2> expected = elastic_forces(ecm, stiffer(p, ratio), ref);
     ecm.E_ratio.assign(ecm.size(), ratio);
-    const std::vector<Vec2> graded = forces_of(ecm, p, ref);
+    const std::vector<Vec2> graded = elastic_forces(ecm, p, ref);
     for (std::size_t i = 0; i < ecm.size(); ++i)
       EXPECT_LT((graded[i] - expected[i]).norm(), 1e-14 * largest(expected)) << i;
   }
@@ -61,7 +61,7 @@ TEST(GradedForces, OfAConstantFieldAreThoseOfAUniformMatrix) {
 TEST(GradedForces, HaveNoNetForceAndNoTorque) {
   const EcmParameters p;
   const EcmState ecm = uneven_body(p);
-  const std::vector<Vec2> force = forces_of(ecm, p, Reference(ecm, p));
+  const std::vector<Vec2> force = elastic_forces(ecm, p, Reference(ecm, p));
   Vec2 sum = Vec2::Zero();
   double torque = 0.0, magnitude = 0.0, moment = 0.0;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
@@ -87,7 +87,7 @@ TEST(GradedForces, AreTheGradientOfTheHourglassEnergy) {
       if (moved.f[i] > 0.0) F[i] = deformation_gradient(moved, ref, i);
     return hourglass_energy(moved, p, ref, F);
   };
-  const std::vector<Vec2> force = forces_of(ecm, p, ref);
+  const std::vector<Vec2> force = elastic_forces(ecm, p, ref);
   const double d = 1e-4;
   for (const std::size_t i : {0UL, 17UL, 60UL, 111UL, 140UL})
     for (int c = 0; c < 2; ++c) {

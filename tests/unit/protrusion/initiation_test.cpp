@@ -38,11 +38,6 @@ double first_initiation(Parameters p, std::uint64_t seed, const Scene& start,
   return s.now.t - p.run.time_step + within;
 }
 
-void next_step(Scene& s, const Parameters& p) {
-  ++s.now.step;
-  s.now.t = static_cast<double>(s.now.step) * p.run.time_step;
-}
-
 } // namespace
 
 TEST(Initiation, WaitingTimesAreExponentialWithTheRateOfAllFrontParticles) {

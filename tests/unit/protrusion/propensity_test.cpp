@@ -7,15 +7,6 @@
 
 using namespace matrigrate;
 
-namespace {
-
-void next_step(Scene& s, const Parameters& p) {
-  ++s.now.step;
-  s.now.t = static_cast<double>(s.now.step) * p.run.time_step;
-}
-
-} // namespace
-
 // A hundred particles of propensity 3 and fifty of propensity 1 have the rate of 350; the others, of none, stay quiet.
 TEST(Propensity, IsAFactorOnTheRateOfAParticle) {
   Parameters p = small_matrix();

@@ -42,6 +42,11 @@ inline Protrusion& add_protrusion(Scene& s, std::uint32_t centre, const Phase& p
   return s.cell.protrusions.back();
 }
 
+inline void next_step(Scene& s, const Parameters& p) {
+  ++s.now.step;
+  s.now.t = static_cast<double>(s.now.step) * p.run.time_step;
+}
+
 /// Outward direction of a particle of the round cell.
 inline Vec2 outward(const Scene& s, std::size_t i) { return s.cell.cortex.x[i].normalized(); }
 
