@@ -91,8 +91,11 @@ int reproduce(const ReproduceOptions& options) {
     for (const PartRow& row : part_rows())
       if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
     auto needed = claims;
-    if (options.chooses("F1") && options.from.empty())
-      needed.push_back(chosen_claims({.id = "A1"}).front()); // its runs
+    if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
+      ReproduceOptions first = options;
+      first.id = "A1";
+      needed.push_back(chosen_claims(first).front());
+    }
     all = gather_evidence(needed, options);
   } catch (const Stopped& stopped) {
     print("stopped; the same command goes on\n");

@@ -92,6 +92,7 @@ struct FrameField {
   std::uint32_t components; ///< 1, or 2 for vectors
   Numbers& (*of)(Frame&);
 
+  bool of_protrusions() const { return name.starts_with("protrusions/"); }
   /// Whether only frames of several cells have it.
   bool of_several_cells() const { return name.ends_with("/cell"); }
   /// Whether only frames with attractant have it.

@@ -21,7 +21,7 @@ using Text = std::string& (*)(Parameters&);
 /// The default, as an example of what can be written.
 std::string example(const Row& row) { return value_text(row, Parameters{}); }
 
-std::string quoted(std::string_view text) { return fmt::format("\"{}\"", excerpt(text)); }
+std::string quoted_excerpt(std::string_view text) { return fmt::format("\"{}\"", excerpt(text)); }
 
 std::string wrong_type(const Row& row, const Given& given) {
   return fmt::format("is {}, but {} is expected, such as {}", given.type,
@@ -55,20 +55,20 @@ Typed typed_string(const Row& row, const std::string& text) {
   Typed typed;
   try {
     quantity = units::parse_quantity(text);
-    typed = {quantity.number, units::parse_unit(quantity.unit), quoted(text)};
+    typed = {quantity.number, units::parse_unit(quantity.unit), quoted_excerpt(text)};
   } catch (const std::invalid_argument& error) {
     const std::string_view what = error.what();
-    if (what.starts_with("has a comma")) throw std::invalid_argument(fmt::format("{} {}", quoted(text), what));
+    if (what.starts_with("has a comma")) throw std::invalid_argument(fmt::format("{} {}", quoted_excerpt(text), what));
     const bool names_itself = what.starts_with('"') || what.starts_with("the ");
     throw std::invalid_argument(
-        fmt::format("{}{}{}; {}", quoted(text), names_itself ? ": " : " ", excerpt(what, 120), such));
+        fmt::format("{}{}{}; {}", quoted_excerpt(text), names_itself ? ": " : " ", excerpt(what, 120), such));
   }
   if (quantity.unit.empty())
     throw std::invalid_argument(
-        fmt::format("{} has no unit; {}, or as a bare number in {}", quoted(text), such, row.unit));
+        fmt::format("{} has no unit; {}, or as a bare number in {}", quoted_excerpt(text), such, row.unit));
   const units::Dimension expected = units::parse_unit(row.unit).dimension;
   if (typed.unit.dimension != expected)
-    throw std::invalid_argument(fmt::format("{} is {}, but {} is expected; {}", quoted(text),
+    throw std::invalid_argument(fmt::format("{} is {}, but {} is expected; {}", quoted_excerpt(text),
                                             to_string(typed.unit.dimension), to_string(expected), such));
   if (angle) typed.unit = units::quotient(typed.unit, units::parse_unit(row.unit));
   return typed;
@@ -145,7 +145,7 @@ std::string assign_choice(const Row& row, const Given& given, const Choice& choi
       return {};
     }
   const std::vector<std::string> names(choice.names.begin(), choice.names.end());
-  return fmt::format("{} is not known; allowed is {}{}", quoted(*name), allowed_text(row),
+  return fmt::format("{} is not known; allowed is {}{}", quoted_excerpt(*name), allowed_text(row),
                      did_you_mean(nearest(*name, names)));
 }
 

@@ -22,8 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t max_record = std::size_t{64} << 20U; // of run.json
-
 /// How the run stands, in a sentence.
 std::string status_text(const FinishedRun& run) {
   const std::string status = run.record.value("status", "unknown");

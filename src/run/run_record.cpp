@@ -23,8 +23,7 @@ std::string utc(WallClock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(WallClock::to_time_t(time)));
 }
 
-constexpr double Pa = 1e3;                                 // in a kPa
-constexpr std::size_t max_record = std::size_t{64} << 20U; // bytes of run.json
+constexpr double Pa = 1e3; // in a kPa
 
 /// The last part of a path that is no dot; the current folder's own name for "".
 std::string name_of(const fs::path& folder) {

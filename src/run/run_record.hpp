@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -17,6 +18,8 @@
 
 /// The record of a run, run.json. Test: tests/unit/run/run_record_test.cpp, tests/apps/run_test.cpp
 namespace matrigrate::run {
+
+inline constexpr std::size_t max_record = std::size_t{64} << 20U; ///< bytes of run.json that are read
 
 /// How a run stands or ended: what run.json holds.
 struct RunRecord {

@@ -12,7 +12,7 @@ namespace matrigrate {
 
 namespace {
 
-constexpr std::size_t pack_size = Field::lanes;
+constexpr std::size_t field_lanes = Field::lanes;
 constexpr std::size_t run = 4; // nodes in a row that a point reads at once
 
 float rounded(float weight) {
@@ -46,9 +46,9 @@ void add_points(const std::uint32_t* first, const std::uint32_t* point, const st
   for (std::size_t b = begin; b < end; ++b) {
     const float* weight = weights + weights_of[b];
     Floats x, y;
-    load(z.x() + pack_size * b, x);
-    load(z.y() + pack_size * b, y);
-    for (std::uint32_t k = first[b]; k < first[b + 1]; ++k, weight += pack_size) {
+    load(z.x() + field_lanes * b, x);
+    load(z.y() + field_lanes * b, y);
+    for (std::uint32_t k = first[b]; k < first[b + 1]; ++k, weight += field_lanes) {
       Floats w, a_x, a_y;
       load(weight, w);
       fill(a.x()[point[k]], a_x);
@@ -56,8 +56,8 @@ void add_points(const std::uint32_t* first, const std::uint32_t* point, const st
       x += w * a_x;
       y += w * a_y;
     }
-    store_pack(x, z.x() + pack_size * b);
-    store_pack(y, z.y() + pack_size * b);
+    store_pack(x, z.x() + field_lanes * b);
+    store_pack(y, z.y() + field_lanes * b);
   }
 }
 
@@ -73,9 +73,9 @@ void in_pieces(std::size_t n, const Body& body) {
 Interpolation::Interpolation(const Grid& grid, std::size_t nodes) {
   std::vector<std::vector<std::pair<std::uint32_t, float>>> of_point(grid.size()); // nodes and weights, in order
   std::map<std::vector<float>, std::uint32_t> known;
-  for (std::size_t row = 0; row < nodes; row += pack_size) {
-    std::map<std::uint32_t, std::array<float, pack_size>> weights;
-    for (std::size_t i = row; i < std::min(nodes, row + pack_size); ++i)
+  for (std::size_t row = 0; row < nodes; row += field_lanes) {
+    std::map<std::uint32_t, std::array<float, field_lanes>> weights;
+    for (std::size_t i = row; i < std::min(nodes, row + field_lanes); ++i)
       for (std::size_t k = 0; k < 4; ++k) {
         const float weight = rounded(grid.around(i).weight[k]);
         if (weight == 0.0F) continue;

@@ -20,8 +20,6 @@ namespace matrigrate::store {
 
 namespace {
 
-constexpr std::string_view protrusions = "protrusions/";
-
 /// Vectors of two components with a third one, 0; all else as it is.
 observe::Floats in_space(const observe::Floats& values, std::uint32_t components) {
   if (components != 2) return values;
@@ -74,13 +72,13 @@ public:
                [&head](const observe::Frame& f) { return positions(head, f); });
     add_column(m_bytes, "/matrix/solid", 1, "1", first, solid);
     for (const auto& field : observe::float_fields())
-      if (!field.name.starts_with(protrusions))
+      if (!field.of_protrusions())
         add_column(m_floats, fmt::format("/{}", field.name), field.components == 2 ? 3 : 1, field.unit, first,
                    [&field](const observe::Frame& f) { return in_space(field.in(f), field.components); });
       else
         m_protrusions.emplace_back(); // a table's column
     for (const auto& field : observe::byte_fields())
-      if (!field.name.starts_with(protrusions))
+      if (!field.of_protrusions())
         add_column(m_bytes, fmt::format("/{}", field.name), 1, field.unit, first,
                    [&field](const observe::Frame& f) { return field.in(f); });
   }
@@ -92,7 +90,7 @@ public:
     m_frame_of_row.resize(m_frame_of_row.size() + alive, static_cast<std::uint32_t>(m_next));
     auto column = m_protrusions.begin();
     for (const auto& field : observe::float_fields())
-      if (field.name.starts_with(protrusions)) append(*column++, field.in(frame));
+      if (field.of_protrusions()) append(*column++, field.in(frame));
     append(m_phases, frame.protrusions.phase);
     add_anchors(anchors(frame));
     ++m_next;
@@ -103,7 +101,7 @@ public:
     m_file.write("/protrusions/frame", m_frame_of_row, "1");
     auto column = m_protrusions.begin();
     for (const auto& field : observe::float_fields()) {
-      if (!field.name.starts_with(protrusions)) continue;
+      if (!field.of_protrusions()) continue;
       const std::string name = fmt::format("/{}", field.name);
       if (field.of_several_cells() && !m_several)
         ++column;

@@ -139,7 +139,7 @@ bool fits(const observe::Frame& frame, const observe::FrameHead& head, std::size
                                 : field.of_nuclei()                                        ? frame.nucleus.size() / 2
                                 : field.name == "matrix/fibre_von_mises"                   ? fibres
                                 : field.name.starts_with("matrix/")                        ? head.particles()
-                                : field.name.starts_with("protrusions/")                   ? alive
+                                : field.of_protrusions()                                   ? alive
                                                                                            : outline;
     return field.in(frame).size() == entries * field.components;
   };

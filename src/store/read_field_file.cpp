@@ -17,7 +17,6 @@ namespace matrigrate::store {
 namespace {
 
 constexpr std::size_t max_field_file_bytes = std::size_t{64} << 30U;
-constexpr std::string_view protrusions = "protrusions/";
 
 observe::Floats in_plane(const observe::Floats& values) {
   observe::Floats all;
@@ -32,7 +31,7 @@ void read_protrusions(const MemoryFile& file, observe::Film& film) {
   std::vector<observe::Floats> columns;
   const bool several = file.has("/protrusions/cell");
   const auto is_column = [several](const auto& field) {
-    return field.name.starts_with(protrusions) && (several || !field.of_several_cells());
+    return field.of_protrusions() && (several || !field.of_several_cells());
   };
   for (const auto& field : observe::float_fields())
     if (is_column(field)) {
@@ -87,14 +86,14 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
     }
   };
   for (const auto& field : observe::float_fields())
-    if (!field.name.starts_with(protrusions))
+    if (!field.of_protrusions())
       frames_of(
           fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
           [&](observe::Frame& f, observe::Floats v) {
             field.of(f) = field.components == 2 ? in_plane(v) : std::move(v);
           });
   for (const auto& field : observe::byte_fields())
-    if (!field.name.starts_with(protrusions))
+    if (!field.of_protrusions())
       frames_of(
           fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
           [&](observe::Frame& f, observe::Bytes v) { field.of(f) = std::move(v); });

@@ -171,6 +171,27 @@ await until(page, (s) => s.t_s > before.t_s, "a step with all of them");
 assert.equal(await page.locator(".fault").count(), 0);
 console.log(`changed on the way: ${paths.join(", ")}, fibres.arrangement`);
 
+// A new start leaves nothing of the one before behind.
+const session = await context.newCDPSession(page);
+await session.send("HeapProfiler.enable");
+await session.send("Performance.enable");
+const nodes = async () => {
+  await session.send("HeapProfiler.collectGarbage");
+  return (await session.send("Performance.getMetrics")).metrics.find(({ name }) => name === "Nodes").value;
+};
+const beginAnew = async () => {
+  await page.locator("button[name=reset]").click();
+  await until(page, (s) => s.t_s === 0 && s.frames > 0, "a new start");
+  await playTo(page, 20);
+};
+await beginAnew();
+const few = await nodes();
+for (let k = 0; k < 6; ++k) await beginAnew();
+const many = await nodes();
+console.log(`nodes of the page: ${few}, after six new starts ${many}`);
+assert.ok(many < 1.3 * few, "what was before is kept");
+await playTo(page, 65);
+
 // A wrong scenario, in words; the one before stays.
 await page.locator(".own summary").click();
 await page.locator("textarea[name=toml]").fill('[ecm]\nyoungs_module = "100 Pa"\nviscosity = "-1 Pa s"\n');

@@ -7,7 +7,7 @@ const colours: Record<StrokeKind, string> = { soft: "#56b4e9", stiff: "#7a3e9d",
 
 export interface Brush {
   element: HTMLElement;
-  /** Draws on a stage from now on, and shows there what has been drawn. */
+  /** Draws on a stage from now on, in place of the one before, and shows there what has been drawn. */
   attach(stage: Stage, strokes: () => Stroke[]): void;
 }
 
@@ -19,12 +19,13 @@ export function brush(drawn: (stroke: Stroke) => void, cleared: () => void): Bru
   radius.addEventListener("input", () => {
     size.textContent = `${radius.value} \u00b5m`;
   });
-  const listeners: (() => void)[] = [];
+  /** Shows on the stage that is drawn on whether a drag draws. */
+  let mark = (): void => undefined;
   const radio = (value: StrokeKind | null, name: string) => {
     const input = h("input", { type: "radio", name: "brush", value: value ?? "look", checked: value === null });
     input.addEventListener("change", () => {
       kind = value;
-      for (const listener of listeners) listener();
+      mark();
     });
     const dot = value ? h("span", { class: "dot", style: `background:${colours[value]}` }) : null;
     return h("label", {}, input, dot, name);
@@ -71,7 +72,8 @@ export function brush(drawn: (stroke: Stroke) => void, cleared: () => void): Bru
       }
     };
     stage.onPaint(paint);
-    listeners.push(() => stage.element.classList.toggle("drawing", kind !== null));
+    mark = () => stage.element.classList.toggle("drawing", kind !== null);
+    mark();
     const place = (event: PointerEvent): [number, number] => {
       const box = stage.element.getBoundingClientRect();
       const { camera } = stage;
