@@ -1,9 +1,9 @@
 // One step of the matrix alone and its parts, on the disc of the paper (17,665 particles without a hole at 150 um)
 // while a kernel-distributed force of 0.06 nN pulls at its centre: warm starts and displacements as they are in use.
 
-#include "ecm/fluid.hpp"
-#include "ecm/stress.hpp"
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/fluid.hpp"
+#include "ecm/loop/stress.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "simulation/advance.hpp"
 #include "sph/interpolate.hpp"
 #include "state/initial.hpp"

@@ -4,9 +4,9 @@
 // Plainly it is solved twice: to the same residual, and to a hundredth of it, which is about what the same error takes.
 //   matrigrate_yardstick [key=value...]
 
-#include "ecm/deformation.hpp"
 #include "ecm/drag_cache.hpp"
 #include "ecm/law/material.hpp"
+#include "ecm/loop/deformation.hpp"
 #include "parameters/read.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/march.hpp"

@@ -1,6 +1,6 @@
 #include "contact/viscous.hpp"
 
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "sph/kernel.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "sph/neighbours.hpp"
 
 #include <cstddef>

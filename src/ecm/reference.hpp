@@ -3,7 +3,7 @@
 #include "base/adjacency.hpp"
 #include "base/parallel.hpp"
 #include "base/vector.hpp"
-#include "ecm/rows.hpp"
+#include "ecm/loop/rows.hpp"
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "cell/actomyosin.hpp"
 #include "cell/geometry.hpp"
-#include "ecm/fluid.hpp"
 #include "ecm/law/material.hpp"
+#include "ecm/loop/fluid.hpp"
 #include "observe/fields.hpp"
 #include "observe/tracks.hpp"
 #include "protrusion/adhesion.hpp"

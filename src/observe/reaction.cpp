@@ -1,6 +1,6 @@
 #include "observe/reaction.hpp"
 
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/film_json.hpp"
 
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 #include "report/packed.hpp"
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"

@@ -1,8 +1,8 @@
 #include "simulation/motion.hpp"
 
 #include "base/parallel.hpp"
-#include "ecm/stress.hpp"
-#include "ecm/updated_lagrangian.hpp"
+#include "ecm/loop/stress.hpp"
+#include "ecm/loop/updated_lagrangian.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "base/failure.hpp"
 #include "base/vector.hpp"
-#include "ecm/fibres.hpp"
 #include "ecm/law/material.hpp"
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/fibres.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "state/initial.hpp"
 
 #include <Eigen/Eigenvalues>

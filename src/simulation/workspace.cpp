@@ -1,6 +1,6 @@
 #include "simulation/workspace.hpp"
 
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "solve/multigrid.hpp"
 

@@ -1,6 +1,6 @@
 #include "validation/closed_forms.hpp"
 
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "state/initial.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "validation/fibre_gels.hpp"
 
-#include "ecm/fibres.hpp"
 #include "ecm/law/material.hpp"
+#include "ecm/loop/fibres.hpp"
 #include "observe/reaction.hpp"
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"

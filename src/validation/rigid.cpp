@@ -1,6 +1,6 @@
 #include "ecm/law/material.hpp"
-#include "ecm/stress.hpp"
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/stress.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "state/initial.hpp"
 #include "validation/cases.hpp"
 #include "validation/specimen.hpp"

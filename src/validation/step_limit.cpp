@@ -1,5 +1,5 @@
 #include "base/failure.hpp"
-#include "ecm/stress.hpp"
+#include "ecm/loop/stress.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/initial.hpp"

@@ -1,6 +1,6 @@
-#include "ecm/deformation.hpp"
 #include "ecm/law/material.hpp"
-#include "ecm/stress.hpp"
+#include "ecm/loop/deformation.hpp"
+#include "ecm/loop/stress.hpp"
 #include "observe/reaction.hpp"
 #include "state/initial.hpp"
 #include "validation/cases.hpp"

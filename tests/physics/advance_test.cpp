@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "gel.hpp"
 #include "same_bits.hpp"
 #include "simulation/start.hpp"

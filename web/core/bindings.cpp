@@ -2,7 +2,7 @@
 #include "core/live.hpp"
 
 #include "base/failure.hpp"
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// Laws of one strain-stiffening fibre, Heck et al. 2020, Eqs. (3) and (5) (MODEL.md, D23-D26). For scalars only: few
-/// fibres are taut, and there is no SIMD exponential. Test: tests/unit/ecm/fibres_test.cpp
+/// fibres are taut, and there is no SIMD exponential. Test: tests/unit/ecm/loop/fibres_test.cpp
 namespace matrigrate {
 
 /// Stiffness k_0 of a fibre in the plane: the parameter, times 8/15 if it is meant for fibres in space. 8/15 is the

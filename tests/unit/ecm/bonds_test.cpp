@@ -1,6 +1,6 @@
 #include "ecm/bonds.hpp"
 
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 #include "state/initial.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "observe/frame.hpp"
 
-#include "ecm/fluid.hpp"
 #include "ecm/law/material.hpp"
+#include "ecm/loop/fluid.hpp"
 #include "frames.hpp"
 #include "sph/neighbours.hpp"
 #include "unit/observe/frames.hpp"

@@ -1,7 +1,7 @@
 #include "report/run_page.hpp"
 
 #include "ecm/bonds.hpp"
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 #include "report/film_json.hpp"
 #include "unit/draw/markup.hpp"
 #include "unit/observe/frames.hpp"

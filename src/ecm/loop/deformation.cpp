@@ -1,4 +1,4 @@
-#include "ecm/deformation.hpp"
+#include "ecm/loop/deformation.hpp"
 
 namespace matrigrate {
 

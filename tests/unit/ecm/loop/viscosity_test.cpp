@@ -1,8 +1,8 @@
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 
-#include "body.hpp"
-#include "same_drag.hpp"
 #include "sph/neighbours.hpp"
+#include "unit/ecm/body.hpp"
+#include "unit/ecm/same_drag.hpp"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

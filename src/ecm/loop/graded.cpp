@@ -1,4 +1,4 @@
-#include "ecm/graded.hpp"
+#include "ecm/loop/graded.hpp"
 
 #include "base/parallel.hpp"
 

@@ -1,8 +1,8 @@
-#include "ecm/rows.hpp"
+#include "ecm/loop/rows.hpp"
 
-#include "body.hpp"
-#include "ecm/deformation.hpp"
-#include "ecm/stress.hpp"
+#include "ecm/loop/deformation.hpp"
+#include "ecm/loop/stress.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <gtest/gtest.h>
 

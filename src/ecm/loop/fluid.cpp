@@ -1,4 +1,4 @@
-#include "ecm/fluid.hpp"
+#include "ecm/loop/fluid.hpp"
 
 #include "base/parallel.hpp"
 #include "ecm/law/fluid.hpp"

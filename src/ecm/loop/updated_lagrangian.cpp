@@ -1,4 +1,4 @@
-#include "ecm/updated_lagrangian.hpp"
+#include "ecm/loop/updated_lagrangian.hpp"
 
 #include "base/parallel.hpp"
 #include "ecm/law/material.hpp"

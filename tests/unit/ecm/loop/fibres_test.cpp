@@ -1,8 +1,8 @@
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 
-#include "body.hpp"
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 #include "sph/neighbours.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/adjacency.hpp"
-#include "ecm/stress.hpp"
+#include "ecm/loop/stress.hpp"
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"
 
@@ -9,7 +9,7 @@
 
 /// Stress of the solid over current neighbours (updated-Lagrangian SPH), as in most of the SPH literature (Gray et al.
 /// 2001). For comparison only: under a pulling load the gel tears numerically (`validate tearing`). Test:
-/// tests/unit/ecm/updated_lagrangian_test.cpp
+/// tests/unit/ecm/loop/updated_lagrangian_test.cpp
 namespace matrigrate {
 
 /// Adds t_z sum_j V_i V_j (f_i sigma_i + f_j sigma_j) grad_i W_ij, V = V_0/rho, to the forces [nN].

@@ -1,8 +1,8 @@
-#include "ecm/stress.hpp"
+#include "ecm/loop/stress.hpp"
 
-#include "body.hpp"
-#include "ecm/deformation.hpp"
 #include "ecm/law/material.hpp"
+#include "ecm/loop/deformation.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

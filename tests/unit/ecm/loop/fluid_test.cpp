@@ -1,8 +1,8 @@
-#include "ecm/fluid.hpp"
+#include "ecm/loop/fluid.hpp"
 
-#include "body.hpp"
 #include "ecm/law/material.hpp"
 #include "sph/neighbours.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <gtest/gtest.h>
 

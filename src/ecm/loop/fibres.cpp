@@ -1,4 +1,4 @@
-#include "ecm/fibres.hpp"
+#include "ecm/loop/fibres.hpp"
 
 #include "base/parallel.hpp"
 #include "sph/kernel.hpp"

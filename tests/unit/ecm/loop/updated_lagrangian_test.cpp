@@ -1,8 +1,8 @@
-#include "ecm/updated_lagrangian.hpp"
+#include "ecm/loop/updated_lagrangian.hpp"
 
-#include "body.hpp"
 #include "ecm/law/material.hpp"
 #include "sph/neighbours.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "ecm/stress.hpp"
+#include "ecm/loop/stress.hpp"
 
 #include "base/parallel.hpp"
-#include "ecm/deformation.hpp"
-#include "ecm/graded.hpp"
 #include "ecm/law/material.hpp"
+#include "ecm/loop/deformation.hpp"
+#include "ecm/loop/graded.hpp"
 
 #include <algorithm>
 #include <cstdint>

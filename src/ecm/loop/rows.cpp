@@ -1,4 +1,4 @@
-#include "ecm/rows.hpp"
+#include "ecm/loop/rows.hpp"
 
 #include "base/pack.hpp"
 

@@ -1,4 +1,4 @@
-#include "ecm/viscosity.hpp"
+#include "ecm/loop/viscosity.hpp"
 
 #include "base/pack.hpp"
 #include "base/parallel.hpp"

@@ -1,12 +1,12 @@
-#include "ecm/graded.hpp"
+#include "ecm/loop/graded.hpp"
 
 #include "base/random.hpp"
-#include "body.hpp"
-#include "ecm/deformation.hpp"
-#include "ecm/fibres.hpp"
-#include "ecm/fluid.hpp"
-#include "ecm/updated_lagrangian.hpp"
+#include "ecm/loop/deformation.hpp"
+#include "ecm/loop/fibres.hpp"
+#include "ecm/loop/fluid.hpp"
+#include "ecm/loop/updated_lagrangian.hpp"
 #include "sph/neighbours.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,8 @@
 #include <vector>
 
 /// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2),
-/// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test: tests/unit/ecm/stress_test.cpp
+/// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test:
+/// tests/unit/ecm/loop/stress_test.cpp
 namespace matrigrate {
 
 /// Deviation of a pair from the local deformation (hourglass error), e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every
@@ -54,7 +55,7 @@ void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& 
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains J sigma F^-T and the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// Where E varies from particle to particle, ecm/graded.hpp states the terms.
+/// Where E varies from particle to particle, ecm/loop/graded.hpp states the terms.
 /// @param solid  updated here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);

@@ -1,6 +1,6 @@
-#include "ecm/deformation.hpp"
+#include "ecm/loop/deformation.hpp"
 
-#include "body.hpp"
+#include "unit/ecm/body.hpp"
 
 #include <gtest/gtest.h>
 

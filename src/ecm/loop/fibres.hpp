@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Strain-stiffening fibres of the matrix: springs between reference neighbours, Heck et al. 2020, Eqs. (3)-(5), and
-/// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/fibres_test.cpp
+/// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/loop/fibres_test.cpp
 namespace matrigrate {
 
 /// Whether a fibre joins reference neighbours with separation X: always, or in a uniaxial matrix if X is within
