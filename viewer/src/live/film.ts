@@ -39,7 +39,7 @@ export class LiveFilm {
   /** Times of moments that have come, or come anew, since they were last kept in the browser. */
   readonly unsaved = new Set<number>();
   /** Tells its moments from those of other films where they are kept. */
-  private id = `${Date.now()}-${Math.random()}`;
+  private readonly id = `${Date.now()}-${Math.random()}`;
   /** How many of the film's moments are of the past. */
   private past = 0;
   private interval = firstInterval;
@@ -110,6 +110,7 @@ export class LiveFilm {
     this.write(at, frame);
   }
 
+  /** All of it but its moments. */
   index(): FilmIndex {
     const { id, interval, past } = this;
     return { id, times: [...this.film.times], protrusions: [...this.film.protrusions], interval, past };
@@ -120,6 +121,7 @@ export class LiveFilm {
     return this.fields.map(({ q, stride }) => q.slice(k * stride, (k + 1) * stride));
   }
 
+  /** Begins with the moments of another film, where they are of the same simulation. */
   restore(image: FilmImage): void {
     const n = image.times.length;
     const same = (moment: Numbers[]) =>
@@ -128,8 +130,9 @@ export class LiveFilm {
     image.moments.forEach((moment, k) => this.fields.forEach(({ q, stride }, f) => q.set(moment[f], k * stride)));
     this.film.times.splice(0, Infinity, ...image.times);
     this.film.protrusions.splice(0, Infinity, ...image.protrusions);
-    this.unsaved.clear();
-    ({ id: this.id, interval: this.interval, past: this.past } = image);
+    ({ interval: this.interval, past: this.past } = image);
+    // Of a film of its own from now on: another tab may go on with that one.
+    for (const t of image.times) this.unsaved.add(t);
   }
 
   /** Takes moments from a time on away. */
