@@ -7,13 +7,15 @@ export interface Field {
   frames: number;
   /** Numbers a frame has. */
   stride: number;
+  /** From a frame to the next in `q`: the stride, or 0 where there is one frame that holds at all times. */
+  step: number;
   components: number;
   scale: number;
   offset: number;
 }
 
 export function valueAt(field: Field, frame: number, index: number): number {
-  return field.offset + field.scale * field.q[frame * field.stride + index];
+  return field.offset + field.scale * field.q[frame * field.step + index];
 }
 
 function fromBase64(text: string): Uint8Array {
@@ -64,5 +66,5 @@ export async function unpack(packed: Packed, name: string, frames: number): Prom
   if (bytes.length !== expected) throw new Error(`${name}: has ${bytes.length} bytes instead of ${expected}`);
   const q = type === "int16" ? joinBytes(bytes, stride) : bytes;
   if (packed.delta) addUp(q, stride);
-  return { q, frames, stride, components, scale, offset };
+  return { q, frames, stride, step: stride, components, scale, offset };
 }

@@ -5,6 +5,7 @@ export const field = (values: number[], components: number, scale: number): Fiel
   q: Int16Array.from(values, (v) => Math.round(v / scale)),
   frames: 1,
   stride: values.length,
+  step: values.length,
   components,
   scale,
   offset: 0,

@@ -8,6 +8,7 @@ import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario } from "../src/live/scenario";
 import { addTracks, noTracks } from "../src/live/scene";
 import { tracksOfCells } from "../src/run/cells";
+import { extremes, layers } from "../src/run/matrix/layers";
 import { valueAt } from "../src/unpack";
 
 const head: Head = {
@@ -50,7 +51,7 @@ const moment = (t: number): CoreFrame => ({
 });
 
 test("a film that grows keeps the newest moments and evenly spaced old ones, in the same memory", () => {
-  const live = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
+  const live = new LiveFilm(head, { reference: Float32Array.of(10, 20, -30, -40) });
   const bytes = live.film.x.q.byteLength;
   for (let t = 0; t <= 100_000; t += 10) {
     live.add(moment(t));
@@ -72,10 +73,23 @@ test("a film that grows keeps the newest moments and evenly spaced old ones, in 
   assert.ok(Math.abs(valueAt(live.film.vonMises, 0, 1) - 4000) < 1);
 });
 
+test("a stiffness that was drawn is a layer, the same at all times; where it is uniform there is none", () => {
+  const reference = Float32Array.of(10, 20, -30, -40);
+  assert.equal(new LiveFilm(head, { reference }).film.youngsModulus, null);
+  const live = new LiveFilm(head, { reference, youngsModulus: Float32Array.of(50, 200) });
+  for (const t of [0, 10, 20]) live.add(moment(t));
+  const layer = layers(live.film).find(({ key }) => key === "youngs_modulus")!;
+  assert.deepEqual([layer.low, layer.high], [50, 200]);
+  for (const frame of [0, 1, 2]) assert.deepEqual([0, 1].map((i) => valueAt(layer.field!, frame, i)), [50, 200]);
+  assert.deepEqual(extremes(live.film, layer, 2), { low: 50, high: 200 });
+  live.setMatrix({ reference, youngsModulus: Float32Array.of(100, 400) });
+  assert.deepEqual([0, 1].map((i) => valueAt(live.film.youngsModulus!, 2, i)), [100, 400]);
+});
+
 test("a film that was kept is the same again, and grows on", () => {
-  const live = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
+  const live = new LiveFilm(head, { reference: Float32Array.of(10, 20, -30, -40) });
   for (let t = 0; t <= 900; t += 10) live.add(moment(t));
-  const again = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
+  const again = new LiveFilm(head, { reference: Float32Array.of(10, 20, -30, -40) });
   again.restore(structuredClone(imageOf(live)));
   for (const film of [live, again]) for (let t = 900; t <= 2000; t += 10) film.add(moment(t));
   const { id, ...kept } = imageOf(live);
@@ -105,9 +119,9 @@ const ofPair = (t: number): CoreFrame => ({
 });
 
 test("a film has the nuclei and the points of all cells, and none of them where there is one cell without", () => {
-  const live = new LiveFilm(pair, Float32Array.of(10, 20, -30, -40));
+  const live = new LiveFilm(pair, { reference: Float32Array.of(10, 20, -30, -40) });
   for (const t of [0, 10]) live.add(ofPair(t));
-  const again = new LiveFilm(pair, Float32Array.of(10, 20, -30, -40));
+  const again = new LiveFilm(pair, { reference: Float32Array.of(10, 20, -30, -40) });
   again.restore(structuredClone(imageOf(live)));
   for (const { film } of [live, again]) {
     assert.deepEqual(film.cells, [
@@ -119,7 +133,7 @@ test("a film has the nuclei and the points of all cells, and none of them where 
     assert.ok(Math.abs(valueAt(film.outline.x, 1, 8) - 21) < 0.01);
     assert.deepEqual(film.protrusions[1].map(({ cell, centre }) => [cell, centre]), [[1, 0], [2, 4]]);
   }
-  const one = new LiveFilm(head, Float32Array.of(10, 20, -30, -40));
+  const one = new LiveFilm(head, { reference: Float32Array.of(10, 20, -30, -40) });
   one.restore(imageOf(live)); // of another simulation: nothing is taken over
   assert.deepEqual(one.film.times, []);
   one.add(moment(0));

@@ -203,12 +203,6 @@ std::string change(const std::string& overrides) {
   });
 }
 
-/// Reference positions of the particles.
-val reference() {
-  const observe::Floats all = observe::frame_head(simulation().state(), simulation().parameters()).reference;
-  return val::global("Float32Array").new_(val(emscripten::typed_memory_view(all.size(), all.data())));
-}
-
 /// Puts numbers into the member `name` of `out`: into the array of that name in `spare` where it has their length, else
 /// into a new one. Pictures come ten times a second, so that new arrays each time would be much garbage.
 template <class T>
@@ -221,6 +215,16 @@ void put(val& out, const val& spare, const char* name, const char* type, const s
   }
   old.call<void>("set", view);
   out.set(name, old);
+}
+
+/// What holds for the particles at all times: reference positions [um], and Young's modulus where it varies [Pa].
+val matrix() {
+  const observe::FrameHead head = observe::frame_head(simulation().state(), simulation().parameters());
+  const val none = val::undefined();
+  val out = val::object();
+  put(out, none, "reference", "Float32Array", head.reference);
+  if (!head.youngs_modulus.empty()) put(out, none, "youngsModulus", "Float32Array", head.youngs_modulus);
+  return out;
 }
 
 /// Copies of what the page draws.
@@ -319,7 +323,7 @@ EMSCRIPTEN_BINDINGS(matrigrate) {
   function("march", &march);
   function("step", &step);
   function("change", &change);
-  function("reference", &reference);
+  function("matrix", &matrix);
   function("frame", &frame);
   function("tracks", &tracks);
   function("protrusions", &protrusions);

@@ -238,6 +238,17 @@ for (const [kind, dx] of [["hole", 250], ["soft", -250]]) {
 }
 await page.locator("input[name=brush][value=look]").check();
 await playTo(page, 40);
+// What was drawn is a layer, with values; a change on the way keeps what is looked at.
+const stiffness = async () => {
+  await page.mouse.move(box.x + box.width / 2 - 250, box.y + box.height / 2 + 60);
+  const text = await page.locator(".probe").textContent();
+  assert.match(text, /^Young's modulus \S+ Pa at/);
+  return Number(/modulus (\S+) Pa/.exec(text)[1]);
+};
+await page.locator("input[name=layer][value=youngs_modulus]").check();
+const drawn = await stiffness();
+console.log(`Young's modulus where it was drawn soft: ${drawn} Pa`);
+assert.ok(drawn < 150, "the soft spot is not soft");
 await page.screenshot({ path: join(folder, "drawn.png") });
 const [picture] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save PNG" }).click()]);
 assert.match(picture.suggestedFilename(), /^Matrigrate-live-degradation-.*\.png$/);

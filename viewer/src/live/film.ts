@@ -7,7 +7,7 @@ import type { Film } from "../run/frames";
 import { fibresOf } from "../run/bonds";
 import { cellParts, type CellPart } from "../run/cells";
 import type { Field } from "../unpack";
-import type { CoreFrame, Head } from "./protocol";
+import type { CoreFrame, CoreMatrix, Head } from "./protocol";
 
 /** Moments of the past, and the newest ones, that are kept. */
 const history = 96;
@@ -46,16 +46,16 @@ export class LiveFilm {
   private readonly X: Float32Array;
   private readonly fields: Field[];
 
-  constructor(head: Head, reference: Float32Array) {
+  constructor(head: Head, { reference, youngsModulus }: CoreMatrix) {
     const { n_particles: n, n_outline: m, n_nucleus: k, radius_um: radius } = head;
     const frames = history + newest;
     const field = (wide: boolean, entries: number, components: number, scale: number): Field => {
       const stride = entries * components;
       const q = wide ? new Int16Array(frames * stride) : new Uint8Array(frames * stride);
-      return { q, frames, stride, components, scale, offset: 0 };
+      return { q, frames, stride, step: stride, components, scale, offset: 0 };
     };
     const place = (1.3 * radius) / 32767;
-    const fixed: Field = { q: new Int16Array(2 * n), frames: 1, stride: 2 * n, components: 2, scale: place, offset: 0 };
+    const fixed: Field = { q: new Int16Array(2 * n), frames: 1, stride: 2 * n, step: 0, components: 2, scale: place, offset: 0 };
     for (let i = 0; i < 2 * n; ++i) fixed.q[i] = Math.round(reference[i] / place);
     const withFibres = head.bonds_um.length > 0;
     const [x, f] = [field(true, n, 2, place), field(false, n, 1, 1 / 255)];
@@ -81,7 +81,7 @@ export class LiveFilm {
       vonMises,
       fibreVonMises,
       attractant: null,
-      youngsModulus: null,
+      youngsModulus: youngsModulus ? steady(youngsModulus) : null,
       ligand: null,
       obstacles: head.obstacles_um,
       cells: cellParts(m, head.cell),
@@ -108,6 +108,11 @@ export class LiveFilm {
     times.push(frame.t_s);
     protrusions.push(alive(frame, this.film.cells));
     this.write(at, frame);
+  }
+
+  /** Another stiffness of the matrix, which was set on the way. */
+  setMatrix({ youngsModulus }: CoreMatrix): void {
+    this.film.youngsModulus = youngsModulus ? steady(youngsModulus) : null;
   }
 
   /** All of it but its moments. */
@@ -204,6 +209,14 @@ export class LiveFilm {
     put(film.outline.force, frame.force);
     put(film.nucleus, frame.nucleus);
   }
+}
+
+/** Values that hold at all times, from the lowest to the highest in 255 steps. */
+function steady(values: Float32Array): Field {
+  const [low, high] = [values.reduce((a, b) => Math.min(a, b), Infinity), values.reduce((a, b) => Math.max(a, b), -Infinity)];
+  const scale = high > low ? (high - low) / 255 : 1;
+  const q = Uint8Array.from(values, (v) => Math.round((v - low) / scale));
+  return { q, frames: 1, stride: q.length, step: 0, components: 1, scale, offset: low };
 }
 
 function alive(frame: CoreFrame, cells: CellPart[]): FrameProtrusion[] {

@@ -11,7 +11,7 @@ import { EngineWorker } from "./engine";
 import { download, exported } from "./export";
 import { LiveFilm } from "./film";
 import { keep, kept, type Kept } from "./keep";
-import { buffersOf, type Answer, type Changed, type FromWorker, type Head } from "./protocol";
+import { buffersOf, type Answer, type Changed, type CoreMatrix, type FromWorker, type Head } from "./protocol";
 import { addTracks, noTracks, scene, viewOf, type Scene, type View } from "./scene";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Ground, type Scenario } from "./scenario";
 import { Troubles } from "./troubles";
@@ -44,7 +44,7 @@ export class Live {
   /** What is wrong with the address, until it has been said. */
   private wrongAddress = "";
   private head: Head | null = null;
-  private reference = new Float32Array();
+  private matrix: CoreMatrix = { reference: new Float32Array() };
   private shown: Scene | null = null;
   private view: View | null = null;
   private gone = new AbortController();
@@ -116,13 +116,18 @@ export class Live {
         this.controls.presets(message.presets);
         return this.open();
       case "begun":
-        return this.begun(message.head, message.reference);
+        return this.begun(message.head, message.matrix);
       case "changed": {
-        const { head, overrides } = message;
+        const { head, overrides, matrix } = message;
         if (head.from_s !== undefined) this.scenario.changes.push({ t: head.from_s, overrides });
         const fibres = head.bonds_um.length > 0;
         this.head = head;
+        this.matrix = matrix;
         if (this.film && fibres !== (this.film.film.fibres !== null)) this.newFilm(head);
+        else if (matrix.youngsModulus) {
+          this.film?.setMatrix(matrix);
+          this.lookAway(); // its limits are others now
+        }
         this.controls.show(settingsOf(head.changed), this.scenario);
         this.troubles.clear();
         return;
@@ -197,12 +202,12 @@ export class Live {
     this.engine.tell({ kind: "start", given: whole, image: from?.image });
   }
 
-  private begun(head: Head, reference: Float32Array): void {
+  private begun(head: Head, matrix: CoreMatrix): void {
     const { scenario, kept: from, play } = this.wanted ?? { scenario: this.scenario, play: false };
     this.wanted = null;
     this.scenario = scenario;
     this.head = head;
-    this.reference = reference;
+    this.matrix = matrix;
     this.tracks = from?.tracks ?? noTracks();
     this.protrusions = from?.protrusions ?? [];
     this.troubles.clear();
@@ -217,11 +222,16 @@ export class Live {
     if (play) this.play();
   }
 
-  private newFilm(head: Head, from?: Kept): void {
+  /** Takes away all that shows the film; the next moment makes it again, as it was looked at. */
+  private lookAway(): void {
     this.gone.abort();
     if (this.shown) this.view = viewOf(this.shown.stage);
     this.shown = null;
-    this.film = new LiveFilm(head, this.reference);
+  }
+
+  private newFilm(head: Head, from?: Kept): void {
+    this.lookAway();
+    this.film = new LiveFilm(head, this.matrix);
     this.times.length = 0;
     this.film.film.times = this.times; // the clock steps by them
     if (from?.film) this.film.restore(from.film);

@@ -43,6 +43,14 @@ export interface Head {
   obstacles_um: [number, number][];
 }
 
+/** What holds for the particles of the matrix at all times. */
+export interface CoreMatrix {
+  /** x0, y0, x1, y1, ... [um] */
+  reference: Float32Array;
+  /** Where it differs from place to place [Pa]. */
+  youngsModulus?: Float32Array;
+}
+
 /** A moment as the core gives it. */
 export interface CoreFrame {
   t_s: number;
@@ -111,8 +119,8 @@ export type ToWorker =
 
 export type FromWorker =
   | { kind: "ready"; presets: Preset[] }
-  | { kind: "begun"; head: Head; reference: Float32Array; resumed: boolean }
-  | { kind: "changed"; head: Head; overrides: string[] }
+  | { kind: "begun"; head: Head; matrix: CoreMatrix; resumed: boolean }
+  | { kind: "changed"; head: Head; matrix: CoreMatrix; overrides: string[] }
   /** Rows of protrusions come only where they have changed. */
   | { kind: "frame"; frame: CoreFrame; tracks: TrackRow[]; protrusions?: ProtrusionRow[]; step: number; done: boolean }
   | { kind: "stopped"; why: "paused" | "done" | "failed" }

@@ -40,15 +40,16 @@ export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
   }
 }
 
-/** Where the camera was, for a new start to be seen from there. */
+/** Where the camera was and what was seen, for a new start to be looked at alike. */
 export interface View {
+  layer: string;
   x: number;
   y: number;
   scale: number;
   follow: boolean;
 }
 
-export const viewOf = ({ camera, follow }: Stage): View => ({ x: camera.x, y: camera.y, scale: camera.scale, follow });
+export const viewOf = ({ camera, follow, layer }: Stage): View => ({ layer: layer.key, x: camera.x, y: camera.y, scale: camera.scale, follow });
 
 export interface Scene {
   stage: Stage;
@@ -89,6 +90,8 @@ export function scene(
   const all = layers(film.film);
   for (const layer of all) if (layer.key === "displacement") layer.high = usual.displacement;
   const stage = new Stage(run, film.film, clock, all, usual, undefined, gone);
+  const chosen = all.find(({ key }) => key === before?.layer);
+  if (chosen) stage.choose(chosen);
   const time = h("output", { class: "time" });
   const showTime = () => {
     setText(time, timeText(clock.playing ? 10 * Math.floor(clock.time / 10) : clock.time));

@@ -1,6 +1,6 @@
 /** Runs in a worker, behind the script of the core: computes piece by piece, so that messages are heard in between. */
 import type { ProtrusionRow } from "../contract";
-import { buffersOf, type Answer, type CoreFrame, type Fault, type FromWorker, type Given, type Head, type Preset, type ToWorker, type TrackRow } from "./protocol";
+import { buffersOf, type Answer, type CoreFrame, type CoreMatrix, type Fault, type FromWorker, type Given, type Head, type Preset, type ToWorker, type TrackRow } from "./protocol";
 
 /** As web/core/bindings.cpp exports it; all text is JSON. */
 interface Core {
@@ -11,7 +11,7 @@ interface Core {
   march(t_end: number, wall_ms: number): string;
   step(): string;
   change(overrides: string): string;
-  reference(): Float32Array;
+  matrix(): CoreMatrix;
   /** @param spare  a frame that nobody reads any more, whose arrays may be used again */
   frame(spare: CoreFrame | undefined): CoreFrame;
   tracks(): string;
@@ -102,8 +102,7 @@ function begin(given: Given, image?: Uint8Array): void {
   if (refused(head, "start")) return;
   playing = false;
   told = "";
-  const reference = core.reference();
-  send({ kind: "begun", head, reference, resumed: image !== undefined }, [reference.buffer as ArrayBuffer]);
+  send({ kind: "begun", head, matrix: core.matrix(), resumed: image !== undefined });
   show(head.step, head.done);
 }
 
@@ -135,7 +134,7 @@ function act(message: ToWorker): void {
     case "change": {
       const head = read<Head>(core.change(JSON.stringify(message.overrides)));
       if (refused(head, "change")) return;
-      send({ kind: "changed", head, overrides: message.overrides });
+      send({ kind: "changed", head, matrix: core.matrix(), overrides: message.overrides });
       if (!playing) show(head.step, head.done);
       return;
     }

@@ -4,7 +4,7 @@ import { onPrint } from "../paper";
 import type { ArrowKind } from "./over/arrows";
 import { edgeChoice, edges } from "./over/edge";
 import type { Film } from "./frames";
-import { overlays, type Layer } from "./matrix/layers";
+import { extremesOf, overlays, type Layer } from "./matrix/layers";
 import { colourBar, signs, smallBar } from "./legend";
 import { scaleControls } from "./scale_controls";
 import type { Stage } from "./stage";
@@ -72,7 +72,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
       scaleControls(
         stage.layer,
         stage.scale(),
-        () => stage.extremesNow(),
+        () => extremesOf(film, stage.layer, stage.place.frame, stage.place.frame + 1),
         () => {
           refreshBar();
           stage.scaleChanged();

@@ -1,6 +1,7 @@
 /** The value of the layer under the pointer or, by keyboard, in the middle of the view, and what of a cell lies there. */
 import { h } from "../dom";
 import { readable } from "../numbers";
+import { cellTextAt } from "./cell_at";
 import type { Layer } from "./matrix/layers";
 import type { Stage } from "./stage";
 
@@ -49,6 +50,13 @@ export class Probe {
     this.said.textContent = this.fixed ? this.words.textContent : "";
   }
 
+  /** "" also where cells are not drawn. */
+  private cellAt(x: number, y: number): string {
+    const { film, place, shown, camera } = this.stage;
+    const onScreen = 6; // pixels
+    return shown.cell ? cellTextAt(film, place, x, y, Math.max(2, onScreen / camera.scale)) : "";
+  }
+
   private show(): void {
     const { camera, layer } = this.stage;
     const at = this.pointer ?? (this.fixed ? { x: 0.5 * camera.width, y: 0.5 * camera.height } : null);
@@ -56,7 +64,7 @@ export class Probe {
     this.words.hidden = at === null;
     if (!at) return;
     const [x, y] = [camera.fromScreenX(at.x), camera.fromScreenY(at.y)];
-    const cell = this.stage.cellAt(x, y);
+    const cell = this.cellAt(x, y);
     const text = probeText(layer, this.stage.valueAt(x, y), x, y) + (cell ? `. ${cell}` : "");
     if (this.words.textContent !== text) this.words.textContent = text;
   }

@@ -3,14 +3,13 @@ import { h, isDark, onDarkMode, onResize } from "../dom";
 import { onPaper, onPrint } from "../paper";
 import type { RunPage } from "../contract";
 import { Camera, type Box } from "./camera";
-import { cellTextAt } from "./cell_at";
 import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
 import type { Clock } from "./clock";
 import { edges, type Edge } from "./over/edge";
 import { haunts, outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
-import { extremesOf, overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
+import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
 import type { Pen } from "./over/pen";
 import type { ParticlePainter } from "./matrix/particle_scene";
 import { particlePainter, plainInstead } from "./matrix/particles";
@@ -56,7 +55,8 @@ export class Stage {
   private readonly home: Box;
   private painter: ParticlePainter;
   private pixels = 1;
-  private place: Place = { frame: 0, next: 0, fraction: 0 };
+  /** What is shown, as of the last picture. */
+  place: Place = { frame: 0, next: 0, fraction: 0 };
   private patch: Patch | null = null;
   private viewListeners: (() => void)[] = [];
   private paintListeners: (() => void)[] = [];
@@ -69,7 +69,7 @@ export class Stage {
 
   constructor(
     private readonly run: RunPage,
-    private readonly film: Film,
+    readonly film: Film,
     private readonly clock: Clock,
     /** All that it can be coloured by. */
     readonly layers: Layer[],
@@ -205,18 +205,6 @@ export class Stage {
   valueAt(x: number, y: number): number | null {
     if (this.patch) return valueOn(this.patch, x, y);
     return valueOfNearest(this.film, this.layer, this.place, x, y, this.run.geometry.spacing_um);
-  }
-
-  /** Smallest and largest value of the layer shown, at the stored moment shown. */
-  extremesNow(): { low: number; high: number } {
-    const { frame } = this.place;
-    return extremesOf(this.film, this.layer, frame, frame + 1);
-  }
-
-  /** What of a cell lies at a point [um], in words; "" where there is none, or where cells are not drawn. */
-  cellAt(x: number, y: number): string {
-    const onScreen = 6; // pixels
-    return this.shown.cell ? cellTextAt(this.film, this.place, x, y, Math.max(2, onScreen / this.camera.scale)) : "";
   }
 
   pan(dx: number, dy: number): void {

@@ -113,8 +113,8 @@ export function extremes(film: Film, layer: Layer, first = 0): { low: number; hi
 export function extremesOf(film: Film, layer: Layer, first: number, end: number): { low: number; high: number } {
   if (layer.field) {
     let [low, high] = [Infinity, -Infinity];
-    const { q: all, stride } = layer.field;
-    for (const q of all.subarray(first * stride, end * stride)) {
+    const { q: all, step } = layer.field;
+    for (const q of step > 0 ? all.subarray(first * step, end * step) : all) {
       if (q < low) low = q;
       if (q > high) high = q;
     }

@@ -79,9 +79,9 @@ export function cardPainter(
     if (uploaded && film.growing)
       gl.bufferSubData(
         gl.ARRAY_BUFFER,
-        frame * field.stride * field.q.BYTES_PER_ELEMENT,
+        frame * field.step * field.q.BYTES_PER_ELEMENT,
         field.q,
-        frame * field.stride,
+        frame * field.step,
         field.stride,
       );
     const type = field.q instanceof Int16Array ? gl.SHORT : gl.UNSIGNED_BYTE;
@@ -92,7 +92,7 @@ export function cardPainter(
       type,
       false,
       0,
-      frame * field.stride * field.q.BYTES_PER_ELEMENT,
+      frame * field.step * field.q.BYTES_PER_ELEMENT,
     );
     gl.vertexAttribDivisor(location, 1);
   };
