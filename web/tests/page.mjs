@@ -240,7 +240,9 @@ await page.locator("input[name=brush][value=look]").check();
 await playTo(page, 40);
 // What was drawn is a layer, with values; a change on the way keeps what is looked at.
 const stiffness = async () => {
-  await page.mouse.move(box.x + box.width / 2 - 250, box.y + box.height / 2 + 60);
+  await page.locator(".stage").scrollIntoViewIfNeeded(); // a choice beside it may have moved it
+  const { x, y, width, height } = await page.locator(".stage").boundingBox();
+  await page.mouse.move(x + width / 2 - 250, y + height / 2 + 60);
   const text = await page.locator(".probe").textContent();
   assert.match(text, /^Young's modulus \S+ Pa at/);
   return Number(/modulus (\S+) Pa/.exec(text)[1]);
@@ -251,7 +253,7 @@ console.log(`Young's modulus where it was drawn soft: ${drawn} Pa`);
 assert.ok(drawn < 150, "the soft spot is not soft");
 await page.screenshot({ path: join(folder, "drawn.png") });
 const [picture] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save PNG" }).click()]);
-assert.match(picture.suggestedFilename(), /^Matrigrate-live-degradation-.*\.png$/);
+assert.match(picture.suggestedFilename(), /^Matrigrate-live-youngs_modulus-.*\.png$/);
 assert.deepEqual([...readFileSync(await picture.path()).subarray(1, 4)], [...Buffer.from("PNG")]);
 const downloads = [];
 page.on("download", (d) => downloads.push(d));

@@ -3,7 +3,7 @@ import type { ProtrusionRow, Tracks } from "../contract";
 import { h, onResize, s, section } from "../dom";
 import { ticks } from "../numbers";
 import { tracksOfCells } from "../run/cells";
-import { colour, frame, hours, onPick, speeds, tint } from "../run/plots";
+import { colour, frame, hours, onPick, speeds, tint, type Frame } from "../run/plots";
 import { timeline } from "../run/timeline";
 import type { LiveClock } from "./clock";
 
@@ -29,17 +29,39 @@ export function thinned({ t, v }: Line): Line {
   return { t: t.filter(kept), v: v.filter(kept) };
 }
 
-function curve(clock: LiveClock, width: number, lines: Line[], label: string, stairs: boolean): SVGSVGElement {
-  const high = Math.max(1e-9, ...lines.map(({ v }) => v.reduce((a, b) => Math.max(a, b), 0)));
-  const axis = { low: 0, high: 1.06 * high, label, ticks: ticks(0, 1.06 * high, 4) };
-  const made = frame(width, 190, hours(clock), axis, `${label} over time`);
-  lines.map(thinned).forEach(({ t, v }, k) => {
-    const at = (i: number) => `${made.x(t[i] / 3600).toFixed(1)} ${made.y(v[i]).toFixed(1)}`;
-    const d = t.map((_, i) => (i === 0 ? `M${at(0)}` : stairs ? `H${made.x(t[i] / 3600).toFixed(1)}V${made.y(v[i]).toFixed(1)}` : `L${at(i)}`));
-    made.svg.append(s("path", { class: "curve", d: d.join(""), ...tint(colour(k + 1, lines.length)) }));
-  });
-  onPick(made, (x) => clock.jump(3600 * made.toX(x)));
-  return made.svg;
+/** Lines over time that grow. */
+interface Plot {
+  element: HTMLElement;
+  draw(width: number, lines: Line[]): void;
+}
+
+/** Axes are made again where a line outgrows them, or is far below; else the lines alone change. */
+function plot(clock: LiveClock, label: string, stairs: boolean): Plot {
+  const element = h("div", {});
+  const room = 1.1;
+  let made: Frame | null = null;
+  let [end, high] = [0, 0];
+  let paths: SVGPathElement[] = [];
+  const draw = (width: number, lines: Line[]) => {
+    const highest = Math.max(1e-9, ...lines.map(({ v }) => v.reduce((a, b) => Math.max(a, b), 0)));
+    const fits = clock.end <= end && clock.end > 0.5 * end && highest <= high && highest > 0.5 * high;
+    if (!made || made.width !== width || paths.length !== lines.length || !fits) {
+      [end, high] = [room * clock.end, room * highest];
+      const axes = frame(width, 190, hours({ end }), { low: 0, high, label, ticks: ticks(0, high, 4) }, `${label} over time`);
+      onPick(axes, (x) => clock.jump(3600 * axes.toX(x)));
+      paths = lines.map((_, k) => s("path", { class: "curve", ...tint(colour(k + 1, lines.length)) }));
+      axes.svg.append(...paths);
+      element.replaceChildren(axes.svg);
+      made = axes;
+    }
+    const { x, y } = made;
+    lines.map(thinned).forEach(({ t, v }, k) => {
+      const at = (i: number) => `${x(t[i] / 3600).toFixed(1)} ${y(v[i]).toFixed(1)}`;
+      const d = t.map((_, i) => (i === 0 ? `M${at(0)}` : stairs ? `H${x(t[i] / 3600).toFixed(1)}V${y(v[i]).toFixed(1)}` : `L${at(i)}`));
+      paths[k].setAttribute("d", d.join(""));
+    });
+  };
+  return { element, draw };
 }
 
 export interface Curves {
@@ -49,8 +71,8 @@ export interface Curves {
 }
 
 export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionRow[], gone: AbortSignal): Curves {
-  const speed = h("div", {});
-  const alive = h("div", {});
+  const speed = plot(clock, "speed [\u00b5m/h]", false);
+  const alive = plot(clock, "protrusions alive", true);
   const life = h("div", {});
   const older = h("p", { class: "note" });
   let drawn = 0;
@@ -66,15 +88,15 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
   const draw = () => {
     later = undefined;
     drawn = performance.now();
-    const width = Math.floor(speed.clientWidth);
+    const width = Math.floor(speed.element.clientWidth);
     if (width < 50 || clock.end <= 0) return;
     // While it runs, not before a pixel more can be seen.
     const tooSoon = clock.playing && clock.end > drawnTo && clock.end - drawnTo < clock.end / width;
     if (tooSoon && rows() === drawnRows && width === drawnWidth) return;
     [drawnTo, drawnRows, drawnWidth] = [clock.end, rows(), width];
     const cells = tracksOfCells(tracks).map((one) => one.tracks);
-    speed.replaceChildren(curve(clock, width, cells.map((own) => (own.t_s.length > 1 ? speeds(own) : { t: [], v: [] })), "speed [\u00b5m/h]", false));
-    alive.replaceChildren(curve(clock, width, cells.map((own) => ({ t: own.t_s, v: own.n_simultaneous })), "protrusions alive", true));
+    speed.draw(width, cells.map((own) => (own.t_s.length > 1 ? speeds(own) : { t: [], v: [] })));
+    alive.draw(width, cells.map((own) => ({ t: own.t_s, v: own.n_simultaneous })));
     const all = [...rows()].sort((a, b) => a.t_initiation_s - b.t_initiation_s); // of several cells, too
     redrawn.abort();
     redrawn = new AbortController();
@@ -84,14 +106,14 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
   const changed = () => {
     if (later === undefined) later = setTimeout(draw, Math.max(0, pause - (performance.now() - drawn)));
   };
-  onResize(speed, changed, gone);
+  onResize(speed.element, changed, gone);
   const element = h(
     "div",
     {},
     section(
       "path",
       "Speed and protrusions",
-      h("div", { class: "plots" }, speed, alive),
+      h("div", { class: "plots" }, speed.element, alive.element),
       h("p", { class: "note" }, "Speed: displacement over ten minutes, at first over less."),
     ),
     section("protrusions", "Protrusions", life, older),

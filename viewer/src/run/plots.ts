@@ -78,8 +78,9 @@ export function onPick(made: Frame, pick: (x: number, y: number) => void): void 
   });
 }
 
-export const hours = (clock: Clock): Axis => {
-  const high = clock.end / 3600;
+/** From 0 to an end [s]. */
+export const hours = ({ end }: { end: number }): Axis => {
+  const high = end / 3600;
   const step = high > 0.5 && high < 8 ? (high > 2 ? 1 : 0.5) : undefined;
   return { low: 0, high, label: "time [h]", ticks: ticks(0, high, 6, step) };
 };
