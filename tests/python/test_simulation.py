@@ -274,7 +274,7 @@ class TestSimulation(common.InTemporaryFolder):
         simulation = matrigrate.Simulation(overrides={"ecm.radius": "250 um"})
         simulation.step()
         shares = []
-        for _ in range(6):  # one will do: other programs may take the processor away
+        while len(shares) < 50 and min(shares, default=1) >= 0.5:  # one will do: others may take the processor away
             began, times = threading.Event(), []
 
             def one_step(began=began):
