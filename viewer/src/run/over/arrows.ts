@@ -4,7 +4,7 @@ import { roundStep } from "../../numbers";
 import { valueAt } from "../../unpack";
 import type { Camera } from "../camera";
 import { between, solidFrom, type Film, type Place } from "../frames";
-import { arrow, edged, ink, labelFont, type Pen } from "./pen";
+import { arrow, edged, ink, labelFont, textWidth, type Pen } from "./pen";
 
 export type ArrowKind = "displacement" | "velocity";
 
@@ -132,7 +132,7 @@ export function paintArrowKeys(c: Pen, camera: Camera, keys: ArrowKey[]): void {
     const value = roundStep(16 / key.unit);
     const text = `${Number(value.toPrecision(3))} ${key.name}`;
     c.font = labelFont;
-    const [length, wide] = [value * key.unit, c.measureText(text).width];
+    const [length, wide] = [value * key.unit, textWidth(c, text)];
     const [x, y] = [camera.width - 16 - length - 8 - wide, camera.height - 18 - 25 * k];
     c.fillStyle = key.dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
     c.fillRect(x - 8, y - 11, length + wide + 24, 24);

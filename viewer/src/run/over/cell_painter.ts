@@ -23,7 +23,7 @@ import type { Shown } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import { paintFibres } from "./fibres";
 import { paintObstacles } from "./obstacles";
-import { edged, ink, labelFont, type Pen } from "./pen";
+import { edged, ink, labelFont, textWidth, type Pen } from "./pen";
 
 export interface CellScene {
   film: Film;
@@ -121,7 +121,7 @@ function paintNumber(c: Pen, camera: Camera, outline: Float32Array, cell: CellPa
   c.fillStyle = "rgba(255,255,255,.85)";
   c.fill();
   c.fillStyle = "#1f2328";
-  c.fillText(text, x - 0.5 * c.measureText(text).width, y + 5);
+  c.fillText(text, x - 0.5 * textWidth(c, text), y + 5);
 }
 
 function paintProtrusion(c: Pen, scene: CellScene, outline: Float32Array, p: FrameProtrusion, slot: number): void {
@@ -183,7 +183,7 @@ function paintScaleBar(c: Pen, { camera, dark }: CellScene): void {
   const text = `${Number(length.toPrecision(3))} \u00b5m`;
   c.font = labelFont;
   c.fillStyle = dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
-  c.fillRect(x - 7, y - 9, w + c.measureText(text).width + 23, 22);
+  c.fillRect(x - 7, y - 9, w + textWidth(c, text) + 23, 22);
   c.fillStyle = dark ? "#f0f3f6" : "#1f2328";
   c.fillRect(x, y, w, 4);
   c.fillText(text, x + w + 8, y + 7);

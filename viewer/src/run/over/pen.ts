@@ -37,6 +37,20 @@ export const ink = (dark: boolean): Ink =>
 
 export const labelFont = "600 14px system-ui, 'Segoe UI', Helvetica, Arial, sans-serif";
 
+const widths = new Map<string, number>();
+const mostWidths = 500;
+
+/** Width of a text in the pen's font [pixels]; measured once, since a page that plays asks thirty times a second. */
+export function textWidth(c: Pen, text: string): number {
+  const key = `${c.font}\n${text}`;
+  const known = widths.get(key);
+  if (known !== undefined) return known;
+  if (widths.size >= mostWidths) widths.clear();
+  const { width } = c.measureText(text);
+  widths.set(key, width);
+  return width;
+}
+
 /** Strokes the present path in a colour, with an edge of another, `rim` wide. */
 export function edged(c: Pen, colour: string, edge: string, width: number, dash: number[] = [], rim = 1): void {
   c.lineJoin = c.lineCap = "round";
