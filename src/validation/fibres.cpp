@@ -109,8 +109,7 @@ Result fibres(const Parameters& p) {
            stress_at(specimen, at) / stress_at(lattice, at), 1.0, 0.01,
            "both are homogeneous: steps in time, and the end of relaxation"});
     result.checks.push_back({fmt::format("{}: strain at which stiffening sets in", name), onset_of(q), p.fibres.onset,
-                             2.0 * largest_strain / lattice_increments,
-                             "two increments of the infinite lattice"});
+                             2.0 * largest_strain / lattice_increments, "two increments of the infinite lattice"});
     const double error = relative_error(specimen, law_points, judged_up_to);
     if (gel_of.concentration > 1.0)
       result.claims.push_back({fmt::format("{}: rms relative error of the stress to strain {:.2f} against the "
