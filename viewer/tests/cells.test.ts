@@ -6,8 +6,11 @@ import { groupOf } from "../sample/group";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
 import { cellColourCount, cellColours } from "../src/colour";
+import { cellTextAt } from "../src/run/cell_at";
 import { cellParts, tracksOfCells } from "../src/run/cells";
+import type { Film } from "../src/run/frames";
 import { launch, open } from "./browser";
+import { field } from "./fields";
 
 const one = () => sampleRun({ radius: 110, interval: 600, end: 7200, fibres: false });
 const shifts: [number, number][] = [
@@ -73,6 +76,18 @@ test("the player draws each cell in its colours, and the page says which cell", 
   assert.equal(await page.locator("#readouts th").first().textContent(), "cell");
   assert.deepEqual(errors, []);
   await page.context().close();
+});
+
+test("a point in a cell is of that cell, though the edge of its neighbour is within reach", () => {
+  const square = (left: number) => [left, 0, left + 10, 0, left + 10, 10, left, 10];
+  const made = {
+    outline: { x: field([...square(0), ...square(10.5)], 2, 0.001), protrusion: field(Array.from({ length: 8 }, () => 255), 1, 1) },
+    outlinePoints: 8,
+    cells: cellParts(8, [1, 1, 1, 1, 2, 2, 2, 2]),
+    protrusions: [[]],
+  } as unknown as Film;
+  const at = (x: number, y: number) => cellTextAt(made, { frame: 0, next: 0, fraction: 0 }, x, y, 2);
+  assert.deepEqual([at(9.8, 9), at(10.7, 9), at(-1, 0), at(5, 30)], ["Cell 1", "Cell 2", "Cell 1", ""]);
 });
 
 test("the page of a study plays all cells of a run, and has a path for each", async () => {

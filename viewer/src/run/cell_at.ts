@@ -2,6 +2,7 @@
 import { phaseNames } from "../contract";
 import { readable } from "../numbers";
 import { valueAt } from "../unpack";
+import type { CellPart } from "./cells";
 import { outlineAt, type Film, type Place } from "./frames";
 
 /** Whether a point lies inside a ring of points x0, y0, x1, y1, ... (even-odd rule). */
@@ -21,14 +22,17 @@ export function isInside(ring: ArrayLike<number>, x: number, y: number): boolean
  */
 export function cellTextAt(film: Film, place: Place, x: number, y: number, reach: number): string {
   const outline = outlineAt(film, place);
-  for (const { number, first, end } of film.cells) {
+  const holds = ({ first, end }: CellPart) => isInside(outline.subarray(2 * first, 2 * end), x, y);
+  // The edge of a neighbour may be within reach of a point that lies in a cell.
+  const around = film.cells.find(holds);
+  for (const { number, first, end } of around ? [around] : film.cells) {
     let [nearest, distance] = [first, Infinity];
     for (let i = first; i < end; ++i) {
       const d = Math.hypot(outline[2 * i] - x, outline[2 * i + 1] - y);
       if (d < distance) [nearest, distance] = [i, d];
     }
     const onEdge = distance <= reach;
-    if (!onEdge && !isInside(outline.subarray(2 * first, 2 * end), x, y)) continue;
+    if (!onEdge && !around) continue;
     const cell = film.cells.length > 1 ? `Cell ${number}` : "";
     const p = onEdge ? film.protrusions[place.frame][valueAt(film.outline.protrusion, place.frame, nearest)] : undefined;
     if (!p) return cell || "Cell";
