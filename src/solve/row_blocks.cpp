@@ -1,6 +1,7 @@
 #include "solve/row_blocks.hpp"
 
 #include "base/pack.hpp"
+#include "solve/widen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +79,9 @@ void residuals(std::span<const std::uint32_t> first, std::span<const std::uint32
       HalfFloats g_low, g_high;
       load(coefficient + lanes * k, g_low);
       load(coefficient + lanes * k + 4, g_high);
-      const Doubles low = __builtin_convertvector(g_low, Doubles);
-      const Doubles high = __builtin_convertvector(g_high, Doubles);
+      Doubles low, high;
+      widen(g_low, low);
+      widen(g_high, high);
       Doubles x0, x1, y0, y1;
       load(at_x + distance[k], x0);
       load(at_x + distance[k] + 4, x1);
