@@ -60,9 +60,10 @@ struct Parts {
 CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
   const std::size_t n = reference.pairs.size();
   if (n == 0 || reference.position.size() != n) return;
+  m_nodes = n;
   Sparse A = pair_drag_matrix(reference);
-  m_X = reference.position;
-  std::vector<Vec2> x = m_X;
+  std::vector<Vec2> x = reference.position;
+  const std::vector<std::uint8_t> all_free(n, 1);
   std::vector<std::uint8_t> free(n);
   for (std::size_t i = 0; i < n; ++i) free[i] = reference.prescribed[i] == 0 ? 1 : 0;
   Grid grid(x, spacing);
@@ -81,7 +82,8 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
 
     Level& level = m_levels.emplace_back();
     level.P = Interpolation(grid, x.size());
-    level.at_links = grid.without_nodes();
+    level.at_links = level.at_nodes = grid.without_nodes();
+    level.at_nodes.locate(reference.position, all_free);
     for (Field* field : {&level.b, &level.x, &level.r, &level.diagonal, &level.inverse_diagonal, &level.smoother})
       field->resize(grid.size());
     if (grid.size() <= max_direct) break;
@@ -101,14 +103,13 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
 }
 
 void CoarseLevels::take_links(const DragSystem& A, const Elimination& elimination) {
-  m_fits = !m_levels.empty() && m_X.size() == A.pairs.size();
+  m_fits = !m_levels.empty() && m_nodes == A.pairs.size();
   if (!m_fits) return;
-  elimination.lump(A, m_X, m_links);
+  elimination.lump(A, m_links);
   m_linked.resize(m_links.size());
-  const std::vector<std::uint8_t> all(m_links.size(), 1);
   for (std::size_t k = 0; k < m_links.size(); ++k) m_linked.x()[k] = m_linked.y()[k] = m_links.drag(k);
   for (Level& l : m_levels) {
-    l.at_links.locate(m_links.position(), all);
+    l.at_links.take(l.at_nodes, m_links.nodes());
     if (&l == &m_levels.back()) break;
     l.smoother = l.inverse_diagonal;
     l.at_links.restrict_to(m_linked, l.r);
@@ -116,9 +117,9 @@ void CoarseLevels::take_links(const DragSystem& A, const Elimination& eliminatio
       if (l.r.x()[q] > 0.0F)
         l.smoother.x()[q] = l.smoother.y()[q] = 1.0F / (1.0F / l.inverse_diagonal.x()[q] + links_share * l.r.x()[q]);
   }
-  Eigen::MatrixXf coarsest = m_coarsest;
-  m_links.add_to(m_levels.back().at_links, coarsest);
-  m_factor.compute(coarsest);
+  m_with_links = m_coarsest;
+  m_links.add_to(m_levels.back().at_links, m_with_links);
+  m_factor.compute(m_with_links);
 }
 
 /// r = b - (A + P^T E P) x.
@@ -159,7 +160,7 @@ void CoarseLevels::cycle(std::size_t level) {
   cycle(level + 1);
   next.P.interpolate(next.x, l.x);
   residual(l);
-  matrigrate::add_product(l.smoother, l.r, l.x);
+  add_product(l.smoother, l.r, l.x);
 }
 
 } // namespace matrigrate

@@ -34,7 +34,8 @@ public:
 private:
   struct Level {
     Interpolation P; ///< prolongation to the next finer level; of the first level: to the nodes
-    Grid at_links;   ///< this level's points around the linked nodes
+    Grid at_nodes;   ///< this level's points around the nodes of the matrix
+    Grid at_links;   ///< the same around the linked nodes
     RowBlocks pairs; ///< off-diagonal part of the reference operator
     Field diagonal, inverse_diagonal, smoother, b, x, r; ///< the smoother includes the links
   };
@@ -42,9 +43,9 @@ private:
   void residual(Level& level);
 
   bool m_fits = false;
-  std::vector<Vec2> m_X; // of the nodes of the reference
+  std::size_t m_nodes = 0; // of the reference
   std::vector<Level> m_levels;
-  Eigen::MatrixXf m_coarsest; ///< of the last level, without links
+  Eigen::MatrixXf m_coarsest, m_with_links; ///< of the last level, without and with links
   Eigen::LLT<Eigen::MatrixXf> m_factor;
   Eigen::MatrixX2f m_b;
   LumpedLinks m_links;

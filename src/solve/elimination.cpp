@@ -1,6 +1,9 @@
 #include "solve/elimination.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
+#include <utility>
 
 namespace matrigrate {
 
@@ -26,34 +29,58 @@ bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatri
 } // namespace
 
 void Elimination::factorise(const DragSystem& A) {
-  m_matrix = A.pairs.size();
-  m_cell_dofs = A.size() - m_matrix;
-  m_diagonal.assign(A.diagonal.begin(), A.diagonal.begin() + static_cast<std::ptrdiff_t>(m_matrix));
-  m_linked_of.assign(m_matrix, -1);
-  m_linked.clear();
+  place_links(A);
   m_mixed.clear();
   m_updates.clear();
   m_rows.resize(m_cell_dofs);
   for (std::size_t a = 0; a < m_cell_dofs; ++a) {
     m_rows[a].clear();
-    block(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a)) = A.diagonal[m_matrix + a] * Mat2::Identity();
+    m_rows[a].push_back({static_cast<std::uint32_t>(a), A.diagonal[m_matrix + a] * Mat2::Identity()});
   }
   m_t.setZero(static_cast<long>(2 * m_cell_dofs));
   for (std::size_t m = 0; m < A.links.size(); ++m) add_link(A.links, m);
   for (std::size_t m = 0; m < A.directed.size(); ++m)
     add_term(A.directed.c[m], nodes(A.directed, m), weights(A.directed, m));
   m_sums.resize(m_mixed.size());
-  set_bound();
   factorise_cell();
 }
 
-/// A link of one matrix node is kept by that node; any other becomes two directed terms.
+/// Whether a term of A.links, over these nodes, is kept by its matrix node; any other becomes two directed terms.
+bool Elimination::is_link(std::span<const std::uint32_t> node) const {
+  const auto in_cell = [this](std::uint32_t k) { return k >= m_matrix; };
+  return !node.empty() && node.size() <= max_entries && !in_cell(node[0])
+         && std::ranges::all_of(node.subspan(1), in_cell);
+}
+
+/// Makes an entry of m_linked, with room for its drags, for each matrix node with links.
+void Elimination::place_links(const DragSystem& A) {
+  for (const Linked& linked : m_linked) m_linked_of[linked.node] = -1;
+  m_linked.clear();
+  if (m_matrix != A.pairs.size()) m_linked_of.assign(A.pairs.size(), -1);
+  m_matrix = A.pairs.size();
+  m_cell_dofs = A.size() - m_matrix;
+  std::uint32_t room = 0;
+  for (std::size_t m = 0; m < A.links.size(); ++m) {
+    const auto node = nodes(A.links, m);
+    if (!is_link(node)) continue;
+    std::int32_t& place = m_linked_of[node[0]];
+    if (place < 0) {
+      place = static_cast<std::int32_t>(m_linked.size());
+      m_linked.push_back({node[0], A.diagonal[node[0]], 0, 0});
+    }
+    m_linked[static_cast<std::size_t>(place)].first += static_cast<std::uint32_t>(node.size() - 1);
+    room += static_cast<std::uint32_t>(node.size() - 1);
+  }
+  m_drags.resize(room);
+  std::uint32_t first = 0;
+  for (Linked& linked : m_linked) first += std::exchange(linked.first, first);
+}
+
 void Elimination::add_link(const DragTerms<double>& terms, std::size_t m) {
   const auto node = nodes(terms, m);
   const auto weight = weights(terms, m);
   const double c = terms.c[m];
-  const auto in_matrix = std::ranges::count_if(node, [this](std::uint32_t k) { return k < m_matrix; });
-  if (in_matrix != 1 || node[0] >= m_matrix || node.size() > max_entries) {
+  if (!is_link(node)) {
     for (const Vec2& e : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
       std::vector<Vec2> along;
       for (const double w : weight) along.emplace_back(w * e);
@@ -61,18 +88,18 @@ void Elimination::add_link(const DragTerms<double>& terms, std::size_t m) {
     }
     return;
   }
-  const std::uint32_t k = node[0];
-  m_diagonal[k] += c * weight[0] * weight[0];
-  if (m_linked_of[k] < 0) {
-    m_linked_of[k] = static_cast<std::int32_t>(m_linked.size());
-    m_linked.push_back({k, {}});
-  }
-  auto& drags = m_linked[static_cast<std::size_t>(m_linked_of[k])].drag;
+  Linked& linked = m_linked[static_cast<std::size_t>(m_linked_of[node[0]])];
+  linked.diagonal += c * weight[0] * weight[0];
   for (std::size_t p = 1; p < node.size(); ++p) {
     const std::uint32_t a = cell_dof(node[p]);
-    const auto at = std::find_if(drags.rbegin(), drags.rend(), [a](const auto& d) { return d.first == a; });
-    double& drag = at != drags.rend() ? at->second : drags.emplace_back(a, 0.0).second;
-    drag -= c * weight[0] * weight[p];
+    Drag* drag = m_drags.data() + linked.first;
+    Drag* const end = drag + linked.count;
+    while (drag != end && drag->first != a) ++drag;
+    if (drag == end) {
+      *drag = {a, 0.0};
+      ++linked.count;
+    }
+    drag->second -= c * weight[0] * weight[p];
     for (std::size_t q = 1; q < node.size(); ++q)
       if (node[q] <= node[p]) block(a, cell_dof(node[q])).diagonal().array() += c * weight[p] * weight[q];
   }
@@ -99,20 +126,40 @@ void Elimination::add_term(double c, std::span<const std::uint32_t> node, std::s
 
 Mat2& Elimination::block(std::uint32_t a, std::uint32_t b) {
   auto& row = m_rows[a];
-  for (Block& entry : row)
+  for (Block& entry : row) // the one on the diagonal is the first
     if (entry.column == b) return entry.value;
   return row.emplace_back(Block{b, Mat2::Zero()}).value;
 }
 
-void Elimination::set_bound() {
-  m_bound = m_diagonal;
+void Elimination::diagonals(const DragSystem& A, Field& diagonal, Field& smoother) {
+  float *D = diagonal.x(), *x = smoother.x(), *y = smoother.y();
+  const auto bound = [=](std::size_t k, double b) { x[k] = y[k] = static_cast<float>(1.0 / b); };
+  const double* from = A.diagonal.data();
+  parallel_for(m_matrix, [=](std::size_t k) {
+    D[k] = static_cast<float>(from[k]);
+    bound(k, from[k]);
+  });
+  for (const Linked& linked : m_linked) {
+    D[linked.node] = static_cast<float>(linked.diagonal);
+    bound(linked.node, linked.diagonal);
+  }
+  m_bound.resize(m_matrix);
+  const auto each_in_matrix = [this](std::size_t m, const auto& visit) {
+    for (std::uint32_t e = m_mixed.first[m]; e < m_mixed.first[m + 1]; ++e)
+      if (m_mixed.node[e] < m_matrix) visit(m_mixed.node[e], m_mixed.weight[e].norm());
+  };
+  for (std::size_t m = 0; m < m_mixed.size(); ++m)
+    each_in_matrix(m, [&](std::uint32_t k, double) {
+      const std::int32_t place = m_linked_of[k];
+      m_bound[k] = place < 0 ? A.diagonal[k] : m_linked[static_cast<std::size_t>(place)].diagonal;
+    });
   for (std::size_t m = 0; m < m_mixed.size(); ++m) {
     double sum = 0.0;
-    for (std::uint32_t k = m_mixed.first[m]; k < m_mixed.first[m + 1]; ++k)
-      if (m_mixed.node[k] < m_matrix) sum += m_mixed.weight[k].norm();
-    for (std::uint32_t k = m_mixed.first[m]; k < m_mixed.first[m + 1]; ++k)
-      if (m_mixed.node[k] < m_matrix) m_bound[m_mixed.node[k]] += m_mixed.c[m] * sum * m_mixed.weight[k].norm();
+    each_in_matrix(m, [&](std::uint32_t, double weight) { sum += weight; });
+    each_in_matrix(m, [&](std::uint32_t k, double weight) { m_bound[k] += m_mixed.c[m] * sum * weight; });
   }
+  for (std::size_t m = 0; m < m_mixed.size(); ++m)
+    each_in_matrix(m, [&](std::uint32_t k, double) { bound(k, m_bound[k]); });
 }
 
 void Elimination::factorise_cell() {
@@ -123,22 +170,22 @@ void Elimination::factorise_cell() {
     std::ranges::sort(row, {}, &Block::column);
     entries += 4 * row.size();
   }
-  Eigen::SparseMatrix<double> matrix(size, size); // column a of the upper half is row a of the lower
-  matrix.reserve(static_cast<long>(entries));
+  m_next.resize(size, size); // column a of the upper half is row a of the lower
+  m_next.reserve(static_cast<long>(entries));
   for (std::size_t a = 0; a < m_cell_dofs; ++a)
     for (long e = 0; e < 2; ++e) {
       const long column = 2 * static_cast<long>(a) + e;
-      matrix.startVec(column);
+      m_next.startVec(column);
       for (const Block& entry : m_rows[a])
         for (long d = 0; d < 2; ++d) {
           const long row = 2L * entry.column + d;
-          if (row <= column) matrix.insertBack(row, column) = entry.value(e, d);
+          if (row <= column) m_next.insertBack(row, column) = entry.value(e, d);
         }
     }
-  matrix.finalize();
-  if (!same_pattern(matrix, m_pattern)) m_factor.analyzePattern(matrix); // depends on the pattern alone
-  m_factor.factorize(matrix);
-  m_pattern.swap(matrix);
+  m_next.finalize();
+  if (!same_pattern(m_next, m_pattern)) m_factor.analyzePattern(m_next); // depends on the pattern alone
+  m_factor.factorize(m_next);
+  m_pattern.swap(m_next);
   std::vector<Update> updates;
   updates.swap(m_updates);
   for (Update& update : updates) { // each with the ones before in place
@@ -152,7 +199,8 @@ void Elimination::factorise_cell() {
 
 /// m_t := A_cc^-1 m_t.
 void Elimination::solve_cell() {
-  m_t = m_factor.solve(m_t).eval();
+  m_solved = m_factor.solve(m_t);
+  m_t.swap(m_solved);
   for (const Update& update : m_updates) m_t -= update.factor * update.w.dot(m_t) * update.solved;
 }
 
@@ -161,7 +209,7 @@ template <class At>
 void Elimination::gather(const At& at) {
   for (const Linked& linked : m_linked) {
     const Vec2 x = at(linked.node);
-    for (const auto& [a, drag] : linked.drag) m_t.segment<2>(2L * a) -= drag * x;
+    for (const auto& [a, drag] : drags(linked)) m_t.segment<2>(2L * a) -= drag * x;
   }
   for (std::size_t m = 0; m < m_mixed.size(); ++m) {
     double sum = 0.0;
@@ -179,7 +227,7 @@ template <class Add>
 void Elimination::scatter(const Add& add) {
   for (const Linked& linked : m_linked) {
     Vec2 y = Vec2::Zero();
-    for (const auto& [a, drag] : linked.drag) y += drag * m_t.segment<2>(2L * a);
+    for (const auto& [a, drag] : drags(linked)) y += drag * m_t.segment<2>(2L * a);
     add(linked.node, y);
   }
   for (std::size_t m = 0; m < m_mixed.size(); ++m) {
@@ -191,9 +239,9 @@ void Elimination::scatter(const Add& add) {
   }
 }
 
-void Elimination::lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks& links) const {
+void Elimination::lump(const DragSystem& A, LumpedLinks& links) const {
   links.clear(std::span(A.diagonal).subspan(m_matrix));
-  for (const Linked& linked : m_linked) links.add(X[linked.node], linked.drag);
+  for (const Linked& linked : m_linked) links.add(linked.node, drags(linked));
   links.close();
 }
 

@@ -23,16 +23,15 @@ public:
   /// Sorts the terms of A and factorises A_cc.
   void factorise(const DragSystem& A);
 
-  /// The part of the diagonal of A_mm that comes from D and the links [nN s/um].
-  std::span<const double> diagonal() const { return m_diagonal; }
+  /// Sets `diagonal`, in its x components, to the part of the diagonal of A_mm that comes from D and the links
+  /// [nN s/um], and both components of `smoother` to 1 / an upper bound, per row, of that plus the contribution of all
+  /// other terms.   @param A  as factorised
+  void diagonals(const DragSystem& A, Field& diagonal, Field& smoother);
 
-  /// Upper bound, per row of A_mm, of diagonal() plus the contribution of all other terms [nN s/um].
-  std::span<const double> bound() const { return m_bound; }
+  /// The links as seen by smooth fields, for the coarse grids.
+  void lump(const DragSystem& A, LumpedLinks& links) const;
 
-  /// The links as seen by smooth fields, for the coarse grids.   @param X  reference positions of the nodes [um]
-  void lump(const DragSystem& A, std::span<const Vec2> X, LumpedLinks& links) const;
-
-  /// y += factor (S - diagonal() + G) x.
+  /// y += factor (S - D + G) x, with D from diagonals().
   void add_product(float factor, const Field& x, Field& y);
 
   /// Reduces a right-hand side r of A to that of S, in its matrix part: r_m := r_m - A_mc A_cc^-1 r_c.
@@ -47,11 +46,13 @@ private:
     std::uint32_t column;
     Mat2 value;
   };
-  /// All links of a matrix node: its coupling with node k of the cell is the drag -(A_mc)_k.
+  /// All links of a matrix node: its coupling with node a of the cell is the drag -(A_mc)_a.
   struct Linked {
     std::uint32_t node;
-    std::vector<std::pair<std::uint32_t, double>> drag;
+    double diagonal;            ///< of A_mm, without terms that are not links
+    std::uint32_t first, count; ///< of its drags in m_drags
   };
+  using Drag = std::pair<std::uint32_t, double>; ///< a and the drag
   /// A rank-one update c w w^T of A_cc: w, A_cc^-1 w without the update, and c / (1 + c w . A_cc^-1 w).
   struct Update {
     Eigen::VectorXd w, solved;
@@ -59,10 +60,12 @@ private:
   };
 
   std::uint32_t cell_dof(std::uint32_t node) const { return node - static_cast<std::uint32_t>(m_matrix); }
+  void place_links(const DragSystem& A);
   void add_link(const DragTerms<double>& terms, std::size_t m);
   void add_term(double c, std::span<const std::uint32_t> node, std::span<const Vec2> weight);
   Mat2& block(std::uint32_t a, std::uint32_t b);
-  void set_bound();
+  bool is_link(std::span<const std::uint32_t> node) const;
+  std::span<const Drag> drags(const Linked& linked) const { return {m_drags.data() + linked.first, linked.count}; }
   void factorise_cell();
   void solve_cell();
   template <class At>
@@ -71,16 +74,18 @@ private:
   void scatter(const Add& add);
 
   std::size_t m_matrix = 0, m_cell_dofs = 0; // numbers of nodes
-  std::vector<double> m_diagonal, m_bound;
-  std::vector<std::vector<Block>> m_rows; // of A_cc
+  std::vector<std::vector<Block>> m_rows;    // of A_cc
   std::vector<Linked> m_linked;
+  std::vector<Drag> m_drags;             // of all of m_linked
   std::vector<std::int32_t> m_linked_of; // matrix node -> place in m_linked, or -1
+  std::vector<double> m_bound;           // workspace of diagonals()
   DragTerms<Vec2> m_mixed;               // terms that are not links and have entries in the matrix
   std::vector<double> m_sums;            // of m_mixed, over its matrix nodes
   std::vector<Update> m_updates;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper> m_factor;
   Eigen::SparseMatrix<double> m_pattern; // sparsity pattern of A_cc for which m_factor was analysed
-  Eigen::VectorXd m_t;                   // nodes of the cell, x and y interleaved
+  Eigen::SparseMatrix<double> m_next;    // workspace of factorise_cell()
+  Eigen::VectorXd m_t, m_solved;         // nodes of the cell, x and y interleaved; workspace of solve_cell()
 };
 
 } // namespace matrigrate

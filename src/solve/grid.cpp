@@ -83,6 +83,11 @@ void Grid::locate(std::span<const Vec2> x, std::span<const std::uint8_t> free) {
   parallel_for(x.size(), [&](std::size_t i) { m_around[i] = free[i] != 0 ? weigh(x[i]) : Around{}; });
 }
 
+void Grid::take(const Grid& located, std::span<const std::uint32_t> nodes) {
+  m_around.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) m_around[i] = located.m_around[nodes[i]];
+}
+
 Eigen::SparseMatrix<double> Grid::P() const {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < m_around.size(); ++i)

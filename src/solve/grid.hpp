@@ -45,6 +45,9 @@ public:
   /// Sets the interpolation to nodes at x. Nodes with free = 0 have a zero row in P.
   void locate(std::span<const Vec2> x, std::span<const std::uint8_t> free);
 
+  /// Sets the interpolation to some nodes of the same grid located at all of them.
+  void take(const Grid& located, std::span<const std::uint32_t> nodes);
+
   const Around& around(std::size_t node) const { return m_around[node]; }
   Eigen::SparseMatrix<double> P() const;
 

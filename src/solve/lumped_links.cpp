@@ -3,7 +3,7 @@
 namespace matrigrate {
 
 void LumpedLinks::clear(std::span<const double> own) {
-  m_x.clear();
+  m_nodes.clear();
   m_g.clear();
   m_first.assign(1, 0);
   m_cell_dofs.clear();
@@ -11,7 +11,7 @@ void LumpedLinks::clear(std::span<const double> own) {
   m_T.assign(own.begin(), own.end());
 }
 
-void LumpedLinks::add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags) {
+void LumpedLinks::add(std::uint32_t node, std::span<const std::pair<std::uint32_t, double>> drags) {
   double sum = 0.0;
   for (const auto& [a, drag] : drags) {
     if (drag <= 0.0) continue;
@@ -20,7 +20,7 @@ void LumpedLinks::add(const Vec2& x, std::span<const std::pair<std::uint32_t, do
     m_cell_dofs.push_back(a);
     m_drag.push_back(static_cast<float>(drag));
   }
-  m_x.push_back(x);
+  m_nodes.push_back(node);
   m_g.push_back(static_cast<float>(sum));
   m_first.push_back(static_cast<std::uint32_t>(m_cell_dofs.size()));
 }

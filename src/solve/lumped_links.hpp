@@ -22,24 +22,24 @@ public:
   /// @param own  drag of the nodes of the cell [nN s/um]
   void clear(std::span<const double> own);
 
-  /// The links of a node of the matrix at x: nodes of the cell and drags; only drags above 0 count.
-  void add(const Vec2& x, std::span<const std::pair<std::uint32_t, double>> drags);
+  /// The links of a node of the matrix: nodes of the cell and drags; only drags above 0 count.
+  void add(std::uint32_t node, std::span<const std::pair<std::uint32_t, double>> drags);
 
   /// Call after the last add().
   void close();
 
-  std::size_t size() const { return m_x.size(); }
-  std::span<const Vec2> position() const { return m_x; } ///< of the linked nodes
-  float drag(std::size_t k) const { return m_g[k]; }     ///< g_k
+  std::size_t size() const { return m_nodes.size(); }
+  std::span<const std::uint32_t> nodes() const { return m_nodes; } ///< the linked nodes of the matrix
+  float drag(std::size_t k) const { return m_g[k]; }               ///< g_k
 
-  /// A += P^T E P for a grid located at position().
+  /// A += P^T E P for a grid located at nodes().
   void add_to(const Grid& grid, Eigen::MatrixXf& A) const;
 
   /// u := E u on the linked nodes.
   void multiply(Field& u);
 
 private:
-  std::vector<Vec2> m_x;
+  std::vector<std::uint32_t> m_nodes;
   std::vector<float> m_g;
   std::vector<std::uint32_t> m_first, m_cell_dofs;
   std::vector<float> m_drag;

@@ -61,12 +61,7 @@ void Multigrid::prepare(const DragSystem& A) {
   m_coarse.take_links(A, m_elimination);
   if (m_x.size() != n)
     for (Field* field : {&m_diagonal, &m_smoother, &m_x, &m_r, &m_z, &m_p, &m_q}) field->resize(n);
-  const std::span<const double> D = m_elimination.diagonal();
-  const std::span<const double> bound = m_elimination.bound();
-  parallel_for(n, [&](std::size_t i) {
-    m_diagonal.x()[i] = static_cast<float>(D[i]);
-    m_smoother.x()[i] = m_smoother.y()[i] = static_cast<float>(1.0 / bound[i]);
-  });
+  m_elimination.diagonals(A, m_diagonal, m_smoother);
 }
 
 /// Adds to v a correction that takes the residual, r in all, down to `reduction` of itself, up to rounding.

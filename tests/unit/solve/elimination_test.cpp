@@ -58,11 +58,29 @@ TEST(Elimination, GivesTheSchurComplement) {
     from.x()[i] = static_cast<float>(x[static_cast<long>(2 * i)]);
     from.y()[i] = static_cast<float>(x[static_cast<long>(2 * i + 1)]);
   }
+  Field D, smoother;
+  D.resize(from.size());
+  smoother.resize(from.size());
+  s.elimination.diagonals(s.body.A, D, smoother);
   s.elimination.add_product(1.0F, from, to);
   for (std::size_t i = 0; i < from.size(); ++i) {
-    Vec2 y = s.elimination.diagonal()[i] * Vec2(from.x()[i], from.y()[i]) + Vec2(to.x()[i], to.y()[i]);
+    Vec2 y = D.x()[i] * Vec2(from.x()[i], from.y()[i]) + Vec2(to.x()[i], to.y()[i]);
     s.body.A.pairs.each_of_row(i, [&](std::size_t j, float G) { y -= G * Vec2(from.x()[j], from.y()[j]); });
     EXPECT_NEAR((y - expected.segment<2>(static_cast<long>(2 * i))).norm(), 0.0, 1e-5);
+  }
+}
+
+TEST(Elimination, BoundsTheDiagonalFromAbove) {
+  Small s;
+  const Eigen::MatrixXd A = s.dense();
+  Field D, smoother;
+  D.resize(s.body.x.size());
+  smoother.resize(s.body.x.size());
+  s.elimination.diagonals(s.body.A, D, smoother);
+  for (std::size_t i = 0; i < s.body.x.size(); ++i) {
+    const auto k = static_cast<long>(2 * i);
+    EXPECT_EQ(smoother.x()[i], smoother.y()[i]);
+    EXPECT_LE(std::max(A(k, k), A(k + 1, k + 1)) * smoother.x()[i], 1.0 + 1e-6);
   }
 }
 

@@ -11,9 +11,9 @@ LumpedLinks three_nodes(double own) {
   LumpedLinks links;
   links.clear(std::vector<double>{own, own});
   using Drags = std::vector<std::pair<std::uint32_t, double>>;
-  links.add(Vec2(0.1, 0.2), Drags{{0, 1.0}});
-  links.add(Vec2(1.3, 0.4), Drags{{0, 2.0}, {1, 0.5}});
-  links.add(Vec2(0.7, 1.9), Drags{{1, 3.0}});
+  links.add(0, Drags{{0, 1.0}});
+  links.add(1, Drags{{0, 2.0}, {1, 0.5}});
+  links.add(2, Drags{{1, 3.0}});
   links.close();
   return links;
 }
@@ -40,8 +40,9 @@ TEST(LumpedLinks, HoldTheMatrixIfTheNodesBehindAreHeld) {
 
 TEST(LumpedLinks, AreTheSameOnAGridAsAMatrix) {
   LumpedLinks links = three_nodes(0.3);
-  Grid grid(links.position(), 1.0);
-  grid.locate(links.position(), std::vector<std::uint8_t>(3, 1));
+  const std::vector<Vec2> x{{0.1, 0.2}, {1.3, 0.4}, {0.7, 1.9}};
+  Grid grid(x, 1.0);
+  grid.locate(x, std::vector<std::uint8_t>(3, 1));
   const auto n = static_cast<long>(grid.size());
   Eigen::MatrixXf A = Eigen::MatrixXf::Zero(n, n);
   links.add_to(grid, A);
