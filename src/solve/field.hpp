@@ -53,17 +53,10 @@ inline double squared_norm(const DoubleField& a) {
 }
 
 /// a . b over both components, summed in double precision.
-inline double dot(const Field& a, const Field& b) {
-  using Lanes = Eigen::Array<double, 4, 1>;
-  using Four = Eigen::Map<const Eigen::Array4f>;
-  const float* p = a.values().data();
-  const float* q = b.values().data();
-  const Lanes sum = ordered_sum<Lanes>(a.values().size() / 8, Lanes::Zero(), [p, q](std::size_t k) -> Lanes {
-    const Eigen::Array4f product = Four(p + 8 * k) * Four(q + 8 * k) + Four(p + 8 * k + 4) * Four(q + 8 * k + 4);
-    return product.cast<double>();
-  });
-  return sum.sum();
-}
+double dot(const Field& a, const Field& b);
+
+/// b = factor a.   @return b . b
+double assign_scaled(double factor, const DoubleField& a, Field& b);
 
 /// z = d r, value by value.
 inline void assign_product(const Field& d, const Field& r, Field& z) {
@@ -81,12 +74,11 @@ inline void add_product(const Field& d, const Field& r, Field& z) {
   parallel_for(z.values().size(), [=](std::size_t k) { to[k] += a[k] * b[k]; });
 }
 
-/// y += alpha x.
-inline void add_multiple(float alpha, const Field& x, Field& y) {
-  const float* a = x.values().data();
-  float* to = y.values().data();
-  parallel_for(y.values().size(), [=](std::size_t k) { to[k] += alpha * a[k]; });
-}
+/// The same.   @return b . z
+double add_product(const Field& d, const Field& r, Field& z, const Field& b);
+
+/// x += alpha p and r -= alpha q, a step of conjugate gradients.   @return r . r
+double advance(float alpha, const Field& p, const Field& q, Field& x, Field& r);
 
 /// p = z + beta p.
 inline void extend(const Field& z, float beta, Field& p) {

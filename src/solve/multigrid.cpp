@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace matrigrate {
 
@@ -69,27 +70,21 @@ void Multigrid::prepare(const DragSystem& A) {
 double Multigrid::correct(double r, double reduction, SolveReport& report) {
   m_elimination.reduce(m_residual);
   const double per_r = 1.0 / r; // what is solved for is of order 1, whatever the units
-  const double* from = m_residual.matrix.values().data();
-  float* to = m_r.values().data();
-  parallel_for(m_r.values().size(), [=](std::size_t k) { to[k] = static_cast<float>(per_r * from[k]); });
+  double left2 = assign_scaled(per_r, m_residual.matrix, m_r);
   m_x.set_zero();
   double r_z = 0.0;
-  while (dot(m_r, m_r) > reduction * reduction && report.iterations < m_max_iterations) {
-    precondition();
-    const double r_z_old = r_z;
-    r_z = dot(m_r, m_z);
+  while (left2 > reduction * reduction && report.iterations < m_max_iterations) {
+    const double r_z_old = std::exchange(r_z, precondition());
     if (r_z_old == 0.0)
-      m_p = m_z;
+      std::swap(m_p, m_z);
     else
       extend(m_z, static_cast<float>(r_z / r_z_old), m_p);
     multiply(m_p, m_q);
     const double alpha = r_z / dot(m_p, m_q);
     if (!(alpha > 0.0) || !std::isfinite(alpha)) break; // beyond what single precision resolves
-    add_multiple(static_cast<float>(alpha), m_p, m_x);
-    add_multiple(static_cast<float>(-alpha), m_q, m_r);
+    left2 = advance(static_cast<float>(alpha), m_p, m_q, m_x, m_r);
     ++report.iterations;
   }
-  const double left = std::sqrt(dot(m_r, m_r));
   for (Vec2& a : m_residual.cell_dofs) a *= per_r;
   m_cell_dofs.resize(m_residual.cell_dofs.size());
   m_elimination.recover(m_residual.cell_dofs, m_x, m_cell_dofs);
@@ -97,7 +92,7 @@ double Multigrid::correct(double r, double reduction, SolveReport& report) {
   double* v = m_v.matrix.values().data();
   parallel_for(m_x.values().size(), [=](std::size_t k) { v[k] += r * static_cast<double>(x[k]); });
   for (std::size_t a = 0; a < m_cell_dofs.size(); ++a) m_v.cell_dofs[a] += r * m_cell_dofs[a];
-  return left;
+  return std::sqrt(left2);
 }
 
 /// y = S x.
@@ -112,13 +107,13 @@ void Multigrid::residual_after(const Field& x, Field& y) {
   m_elimination.add_product(-1.0F, x, y);
 }
 
-/// z = M^-1 r: smoothed before and after the correction on the grids. Uses q.
-void Multigrid::precondition() {
+/// z = M^-1 r: smoothed before and after the correction on the grids. Uses q.   @return r . z
+double Multigrid::precondition() {
   assign_product(m_smoother, m_r, m_z);
   residual_after(m_z, m_q);
   m_coarse.add_correction(m_q, m_z);
   residual_after(m_z, m_q);
-  add_product(m_smoother, m_q, m_z);
+  return add_product(m_smoother, m_q, m_z, m_r);
 }
 
 } // namespace matrigrate

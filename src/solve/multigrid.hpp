@@ -32,7 +32,7 @@ private:
   double correct(double r, double reduction, SolveReport& report);
   void multiply(const Field& x, Field& y);
   void residual_after(const Field& x, Field& y);
-  void precondition();
+  double precondition();
 
   double m_tolerance;
   int m_max_iterations;
