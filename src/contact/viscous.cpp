@@ -18,7 +18,7 @@ namespace {
 struct Samples {
   std::vector<std::uint32_t> first{0};
   std::vector<std::uint32_t> segment;
-  std::vector<Vec2> x;
+  std::vector<Vec2> x, along;        // a point, and its segment from end to end [um]
   std::vector<double> s;             // along the segment
   std::vector<double> shared_volume; // of a point and a particle; pair_drag takes V_i V_j as a square [um^2]
 };
@@ -34,6 +34,7 @@ Samples samples(const CortexState& c, const Parameters& p, double V0) {
       points.segment.push_back(static_cast<std::uint32_t>(i));
       points.s.push_back((m + 0.5) / count);
       points.x.emplace_back(c.x[i] + points.s.back() * e);
+      points.along.push_back(e);
       points.shared_volume.push_back(std::sqrt(V0 * volume));
     }
     points.first.push_back(static_cast<std::uint32_t>(points.x.size()));
@@ -68,19 +69,18 @@ void find_near(const Vec2& x, std::span<const std::uint32_t> segments, const Sam
 }
 
 /// Shares of their drag that the points exert on a particle; leaves out those that exert none.
-void share_drag(const EcmState& ecm, std::uint32_t k, const CortexState& c, const Samples& points, double fluid_share,
-                Meetings& met) {
+void share_drag(const EcmState& ecm, std::uint32_t k, const Samples& points, double fluid_share, Meetings& met) {
   const double inside = ecm.f[k], outside = ecm.f[k] + fluid_share * (1.0 - ecm.f[k]);
   std::size_t count = 0;
   for (std::size_t n = 0; n < met.count; ++n) {
     const std::uint32_t m = met.point[n];
-    const std::size_t i = points.segment[m];
-    const Vec2 e = c.x[c.next(i)] - c.x[i];
-    met.share[count] = cross(ecm.x[k] - points.x[m], e) > 0.0 ? outside : inside; // the cortex runs counter-clockwise
+    const bool is_outside = cross(ecm.x[k] - points.x[m], points.along[m]) > 0.0; // the cortex runs counter-clockwise
+    const double share = is_outside ? outside : inside;
+    met.share[count] = share;
     met.shared_volume[count] = points.shared_volume[m];
     met.point[count] = m;
     met.r2[count] = met.r2[n];
-    count += met.share[count] > 0.0 ? 1 : 0;
+    count += share > 0.0 ? 1 : 0;
   }
   met.count = count;
 }
@@ -106,7 +106,7 @@ void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parame
     const bool rigid = ecm.in_obstacle(k);
     if ((ecm.clamped[k] && !rigid) || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
     find_near(ecm.x[k], grid.near(ecm.x[k]), points, kernel.support(), met);
-    share_drag(ecm, k, c, points, p.contact.fluid_share, met);
+    share_drag(ecm, k, points, p.contact.fluid_share, met);
     evaluate_drag(p.ecm, kernel, met);
     for (std::size_t n = 0; n < met.count; ++n) {
       const std::size_t i = points.segment[met.point[n]];
