@@ -1,8 +1,11 @@
 #include "cell/geometry.hpp"
 
+#include "base/points_in.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace matrigrate {
 
@@ -72,12 +75,12 @@ bool crosses_itself(const CortexState& c) {
   double longest = 0.0;
   for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, (c.x[c.next(i)] - c.x[i]).squaredNorm());
   longest = std::sqrt(longest);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (std::abs(c.x[i].x() - c.x[j].x()) > 2.0 * longest) continue; // too far apart; most are
-      if (c.next(j) == i) continue;
-      if (cross_each_other(c.x[i], c.x[c.next(i)], c.x[j], c.x[c.next(j)])) return true;
-    }
+  std::vector<std::uint8_t> near(n);
+  for (std::size_t i = 0; i + 2 < n; ++i) {
+    mark_points_in(around(c.x[i], 2.0 * longest), std::span(c.x).subspan(i + 2), near.data() + i + 2); // few are near
+    for (std::size_t j = next_marked(near, i + 2); j < n; j = next_marked(near, j + 1))
+      if (c.next(j) != i && cross_each_other(c.x[i], c.x[c.next(i)], c.x[j], c.x[c.next(j)])) return true;
+  }
   return false;
 }
 

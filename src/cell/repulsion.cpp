@@ -1,5 +1,6 @@
 #include "cell/repulsion.hpp"
 
+#include "base/points_in.hpp"
 #include "cell/geometry.hpp"
 
 #include <algorithm>
@@ -46,8 +47,7 @@ std::vector<Touch> touches(const CortexState& c, double reach) {
   std::vector<Touch> found;
   for (std::size_t i = 0; i < n; ++i) {
     mark_close(c.x[i], x, y, limit2, close);
-    for (auto at = std::ranges::find(close, 1); at != close.end(); at = std::find(at + 1, close.end(), 1)) {
-      const auto j = static_cast<std::size_t>(at - close.begin());
+    for (std::size_t j = next_marked(close, 0); j < n; j = next_marked(close, j + 1)) {
       if (c.apart(i, j) < nearest_partner || c.apart(i, c.next(j)) < nearest_partner) continue;
       const ClosestPoint q = closest_point(c.x[i], c.x[j], c.x[c.next(j)]);
       const double d = q.from.norm();

@@ -1,5 +1,6 @@
 #include "contact/proximity.hpp"
 
+#include "base/points_in.hpp"
 #include "cell/geometry.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Vec2 outward_at(const CortexState& c, std::size_t i, double s) {
 
 } // namespace
 
-SegmentGrid::SegmentGrid(const CortexState& c, double reach) : m_bin(0.5 * reach) {
+SegmentGrid::SegmentGrid(const CortexState& c, double reach) : m_per_bin(2.0 / reach) {
   m_low = m_high = c.x[0];
   for (const Vec2& x : c.x) {
     m_low = m_low.cwiseMin(x);
@@ -31,13 +32,14 @@ SegmentGrid::SegmentGrid(const CortexState& c, double reach) : m_bin(0.5 * reach
   }
   m_low.array() -= reach;
   m_high.array() += reach;
-  m_columns = static_cast<std::size_t>((m_high.x() - m_low.x()) / m_bin) + 1;
-  m_rows = static_cast<std::size_t>((m_high.y() - m_low.y()) / m_bin) + 1;
+  m_columns = static_cast<std::size_t>((m_high.x() - m_low.x()) * m_per_bin) + 1;
+  m_rows = static_cast<std::size_t>((m_high.y() - m_low.y()) * m_per_bin) + 1;
   const auto each_bin = [&](std::size_t i, const auto& action) {
     const Vec2 low = c.x[i].cwiseMin(c.x[c.next(i)]).array() - reach;
     const Vec2 high = c.x[i].cwiseMax(c.x[c.next(i)]).array() + reach;
-    for (std::size_t r = row(low.y()); r <= row(high.y()); ++r)
-      for (std::size_t q = column(low.x()); q <= column(high.x()); ++q) action(r * m_columns + q);
+    const std::size_t left = column(low.x()), right = column(high.x()), top = row(high.y());
+    for (std::size_t r = row(low.y()); r <= top; ++r)
+      for (std::size_t q = left; q <= right; ++q) action(r * m_columns + q);
   };
   m_first.assign(m_columns * m_rows + 1, 0);
   for (std::size_t i = 0; i < c.size(); ++i) each_bin(i, [&](std::size_t bin) { ++m_first[bin + 1]; });
@@ -49,11 +51,11 @@ SegmentGrid::SegmentGrid(const CortexState& c, double reach) : m_bin(0.5 * reach
 }
 
 std::size_t SegmentGrid::column(double x) const {
-  return std::min(static_cast<std::size_t>(std::max(0.0, (x - m_low.x()) / m_bin)), m_columns - 1);
+  return std::min(static_cast<std::size_t>(std::max(0.0, (x - m_low.x()) * m_per_bin)), m_columns - 1);
 }
 
 std::size_t SegmentGrid::row(double y) const {
-  return std::min(static_cast<std::size_t>(std::max(0.0, (y - m_low.y()) / m_bin)), m_rows - 1);
+  return std::min(static_cast<std::size_t>(std::max(0.0, (y - m_low.y()) * m_per_bin)), m_rows - 1);
 }
 
 std::span<const std::uint32_t> SegmentGrid::near(const Vec2& p) const {
@@ -64,8 +66,8 @@ std::span<const std::uint32_t> SegmentGrid::near(const Vec2& p) const {
 
 std::vector<std::uint32_t> SegmentGrid::candidates(std::span<const Vec2> points) const {
   std::vector<std::uint32_t> found;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (covers(points[k]) && !near(points[k]).empty()) found.push_back(static_cast<std::uint32_t>(k));
+  for (const std::uint32_t k : points_in({m_low, m_high}, points))
+    if (!near(points[k]).empty()) found.push_back(k);
   return found;
 }
 

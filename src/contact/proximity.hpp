@@ -49,7 +49,7 @@ private:
   std::size_t row(double y) const;
 
   Vec2 m_low, m_high;
-  double m_bin;
+  double m_per_bin; // over the width of a bin [1/um]
   std::size_t m_columns, m_rows;
   std::vector<std::uint32_t> m_first;
   std::vector<std::uint32_t> m_segments;

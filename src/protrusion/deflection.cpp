@@ -1,5 +1,6 @@
 #include "protrusion/deflection.hpp"
 
+#include "base/points_in.hpp"
 #include "protrusion/growth.hpp"
 #include "sph/kernel.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <variant>
 
 namespace matrigrate {
@@ -35,9 +37,8 @@ double deflection_speed(const EcmState& ecm, const Parameters& p, const Vec2& ti
   const double in_cone = std::cos(p.protrusion.deflection_cone);
   double sum = 0.0;
   double weights = 0.0;
-  for (std::size_t k = 0; k < ecm.size(); ++k) {
+  for (const std::uint32_t k : points_in(around(tip, kernel.support()), ecm.x)) {
     const Vec2 r = ecm.x[k] - tip;
-    if (std::abs(r.x()) > kernel.support() || std::abs(r.y()) > kernel.support()) continue;
     const double d = r.norm();
     if (d <= nearest || d >= kernel.support() || r.dot(direction) < in_cone * d || r.dot(ahead) < in_cone * d
         || inside(ecm.x[k]))

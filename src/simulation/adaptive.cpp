@@ -7,19 +7,34 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace matrigrate {
 
 namespace {
 
+/// Square of the largest velocity, several side by side [um^2/s^2].
+MATRIGRATE_SIMD
+double max_squared(std::span<const Vec2> v) {
+  constexpr std::size_t lanes = 8;
+  double largest[lanes] = {};
+  std::size_t i = 0;
+  for (; i + lanes <= v.size(); i += lanes)
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const double squared = v[i + l].x() * v[i + l].x() + v[i + l].y() * v[i + l].y();
+      largest[l] = largest[l] < squared ? squared : largest[l];
+    }
+  for (; i < v.size(); ++i) largest[0] = std::max(largest[0], v[i].squaredNorm());
+  return *std::ranges::max_element(largest);
+}
+
 /// Of a particle of matrix or cells [um/s].
 double max_speed(const State& s) {
-  double squared = 0.0;
-  for (const Vec2& v : s.ecm.v) squared = std::max(squared, v.squaredNorm());
+  double squared = max_squared(s.ecm.v);
   for (const Cell& cell : s.cells)
-    for (const CortexState* ring : {&cell.cortex, &cell.nucleus})
-      for (const Vec2& v : ring->v) squared = std::max(squared, v.squaredNorm());
+    for (const CortexState* ring : {&cell.cortex, &cell.nucleus}) squared = std::max(squared, max_squared(ring->v));
   return std::sqrt(squared);
 }
 

@@ -135,8 +135,9 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   const double share = of_step(w);
   for (double& c : w.drag.links.c) c *= share;
   for (double& c : w.drag.directed.c) c *= share;
-  for (std::size_t i = 0; i < w.force.size(); ++i)
-    if (!is_clamped(s, i)) w.drag.F[i] += share * w.force[i];
+  for (std::size_t i = 0; i < s.ecm.size(); ++i)
+    if (!s.ecm.clamped[i]) w.drag.F[i] += share * w.force[i];
+  for (std::size_t i = s.ecm.size(); i < w.force.size(); ++i) w.drag.F[i] += share * w.force[i];
 }
 
 } // namespace matrigrate

@@ -11,7 +11,7 @@ namespace matrigrate {
 namespace {
 
 void advance_positions(State& s, const Parameters& p, double dt, const Workspace& w) {
-  parallel_for(s.ecm.size(), [&](std::size_t i) { s.ecm.x[i] += dt * s.ecm.v[i]; });
+  parallel_for(s.ecm.size(), [x = s.ecm.x.data(), v = s.ecm.v.data(), dt](std::size_t i) { x[i] += dt * v[i]; });
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     CortexState& c = s.cells[k].cortex;
     for (std::size_t i = 0; i < c.size(); ++i) c.x[i] += dt * c.v[i];

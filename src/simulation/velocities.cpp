@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -17,13 +18,25 @@ namespace matrigrate {
 
 namespace {
 
+/// Appends the velocities of the nodes of all cells.
+void append_cells(const State& s, std::vector<Vec2>& v) {
+  v.reserve(node_count(s));
+  for (const Cell& cell : s.cells)
+    for (const CortexState* ring : {&cell.cortex, &cell.nucleus}) v.insert(v.end(), ring->v.begin(), ring->v.end());
+}
+
 /// Velocities of matrix and cells if they go on changing as in the last step: the first guess of the solver.
 void extrapolate(const State& s, std::vector<Vec2>& v) {
-  v = node_velocities(s);
-  const std::vector<Vec2>& v_before = s.solver_memory.v_before;
-  if (v_before.size() != v.size()) return;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    if (!is_clamped(s, i)) v[i] = 2.0 * v[i] - v_before[i];
+  const std::size_t n = s.ecm.size();
+  v.resize(n);
+  append_cells(s, v);
+  const std::vector<Vec2>& before = s.solver_memory.v_before;
+  if (before.size() != v.size()) {
+    std::ranges::copy(s.ecm.v, v.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) v[i] = s.ecm.clamped[i] ? s.ecm.v[i] : Vec2(2.0 * s.ecm.v[i] - before[i]);
+  for (std::size_t i = n; i < v.size(); ++i) v[i] = 2.0 * v[i] - before[i];
 }
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
@@ -41,10 +54,19 @@ std::string_view body_of(const State& s, std::size_t node) {
   return node < first_nucleus_node(s, cell) ? "cortex" : "nucleus";
 }
 
+/// Whether a square is not at most `limit`, or is not a number.
+MATRIGRATE_SIMD
+bool any_beyond(std::span<const Vec2> v, double limit) {
+  std::uint64_t beyond = 0;
+  for (const Vec2& a : v) beyond |= a.x() * a.x() + a.y() * a.y() <= limit ? 0U : 1U;
+  return beyond != 0;
+}
+
 /// The first particle that would move further than `max_move`, if any.
 std::optional<StepTooLong> too_far(const State& s, double dt, const StepLimits& limits, std::span<const Vec2> v,
                                    double max_move) {
   const double max_speed = max_move / dt;
+  if (!any_beyond(v, max_speed * max_speed)) return {};
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].squaredNorm() <= max_speed * max_speed) continue; // false for what is not a number
     return StepTooLong{fmt::format(
@@ -85,7 +107,8 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
   memory.x_drag = w.drag_cache.x_drag();
-  memory.v_before = node_velocities(s);
+  memory.v_before.swap(s.ecm.v); // those of the matrix, without a copy
+  append_cells(s, memory.v_before);
   set_node_velocities(s, w.v);
 }
 

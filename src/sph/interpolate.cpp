@@ -1,6 +1,6 @@
 #include "sph/interpolate.hpp"
 
-#include <cmath>
+#include "base/points_in.hpp"
 
 namespace matrigrate {
 
@@ -8,12 +8,13 @@ PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2
   PointWeights w;
   const double support = kernel.support();
   double sum = 0.0;
-  for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (std::abs(ecm.x[i].y() - point.y()) >= support || ecm.f[i] <= 0.0 || ecm.ligand_at(i) <= 0.0)
-      continue; // most are far away
+  Box box = around(point, support);
+  if (ecm.period_x > 0.0) box = wherever_along_x(box);
+  for (const std::uint32_t i : points_in(box, ecm.x)) {
+    if (ecm.f[i] <= 0.0 || ecm.ligand_at(i) <= 0.0) continue;
     const Vec2 d = nearest_image(ecm.x[i] - point, ecm.period_x);
     if (d.squaredNorm() >= support * support) continue;
-    w.index.push_back(static_cast<std::uint32_t>(i));
+    w.index.push_back(i);
     w.weight.push_back(ecm.f[i] * ecm.ligand_at(i) * kernel.W(d.norm()));
     sum += w.weight.back();
   }

@@ -33,8 +33,7 @@ public:
   /// @param r  distance [um], >= 0   @return W [1/um^2]
   double W(double r) const {
     const double q = r * m_per_h;
-    if (q >= 2.0) return 0.0;
-    const double a = 1.0 - 0.5 * q;
+    const double a = std::max(0.0, 1.0 - 0.5 * q); // without a branch, so that loops can be vectorised
     return m_norm * (a * a) * (a * a) * (2.0 * q + 1.0);
   }
 

@@ -1,11 +1,13 @@
 #include "sph/neighbours.hpp"
 
 #include "base/parallel.hpp"
+#include "base/points_in.hpp"
 #include "state/ecm.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 namespace matrigrate {
@@ -19,7 +21,7 @@ struct Grid {
   int columns = 1;
   int rows = 1;
   bool periodic = false;
-  std::vector<std::uint32_t> first; // particles of cell c: sorted[first[c]] .. sorted[first[c + 1] - 1]
+  std::vector<std::uint32_t> first; // of its particles, those in cell c: sorted[first[c]] .. sorted[first[c + 1] - 1]
   std::vector<std::uint32_t> sorted;
 
   int column_of(const Vec2& x) const {
@@ -40,37 +42,65 @@ int cells_along(double extent, double reach, std::size_t n) {
   return static_cast<int>(std::max(1.0, std::min(std::floor(extent / reach), most)));
 }
 
-Grid make_grid(std::span<const Vec2> x, double reach, double period_x) {
-  Grid g;
-  Vec2 low = x.front();
-  Vec2 high = x.front();
-  for (const Vec2& a : x) {
-    low = low.cwiseMin(a);
-    high = high.cwiseMax(a);
-    if (!a.allFinite()) throw std::invalid_argument("neighbours_within: a position is not finite");
+/// The smallest box around some of the points, at least one.
+Box around(std::span<const std::uint32_t> some, std::span<const Vec2> x) {
+  Box box{x[some.front()], x[some.front()]};
+  for (const std::uint32_t i : some) {
+    box.low = box.low.cwiseMin(x[i]);
+    box.high = box.high.cwiseMax(x[i]);
+    if (!x[i].allFinite()) throw std::invalid_argument("neighbours_within: a position is not finite");
   }
+  return box;
+}
+
+/// @param some  the particles in the grid, ascending; at least one
+Grid make_grid(std::span<const std::uint32_t> some, std::span<const Vec2> x, double reach, double period_x) {
+  Grid g;
+  const Box box = around(some, x);
   g.periodic = period_x > 0.0;
-  g.origin = low;
-  const Vec2 extent(g.periodic ? period_x : std::max(high.x() - low.x(), reach), std::max(high.y() - low.y(), reach));
-  g.columns = cells_along(extent.x(), reach, x.size());
-  g.rows = cells_along(extent.y(), reach, x.size());
+  g.origin = box.low;
+  const Vec2 size = box.high - box.low;
+  const Vec2 extent(g.periodic ? period_x : std::max(size.x(), reach), std::max(size.y(), reach));
+  g.columns = cells_along(extent.x(), reach, some.size());
+  g.rows = cells_along(extent.y(), reach, some.size());
   if (g.periodic && g.columns < 3) throw std::invalid_argument("neighbours_within: the period is too short");
   g.cell = Vec2(extent.x() / g.columns, extent.y() / g.rows);
 
-  std::vector<std::uint32_t> cell_of(x.size());
+  std::vector<std::uint32_t> cell_of;
   g.first.assign(g.index(0, g.rows) + 1, 0);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    cell_of[i] = static_cast<std::uint32_t>(g.index(g.column_of(x[i]), g.row_of(x[i])));
-    ++g.first[cell_of[i] + 1];
+  for (const std::uint32_t i : some) {
+    cell_of.push_back(static_cast<std::uint32_t>(g.index(g.column_of(x[i]), g.row_of(x[i]))));
+    ++g.first[cell_of.back() + 1];
   }
   for (std::size_t c = 1; c < g.first.size(); ++c) g.first[c] += g.first[c - 1];
-  g.sorted.resize(x.size());
+  g.sorted.resize(some.size());
   std::vector<std::uint32_t> next(g.first.begin(), g.first.end() - 1);
-  for (std::size_t i = 0; i < x.size(); ++i) g.sorted[next[cell_of[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t k = 0; k < some.size(); ++k) g.sorted[next[cell_of[k]]++] = some[k];
   return g;
 }
 
-/// Appends each j != i within reach of i.
+/// All particles that may be within reach of some: those in the smallest box around them, wider by more than the reach.
+std::vector<std::uint32_t> near(std::span<const std::uint32_t> some, std::span<const Vec2> x, double reach,
+                                double period_x) {
+  Box box = around(some, x);
+  box.low.array() -= 1.000001 * reach;
+  box.high.array() += 1.000001 * reach;
+  if (period_x > 0.0) box = wherever_along_x(box);
+  return points_in(box, x);
+}
+
+/// Whether the square of a distance is not at most `limit`.
+MATRIGRATE_SIMD
+bool any_further(std::span<const Vec2> a, std::span<const Vec2> b, double limit) {
+  std::uint64_t further = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = a[i].x() - b[i].x(), y = a[i].y() - b[i].y();
+    further |= x * x + y * y <= limit ? 0U : 1U;
+  }
+  return further != 0;
+}
+
+/// Appends each j != i of the grid within reach of i.
 void add_partners(const Grid& g, std::span<const Vec2> x, std::size_t i, double reach, double period_x,
                   std::vector<std::uint32_t>& partners) {
   const int column = g.column_of(x[i]);
@@ -98,7 +128,9 @@ Adjacency neighbours_within(std::span<const Vec2> x, double reach, double period
   Adjacency list;
   list.first.assign(x.size() + 1, 0);
   if (x.empty()) return list;
-  const Grid g = make_grid(x, reach, period_x);
+  std::vector<std::uint32_t> all(x.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const Grid g = make_grid(all, x, reach, period_x);
   std::vector<std::vector<std::uint32_t>> partners((x.size() + parallel_block - 1) / parallel_block); // of each block
   const auto of_block = [&](std::size_t b) {
     const std::size_t end = std::min(x.size(), (b + 1) * parallel_block);
@@ -120,9 +152,7 @@ std::span<const std::uint8_t> VerletList::update(std::span<const Vec2> x, double
   constexpr std::size_t few = 8; // one particle in so many
   const bool listed = m_x_listed.size() == x.size();
   const double safe = 0.5 * m_skin;
-  bool valid = listed;
-  for (std::size_t i = 0; valid && i < x.size(); ++i) valid = (x[i] - m_x_listed[i]).squaredNorm() <= safe * safe;
-  if (valid) return {};
+  if (listed && !any_further(x, m_x_listed, safe * safe)) return {};
   ++m_updates;
   const std::vector<std::uint32_t> from_there = listed ? moved(x) : std::vector<std::uint32_t>();
   if (listed && few * from_there.size() < x.size()) {
@@ -200,17 +230,19 @@ void VerletList::mend(std::span<const Vec2> x, double period_x, std::span<const 
   m_changed.assign(x.size(), 0);
   for (const std::uint32_t i : moved) m_x_listed[i] = x[i];
   const double reach = m_reach + m_skin;
-  const Grid grid = make_grid(m_x_listed, reach, period_x);
-  std::vector<std::uint32_t> partners, lost;
+  const Grid grid = make_grid(near(moved, m_x_listed, reach, period_x), m_x_listed, reach, period_x);
+  std::vector<std::uint32_t> partners, lost, gained;
   for (const std::uint32_t i : moved) {
     partners.clear();
     add_partners(grid, m_x_listed, i, reach, period_x, partners);
     std::sort(partners.begin(), partners.end());
     lost.clear();
+    gained.clear();
     std::ranges::set_difference(m_pairs.of(i), partners, std::back_inserter(lost));
+    std::ranges::set_difference(partners, m_pairs.of(i), std::back_inserter(gained));
     for (const std::uint32_t j : lost) remove(j, i);
-    bool fits = std::ranges::equal(m_pairs.of(i), partners) || replace(i, partners);
-    for (std::size_t k = 0; fits && k < partners.size(); ++k) fits = insert(partners[k], i);
+    bool fits = (lost.empty() && gained.empty()) || replace(i, partners);
+    for (std::size_t k = 0; fits && k < gained.size(); ++k) fits = insert(gained[k], i);
     if (!fits) return list_anew(x, period_x);
   }
 }

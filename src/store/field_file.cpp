@@ -199,12 +199,12 @@ std::string field_file(const observe::Film& film, const FieldOrigin& origin) {
   MemoryFile file;
   std::vector<double> times;
   for (const observe::Frame& frame : film.frames) times.push_back(frame.t);
-  write_head(file, film.head, times, origin);
   if (!film.frames.empty()) {
     FieldWriter writer(file, film.head, film.frames.front(), film.frames.size());
     for (const observe::Frame& frame : film.frames) writer.add(frame);
     writer.finish();
   }
+  write_head(file, film.head, times, origin);
   return std::string(file.view());
 }
 
@@ -215,22 +215,21 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
   std::vector<std::size_t> adhesions;
   std::optional<observe::Frame> first;
   naming(log, [&] {
-    std::ifstream once(log, std::ios::binary);
-    FrameReader reader(once);
-    while (std::optional<observe::Frame> frame = reader.next()) {
+    std::ifstream stream(log, std::ios::binary);
+    FrameReader reader(stream);
+    std::optional<FieldWriter> writer;
+    std::optional<observe::Frame> frame;
+    while (times.size() < frames && (frame = reader.next())) {
+      if (!writer) writer.emplace(file, reader.head(), *frame, frames);
+      writer->add(*frame);
       times.push_back(frame->t);
       adhesions.push_back(anchors(*frame).size());
       if (!first) first = std::move(frame);
     }
-    if (times.size() != frames)
-      throw InputOutputError(fmt::format("holds {} whole frames of {}", times.size(), frames));
+    if (times.size() != frames || reader.next())
+      throw InputOutputError(fmt::format("does not hold the {} whole frames of the run", frames));
+    if (writer) writer->finish();
     write_head(file, reader.head(), times, origin);
-    if (!first) return;
-    std::ifstream again(log, std::ios::binary);
-    FrameReader rereader(again);
-    FieldWriter writer(file, rereader.head(), *first, times.size());
-    while (const std::optional<observe::Frame> frame = rereader.next()) writer.add(*frame);
-    writer.finish();
   });
   write_file(folder / field_file_name, file.view());
   write_file(folder / field_index_name, field_index(first ? &*first : nullptr, times, adhesions));

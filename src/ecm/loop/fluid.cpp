@@ -11,6 +11,52 @@
 
 namespace matrigrate {
 
+namespace {
+
+/// Neighbours of a particle within reach of it, not more than fit.
+struct Near {
+  static constexpr std::size_t most = 64;
+
+  std::size_t count;
+  std::uint32_t j[most];
+  double x[most], y[most]; // x_i - x_j [um]
+  double r2[most];
+  double value[most]; // of the kernel
+};
+
+/// Calls with all neighbours within reach of particle i, in their order, some at a time.
+template <class Body>
+void each_near(const EcmState& ecm, const Adjacency& pairs, double reach, std::size_t i, const Body& body) {
+  Near near;
+  for (auto row = pairs.of(i); !row.empty(); row = row.subspan(std::min(Near::most, row.size()))) {
+    near.count = 0;
+    for (const std::uint32_t j : row.first(std::min(Near::most, row.size()))) {
+      const Vec2 x_ij = ecm.separation(i, j);
+      const double r2 = x_ij.squaredNorm();
+      near.j[near.count] = j;
+      near.x[near.count] = x_ij.x();
+      near.y[near.count] = x_ij.y();
+      near.r2[near.count] = r2;
+      near.count += r2 < reach * reach ? 1 : 0;
+    }
+    body(near);
+  }
+}
+
+/// W, for the squares of distances.
+MATRIGRATE_SIMD
+void evaluate_W(const Kernel& kernel, Near& near) {
+  for (std::size_t k = 0; k < near.count; ++k) near.value[k] = kernel.W(std::sqrt(near.r2[k]));
+}
+
+/// c W_slope, for the squares of distances.
+MATRIGRATE_SIMD
+void evaluate_slopes(const Kernel& kernel, double c, Near& near) {
+  for (std::size_t k = 0; k < near.count; ++k) near.value[k] = c * kernel.W_slope(std::sqrt(near.r2[k]));
+}
+
+} // namespace
+
 double lattice_density(const EcmParameters& p) {
   const Kernel kernel(p.smoothing_length);
   double sum = 0.0;
@@ -20,33 +66,39 @@ double lattice_density(const EcmParameters& p) {
 
 double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, const Kernel& kernel,
                       double rho_lattice, std::size_t i) {
-  const double reach2 = kernel.support() * kernel.support();
   double sum = kernel.W(0.0);
-  for (const std::uint32_t j : pairs.of(i))
-    if (const double r2 = ecm.separation(i, j).squaredNorm(); r2 < reach2) sum += kernel.W(std::sqrt(r2));
+  each_near(ecm, pairs, kernel.support(), i, [&](Near& near) {
+    evaluate_W(kernel, near);
+    for (std::size_t k = 0; k < near.count; ++k) sum += near.value[k];
+  });
   return fluid_pressure(ecm.f[i], ecm.V0 * sum / rho_lattice, moduli(p).K * ecm.stiffness(i));
 }
 
 void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
                       std::vector<double>& pressure, std::span<Vec2> force) {
   const Kernel kernel(p.smoothing_length);
-  const double reach2 = kernel.support() * kernel.support();
   const double rho_lattice = lattice_density(p);
+  std::vector<std::uint32_t> fluid;
+  for (std::uint32_t i = 0; i < ecm.size(); ++i)
+    if (ecm.f[i] < 1.0) fluid.push_back(i);
   pressure.resize(ecm.size());
-  parallel_for(ecm.size(), [&](std::size_t i) {
-    pressure[i] = ecm.f[i] < 1.0 ? fluid_pressure(ecm, p, pairs, kernel, rho_lattice, i) : 0.0;
-  });
+  constexpr std::size_t grain = 32;
+  parallel_for(
+      fluid.size(),
+      [&](std::size_t k) { pressure[fluid[k]] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, fluid[k]); }, grain);
   const double scale = p.thickness * ecm.V0 * ecm.V0;
-  for (std::size_t i = 0; i < ecm.size(); ++i) { // few are under pressure: each pushes its neighbours off
+  for (const std::uint32_t i : fluid) { // those under pressure push their neighbours off
     if (pressure[i] == 0.0) continue;
-    for (const std::uint32_t j : pairs.of(i)) {
-      const Vec2 x_ij = ecm.separation(i, j);
-      const double r2 = x_ij.squaredNorm();
-      if (r2 >= reach2) continue;
-      const Vec2 push = scale * pressure[i] * kernel.W_slope(std::sqrt(r2)) * x_ij;
-      force[i] -= push;
-      force[j] += push;
-    }
+    each_near(ecm, pairs, kernel.support(), i, [&](Near& near) {
+      evaluate_slopes(kernel, scale * pressure[i], near);
+      Vec2 own = force[i];
+      for (std::size_t k = 0; k < near.count; ++k) {
+        const Vec2 push = near.value[k] * Vec2(near.x[k], near.y[k]);
+        own -= push;
+        force[near.j[k]] += push;
+      }
+      force[i] = own;
+    });
   }
 }
 

@@ -20,7 +20,7 @@ double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacen
                       double rho_lattice, std::size_t i);
 
 /// Adds -t_z V_0^2 sum_j (p_i + p_j) grad_i W_ij to the forces [nN].
-/// @param pressure  workspace: fluid pressures [kPa], computed here
+/// @param pressure  workspace: pressures of the particles with f < 1 [kPa], computed here
 void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
                       std::vector<double>& pressure, std::span<Vec2> force);
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// Which of many points are near: far faster than to ask each of them for its distance. Test:
+/// tests/unit/base/points_in_test.cpp
+namespace matrigrate {
+
+/// A rectangle along the axes [um].
+struct Box {
+  Vec2 low, high;
+};
+
+/// The square around a point that is wider than 2 `reach` by more than what rounding takes from a distance.
+Box around(const Vec2& point, double reach);
+
+/// The same box without bounds along x: for points that repeat along x.
+Box wherever_along_x(Box box);
+
+/// Indices of the points in a box or on its edge, in ascending order.
+std::vector<std::uint32_t> points_in(const Box& box, std::span<const Vec2> points);
+
+/// Sets a mark for each of the points: 1 in the box or on its edge, else 0.
+void mark_points_in(const Box& box, std::span<const Vec2> points, std::uint8_t* marks);
+
+/// The first index from `from` on whose mark is 1; the number of marks if there is none.
+std::size_t next_marked(std::span<const std::uint8_t> marks, std::size_t from);
+
+} // namespace matrigrate
