@@ -1,5 +1,5 @@
 /** A made-up study: stiffness of the matrix against sensitivity of adhesions, twelve runs each. */
-import type { GridPoint, StudyEffect, StudyGroup, StudyPage, StudyRun, StudyScreening, StudyTest } from "../src/contract";
+import type { GridPoint, StudyEffect, StudyGroup, StudyPage, StudyRun, StudyScreening, StudyTest } from "../src/study/contract";
 import { normal, random, type Random } from "./random";
 import { sampleRun } from "./run";
 

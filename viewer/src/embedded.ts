@@ -1,5 +1,6 @@
 /** Reads the data that the program put into the page, and says plainly what is wrong with it. */
-import type { RunPage, StudyPage } from "./contract";
+import type { RunPage } from "./contract";
+import type { StudyPage } from "./study/contract";
 
 export const dataElementId = "matrigrate-data";
 

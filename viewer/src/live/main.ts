@@ -1,7 +1,7 @@
 /** The live page: the simulation runs in a worker of this tab, and the player draws it as it goes. */
 import { fault, h } from "../dom";
 import "../page.css";
-import "../run/run.css";
+import "../run/styles";
 import "./live.css";
 import { Live } from "./live";
 

@@ -6,7 +6,7 @@ import { Clock } from "./clock";
 import { film } from "./frames";
 import { player } from "./player";
 import { plots } from "./plots";
-import "./run.css";
+import "./styles";
 import type { SharedScales } from "./matrix/shared";
 import type { Stage } from "./stage";
 import { protrusionTable, timeline } from "./timeline";

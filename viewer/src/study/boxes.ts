@@ -1,5 +1,5 @@
 /** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
-import type { StudyGroup, StudyPage, StudyReadout } from "../contract";
+import type { StudyGroup, StudyPage, StudyReadout } from "./contract";
 import { pretty, readable } from "../numbers";
 import { brackets, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, type Json } from "./figure";

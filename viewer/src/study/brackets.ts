@@ -1,5 +1,5 @@
 /** Which comparisons are drawn over boxes, on which level each, and what is said of them. */
-import type { StudyTest } from "../contract";
+import type { StudyTest } from "./contract";
 import { pretty, pText, readable, stars } from "../numbers";
 import { groupAt, type Grid } from "./groups";
 

@@ -1,6 +1,6 @@
 /** The grid of a study as it is drawn: one axis along x, the combinations of the others as series in colours. */
 import { palette, paletteOnDark } from "../colour";
-import type { GridPoint, StudyPage, StudyRun } from "../contract";
+import type { GridPoint, StudyPage, StudyRun } from "./contract";
 import { isDark } from "../dom";
 import { pretty } from "../numbers";
 

@@ -1,5 +1,5 @@
 /** Claims with their verdicts, and the runs with how each ended. */
-import type { StudyPage, StudyRun } from "../contract";
+import type { StudyPage, StudyRun } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
 import { withUnit } from "./groups";

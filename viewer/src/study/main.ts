@@ -1,5 +1,5 @@
 /** The page of a study. */
-import type { StudyPage } from "../contract";
+import type { StudyPage } from "./contract";
 import { factList, fault, h, section } from "../dom";
 import { embeddedStudy } from "../embedded";
 import "../page.css";

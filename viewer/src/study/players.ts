@@ -1,5 +1,5 @@
 /** Chosen runs of a study: one, or two beside each other on one clock, with player, path and protrusions. */
-import type { StudyPage, StudyPlayer } from "../contract";
+import type { StudyPage, StudyPlayer } from "./contract";
 import { h, section } from "../dom";
 import { pretty } from "../numbers";
 import { onPrint } from "../paper";

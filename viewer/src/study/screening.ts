@@ -1,5 +1,5 @@
 /** Factors by their effect on read-outs and on the discrepancy from targets, and factor sets by discrepancy. */
-import type { StudyEffect, StudyPage, StudyReadout } from "../contract";
+import type { StudyEffect, StudyPage, StudyReadout } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
 import { axis, figure, ink, type Json } from "./figure";

@@ -1,6 +1,6 @@
 /** Mean square displacement, forces at which adhesions ended, and correlations of read-outs across runs. */
 import { blueWhiteOrange } from "../colour";
-import type { StudyPage } from "../contract";
+import type { StudyPage } from "./contract";
 import { h } from "../dom";
 import { pText, readable, stars } from "../numbers";
 import { leastRuns } from "./brackets";

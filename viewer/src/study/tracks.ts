@@ -1,5 +1,5 @@
 /** Paths from a common origin, and the shapes of the cells at the end: one small picture a grid point, all to one scale. */
-import type { Lines } from "../contract";
+import type { Lines } from "./contract";
 import { h, s } from "../dom";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "./figure";

@@ -1,0 +1,217 @@
+/** What the program writes into the page of a study: the data contract, version 1. Units and null as in `../contract.ts`. */
+import type { Fact, RunPage } from "../contract";
+
+/** A parameter that a study varies. */
+export interface StudyAxis {
+  /** Path in a scenario. */
+  name: string;
+  /** Short: the symbol, "E". */
+  label: string;
+  meaning: string;
+  /** "" for none. */
+  unit: string;
+  /** In the order to draw them; words where a value is no number. */
+  values: (number | string)[];
+}
+
+/** A read-out that runs are compared by. */
+export interface StudyReadout {
+  /** Key in `StudyRun.readouts`. */
+  name: string;
+  /** Short: "v_migr_abs". */
+  label: string;
+  meaning: string;
+  /** "" for none. */
+  unit: string;
+}
+
+/** Lines, with null between those of several cells [um]. */
+export interface Lines {
+  x_um: (number | null)[];
+  y_um: (number | null)[];
+}
+
+/** Place in the grid: one index into `values` for each axis. */
+export type GridPoint = number[];
+
+export interface StudyRun {
+  /** Unique in the study. */
+  id: string;
+  point: GridPoint;
+  seed: number;
+  status: "done" | "failed" | "running" | "pending";
+  /** Why it failed; "" otherwise. */
+  reason: string;
+  /** Relative address of its report; null: none. */
+  report: string | null;
+  /** By name; null or missing: not defined for this run. */
+  readouts: Record<string, number | null>;
+  /** Centre of mass over time [um]; drawn from a common origin. */
+  path?: Lines | null;
+  /** Outline of the cell at the end [um], in the coordinates of the path. */
+  outline?: Lines | null;
+  /** force over f_mat F_am at disassembly, one number an adhesion [-]. */
+  f_adh_rel?: number[];
+}
+
+/** Mean square displacement over the runs of a grid point. */
+export interface StudyMsd {
+  point: GridPoint;
+  lag_min: number[];
+  msd_um2: number[];
+  /** Standard error of the mean over runs [um^2]; null for one run. */
+  sem_um2?: (number | null)[];
+  /** Slope of log MSD over log lag [-]. */
+  slope: number | null;
+}
+
+/** The sample of a read-out at a grid point; the same numbers as in groups.csv. null: not defined. */
+export interface StudyGroup {
+  readout: string;
+  point: GridPoint;
+  n: number;
+  mean: number | null;
+  low_whisker: number | null;
+  low_quartile: number | null;
+  median: number | null;
+  high_quartile: number | null;
+  high_whisker: number | null;
+}
+
+/** Two grid points compared by a read-out. */
+export interface StudyTest {
+  readout: string;
+  a: GridPoint;
+  b: GridPoint;
+  /** Name of the test: "t", "welch" or "mann_whitney". */
+  test: string;
+  statistic: number | null;
+  p: number | null;
+  /** Corrected after Holm over all comparisons of this read-out. */
+  p_holm: number | null;
+  n_a: number;
+  n_b: number;
+  /** Mean of b minus mean of a, in the unit of the read-out, and its 95 % confidence interval. */
+  difference: number | null;
+  interval: [number, number] | null;
+}
+
+/** Pairwise correlations across all runs; square matrices in the order of `names`. */
+export interface StudyCorrelation {
+  names: string[];
+  r: (number | null)[][];
+  p: (number | null)[][];
+  n: number[][];
+}
+
+export interface StudyClaim {
+  id: string;
+  claim: string;
+  /** The paper's numbers; "" where it gives none. */
+  published: string;
+  verdict: "holds" | "fails" | "open";
+  /** What was found: means with their intervals. */
+  ours: string[];
+  /** Conditions with their statistics, and whether each is met. */
+  statistic: string[];
+}
+
+/** What a read-out should be under a condition. */
+export interface StudyTarget {
+  readout: string;
+  /** "" without conditions. */
+  condition: string;
+  /** "12.1 +- 1", "3 to 5 +- 0.2". */
+  target: string;
+  weight: number;
+}
+
+/** A factor set against all targets; null: not defined. */
+export interface StudyFactorSet {
+  label: string;
+  /** What differs from the base, in words. */
+  settings: string;
+  discrepancy: number | null;
+  interval: [number, number] | null;
+  /** Targets that could be judged. */
+  judged: number;
+  /** Finished runs without a value of a target's read-out. */
+  undefined: number;
+  /** One a target. */
+  z: (number | null)[];
+  means: (number | null)[];
+}
+
+/** The effect of a factor on a read-out, or on the discrepancy, under a condition. */
+export interface StudyEffect {
+  design: "one_at_a_time" | "morris";
+  /** A name of `readouts`, or "discrepancy". */
+  readout: string;
+  /** "" for the discrepancy, and without conditions. */
+  condition: string;
+  /** Path of the parameter. */
+  factor: string;
+  /** Short. */
+  label: string;
+  /** One at a time; "" otherwise. */
+  value: string;
+  n: number;
+  /** One at a time: value less base. */
+  effect?: number | null;
+  interval?: [number, number] | null;
+  /** Morris. */
+  mu?: number | null;
+  mu_star?: number | null;
+  mu_star_interval?: [number, number] | null;
+  sigma?: number | null;
+  sigma_interval?: [number, number] | null;
+}
+
+export interface StudyScreening {
+  /** Of the intervals: 0.95. */
+  confidence: number;
+  /** Whether replicates have common random numbers. */
+  paired: boolean;
+  targets: StudyTarget[];
+  /** From the best on; empty without targets. */
+  sets: StudyFactorSet[];
+  effects: StudyEffect[];
+}
+
+/** A run that the page of a study plays. */
+export interface StudyPlayer {
+  /** As in `runs`. */
+  id: string;
+  /** Which one it is, and why it was chosen. */
+  label: string;
+  run: RunPage;
+}
+
+export interface StudyPage {
+  format: "matrigrate-study";
+  version: 1;
+  /** With the size of the study: "Stiffness: 4 points x 12 replicates". */
+  title: string;
+  status: string;
+  /** What came out, in a sentence; "" for nothing. */
+  summary?: string;
+  /** Command, date, version of the program, runs done. */
+  facts?: Fact[];
+  /** The first is drawn along x, the others side by side in colours. */
+  axes: StudyAxis[];
+  readouts: StudyReadout[];
+  runs: StudyRun[];
+  groups: StudyGroup[];
+  tests: StudyTest[];
+  msd: StudyMsd[];
+  correlation?: StudyCorrelation | null;
+  claims?: StudyClaim[];
+  /** In what the study is not the published one; "" for nothing. */
+  claims_note?: string;
+  /** What stands beside each verdict: "not the paper's runs"; "" for nothing. */
+  claims_caveat?: string;
+  screening?: StudyScreening | null;
+  players?: StudyPlayer[];
+  provenance: string;
+  citation: string;
+}
