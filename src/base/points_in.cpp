@@ -11,13 +11,13 @@ namespace matrigrate {
 
 namespace {
 
-/// False only if no point lies in the box: where no x or no y does, as in most blocks of points in the order of a
-/// lattice.
+/// False only if no point lies in the box: where no x or no y is within its bounds. That rules out most blocks of
+/// points in lattice order.
 MATRIGRATE_SIMD
 bool may_hold(const Box& box, std::span<const Vec2> points) {
   const Doubles low{box.low.x(), box.low.y(), box.low.x(), box.low.y()};
   const Doubles high{box.high.x(), box.high.y(), box.high.x(), box.high.y()};
-  auto within = low > low; // of none so far
+  auto within = low > low; // none yet
   std::size_t k = 0;
   for (; k + 2 <= points.size(); k += 2) {
     Doubles two;
@@ -34,7 +34,7 @@ Box around(const Vec2& point, double reach) {
   return {point.array() - wider, point.array() + wider};
 }
 
-Box wherever_along_x(Box box) {
+Box unbounded_along_x(Box box) {
   box.low.x() = -std::numeric_limits<double>::infinity();
   box.high.x() = std::numeric_limits<double>::infinity();
   return box;
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> points_in(const Box& box, std::span<const Vec2> point
     mark_points_in(box, points.subspan(begin, n), inside);
     std::size_t count = found.size();
     found.resize(count + n);
-    for (std::size_t k = 0; k < n; ++k) { // without branches, which nobody could foretell
+    for (std::size_t k = 0; k < n; ++k) { // without branches, which would be unpredictable
       found[count] = static_cast<std::uint32_t>(begin + k);
       count += inside[k];
     }

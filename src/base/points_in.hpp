@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-/// Which of many points are near: far faster than to ask each of them for its distance. Test:
+/// Fast search for points near a place: a vectorised bounding-box test that skips whole blocks of points. Test:
 /// tests/unit/base/points_in_test.cpp
 namespace matrigrate {
 
@@ -16,16 +16,16 @@ struct Box {
   Vec2 low, high;
 };
 
-/// The square around a point that is wider than 2 `reach` by more than what rounding takes from a distance.
+/// The square of half width `reach` around a point, enlarged by more than the rounding error of a distance.
 Box around(const Vec2& point, double reach);
 
-/// The same box without bounds along x: for points that repeat along x.
-Box wherever_along_x(Box box);
+/// The same box without bounds along x, for points that are periodic along x.
+Box unbounded_along_x(Box box);
 
 /// Indices of the points in a box or on its edge, in ascending order.
 std::vector<std::uint32_t> points_in(const Box& box, std::span<const Vec2> points);
 
-/// Sets a mark for each of the points: 1 in the box or on its edge, else 0.
+/// Sets a mark per point: 1 in the box or on its edge, else 0.
 void mark_points_in(const Box& box, std::span<const Vec2> points, std::uint8_t* marks);
 
 /// The first index from `from` on whose mark is 1; the number of marks if there is none.

@@ -8,7 +8,7 @@ namespace matrigrate {
 
 namespace {
 
-/// Whether a density is not between the bounds.
+/// Whether any density is not strictly between the bounds.
 MATRIGRATE_SIMD
 bool any_at_bound(std::span<const double> rho, double low, double high) {
   std::uint64_t at_bound = 0;
@@ -16,13 +16,13 @@ bool any_at_bound(std::span<const double> rho, double low, double high) {
   return at_bound != 0;
 }
 
-/// Whether the support of a solid particle is not at least `least`.
+/// Whether any solid particle has less than the minimum relative support.
 MATRIGRATE_SIMD
-bool any_loose(const EcmState& ecm, const Reference& ref, double least) {
+bool any_orphan(const EcmState& ecm, const Reference& ref, double min_support) {
   const double* f = ecm.f.data();
-  std::uint64_t loose = 0;
-  for (std::size_t i = 0; i < ecm.size(); ++i) loose |= (ref.relative_support(i) >= least) | (f[i] <= 0.0) ? 0U : 1U;
-  return loose != 0;
+  std::uint64_t orphan = 0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) orphan |= (ref.relative_support(i) >= min_support) | (f[i] <= 0.0) ? 0U : 1U;
+  return orphan != 0;
 }
 
 } // namespace
@@ -52,7 +52,7 @@ std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& r
   for (std::size_t found = 1; found > 0; count += found) {
     ref.update(ecm);
     found = 0;
-    if (!any_loose(ecm, ref, p.orphan_support)) break;
+    if (!any_orphan(ecm, ref, p.orphan_support)) break;
     for (std::size_t i = 0; i < ecm.size(); ++i) {
       if (ref.relative_support(i) >= p.orphan_support || ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
       fluidize(ecm, i);

@@ -15,7 +15,7 @@ namespace matrigrate {
 
 namespace {
 
-/// Square of the largest velocity, several side by side [um^2/s^2].
+/// Largest |v|^2, in SIMD lanes [um^2/s^2].
 MATRIGRATE_SIMD
 double max_squared(std::span<const Vec2> v) {
   constexpr std::size_t lanes = 8;

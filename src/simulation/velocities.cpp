@@ -54,19 +54,19 @@ std::string_view body_of(const State& s, std::size_t node) {
   return node < first_nucleus_node(s, cell) ? "cortex" : "nucleus";
 }
 
-/// Whether a square is not at most `limit`, or is not a number.
+/// Whether any |v|^2 exceeds `limit` or is not a number.
 MATRIGRATE_SIMD
-bool any_beyond(std::span<const Vec2> v, double limit) {
-  std::uint64_t beyond = 0;
-  for (const Vec2& a : v) beyond |= a.x() * a.x() + a.y() * a.y() <= limit ? 0U : 1U;
-  return beyond != 0;
+bool any_faster(std::span<const Vec2> v, double limit) {
+  std::uint64_t faster = 0;
+  for (const Vec2& a : v) faster |= a.x() * a.x() + a.y() * a.y() <= limit ? 0U : 1U;
+  return faster != 0;
 }
 
 /// The first particle that would move further than `max_move`, if any.
 std::optional<StepTooLong> too_far(const State& s, double dt, const StepLimits& limits, std::span<const Vec2> v,
                                    double max_move) {
   const double max_speed = max_move / dt;
-  if (!any_beyond(v, max_speed * max_speed)) return {};
+  if (!any_faster(v, max_speed * max_speed)) return {};
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].squaredNorm() <= max_speed * max_speed) continue; // false for what is not a number
     return StepTooLong{fmt::format(
@@ -107,7 +107,7 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
   memory.x_drag = w.drag_cache.x_drag();
-  memory.v_before.swap(s.ecm.v); // those of the matrix, without a copy
+  memory.v_before.swap(s.ecm.v); // saves a copy; set_node_velocities() sets ecm.v anew
   append_cells(s, memory.v_before);
   set_node_velocities(s, w.v);
 }

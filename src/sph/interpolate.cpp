@@ -9,7 +9,7 @@ PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2
   const double support = kernel.support();
   double sum = 0.0;
   Box box = around(point, support);
-  if (ecm.period_x > 0.0) box = wherever_along_x(box);
+  if (ecm.period_x > 0.0) box = unbounded_along_x(box);
   for (const std::uint32_t i : points_in(box, ecm.x)) {
     if (ecm.f[i] <= 0.0 || ecm.ligand_at(i) <= 0.0) continue;
     const Vec2 d = nearest_image(ecm.x[i] - point, ecm.period_x);

@@ -42,7 +42,7 @@ int cells_along(double extent, double reach, std::size_t n) {
   return static_cast<int>(std::max(1.0, std::min(std::floor(extent / reach), most)));
 }
 
-/// The smallest box around some of the points, at least one.
+/// The bounding box of some of the points, at least one.
 Box around(std::span<const std::uint32_t> some, std::span<const Vec2> x) {
   Box box{x[some.front()], x[some.front()]};
   for (const std::uint32_t i : some) {
@@ -79,17 +79,18 @@ Grid make_grid(std::span<const std::uint32_t> some, std::span<const Vec2> x, dou
   return g;
 }
 
-/// All particles that may be within reach of some: those in the smallest box around them, wider by more than the reach.
+/// All particles that may be within reach of some of them: those in their bounding box, enlarged by more than the
+/// reach.
 std::vector<std::uint32_t> near(std::span<const std::uint32_t> some, std::span<const Vec2> x, double reach,
                                 double period_x) {
   Box box = around(some, x);
   box.low.array() -= 1.000001 * reach;
   box.high.array() += 1.000001 * reach;
-  if (period_x > 0.0) box = wherever_along_x(box);
+  if (period_x > 0.0) box = unbounded_along_x(box);
   return points_in(box, x);
 }
 
-/// Whether the square of a distance is not at most `limit`.
+/// Whether any squared distance |a_i - b_i|^2 exceeds `limit` or is not a number.
 MATRIGRATE_SIMD
 bool any_further(std::span<const Vec2> a, std::span<const Vec2> b, double limit) {
   std::uint64_t further = 0;
@@ -112,7 +113,7 @@ void add_partners(const Grid& g, std::span<const Vec2> x, std::size_t i, double 
       std::size_t count = partners.size();
       partners.resize(count + g.first[cell + 1] - g.first[cell]);
       for (std::uint32_t k = g.first[cell]; k < g.first[cell + 1];
-           ++k) { // without branches, which nobody could foretell
+           ++k) { // without branches, which would be unpredictable
         const std::uint32_t j = g.sorted[k];
         const bool close = nearest_image(x[i] - x[j], period_x).squaredNorm() <= reach * reach;
         partners[count] = j;

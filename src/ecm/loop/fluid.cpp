@@ -13,24 +13,24 @@ namespace matrigrate {
 
 namespace {
 
-/// Neighbours of a particle within reach of it, not more than fit.
+/// Up to `capacity` neighbours within reach of a particle, as a structure of arrays.
 struct Near {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t capacity = 64;
 
   std::size_t count;
-  std::uint32_t j[most];
-  double x[most], y[most]; // x_i - x_j [um]
-  double r2[most];
-  double value[most]; // of the kernel
+  std::uint32_t j[capacity];
+  double x[capacity], y[capacity]; // x_i - x_j [um]
+  double r2[capacity];
+  double value[capacity]; // of the kernel
 };
 
-/// Calls with all neighbours within reach of particle i, in their order, some at a time.
+/// Calls body for the neighbours within reach of particle i, in list order, up to Near::capacity of them at a time.
 template <class Body>
 void each_near(const EcmState& ecm, const Adjacency& pairs, double reach, std::size_t i, const Body& body) {
   Near near;
-  for (auto row = pairs.of(i); !row.empty(); row = row.subspan(std::min(Near::most, row.size()))) {
+  for (auto row = pairs.of(i); !row.empty(); row = row.subspan(std::min(Near::capacity, row.size()))) {
     near.count = 0;
-    for (const std::uint32_t j : row.first(std::min(Near::most, row.size()))) {
+    for (const std::uint32_t j : row.first(std::min(Near::capacity, row.size()))) {
       const Vec2 x_ij = ecm.separation(i, j);
       const double r2 = x_ij.squaredNorm();
       near.j[near.count] = j;
@@ -43,13 +43,13 @@ void each_near(const EcmState& ecm, const Adjacency& pairs, double reach, std::s
   }
 }
 
-/// W, for the squares of distances.
+/// Evaluates W at the distances.
 MATRIGRATE_SIMD
 void evaluate_W(const Kernel& kernel, Near& near) {
   for (std::size_t k = 0; k < near.count; ++k) near.value[k] = kernel.W(std::sqrt(near.r2[k]));
 }
 
-/// c W_slope, for the squares of distances.
+/// Evaluates c W_slope at the distances.
 MATRIGRATE_SIMD
 void evaluate_slopes(const Kernel& kernel, double c, Near& near) {
   for (std::size_t k = 0; k < near.count; ++k) near.value[k] = c * kernel.W_slope(std::sqrt(near.r2[k]));
@@ -87,7 +87,7 @@ void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacen
       fluid.size(),
       [&](std::size_t k) { pressure[fluid[k]] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, fluid[k]); }, grain);
   const double scale = p.thickness * ecm.V0 * ecm.V0;
-  for (const std::uint32_t i : fluid) { // those under pressure push their neighbours off
+  for (const std::uint32_t i : fluid) { // those under pressure repel their neighbours
     if (pressure[i] == 0.0) continue;
     each_near(ecm, pairs, kernel.support(), i, [&](Near& near) {
       evaluate_slopes(kernel, scale * pressure[i], near);

@@ -38,7 +38,7 @@ TEST(PointsIn, TakeThoseOnTheEdgeAndNoneThatIsNotANumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Vec2> points{{0.0, 0.0}, {1.0, 2.0}, {1.1, 1.0}, {nan, 1.0}, {0.5, nan}, {0.5, 2.0}};
   EXPECT_EQ(points_in({{0.0, 0.0}, {1.0, 2.0}}, points), (std::vector<std::uint32_t>{0, 1, 5}));
-  EXPECT_EQ(points_in(wherever_along_x({{0.0, 0.5}, {1.0, 1.5}}), points), (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(points_in(unbounded_along_x({{0.0, 0.5}, {1.0, 1.5}}), points), (std::vector<std::uint32_t>{2}));
 }
 
 TEST(PointsIn, AroundAPointAreAllWithinReach) {
