@@ -107,7 +107,7 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
   memory.x_drag = w.drag_cache.x_drag();
-  memory.v_before.swap(s.ecm.v); // saves a copy; set_node_velocities() sets ecm.v anew
+  memory.v_before.assign(s.ecm.v.begin(), s.ecm.v.end());
   append_cells(s, memory.v_before);
   set_node_velocities(s, w.v);
 }
