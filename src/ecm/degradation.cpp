@@ -21,7 +21,8 @@ MATRIGRATE_SIMD
 bool any_orphan(const EcmState& ecm, const Reference& ref, double min_support) {
   const double* f = ecm.f.data();
   std::uint64_t orphan = 0;
-  for (std::size_t i = 0; i < ecm.size(); ++i) orphan |= (ref.relative_support(i) >= min_support) | (f[i] <= 0.0) ? 0U : 1U;
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    orphan |= (ref.relative_support(i) >= min_support) | (f[i] <= 0.0) ? 0U : 1U;
   return orphan != 0;
 }
 
