@@ -129,7 +129,7 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       "adaptive\n"
       "integrator with steps of up to 5 s unless --integrator reference is given: 0.4 s throughout, as in the paper, "
       "and\n"
-      "4 to 5 times slower. Runs that end at the rim of the matrix are made again in a disc of 1.5 times the radius, "
+      "7 to 9 times slower. Runs that end at the rim of the matrix are made again in a disc of 1.5 times the radius, "
       "and\n"
       "give a second verdict beside the first. Exit code 4 if a claim does not hold or is undecided. V rows are judged "
       "on\n"
