@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -18,25 +17,15 @@ namespace matrigrate {
 
 namespace {
 
-/// Appends the velocities of the nodes of all cells.
-void append_cells(const State& s, std::vector<Vec2>& v) {
-  v.reserve(node_count(s));
-  for (const Cell& cell : s.cells)
-    for (const CortexState* ring : {&cell.cortex, &cell.nucleus}) v.insert(v.end(), ring->v.begin(), ring->v.end());
-}
-
 /// Velocities of matrix and cells if they go on changing as in the last step: the first guess of the solver.
 void extrapolate(const State& s, std::vector<Vec2>& v) {
+  node_velocities(s, v);
+  const std::vector<Vec2>& v_before = s.solver_memory.v_before;
+  if (v_before.size() != v.size()) return;
   const std::size_t n = s.ecm.size();
-  v.resize(n);
-  append_cells(s, v);
-  const std::vector<Vec2>& before = s.solver_memory.v_before;
-  if (before.size() != v.size()) {
-    std::ranges::copy(s.ecm.v, v.begin());
-    return;
-  }
-  for (std::size_t i = 0; i < n; ++i) v[i] = s.ecm.clamped[i] ? s.ecm.v[i] : Vec2(2.0 * s.ecm.v[i] - before[i]);
-  for (std::size_t i = n; i < v.size(); ++i) v[i] = 2.0 * v[i] - before[i];
+  for (std::size_t i = 0; i < n; ++i)
+    if (!s.ecm.clamped[i]) v[i] = 2.0 * v[i] - v_before[i];
+  for (std::size_t i = n; i < v.size(); ++i) v[i] = 2.0 * v[i] - v_before[i];
 }
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
@@ -107,8 +96,7 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
   memory.x_drag = w.drag_cache.x_drag();
-  memory.v_before.assign(s.ecm.v.begin(), s.ecm.v.end());
-  append_cells(s, memory.v_before);
+  node_velocities(s, memory.v_before);
   set_node_velocities(s, w.v);
 }
 

@@ -72,7 +72,7 @@ void Elimination::place_links(const DragSystem& A) {
     room += static_cast<std::uint32_t>(node.size() - 1);
   }
   m_drags.resize(room);
-  std::uint32_t first = 0;
+  std::uint32_t first = 0; // `first` of each held its number of drags so far
   for (Linked& linked : m_linked) first += std::exchange(linked.first, first);
 }
 

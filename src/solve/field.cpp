@@ -70,8 +70,8 @@ void add_products(std::size_t begin, std::size_t end, const float* d, const floa
 }
 
 MATRIGRATE_SIMD
-void advance_both(std::size_t begin, std::size_t end, float alpha, const float* p, const float* q, float* x, float* r,
-                  Partial& partial) {
+void update_both(std::size_t begin, std::size_t end, float alpha, const float* p, const float* q, float* x, float* r,
+                 Partial& partial) {
   add_up(
       begin, end,
       [=](std::size_t k, HalfFloats & a, HalfFloats & b) __attribute__((always_inline)) {
@@ -121,10 +121,9 @@ double add_product(const Field& d, const Field& r, Field& z, const Field& b) {
   });
 }
 
-double advance(float alpha, const Field& p, const Field& q, Field& x, Field& r) {
+double conjugate_gradient_step(float alpha, const Field& p, const Field& q, Field& x, Field& r) {
   return sum_of_parts(x.values().size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
-    advance_both(begin, end, alpha, p.values().data(), q.values().data(), x.values().data(), r.values().data(),
-                 partial);
+    update_both(begin, end, alpha, p.values().data(), q.values().data(), x.values().data(), r.values().data(), partial);
   });
 }
 

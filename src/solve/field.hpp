@@ -78,7 +78,7 @@ inline void add_product(const Field& d, const Field& r, Field& z) {
 double add_product(const Field& d, const Field& r, Field& z, const Field& b);
 
 /// x += alpha p and r -= alpha q, a step of conjugate gradients.   @return r . r
-double advance(float alpha, const Field& p, const Field& q, Field& x, Field& r);
+double conjugate_gradient_step(float alpha, const Field& p, const Field& q, Field& x, Field& r);
 
 /// p = z + beta p.
 inline void extend(const Field& z, float beta, Field& p) {

@@ -82,7 +82,7 @@ double Multigrid::correct(double r, double reduction, SolveReport& report) {
     multiply(m_p, m_q);
     const double alpha = r_z / dot(m_p, m_q);
     if (!(alpha > 0.0) || !std::isfinite(alpha)) break; // beyond what single precision resolves
-    left2 = advance(static_cast<float>(alpha), m_p, m_q, m_x, m_r);
+    left2 = conjugate_gradient_step(static_cast<float>(alpha), m_p, m_q, m_x, m_r);
     ++report.iterations;
   }
   for (Vec2& a : m_residual.cell_dofs) a *= per_r;

@@ -32,11 +32,16 @@ const Vec2& node_position(const State& s, std::size_t node) {
 }
 
 std::vector<Vec2> node_velocities(const State& s) {
-  std::vector<Vec2> v = s.ecm.v;
+  std::vector<Vec2> v;
+  node_velocities(s, v);
+  return v;
+}
+
+void node_velocities(const State& s, std::vector<Vec2>& v) {
   v.reserve(node_count(s));
+  v.assign(s.ecm.v.begin(), s.ecm.v.end());
   for (const Cell& cell : s.cells)
     for (const CortexState* ring : {&cell.cortex, &cell.nucleus}) v.insert(v.end(), ring->v.begin(), ring->v.end());
-  return v;
 }
 
 void set_node_velocities(State& s, std::span<const Vec2> v) {
