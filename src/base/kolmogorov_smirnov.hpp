@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 /// Whether a sample follows a distribution. Test: tests/unit/base/random_test.cpp

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 /// Loops that give the same bits for any number of threads: a loop body writes only to its own index, and a sum is
@@ -15,23 +12,12 @@ namespace matrigrate {
 
 inline constexpr std::size_t parallel_block = 512;
 
-/// ThreadSanitizer annotations for oneTBB loops, without effect in other builds: code before the loop happens-before
-/// every body, and every body happens-before code after the loop. Bodies stay unordered among each other.
-class LoopOrder {
-public:
-  LoopOrder();
-  LoopOrder(const LoopOrder&) = delete;
-  LoopOrder& operator=(const LoopOrder&) = delete;
-  ~LoopOrder();
-  void enter() const; ///< before a group of bodies
-  void leave() const; ///< after it
-
-private:
-  char m_before = 0, m_after = 0; // their addresses identify the two synchronisations
-};
-
 /// Whether the program runs single-threaded.
-inline bool alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1; }
+bool alone();
+
+/// Calls body(begin, end) for ranges that make up [0, n), in any order, each as a task.
+/// @param grain  approximate minimum length of a range
+void parallel_ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
 /// Calls body(k) for every k in [0, n), in any order, each as a separate task.
 template <class Body>
@@ -40,11 +26,8 @@ void parallel_parts(std::size_t n, const Body& body) {
     for (std::size_t k = 0; k < n; ++k) body(k);
     return;
   }
-  const LoopOrder order;
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-    order.enter();
-    body(k);
-    order.leave();
+  parallel_ranges(n, 1, [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) body(k);
   });
 }
 
@@ -56,11 +39,8 @@ void parallel_for(std::size_t n, const Body& body, std::size_t grain = parallel_
     for (std::size_t i = 0; i < n; ++i) body(i);
     return;
   }
-  const LoopOrder order;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
-    order.enter();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-    order.leave();
+  parallel_ranges(n, grain, [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
   });
 }
 

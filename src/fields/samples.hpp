@@ -2,6 +2,7 @@
 
 #include "base/vector.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <vector>

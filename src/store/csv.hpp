@@ -2,6 +2,7 @@
 
 #include "store/table.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

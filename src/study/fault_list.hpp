@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Faults of one file while it is read. Test: tests/unit/study/read_study_test.cpp

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 /// Parameters named in a study file. Test: tests/unit/study/read_study_test.cpp

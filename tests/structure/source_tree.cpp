@@ -131,6 +131,65 @@ Findings forbidden_includes(const Source& source, const Graph& allowed) {
   return findings;
 }
 
+Graph header_includes(const std::vector<Source>& all) {
+  static const std::regex include(R"rx(^\s*#\s*include\s*(?:"([^"]*)"|(<[^>]*>)))rx");
+  Graph includes;
+  for (const Source& source : all) {
+    if (!source.path.ends_with(".hpp")) continue;
+    std::set<std::string>& of_header = includes[source.path];
+    each_line(code_only(source.text, true), [&](int, const std::string& line) {
+      std::smatch match;
+      if (std::regex_search(line, match, include)) of_header.insert(match[1].matched ? match[1] : match[2]);
+    });
+  }
+  return includes;
+}
+
+Findings undeclared_names(const Source& header, const Graph& reached) {
+  struct Library {
+    std::string header;
+    std::regex names;
+  };
+  static const auto standard = [](const std::string& name, const std::string& names) {
+    return Library{'<' + name + '>', std::regex("\\bstd::(?:" + names + ")\\b")};
+  };
+  static const std::vector<Library> libraries{
+      standard("algorithm", "m(?:in|ax)|clamp|copy|fill|sort|ranges::\\w+"),
+      standard("array", "array"),
+      standard("chrono", "chrono"),
+      standard("cmath", "sqrt|exp|expm1|log10|abs|hypot|floor|nearbyint|isfinite|isnan"),
+      standard("cstddef", "size_t|ptrdiff_t"),
+      standard("cstdint", "u?int(?:8|16|32|64)_t"),
+      standard("cstring", "mem(?:cpy|cmp)"),
+      standard("filesystem", "filesystem"),
+      standard("functional", "function|less|greater"),
+      standard("initializer_list", "initializer_list"),
+      standard("limits", "numeric_limits"),
+      standard("map", "map"),
+      standard("memory", "(?:unique|shared)_ptr|make_(?:unique|shared)"),
+      standard("numbers", "numbers"),
+      standard("optional", "optional|nullopt"),
+      standard("set", "set"),
+      standard("span", "span"),
+      standard("stdexcept", "runtime_error|invalid_argument|out_of_range"),
+      standard("string", "string"),
+      standard("string_view", "string_view"),
+      standard("tuple", "tuple"),
+      standard("utility", "pair|move|forward|exchange"),
+      standard("variant", "variant|monostate|variant_size_v"),
+      standard("vector", "vector"),
+      {"<fmt/format.h>", std::regex(R"(\bfmt::)")},
+      {"<toml++/toml.h>", std::regex(R"(\btoml::)")}};
+  const auto of_header = reached.find(header.path);
+  Findings findings;
+  each_line(code_only(header.text), [&](int number, const std::string& line) {
+    for (const Library& library : libraries)
+      if (std::regex_search(line, library.names) && !of_header->second.contains(library.header))
+        findings.push_back(at(header, number, "needs #include " + library.header));
+  });
+  return findings;
+}
+
 Findings process_exits(const Source& source) {
   static const std::regex call(R"((?:^|[^\w.>])(exit|_exit|_Exit|abort|quick_exit|terminate)\s*\()");
   Findings findings;

@@ -55,6 +55,12 @@ TEST(Structure, HeadersAreGuarded) {
   });
 }
 
+TEST(Structure, HeadersIncludeWhatTheyName) {
+  const Graph reached = closure(header_includes(sources(src)));
+  expect_none(
+      [&](const Source& file) { return file.path.ends_with(".hpp") ? undeclared_names(file, reached) : Findings{}; });
+}
+
 TEST(Structure, FoldersAndFilesStayReadable) {
   const std::filesystem::path root = MATRIGRATE_SOURCE_DIR;
   constexpr std::ptrdiff_t max_files = 40, max_lines = 350;
@@ -109,6 +115,16 @@ TEST(StructureRules, FindsForbiddenIncludes) {
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0], "sph/kernel.cpp:4: sph may not include draw");
   EXPECT_EQ(findings[1].find("sph/kernel.cpp:6: "), 0U);
+}
+
+TEST(StructureRules, FindsNamesWithoutTheirHeader) {
+  const Source vector{"base/a.hpp", "#include <vector>\n"};
+  const Source good{"base/b.hpp", "#include \"base/a.hpp\"\nstd::vector<double> x();\n// std::string\n"};
+  const Source bad{"base/c.hpp", "#include \"base/a.hpp\"\n// #include <cstddef>\nstd::size_t n(std::vector<int>);\n"};
+  const Graph reached = closure(header_includes({vector, good, bad, {"base/d.cpp", "#include <cstddef>\n"}}));
+  EXPECT_EQ(reached.size(), 3U);
+  EXPECT_TRUE(undeclared_names(good, reached).empty());
+  EXPECT_EQ(undeclared_names(bad, reached), Findings{"base/c.hpp:3: needs #include <cstddef>"});
 }
 
 TEST(StructureRules, FindsExits) {
