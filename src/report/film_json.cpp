@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <vector>
 
 namespace matrigrate::report {
 
@@ -105,6 +108,14 @@ Json outline_json(const observe::Film& film) {
   return json;
 }
 
+/// Keeps the first values in the order of a queue, at most that many; the last of them is at its top.
+template <class Queue>
+void keep(float value, std::size_t most, Queue& queue) {
+  if (queue.size() == most && !typename Queue::value_compare()(value, queue.top())) return;
+  queue.push(value);
+  if (queue.size() > most) queue.pop();
+}
+
 /// Index on the outline of particle 0 of a cell.
 std::size_t first_of(const observe::OutlineFrame& outline, float cell) {
   return static_cast<std::size_t>(std::ranges::find(outline.cell, cell) - outline.cell.begin());
@@ -129,20 +140,25 @@ Json protrusions_json(const observe::Frame& frame) {
 } // namespace
 
 Limits usual_limits(const observe::Film& film, const observe::Floats& (*field)(const observe::Frame&)) {
-  std::vector<float> values;
-  values.reserve(film.frames.size() * film.head.particles()); // without growing: it is a large part of all memory
-  for (const observe::Frame& frame : film.frames) {
-    const observe::Floats& all = field(frame);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (frame.matrix.f_degr[i] > 0.0F && std::isfinite(all[i])) values.push_back(all[i]);
-  }
-  if (values.empty()) return {};
-  const auto at = [&](std::size_t place) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-    return static_cast<double>(values[place]);
+  const auto each = [&](const auto& visit) {
+    for (const observe::Frame& frame : film.frames) {
+      const observe::Floats& all = field(frame);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (frame.matrix.f_degr[i] > 0.0F && std::isfinite(all[i])) visit(all[i]);
+    }
   };
-  const std::size_t outside = values.size() / 2000; // on either side
-  const Limits limits{.low = std::min(0.0, at(outside)), .high = at(values.size() - 1 - outside)};
+  std::size_t values = 0;
+  each([&values](float) { ++values; });
+  if (values == 0) return {};
+  const std::size_t most = values / 2000 + 1; // those outside on either side, and the limit itself
+  std::priority_queue<float> lowest;
+  std::priority_queue<float, std::vector<float>, std::greater<>> highest;
+  each([&](float value) {
+    keep(value, most, lowest);
+    keep(value, most, highest);
+  });
+  const Limits limits{.low = std::min(0.0, static_cast<double>(lowest.top())),
+                      .high = static_cast<double>(highest.top())};
   return limits.high > limits.low ? limits : Limits{limits.low, limits.low + 1.0};
 }
 

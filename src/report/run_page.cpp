@@ -179,9 +179,11 @@ std::string filled_page(std::string_view page_template, const Json& data) {
   if (at == std::string_view::npos || page_template.find(place, at + 1) != std::string_view::npos)
     throw std::invalid_argument("the template of a page has no place for data, or several");
   const std::size_t start = at + place.size() - before.size();
-  std::string page(page_template.substr(0, start));
-  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
-    c == '<' ? page += "\\u003c" : page += c;
+  const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string page;
+  page.reserve(page_template.size() + text.size() + 4096); // without growing: it is a large part of all memory
+  page = page_template.substr(0, start);
+  for (const char c : text) c == '<' ? page += "\\u003c" : page += c;
   return page.append(page_template.substr(start + 4));
 }
 

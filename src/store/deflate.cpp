@@ -4,36 +4,46 @@
 
 #include <zlib.h>
 
+#include <array>
 #include <new>
 
 namespace matrigrate::store {
 
-std::string deflated(std::string_view bytes, int level) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(),
-                level)
-      != Z_OK)
-    throw std::bad_alloc();
-  out.resize(size);
-  return out;
-}
+namespace {
 
-std::string deflated_fast(std::string_view bytes) {
-  if (bytes.size() > max_bytes_fast) throw InputOutputError("there is too much to compress at once");
-  constexpr int level = 1, window_bits = 15, memory_level = 8; // the latter zlib's own choices
+/// Grows with what comes out, so that it never takes as much memory as the bytes.
+std::string compressed(std::string_view bytes, int level, int strategy) {
+  constexpr std::size_t max_part = std::size_t{1} << 30U; // what zlib can be given at once
+  constexpr int window_bits = 15, memory_level = 8;       // zlib's own choices
   z_stream stream{};
-  if (deflateInit2(&stream, level, Z_DEFLATED, window_bits, memory_level, Z_RLE) != Z_OK) throw std::bad_alloc();
-  std::string out(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())); // zlib only reads them
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const int status = deflate(&stream, Z_FINISH); // in one go: there is room for all
-  out.resize(stream.total_out);
+  if (deflateInit2(&stream, level, Z_DEFLATED, window_bits, memory_level, strategy) != Z_OK) throw std::bad_alloc();
+  std::array<char, 1U << 15U> piece{};
+  std::string out;
+  int status = Z_OK;
+  while (status == Z_OK) {
+    if (stream.avail_in == 0) {
+      const std::string_view part = bytes.substr(0, max_part);
+      bytes.remove_prefix(part.size());
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data())); // zlib only reads them
+      stream.avail_in = static_cast<uInt>(part.size());
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+    stream.avail_out = static_cast<uInt>(piece.size());
+    status = deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
+    out.append(piece.data(), piece.size() - stream.avail_out);
+  }
   deflateEnd(&stream);
   if (status != Z_STREAM_END) throw std::bad_alloc();
   return out;
+}
+
+} // namespace
+
+std::string deflated(std::string_view bytes, int level) { return compressed(bytes, level, Z_DEFAULT_STRATEGY); }
+
+std::string deflated_fast(std::string_view bytes) {
+  if (bytes.size() > max_bytes_fast) throw InputOutputError("there is too much to compress at once");
+  return compressed(bytes, 1, Z_RLE);
 }
 
 std::string inflated(std::string_view bytes, std::size_t size) {

@@ -18,14 +18,15 @@ void require(herr_t status, std::string_view what) {
   if (status < 0) fail(what);
 }
 
-/// HDF5 would print its own errors; here they become exceptions.
-void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
-
 Handle access_in_memory() {
-  be_silent();
-  constexpr std::size_t grow_by = 1U << 20U;
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // HDF5 would print its own errors; here they become exceptions
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "no access list");
-  require(H5Pset_fapl_core(access.id(), grow_by, 0), "no file in memory");
+  require(H5Pset_fapl_core(access.id(), std::size_t{1} << 20U, 0), "no file in memory");
+  H5AC_cache_config_t cache{}; // of what is in memory anyway; names of frames take twenty times their size in it
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  require(H5Pget_mdc_config(access.id(), &cache), "no cache");
+  cache.initial_size = cache.min_size = cache.max_size = std::size_t{1} << 17U;
+  require(H5Pset_mdc_config(access.id(), &cache), "no smaller cache");
   return access;
 }
 
@@ -323,8 +324,7 @@ std::vector<std::uint8_t> MemoryFile::byte_frame(const std::string& name, std::s
 }
 
 std::vector<hsize_t> FrameArray::shape_of(std::size_t frames, std::size_t entries, std::size_t components) {
-  if (components == 1) return {frames, entries};
-  return {frames, entries, components};
+  return components == 1 ? std::vector<hsize_t>{frames, entries} : std::vector<hsize_t>{frames, entries, components};
 }
 
 FrameArray::FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
