@@ -8,6 +8,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace matrigrate {
 
@@ -38,14 +40,28 @@ DegradationMoments full_moments(const EcmParameters& p) {
   return m;
 }
 
+PairSeparations separations_of(const EcmState& ecm, const Adjacency& pairs, const Kernel& kernel) {
+  PairSeparations all;
+  all.of_pair.reserve(pairs.pairs());
+  std::map<std::pair<double, double>, std::uint32_t> known;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (const std::uint32_t j : pairs.of(i)) {
+      const Vec2 X = nearest_image(ecm.X[i] - ecm.X[j], ecm.period_x);
+      const auto [place, is_new] =
+          known.emplace(std::pair(X.x(), X.y()), static_cast<std::uint32_t>(all.different.size()));
+      all.of_pair.push_back(place->second);
+      if (!is_new) continue;
+      const double r = X.norm();
+      all.different.push_back({X, kernel.W_slope(r) * X, kernel.W(r) / (r * r)});
+    }
+  return all;
+}
+
 } // namespace
 
 Reference::Reference(const EcmState& ecm, const EcmParameters& p)
-    : m_support_floor(p.support_floor), m_pairs(neighbours_within(ecm.X, 2.0 * p.smoothing_length, ecm.period_x)) {
-  const Kernel kernel(p.smoothing_length);
-  m_X_ij.resize(m_pairs.pairs());
-  m_grad_W.resize(m_pairs.pairs());
-  m_W_over_r2.resize(m_pairs.pairs());
+    : m_support_floor(p.support_floor), m_pairs(neighbours_within(ecm.X, 2.0 * p.smoothing_length, ecm.period_x)),
+      m_separations(separations_of(ecm, m_pairs, Kernel(p.smoothing_length))), m_rows(m_pairs, m_separations) {
   m_B.resize(ecm.size());
   m_moments.resize(ecm.size());
   m_whole.resize(ecm.size());
@@ -55,16 +71,9 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
   m_lattice_moments = full_moments(p);
   const std::vector<double> intact(ecm.size(), 1.0);
   parallel_for(ecm.size(), [&](std::size_t i) {
-    for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k) {
-      m_X_ij[k] = nearest_image(ecm.X[i] - ecm.X[m_pairs.index[k]], ecm.period_x);
-      const double r = m_X_ij[k].norm();
-      m_grad_W[k] = kernel.W_slope(r) * m_X_ij[k];
-      m_W_over_r2[k] = kernel.W(r) / (r * r);
-    }
     const Mat2 A = support_tensor(i, intact, ecm.V0);
     m_intact[i] = std::clamp(Eigen2(A, Eigen::EigenvaluesOnly).eigenvalues()(0), 1e-6, 1.0);
   });
-  m_rows = ParticleRows(m_pairs, m_X_ij, m_grad_W, m_W_over_r2);
   parallel_for(ecm.size(), [&](std::size_t i) { correct(i, ecm); });
   m_f_seen = ecm.f;
 }
@@ -72,7 +81,7 @@ Reference::Reference(const EcmState& ecm, const EcmParameters& p)
 Mat2 Reference::support_tensor(std::size_t i, std::span<const double> f, double V0) const {
   Mat2 A = Mat2::Zero();
   for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k)
-    A -= V0 * f[m_pairs.index[k]] * m_X_ij[k] * m_grad_W[k].transpose();
+    A -= V0 * f[m_pairs.index[k]] * X_ij(k) * grad_W(k).transpose();
   return A;
 }
 
@@ -90,10 +99,10 @@ void Reference::correct(std::size_t i, const EcmState& ecm) {
   for (std::uint32_t k = m_pairs.first[i]; k < m_pairs.first[i + 1]; ++k) {
     const double f = ecm.f[m_pairs.index[k]];
     intact = intact && f == 1.0;
-    m_moments[i].grad_W += f * m_grad_W[k];
-    m_moments[i].w += f * m_W_over_r2[k];
-    m_moments[i].wX += f * m_W_over_r2[k] * m_X_ij[k];
-    m_moments[i].wXX += f * m_W_over_r2[k] * m_X_ij[k] * m_X_ij[k].transpose();
+    m_moments[i].grad_W += f * grad_W(k);
+    m_moments[i].w += f * W_over_r2(k);
+    m_moments[i].wX += f * W_over_r2(k) * X_ij(k);
+    m_moments[i].wXX += f * W_over_r2(k) * X_ij(k) * X_ij(k).transpose();
   }
   const double full = m_lattice_moments.w;
   m_whole[i] = intact && !ecm.clamped[i] && std::abs(m_moments[i].w - full) < 1e-9 * full ? 1 : 0; // none is missing

@@ -36,10 +36,10 @@ public:
         m_rows.size(), [&](std::size_t r) { body(m_rows.terms(r)); }, grain);
   }
 
-  const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; }      ///< X_i - X_j of entry k of pairs() [um]
-  const Vec2& grad_W(std::uint32_t k) const { return m_grad_W[k]; }  ///< grad_0 W_ij of entry k [1/um^3]
-  double W_over_r2(std::uint32_t k) const { return m_W_over_r2[k]; } ///< W_0,ij / |X_ij|^2 of entry k [1/um^4]
-  const Mat2& B(std::size_t i) const { return m_B[i]; }              ///< gradient correction [-]
+  const Vec2& X_ij(std::uint32_t k) const { return m_separations[k].X; }         ///< of entry k of pairs() [um]
+  const Vec2& grad_W(std::uint32_t k) const { return m_separations[k].grad_W; }  ///< grad_0 W_ij of entry k [1/um^3]
+  double W_over_r2(std::uint32_t k) const { return m_separations[k].W_over_r2; } ///< W_0,ij/|X_ij|^2 [1/um^4]
+  const Mat2& B(std::size_t i) const { return m_B[i]; }                          ///< gradient correction [-]
 
   /// Sums over the neighbours of particle i at their current degradation.
   const DegradationMoments& moments(std::size_t i) const { return m_moments[i]; }
@@ -60,10 +60,8 @@ private:
 
   double m_support_floor;
   Adjacency m_pairs;
+  PairSeparations m_separations;
   ParticleRows m_rows;
-  std::vector<Vec2> m_X_ij;
-  std::vector<Vec2> m_grad_W;
-  std::vector<double> m_W_over_r2;
   Mat2 m_B_lattice;
   std::vector<Mat2> m_B;
   std::vector<DegradationMoments> m_moments;

@@ -19,14 +19,30 @@ bool alike(const RowPartner& a, const RowPartner& b) {
          <= 1e-9 * (std::abs(a.half_X) + std::abs(a.half_Y));
 }
 
+/// The partner of particle i that entry k of the list is.
+RowPartner partner_at(const Adjacency& pairs, const PairSeparations& separations, std::size_t i, std::uint32_t k) {
+  const auto& [X, grad_W, w] = separations[k];
+  return {static_cast<std::ptrdiff_t>(pairs.index[k]) - static_cast<std::ptrdiff_t>(i),
+          0.5 * X.x(),
+          0.5 * X.y(),
+          grad_W.x(),
+          grad_W.y(),
+          w,
+          w * X.x(),
+          w * X.y()};
+}
+
 /// Whether the partners of particle i lie like those of particle i - 1.
-bool like_previous(const Adjacency& pairs, std::span<const RowPartner> all, std::size_t i) {
+bool like_previous(const Adjacency& pairs, const PairSeparations& separations, std::size_t i) {
   const std::uint32_t before = pairs.first[i - 1];
   const std::uint32_t here = pairs.first[i];
   const std::uint32_t count = pairs.first[i + 1] - here;
   if (here - before != count) return false;
-  for (std::uint32_t k = 0; k < count; ++k)
-    if (all[here + k].distance != all[before + k].distance || !alike(all[here + k], all[before + k])) return false;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const RowPartner a = partner_at(pairs, separations, i - 1, before + k);
+    const RowPartner b = partner_at(pairs, separations, i, here + k);
+    if (a.distance != b.distance || !alike(b, a)) return false;
+  }
   return true;
 }
 
@@ -198,49 +214,35 @@ template <bool ragged>
 
 } // namespace
 
-ParticleRows::ParticleRows(const Adjacency& pairs, std::span<const Vec2> X_ij, std::span<const Vec2> grad_W,
-                           std::span<const double> w) {
-  std::vector<RowPartner> all(pairs.pairs()); // beside pairs.index
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    for (std::uint32_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
-      const Vec2& X = X_ij[k];
-      all[k] = {static_cast<std::ptrdiff_t>(pairs.index[k]) - static_cast<std::ptrdiff_t>(i),
-                0.5 * X.x(),
-                0.5 * X.y(),
-                grad_W[k].x(),
-                grad_W[k].y(),
-                w[k],
-                w[k] * X.x(),
-                w[k] * X.y()};
-    }
+ParticleRows::ParticleRows(const Adjacency& pairs, const PairSeparations& separations) {
   const auto n = static_cast<std::uint32_t>(pairs.size());
   std::uint32_t left = 0; // particles from here on are in no row yet
   for (std::uint32_t i = 0, end = 0; i < n; i = end) {
     end = i + 1;
-    while (end < n && end - i < ParticleRow::longest && like_previous(pairs, all, end)) ++end;
+    while (end < n && end - i < ParticleRow::longest && like_previous(pairs, separations, end)) ++end;
     if (end - i < lanes && end < n) continue;
     const bool long_enough = end - i >= lanes;
     for (const std::uint32_t stop = long_enough ? i : end; left < stop;) {
       const std::uint32_t count = std::min(static_cast<std::uint32_t>(lanes), stop - left);
-      add_ragged(left, count, pairs, all);
+      add_ragged(left, count, pairs, separations);
       left += count;
     }
-    if (long_enough) add_row(i, end - i, pairs, all);
+    if (long_enough) add_row(i, end - i, pairs, separations);
     left = end;
   }
 }
 
 void ParticleRows::add_row(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs,
-                           std::span<const RowPartner> all) {
-  const auto of_first = all.subspan(pairs.first[begin], pairs.first[begin + 1] - pairs.first[begin]);
-  m_rows.push_back({begin, count, static_cast<std::uint32_t>(m_partners.size()),
-                    static_cast<std::uint32_t>(of_first.size()), false});
-  m_partners.insert(m_partners.end(), of_first.begin(), of_first.end());
+                           const PairSeparations& separations) {
+  const std::uint32_t first = pairs.first[begin];
+  const std::uint32_t end = pairs.first[begin + 1];
+  m_rows.push_back({begin, count, static_cast<std::uint32_t>(m_partners.size()), end - first, false});
+  for (std::uint32_t k = first; k < end; ++k) m_partners.push_back(partner_at(pairs, separations, begin, k));
   m_has.resize(lanes * m_partners.size(), 1.0);
 }
 
 void ParticleRows::add_ragged(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs,
-                              std::span<const RowPartner> all) {
+                              const PairSeparations& separations) {
   struct Entry {
     RowPartner partner;
     std::array<double, lanes> has;
@@ -248,10 +250,11 @@ void ParticleRows::add_ragged(std::uint32_t begin, std::uint32_t count, const Ad
   std::vector<Entry> entries;
   for (std::uint32_t l = 0; l < count; ++l)
     for (std::uint32_t k = pairs.first[begin + l]; k < pairs.first[begin + l + 1]; ++k) {
+      const RowPartner partner = partner_at(pairs, separations, begin + l, k);
       auto found = std::ranges::find_if(entries, [&](const Entry& entry) {
-        return entry.partner.distance == all[k].distance && alike(entry.partner, all[k]);
+        return entry.partner.distance == partner.distance && alike(entry.partner, partner);
       });
-      if (found == entries.end()) found = entries.insert(entries.end(), {all[k], {}});
+      if (found == entries.end()) found = entries.insert(entries.end(), {partner, {}});
       found->has[l] = 1.0;
     }
   std::ranges::sort(entries, {}, [](const Entry& entry) {

@@ -32,6 +32,21 @@ struct RowPartner {
   double w, w_X, w_Y;      ///< w_ij = W_0,ij/|X_ij|^2 [1/um^4], w_ij X_ij [1/um^3]
 };
 
+/// What the reference separation of two particles decides.
+struct Separation {
+  Vec2 X;           ///< X_ij = X_i - X_j [um]
+  Vec2 grad_W;      ///< grad_0 W_ij [1/um^3]
+  double W_over_r2; ///< W_0,ij/|X_ij|^2 [1/um^4]
+};
+
+/// The separations of all pairs of a list. A lattice has few different ones.
+struct PairSeparations {
+  std::vector<Separation> different;
+  std::vector<std::uint32_t> of_pair; ///< index into `different`, parallel to the list's index
+
+  const Separation& operator[](std::uint32_t k) const { return different[of_pair[k]]; }
+};
+
 /// A row with its stencil: the terms of its sums.
 struct RowTerms {
   ParticleRow row;
@@ -47,10 +62,7 @@ public:
 
   ParticleRows() = default;
 
-  /// @param X_ij    reference separations, parallel to pairs.index [um]
-  /// @param grad_W  gradients there [1/um^3]   @param w  W_0,ij/|X_ij|^2 there [1/um^4]
-  ParticleRows(const Adjacency& pairs, std::span<const Vec2> X_ij, std::span<const Vec2> grad_W,
-               std::span<const double> w);
+  ParticleRows(const Adjacency& pairs, const PairSeparations& separations);
 
   std::size_t size() const { return m_rows.size(); }
   RowTerms terms(std::size_t r) const {
@@ -59,8 +71,8 @@ public:
   }
 
 private:
-  void add_row(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs, std::span<const RowPartner> all);
-  void add_ragged(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs, std::span<const RowPartner> all);
+  void add_row(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs, const PairSeparations& separations);
+  void add_ragged(std::uint32_t begin, std::uint32_t count, const Adjacency& pairs, const PairSeparations& separations);
 
   std::vector<ParticleRow> m_rows;
   std::vector<RowPartner> m_partners;
