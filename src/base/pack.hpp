@@ -31,11 +31,17 @@ template <class Pack, class Number>
   std::memcpy(p, &a, sizeof a);
 }
 
-/// Sets all numbers of a.
+/// Sets all numbers of a. By way of memory: GCC 12 makes one instruction of it, also in a function that is inlined where
+/// newer ones are allowed; set one by one, or all at once, the numbers take three to five.
 template <class Pack, class Number>
 [[gnu::always_inline]] inline void fill(Number value, Pack& a) {
-  for (std::size_t l = 0; l < pack_size<Pack>; ++l) a[l] = value;
+  Number all[pack_size<Pack>];
+  for (Number& number : all) number = value;
+  load(all, a);
 }
+
+/// Four floats as doubles, by one instruction of AVX; GCC 12 makes four of __builtin_convertvector.
+[[gnu::always_inline]] inline void widen(const HalfFloats& a, Doubles& b) { b = Doubles{a[0], a[1], a[2], a[3]}; }
 
 /// Whether any number of a has a bit set (is not +0).
 template <class Pack>

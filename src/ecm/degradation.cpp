@@ -8,22 +8,29 @@ namespace matrigrate {
 
 namespace {
 
-/// Whether any density is not strictly between the bounds.
-MATRIGRATE_SIMD
-bool any_at_bound(std::span<const double> rho, double low, double high) {
-  std::uint64_t at_bound = 0;
-  for (const double r : rho) at_bound |= (r > low) & (r < high) ? 0U : 1U;
-  return at_bound != 0;
+/// Whether a density is not strictly between its bounds.
+[[gnu::always_inline]] inline bool at_bound(double rho, double low, double high) {
+  return !((rho > low) & (rho < high)); // without a branch, so that loops can be vectorised
 }
 
-/// Whether any solid particle has less than the minimum relative support.
+/// Whether a particle is solid and has less than the minimum relative support.
+[[gnu::always_inline]] inline bool is_orphan(double support, double f, double min_support) {
+  return !((support >= min_support) | (f <= 0.0));
+}
+
+MATRIGRATE_SIMD
+bool any_at_bound(std::span<const double> rho, double low, double high) {
+  std::uint64_t any = 0;
+  for (const double r : rho) any |= at_bound(r, low, high) ? 1U : 0U;
+  return any != 0;
+}
+
 MATRIGRATE_SIMD
 bool any_orphan(const EcmState& ecm, const Reference& ref, double min_support) {
   const double* f = ecm.f.data();
-  std::uint64_t orphan = 0;
-  for (std::size_t i = 0; i < ecm.size(); ++i)
-    orphan |= (ref.relative_support(i) >= min_support) | (f[i] <= 0.0) ? 0U : 1U;
-  return orphan != 0;
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i < ecm.size(); ++i) any |= is_orphan(ref.relative_support(i), f[i], min_support) ? 1U : 0U;
+  return any != 0;
 }
 
 } // namespace
@@ -40,8 +47,7 @@ std::size_t fluidize_torn(EcmState& ecm, const EcmParameters& p) {
   if (!any_at_bound(ecm.rho, p.density_min, p.density_max)) return 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (ecm.rho[i] > p.density_min && ecm.rho[i] < p.density_max) continue;
-    if (ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
+    if (!at_bound(ecm.rho[i], p.density_min, p.density_max) || ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
     fluidize(ecm, i);
     ++count;
   }
@@ -55,7 +61,7 @@ std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& r
     found = 0;
     if (!any_orphan(ecm, ref, p.orphan_support)) break;
     for (std::size_t i = 0; i < ecm.size(); ++i) {
-      if (ref.relative_support(i) >= p.orphan_support || ecm.f[i] <= 0.0 || ecm.clamped[i]) continue;
+      if (!is_orphan(ref.relative_support(i), ecm.f[i], p.orphan_support) || ecm.clamped[i]) continue;
       fluidize(ecm, i);
       ++found;
     }

@@ -48,6 +48,16 @@ public:
   bool whole(std::size_t i) const { return m_whole[i] != 0; }
   /// Whether particle i is intact, and all lattice neighbours exist and are intact.
   bool plain(const EcmState& ecm, std::size_t i) const { return whole(i) && ecm.f[i] == 1.0; }
+  /// Calls body(begin, end, plain) for the stretches of a row whose particles are plain, or are not.
+  template <class Body>
+  void each_stretch(const EcmState& ecm, const ParticleRow& row, const Body& body) const {
+    const std::size_t last = row.begin + row.count;
+    for (std::size_t begin = row.begin, end = begin; begin < last; begin = end) {
+      const bool is_plain = plain(ecm, begin);
+      while (end < last && plain(ecm, end) == is_plain) ++end;
+      body(begin, end, is_plain);
+    }
+  }
   double lattice_correction() const { return m_B_lattice(0, 0); }
   const DegradationMoments& lattice_moments() const { return m_lattice_moments; }
 

@@ -1,6 +1,6 @@
 #include "solve/field.hpp"
 
-#include "solve/widen.hpp"
+#include "base/pack.hpp"
 
 #include <array>
 
@@ -115,7 +115,7 @@ double assign_scaled(double factor, const DoubleField& a, Field& b) {
   });
 }
 
-double add_product(const Field& d, const Field& r, Field& z, const Field& b) {
+double add_product_and_dot(const Field& d, const Field& r, Field& z, const Field& b) {
   return sum_of_parts(z.values().size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
     add_products(begin, end, d.values().data(), r.values().data(), z.values().data(), b.values().data(), partial);
   });

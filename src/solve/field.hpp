@@ -75,7 +75,7 @@ inline void add_product(const Field& d, const Field& r, Field& z) {
 }
 
 /// The same.   @return b . z
-double add_product(const Field& d, const Field& r, Field& z, const Field& b);
+double add_product_and_dot(const Field& d, const Field& r, Field& z, const Field& b);
 
 /// x += alpha p and r -= alpha q, a step of conjugate gradients.   @return r . r
 double conjugate_gradient_step(float alpha, const Field& p, const Field& q, Field& x, Field& r);

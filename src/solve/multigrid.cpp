@@ -113,7 +113,7 @@ double Multigrid::precondition() {
   residual_after(m_z, m_q);
   m_coarse.add_correction(m_q, m_z);
   residual_after(m_z, m_q);
-  return add_product(m_smoother, m_q, m_z, m_r);
+  return add_product_and_dot(m_smoother, m_q, m_z, m_r);
 }
 
 } // namespace matrigrate

@@ -1,7 +1,6 @@
 #include "solve/row_blocks.hpp"
 
 #include "base/pack.hpp"
-#include "solve/widen.hpp"
 
 #include <algorithm>
 #include <cmath>

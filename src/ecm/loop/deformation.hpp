@@ -25,16 +25,18 @@ void row_gradients(const EcmState& ecm, const Reference& ref, const RowTerms& te
                    const Own& own, RowTensors& gradient) {
   sum_gradient(terms, fa, gradient);
   const double lattice = ecm.V0 * ref.lattice_correction();
-  for (std::size_t t = 0; t < terms.row.count; ++t) {
-    const std::size_t i = terms.row.begin + t;
-    if (ref.plain(ecm, i)) continue;
-    if (ecm.f[i] <= 0.0) {
-      gradient.set(t, Mat2::Zero());
-      continue;
+  ref.each_stretch(ecm, terms.row, [&](std::size_t begin, std::size_t end, bool plain) {
+    if (plain) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t t = i - terms.row.begin;
+      if (ecm.f[i] <= 0.0) {
+        gradient.set(t, Mat2::Zero());
+        continue;
+      }
+      const Mat2 sum = gradient[t] - own(i) * ref.moments(i).grad_W.transpose();
+      gradient.set(t, ecm.V0 / lattice * sum * ref.B(i));
     }
-    const Mat2 sum = gradient[t] - own(i) * ref.moments(i).grad_W.transpose();
-    gradient.set(t, ecm.V0 / lattice * sum * ref.B(i));
-  }
+  });
   scale(lattice, terms.row.count, gradient);
 }
 

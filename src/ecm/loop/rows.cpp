@@ -281,6 +281,13 @@ void TensorPlanes::resize(std::size_t n) {
 }
 
 MATRIGRATE_SIMD
+bool all_intact(std::span<const double> f) {
+  std::uint64_t damaged = 0;
+  for (const double f_i : f) damaged |= f_i == 1.0 ? 0U : 1U;
+  return damaged == 0;
+}
+
+MATRIGRATE_SIMD
 void scale(double by, std::size_t n, RowTensors& A) {
   for (double* a : {A.xx, A.xy, A.yx, A.yy})
     for (std::size_t t = 0; t < n; ++t) a[t] *= by;

@@ -124,6 +124,9 @@ struct RowTensors {
   void set(std::size_t t, const Mat2& A) { xx[t] = A(0, 0), xy[t] = A(0, 1), yx[t] = A(1, 0), yy[t] = A(1, 1); }
 };
 
+/// Whether all of f are 1.
+bool all_intact(std::span<const double> f);
+
 /// Multiplies the first n tensors by a number.
 void scale(double by, std::size_t n, RowTensors& A);
 

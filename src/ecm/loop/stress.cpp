@@ -37,28 +37,26 @@ void corrected_stress(std::size_t n, std::size_t begin, const double* rho, const
   }
 }
 
-/// Density and stress of a row after dt, all of its particles intact.
-struct Advanced {
-  double rho[ParticleRow::longest];
-  RowTensors S;
-};
-
-/// advance_stress_of for the particles of a row, from their rates of deformation.   @param S  as stress_of
+/// advance_stress_of for intact particles beside each other, from F - I at both ends of a step of dt.
+/// @param S  as stress_of   @param after  of the first particle and those behind it
 MATRIGRATE_SIMD
-void advance_row(std::size_t n, std::size_t begin, const double* rho, const double* S, const TensorPlanes& H,
-                 const RowTensors& rate, const EcmParameters& p, double G, double dt, Advanced& to) {
-  const double *Hxx = &H.xx.data()[begin], *Hxy = &H.xy.data()[begin];
-  const double *Hyx = &H.yx.data()[begin], *Hyy = &H.yy.data()[begin];
-  const double density_min = p.density_min, density_max = p.density_max;
+void advance_intact(std::size_t n, std::size_t begin, double* __restrict rho, double* __restrict S,
+                    const TensorPlanes& before, const RowTensors& after, std::size_t from, const EcmParameters& p,
+                    double G, double dt) {
+  const double *xx = &before.xx.data()[begin], *xy = &before.xy.data()[begin];
+  const double *yx = &before.yx.data()[begin], *yy = &before.yy.data()[begin];
+  const double density_min = p.density_min, density_max = p.density_max, per_dt = 1.0 / dt;
   for (std::size_t t = 0; t < n; ++t) {
-    const Tensor F{1.0 + Hxx[t], Hxy[t], Hyx[t], 1.0 + Hyy[t]};
-    const Tensor L = velocity_gradient(Tensor{rate.xx[t], rate.xy[t], rate.yx[t], rate.yy[t]}, F);
-    const SolidStateOf<double> now = advanced({rho[t], stress_of(S, t)}, L, G, dt, density_min, density_max);
-    to.rho[t] = now.rho;
-    to.S.xx[t] = now.S.xx;
-    to.S.xy[t] = now.S.xy;
-    to.S.yx[t] = now.S.yx;
-    to.S.yy[t] = now.S.yy;
+    const Tensor F{1.0 + xx[t], xy[t], yx[t], 1.0 + yy[t]};
+    const Tensor rate{per_dt * (after.xx[from + t] - xx[t]), per_dt * (after.xy[from + t] - xy[t]),
+                      per_dt * (after.yx[from + t] - yx[t]), per_dt * (after.yy[from + t] - yy[t])};
+    const SolidStateOf<double> now =
+        advanced({rho[t], stress_of(S, t)}, velocity_gradient(rate, F), G, dt, density_min, density_max);
+    rho[t] = now.rho;
+    S[4 * t] = now.S.xx;
+    S[4 * t + 1] = now.S.yx;
+    S[4 * t + 2] = now.S.xy;
+    S[4 * t + 3] = now.S.yy;
   }
 }
 
@@ -69,32 +67,68 @@ void displacement_gradients(const EcmState& ecm, const Reference& ref, const Row
       ecm, ref, terms, fu, [&](std::size_t i) { return ecm.displacement(i); }, H);
 }
 
+/// Puts H times f into planes.
+MATRIGRATE_SIMD
+void keep_times(const double* f, const ParticleRow& row, const RowTensors& H, TensorPlanes& planes) {
+  const std::size_t begin = row.begin, n = row.count;
+  double* __restrict xx = planes.xx.data() + begin, * __restrict xy = planes.xy.data() + begin;
+  double* __restrict yx = planes.yx.data() + begin, * __restrict yy = planes.yy.data() + begin;
+  for (std::size_t t = 0; t < n; ++t) {
+    xx[t] = f[t] * H.xx[t];
+    xy[t] = f[t] * H.xy[t];
+    yx[t] = f[t] * H.yx[t];
+    yy[t] = f[t] * H.yy[t];
+  }
+}
+
 /// Puts F - I of a row where the sums over neighbours read it, times f, and where partial particles have their F.
 void keep_deformation(const EcmState& ecm, const ParticleRow& row, const RowTensors& H, SolidFields& solid) {
-  for (std::size_t t = 0; t < row.count; ++t) {
-    const std::size_t i = row.begin + t;
-    const double f = ecm.f[i];
-    solid.H.xx[i] = f * H.xx[t], solid.H.xy[i] = f * H.xy[t];
-    solid.H.yx[i] = f * H.yx[t], solid.H.yy[i] = f * H.yy[t];
-  }
+  keep_times(&ecm.f[row.begin], row, H, solid.H);
+  if (all_intact({&ecm.f[row.begin], row.count})) return;
   for (std::size_t t = 0; t < row.count; ++t) {
     const std::size_t i = row.begin + t;
     if (ecm.f[i] < 1.0) solid.F_partial[i] = Mat2::Identity() + H[t]; // the identity in the fluid
   }
 }
 
-/// Rates of deformation [1/s] of a row from the gradients at both ends of a step, where it is intact.
+/// Adds the forces of plain particles.
+/// @param x, X     positions and reference positions, x and y of a particle beside each other [um]
+/// @param w        sum of w_ij over the lattice [1/um^4]   @param force  as x [nN]
 MATRIGRATE_SIMD
-void rates_of_row(std::size_t n, std::size_t begin, const TensorPlanes& before, const RowTensors& after, double per_dt,
-                  RowTensors& rate) {
-  const double *xx = &before.xx.data()[begin], *xy = &before.xy.data()[begin];
-  const double *yx = &before.yx.data()[begin], *yy = &before.yy.data()[begin];
+void add_plain_forces(std::size_t n, const double* x, const double* X, const double* stress_x, const double* stress_y,
+                      const double* hx, const double* hy, double w, double V0, double scale, double thickness,
+                      double* __restrict force) {
   for (std::size_t t = 0; t < n; ++t) {
-    rate.xx[t] = per_dt * (after.xx[t] - xx[t]);
-    rate.xy[t] = per_dt * (after.xy[t] - xy[t]);
-    rate.yx[t] = per_dt * (after.yx[t] - yx[t]);
-    rate.yy[t] = per_dt * (after.yy[t] - yy[t]);
+    const double of_hourglass_x = hx[t] - w * (x[2 * t] - X[2 * t]);
+    const double of_hourglass_y = hy[t] - w * (x[2 * t + 1] - X[2 * t + 1]);
+    force[2 * t] += thickness * (V0 * V0 * stress_x[t] + scale * of_hourglass_x);
+    force[2 * t + 1] += thickness * (V0 * V0 * stress_y[t] + scale * of_hourglass_y);
   }
+}
+
+/// Displacements times f of particles begin .. end - 1.   @param x, X  as in add_plain_forces
+MATRIGRATE_SIMD
+void keep_displacements(std::size_t begin, std::size_t end, const double* x, const double* X, const double* f,
+                        VectorPlanes& fu) {
+  double* __restrict to_x = fu.x.data(), * __restrict to_y = fu.y.data();
+  for (std::size_t i = begin; i < end; ++i) {
+    to_x[i] = f[i] * (x[2 * i] - X[2 * i]);
+    to_y[i] = f[i] * (x[2 * i + 1] - X[2 * i + 1]);
+  }
+}
+
+/// Whether f or the displacement times f of any of these particles is not as kept.   @param x, X  as there
+MATRIGRATE_SIMD
+bool any_changed(std::size_t begin, std::size_t end, const double* x, const double* X, const double* f,
+                 const SolidFields& solid) {
+  const double *kept = solid.f.data(), *fu_x = solid.fu.x.data(), *fu_y = solid.fu.y.data();
+  std::uint64_t changed = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const bool same = (f[i] == kept[i]) & (f[i] * (x[2 * i] - X[2 * i]) == fu_x[i])
+                      & (f[i] * (x[2 * i + 1] - X[2 * i + 1]) == fu_y[i]);
+    changed |= same ? 0U : 1U;
+  }
+  return changed != 0;
 }
 
 } // namespace
@@ -143,12 +177,16 @@ void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& 
   solid.resize(n);
   solid.f.resize(n);
   std::vector<std::uint32_t> changed;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 fu = ecm.f[i] * ecm.displacement(i);
-    if (!anew && ecm.f[i] == solid.f[i] && fu == solid.fu[i]) continue;
-    solid.f[i] = ecm.f[i];
-    solid.fu.set(i, fu);
-    changed.push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t begin = 0; begin < n; begin += parallel_block) {
+    const std::size_t end = std::min(n, begin + parallel_block);
+    if (!anew && !any_changed(begin, end, ecm.x[0].data(), ecm.X[0].data(), ecm.f.data(), solid)) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec2 fu = ecm.f[i] * ecm.displacement(i);
+      if (!anew && ecm.f[i] == solid.f[i] && fu == solid.fu[i]) continue;
+      solid.f[i] = ecm.f[i];
+      solid.fu.set(i, fu);
+      changed.push_back(static_cast<std::uint32_t>(i));
+    }
   }
   if (changed.empty()) return;
   constexpr std::size_t few = 16; // one particle in so many
@@ -200,38 +238,40 @@ void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Refer
     const std::size_t begin = terms.row.begin;
     corrected_stress(terms.row.count, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, sum, K,
                      per_own * 0.5 * lattice.wXX(0, 0), per_own, ref.lattice_correction(), solid.PB);
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = begin + t;
-      if (ref.plain(ecm, i)) continue;
-      if (ecm.f[i] <= 0.0) {
-        solid.PB.set(i, Mat2::Zero());
-        continue;
+    ref.each_stretch(ecm, terms.row, [&](std::size_t first, std::size_t end, bool plain) {
+      if (plain) return;
+      for (std::size_t i = first; i < end; ++i) {
+        if (ecm.f[i] <= 0.0) {
+          solid.PB.set(i, Mat2::Zero());
+          continue;
+        }
+        const DegradationMoments& m = ref.moments(i);
+        const Mat2 F = solid.F(ecm, i);
+        const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F);
+        const Mat2 own = 0.5 * (F - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
+        solid.PB.set(i, ecm.f[i] * (P + per_own * (own + sum[i - begin])) * ref.B(i));
       }
-      const DegradationMoments& m = ref.moments(i);
-      const Mat2 F = solid.F(ecm, i);
-      const Mat2 P = piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), F);
-      const Mat2 own = 0.5 * (F - Mat2::Identity()) * m.wXX - ecm.displacement(i) * m.wX.transpose();
-      solid.PB.set(i, ecm.f[i] * (P + per_own * (own + sum[t])) * ref.B(i));
-    }
+    });
   });
   ref.each_row([&](const RowTerms& terms) {
     RowVectors stress;
     sum_stress(terms, solid.PB, stress);
-    for (std::size_t t = 0; t < terms.row.count; ++t) {
-      const std::size_t i = terms.row.begin + t;
-      const double f = ecm.f[i];
-      if (f <= 0.0) continue;
-      if (ref.plain(ecm, i)) {
-        const Vec2 of_hourglass = solid.hourglass[i] - lattice.w * ecm.displacement(i);
-        force[i] += p.thickness * (ecm.V0 * ecm.V0 * stress[t] + scale * of_hourglass);
-        continue;
+    ref.each_stretch(ecm, terms.row, [&](std::size_t first, std::size_t end, bool plain) {
+      const std::size_t from = first - terms.row.begin;
+      if (plain)
+        return add_plain_forces(end - first, ecm.x[first].data(), ecm.X[first].data(), stress.x + from, stress.y + from,
+                                solid.hourglass.x.data() + first, solid.hourglass.y.data() + first, lattice.w, ecm.V0,
+                                scale, p.thickness, force[first].data());
+      for (std::size_t i = first; i < end; ++i) {
+        const double f = ecm.f[i];
+        if (f <= 0.0) continue;
+        const DegradationMoments& m = ref.moments(i);
+        const Vec2 of_stress = stress[i - terms.row.begin] + (solid.PB[i] / f) * m.grad_W;
+        const Vec2 of_hourglass =
+            solid.hourglass[i] + 0.5 * (solid.F(ecm, i) - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
+        force[i] += p.thickness * f * (ecm.V0 * ecm.V0 * of_stress + scale * of_hourglass);
       }
-      const DegradationMoments& m = ref.moments(i);
-      const Vec2 of_stress = stress[t] + (solid.PB[i] / f) * m.grad_W;
-      const Vec2 of_hourglass =
-          solid.hourglass[i] + 0.5 * (solid.F(ecm, i) - Mat2::Identity()) * m.wX - ecm.displacement(i) * m.w;
-      force[i] += p.thickness * f * (ecm.V0 * ecm.V0 * of_stress + scale * of_hourglass);
-    }
+    });
   });
 }
 
@@ -246,24 +286,24 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
                              double dt) {
   const double G = moduli(p).G;
   const bool uniform = ecm.E_ratio.empty();
-  parallel_for(ecm.size(), [&](std::size_t i) { solid.fu.set(i, ecm.f[i] * ecm.displacement(i)); });
+  parallel_parts((ecm.size() + parallel_block - 1) / parallel_block, [&](std::size_t b) {
+    keep_displacements(b * parallel_block, std::min(ecm.size(), (b + 1) * parallel_block), ecm.x[0].data(),
+                       ecm.X[0].data(), ecm.f.data(), solid.fu);
+  });
   ref.each_row([&](const RowTerms& terms) {
-    const std::size_t begin = terms.row.begin;
-    const std::size_t n = terms.row.count;
-    RowTensors H, rate;
+    const std::size_t last = terms.row.begin + terms.row.count;
+    RowTensors H;
     displacement_gradients(ecm, ref, terms, solid.fu, H);
-    rates_of_row(n, begin, solid.H, H, 1.0 / dt, rate);
-    Advanced to;
-    advance_row(n, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, rate, p, G, dt, to);
-    for (std::size_t t = 0; t < n; ++t) {
-      const std::size_t i = begin + t;
-      if (ecm.f[i] == 1.0 && uniform) {
-        ecm.rho[i] = to.rho[t];
-        ecm.S[i] = to.S[t];
-      } else if (ecm.f[i] > 0.0) {
-        const Mat2 F = solid.F(ecm, i);
-        advance_stress_of(ecm, i, velocity_gradient(Mat2((Mat2::Identity() + H[t] - F) / dt), F), p, dt);
-      }
+    for (std::size_t i = terms.row.begin; i < last; ++i) {
+      const std::size_t begin = i;
+      while (uniform && i < last && ecm.f[i] == 1.0) ++i;
+      if (i > begin)
+        advance_intact(i - begin, begin, &ecm.rho[begin], ecm.S[begin].data(), solid.H, H, begin - terms.row.begin, p,
+                       G, dt);
+      if (i == last || ecm.f[i] <= 0.0) continue;
+      const Mat2 F = solid.F(ecm, i);
+      const Mat2 rate = (Mat2::Identity() + H[i - terms.row.begin] - F) / dt;
+      advance_stress_of(ecm, i, velocity_gradient(rate, F), p, dt);
     }
     keep_deformation(ecm, terms.row, H, solid);
   });

@@ -57,8 +57,11 @@ std::size_t pair_drags(const DoubleField& x, std::size_t row, double period_x, c
     load(G + RowBlocks::lanes * k + 4, g_high);
     store_pack(g_low, G + RowBlocks::lanes * count);
     store_pack(g_high, G + RowBlocks::lanes * count + 4);
-    low += __builtin_convertvector(g_low, Doubles);
-    high += __builtin_convertvector(g_high, Doubles);
+    Doubles wide_low, wide_high;
+    widen(g_low, wide_low);
+    widen(g_high, wide_high);
+    low += wide_low;
+    high += wide_high;
     distances[count] = distances[k];
     if (any(g_low) || any(g_high)) ++count;
   }
