@@ -31,8 +31,8 @@ template <class Pack, class Number>
   std::memcpy(p, &a, sizeof a);
 }
 
-/// Sets all numbers of a. By way of memory: GCC 12 makes one instruction of it, also in a function that is inlined where
-/// newer ones are allowed; set one by one, or all at once, the numbers take three to five.
+/// Sets all numbers of a. By way of memory: GCC 12 makes one instruction of it, also in a function that is inlined
+/// where newer ones are allowed; set one by one, or all at once, the numbers take three to five.
 template <class Pack, class Number>
 [[gnu::always_inline]] inline void fill(Number value, Pack& a) {
   Number all[pack_size<Pack>];

@@ -1,5 +1,6 @@
 #include "simulation/equations.hpp"
 
+#include "base/stretches.hpp"
 #include "cell/actomyosin.hpp"
 #include "cell/area.hpp"
 #include "cell/bending.hpp"
@@ -135,9 +136,11 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   const double share = of_step(w);
   for (double& c : w.drag.links.c) c *= share;
   for (double& c : w.drag.directed.c) c *= share;
-  for (std::size_t i = 0; i < s.ecm.size(); ++i)
-    if (!s.ecm.clamped[i]) w.drag.F[i] += share * w.force[i];
-  for (std::size_t i = s.ecm.size(); i < w.force.size(); ++i) w.drag.F[i] += share * w.force[i];
+  const auto add = [&, F = w.drag.F.data(), force = w.force.data()](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) F[i] += share * force[i];
+  };
+  each_unflagged_stretch(s.ecm.clamped, add);
+  add(s.ecm.size(), w.force.size());
 }
 
 } // namespace matrigrate

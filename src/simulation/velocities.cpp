@@ -1,6 +1,7 @@
 #include "simulation/velocities.hpp"
 
 #include "base/failure.hpp"
+#include "base/stretches.hpp"
 #include "cell/geometry.hpp"
 #include "contact/nucleus.hpp"
 #include "simulation/step_limits.hpp"
@@ -22,10 +23,11 @@ void extrapolate(const State& s, std::vector<Vec2>& v) {
   node_velocities(s, v);
   const std::vector<Vec2>& v_before = s.solver_memory.v_before;
   if (v_before.size() != v.size()) return;
-  const std::size_t n = s.ecm.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (!s.ecm.clamped[i]) v[i] = 2.0 * v[i] - v_before[i];
-  for (std::size_t i = n; i < v.size(); ++i) v[i] = 2.0 * v[i] - v_before[i];
+  const auto go_on = [now = v.data(), before = v_before.data()](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) now[i] = 2.0 * now[i] - before[i];
+  };
+  each_unflagged_stretch(s.ecm.clamped, go_on);
+  go_on(s.ecm.size(), v.size());
 }
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
