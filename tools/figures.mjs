@@ -49,6 +49,7 @@ async function drawn(group) {
     const { x, y, width, height } = at(plot);
     const address = await Plotly.toImage(plot, { format: "svg", width, height });
     let svg = decodeURIComponent(address.slice(address.indexOf(",") + 1));
+    svg = svg.replace(/\d+\.\d{4,}/g, (number) => String(Number(Number(number).toFixed(3)))); // of pixels
     const id = /clip([0-9a-f]{6})/.exec(svg)?.[1]; // plotly draws lots for its ids
     if (id) svg = svg.replaceAll(id, `figure${k}`);
     svg = svg.replace(/ trace[0-9a-f]{6}"/g, '"');
@@ -85,6 +86,7 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--disable-gpu"],
 });
 const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: "light" });
+page.setDefaultTimeout(5 * 60 * 1000); // a slow machine is no failure
 await page.goto(pathToFileURL(resolve(file)).href);
 await page.waitForSelector("html[data-ready=true]");
 for (const group of await page.$$("[data-figure]")) {
