@@ -61,13 +61,6 @@ Json rows(const std::vector<validation::Check>& checks) {
   return all;
 }
 
-void add_rows(const std::vector<validation::Check>& checks, std::string_view prefix, report::PageSection& section) {
-  for (const validation::Check& c : checks)
-    section.check_rows.push_back(
-        {fmt::format("{}{}", prefix, c.quantity), number(c.measured), bound_word(c) + number(c.expected),
-         c.sense == validation::Sense::near ? number(c.tolerance) : "none", c.reason, report::verdict(c.holds())});
-}
-
 } // namespace
 
 std::string to_text(const Outcome& outcome) {
@@ -90,32 +83,30 @@ Json to_json(const Outcome& outcome) {
           {"claims", rows(result.claims)}, {"claim_notes", result.claim_notes}, {"remarks", result.remarks}};
 }
 
-report::PageSection to_section(const Outcome& outcome) {
-  report::PageSection section;
-  section.title = outcome.which->name;
-  section.summary = outcome.which->summary;
-  section.holds = outcome.holds();
+report::Statement to_statement(const Outcome& outcome) {
+  const std::string& name = outcome.which->name;
+  report::Statement statement{
+      .id = name, .sentence = outcome.which->summary, .verdict = outcome.holds() ? "holds" : "fails", .published = {}};
   if (!outcome.result) {
-    section.remarks.push_back("Stopped: " + outcome.failure);
-    return section;
+    statement.details = {{"Stopped", {outcome.failure}}};
+    return statement;
   }
-  add_rows(outcome.result->checks, "", section);
-  add_rows(outcome.result->claims, "The paper's claim: ", section);
-  section.remarks = outcome.result->claim_notes;
-  section.remarks.insert(section.remarks.end(), outcome.result->remarks.begin(), outcome.result->remarks.end());
-  section.figures = outcome.result->figures;
-  return section;
+  statement.checks = rows(outcome.result->checks);
+  statement.claims = rows(outcome.result->claims);
+  statement.details = {{"Notes on the claims", outcome.result->claim_notes}, {"Remarks", outcome.result->remarks}};
+  statement.plots = outcome.result->plots;
+  for (report::Plot& plot : statement.plots)
+    if (plot.name != name) plot.name = fmt::format("{}-{}", name, plot.name);
+  statement.pictures = outcome.result->pictures;
+  return statement;
 }
 
 void write_outcome(const Outcome& outcome, const std::filesystem::path& folder) {
   if (!outcome.result) return;
   const std::string& name = outcome.which->name;
   write_file(folder / (name + ".csv"), store::to_csv(outcome.result->table));
-  bool first = true;
-  for (const draw::Figure& figure : outcome.result->figures) {
-    write_file(folder / (first ? name + ".svg" : fmt::format("{}-{}.svg", name, figure.name)), figure.svg);
-    first = false;
-  }
+  for (const draw::Picture& picture : outcome.result->pictures)
+    write_file(folder / fmt::format("{}-{}.svg", name, picture.name), picture.svg);
 }
 
 } // namespace matrigrate::apps

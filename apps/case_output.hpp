@@ -1,9 +1,7 @@
 #pragma once
 
-#include "report/page.hpp"
+#include "report/verdict_page.hpp"
 #include "validation/case.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -29,9 +27,9 @@ std::string to_text(const Outcome& outcome);
 nlohmann::ordered_json to_json(const Outcome& outcome);
 
 /// The chapter of the report.
-report::PageSection to_section(const Outcome& outcome);
+report::Statement to_statement(const Outcome& outcome);
 
-/// Writes NAME.csv, NAME.svg of the first figure and NAME-<figure>.svg of the others; nothing if there is no result.
+/// Writes NAME.csv and NAME-<picture>.svg of each picture; nothing if there is no result.
 void write_outcome(const Outcome& outcome, const std::filesystem::path& folder);
 
 } // namespace matrigrate::apps

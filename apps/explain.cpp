@@ -1,7 +1,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
-#include "draw/plot.hpp"
+#include "draw/particle_picture.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "simulation/start_fields.hpp"

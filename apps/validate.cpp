@@ -1,4 +1,5 @@
 #include "apps/case_output.hpp"
+#include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
@@ -62,11 +63,12 @@ Outcome outcome_of(const validation::Case& c, const Parameters& p) {
 }
 
 void write_report(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
-  std::vector<report::PageSection> sections;
-  sections.reserve(outcomes.size());
-  for (const Outcome& outcome : outcomes) sections.push_back(to_section(outcome));
-  const std::string title = fmt::format("Validation of the matrix: {}", options.name);
-  write_file(std::filesystem::path(options.folder) / "report.html", report::page(title, sections, provenance_text()));
+  report::VerdictReport report{.title = fmt::format("Validation of the matrix: {}", options.name),
+                               .statements = {},
+                               .provenance = provenance_text()};
+  for (const Outcome& outcome : outcomes) report.statements.push_back(to_statement(outcome));
+  write_file(std::filesystem::path(options.folder) / "report.html",
+             report::filled_page(verdicts_page_template(), report::verdict_data(report)));
 }
 
 std::string results_json(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
@@ -115,8 +117,10 @@ void add_validate(CLI::App& app, Action& chosen) {
   CLI::App* verb =
       app.add_subcommand("validate", "Verify the matrix on its own against closed forms and measured limits");
   verb->footer(
-      "Writes NAME.csv, NAME.svg, further figures NAME-<figure>.svg, scenario.resolved.toml, report.html and\n"
-      "results.json, which --json prints as well: {folder, holds, cases: [{name, summary, holds, failure, wall_time_s, "
+      "Writes NAME.csv, pictures of particles NAME-<picture>.svg, scenario.resolved.toml, report.html with all "
+      "figures\n"
+      "and results.json, which --json prints as well: {folder, holds, cases: [{name, summary, holds, failure, "
+      "wall_time_s, "
       "checks: [{quantity,\n"
       "measured, expected, tolerance, sense, reason, holds}], claims: [as checks], claim_notes, remarks}], "
       "provenance}.\n"

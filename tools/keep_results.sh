@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, then draws the
-# figures and writes claims.csv from these copies. Studies that are not in the folder, or of which runs have not
-# ended, stay as they are kept.
+# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, then writes
+# claims.csv from these copies and saves the figures of the pages made of them (tools/figures.mjs, which needs chromium).
+# Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
 #   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
 set -euo pipefail
 program=$(realpath "$1")
@@ -30,7 +30,9 @@ done
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
 "$program" reproduce all --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ] # some claims do not hold
-rm -f "$drawn"/boxes-*.svg
 cp "$drawn"/*.svg "$drawn/claims.csv" "$to/"
+node tools/figures.mjs "$drawn/report-all.html" "$to" >/dev/null
 cp "$drawn/claims-all.csv" "$to/conditions.csv"
+"$program" reproduce X --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ]
+node tools/figures.mjs "$drawn/report-X.html" "$to" >/dev/null
 "$program" reproduce all --from "$to" --markdown || [ $? -eq 4 ]

@@ -1,4 +1,4 @@
-/** Builds one page at a time (`--mode run`, `--mode study` or `--mode live`) into one file without references. */
+/** Builds one page at a time (`--mode run`, `study`, `verdicts` or `live`) into one file without references. */
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { defineConfig, type Plugin } from "vite";

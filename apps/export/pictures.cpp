@@ -5,9 +5,11 @@
 #include "base/time_text.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/frame_scene.hpp"
-#include "draw/plot.hpp"
+#include "draw/particle_picture.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace matrigrate::apps {
 
@@ -39,18 +41,16 @@ std::string picture(const run::FinishedRun& run, const observe::Frame& frame, La
 
 void export_svg(const run::FinishedRun& run, const std::filesystem::path& folder) {
   write_file(folder / "contact_sheet.svg", draw::contact_sheet(run.memory.scenes));
-  std::vector<draw::Series> paths;
-  for (const CellResult& cell : run.cells) {
-    draw::Series& path = paths.emplace_back();
-    path.label = run.cells.size() == 1 ? "centre of mass" : fmt::format("cell {}", number_of(cell.cell));
+  draw::ParticlePicture path{.title = "Path of the centre of mass", .value_label = "time [h]"};
+  double reach = 0.1; // [um]
+  for (const CellResult& cell : run.cells)
     for (const TrackRow& row : cell.rows) {
-      path.x.push_back(row.centre.x());
-      path.y.push_back(row.centre.y());
+      path.position.push_back(row.centre);
+      path.value.push_back(row.t / 3600.0);
+      reach = std::max(reach, (row.centre - path.position.front()).norm());
     }
-  }
-  write_file(folder / "path.svg",
-             draw::to_svg(draw::Plot{
-                 .title = "Path", .x_label = "x [um]", .y_label = "y [um]", .series = paths, .equal_axes = true}));
+  path.particle_size = 0.02 * reach;
+  write_file(folder / "path.svg", draw::to_svg(path));
 }
 
 void export_pictures(const run::FinishedRun& run, Layer layer, const std::filesystem::path& folder) {

@@ -2,28 +2,26 @@
 
 #include "apps/reproduce/options.hpp"
 #include "claims/judge.hpp"
-#include "draw/plot.hpp"
+#include "report/verdict_page.hpp"
 
 #include <map>
 #include <string>
 #include <vector>
 
-/// Figures of `matrigrate reproduce` beside the box plots, each drawn from a table that is written with it.
-/// Test: tests/apps/reproduce_test.cpp
+/// What the page of `matrigrate reproduce` draws. Test: tests/apps/reproduce_test.cpp, viewer/tests/kept_page.test.ts
 namespace matrigrate::apps {
 
-/// Writes shapes.csv, shapes.svg and centres.csv into the folders of the studies, and fibre-stress.csv and
-/// fibre-stress.svg, of one run with two protrusions among fibres (Fig 13), beside them; draws validate-<case>.svg
-/// (Figs 2 and 4) from the tables of the verification cases.
-/// @return by the id of the row that they belong to
-/// @throws InputOutputError if frames cannot be read
-std::map<std::string, std::vector<draw::Figure>> draw_runs(const study::Evidence& evidence,
-                                                           const ReproduceOptions& options);
+struct ReproducedFigures {
+  std::map<std::string, std::vector<report::Plot>> plots;           ///< by the id of the row that they belong to
+  std::map<std::string, std::vector<draw::Picture>> pictures;       ///< likewise
+  nlohmann::ordered_json studies = nlohmann::ordered_json::array(); ///< as report::VerdictReport has them
+};
 
-/// The same and all other figures of studies (<study>.svg, <study>-paths.svg, validate-<case>.svg and so on), drawn
-/// from the kept tables of options.from into options.folder.
-/// @throws InputOutputError if a table cannot be read
-std::map<std::string, std::vector<draw::Figure>> draw_kept(const study::Evidence& evidence,
-                                                           const ReproduceOptions& options);
+/// Plots of verification cases, studies and the stress of fibres (Figs 2, 4, 6, 9, 11 to 13), all from tables: those of
+/// options.from, or those that lie beside the runs. Of runs it first writes shapes.csv and centres.csv into the folders
+/// of the studies, and fibre-stress.csv, of one run with two protrusions among fibres, beside them. Writes
+/// fibre-stress.svg.
+/// @throws InputOutputError if frames or a table cannot be read
+ReproducedFigures reproduced_figures(const study::Evidence& evidence, const ReproduceOptions& options);
 
 } // namespace matrigrate::apps

@@ -1,16 +1,16 @@
 #include "apps/reproduce/output.hpp"
 
 #include "apps/reproduce/evidence.hpp"
+#include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "claims/study_claims.hpp"
-#include "report/claims_page.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/row_file.hpp"
-#include "study_report/box_plot.hpp"
+#include "study_report/study_data.hpp"
 
 #include <fmt/format.h>
 
@@ -59,22 +59,41 @@ std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evid
   return text;
 }
 
-report::ClaimSection section(const ReproducedRow& row, const study::Evidence& evidence) {
+template <class Value>
+std::vector<Value> of_row(const std::map<std::string, std::vector<Value>>& all, View row) {
+  const auto found = all.find(std::string(row));
+  return found == all.end() ? std::vector<Value>() : found->second;
+}
+
+/// Names of the studies that a row is judged by, of those that there are.
+std::vector<std::string> studies_of(View row, const study::Evidence& evidence) {
+  std::vector<std::string> names;
+  for (const study::Claim& claim : study::all_claims())
+    if (claim.id == row)
+      for (const View name : claim.studies)
+        if (evidence.contains(name)) names.emplace_back(name);
+  return names;
+}
+
+report::Statement statement(const ReproducedRow& row, const study::Evidence& evidence,
+                            const ReproducedFigures& figures) {
   std::vector<std::string> conditions = row.finding.conditions;
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}",
                                      to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief));
   return {.id = row.id,
-          .sentence = row.sentence,
-          .published = row.published,
           .kind = to_string(study::row_kind(row.id)),
+          .sentence = row.sentence,
+          .verdict = study::verdict_word(row.finding.verdict),
+          .caveat = claims_caveat(row.id, evidence),
+          .published = row.published,
           .brief = row.finding.brief,
           .why_not = study::why_not(row.finding),
-          .verdict = to_string(row.finding.verdict),
-          .caveat = claims_caveat(row.id, evidence),
-          .ours = row.finding.ours,
-          .conditions = std::move(conditions),
-          .figures = {}};
+          .details = {{"Ours; intervals are those of 95 %", row.finding.ours},
+                      {"Conditions, each with its statistic", std::move(conditions)}},
+          .studies = studies_of(row.id, evidence),
+          .plots = of_row(figures.plots, row.id),
+          .pictures = of_row(figures.pictures, row.id)};
 }
 
 Colour colour_of(study::Verdict verdict) {
@@ -94,30 +113,18 @@ std::vector<report::Fact> facts(const study::Evidence& evidence, const std::stri
 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, std::vector<draw::Figure>>& figures, const std::string& setting,
-                        const std::string& command) {
+                        const ReproducedFigures& figures, const std::string& setting, const std::string& command) {
   write_file(folder / fmt::format("claims-{}.csv", id), conditions_csv(rows, evidence));
   write_file(folder / "claims.csv", claims_csv(rows, evidence));
-  std::vector<report::ClaimSection> sections;
-  for (const ReproducedRow& row : rows) {
-    sections.push_back(section(row, evidence));
-    if (const auto figure = figures.find(row.id); figure != figures.end()) sections.back().figures = figure->second;
-  }
-  std::vector<study::BoxPlot> all_plots;
-  for (const auto& [name, ensemble] : evidence) {
-    std::vector<study::BoxPlot> plots = box_plots(ensemble.study, ensemble.results);
-    if (!sections.empty())
-      sections.back().figures.push_back({name, ensemble.study.title, to_svg(plots, ensemble.study.title)});
-    for (study::BoxPlot& plot : plots) {
-      plot.title = fmt::format("{}: {}", name, plot.title);
-      all_plots.push_back(std::move(plot));
-    }
-  }
-  if (!all_plots.empty())
-    write_file(folder / fmt::format("boxes-{}.svg", id), to_svg(all_plots, fmt::format("Studies of row {}", id)));
+  report::VerdictReport page{.title = fmt::format("Claims of Heck et al. 2020: {}", id),
+                             .facts = facts(evidence, command),
+                             .setting = setting,
+                             .statements = {},
+                             .studies = figures.studies,
+                             .provenance = provenance_text()};
+  for (const ReproducedRow& row : rows) page.statements.push_back(statement(row, evidence, figures));
   write_file(folder / fmt::format("report-{}.html", id),
-             report::claims_page(fmt::format("Claims of Heck et al. 2020: {}", id), facts(evidence, command), setting,
-                                 sections, provenance_text()));
+             report::filled_page(verdicts_page_template(), report::verdict_data(page)));
 }
 
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {

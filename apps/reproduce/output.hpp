@@ -1,10 +1,9 @@
 #pragma once
 
+#include "apps/reproduce/figures.hpp"
 #include "claims/claims.hpp"
-#include "draw/plot.hpp"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,15 +12,13 @@ namespace matrigrate::apps {
 /// A row of the table of claims.
 using ReproducedRow = study::JudgedClaim;
 
-/// Writes claims.csv (the table), claims-<id>.csv (every mean and condition), boxes-<id>.svg and report-<id>.html into
-/// the folder. Beside each verdict on runs that are not the paper's stands that they are not: in the column `caveat`,
+/// Writes claims.csv (the table), claims-<id>.csv (every mean and condition) and report-<id>.html into the
+/// folder. Beside each verdict on runs that are not the paper's stands that they are not: in the column `caveat`,
 /// and on the page.
 /// @param command  that made them
-/// @param figures  beside the box plots, by the id of the row they belong to
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                        const std::map<std::string, std::vector<draw::Figure>>& figures, const std::string& setting,
-                        const std::string& command);
+                        const ReproducedFigures& figures, const std::string& setting, const std::string& command);
 
 /// The table for people. Where runs are not the paper's, that stands beside the verdict.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);

@@ -105,8 +105,7 @@ int reproduce(const ReproduceOptions& options) {
   if (options.markdown) {
     print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n");
   } else {
-    write_reproduction(options.folder, options.id, rows, all.evidence,
-                       options.from.empty() ? draw_runs(all.evidence, options) : draw_kept(all.evidence, options),
+    write_reproduction(options.folder, options.id, rows, all.evidence, reproduced_figures(all.evidence, options),
                        setting, options.command);
     if (options.json)
       print(reproduction_json(rows, all.evidence, setting, as_published(options)));
@@ -125,7 +124,7 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
   verb->footer(
       "Computes what is missing of the studies that the rows need (each in its own folder below DIR, so that rows\n"
       "share runs), then prints for each claim the published value, ours, the statistic and whether it holds, and\n"
-      "writes claims.csv, claims-<ID>.csv with every condition, boxes-<ID>.svg and report-<ID>.html. Runs use the "
+      "writes claims.csv, claims-<ID>.csv with every condition, and report-<ID>.html with all figures. Runs use the "
       "adaptive\n"
       "integrator with steps of up to 5 s unless --integrator reference is given: 0.4 s throughout, as in the paper, "
       "and\n"

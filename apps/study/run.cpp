@@ -150,8 +150,8 @@ int collect_study(const StudyOptions& options) {
   const Collected collected = collect(study);
   const auto finished = std::ranges::count_if(collected.results, [](const auto& r) { return r.standing.done(); });
   if (options.json) {
-    Json files{"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "boxes.svg", "report.html"};
-    for (const char* name : {"paths.csv", "paths.svg", "msd.csv", "msd.svg", "adhesions.csv", "adhesions.svg"})
+    Json files{"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "report.html"};
+    for (const char* name : {"paths.csv", "msd.csv", "adhesions.csv"})
       if (std::filesystem::exists(study.folder / name)) files.push_back(name);
     if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
     if (!study.study.steps.empty()) files.push_back("effects.csv");

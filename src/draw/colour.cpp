@@ -15,9 +15,6 @@ struct Rgb {
   int red, green, blue;
 };
 
-constexpr std::array<std::string_view, 8> okabe_ito{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                    "#000000", "#e69f00", "#56b4e9", "#f0e442"};
-
 // Anchors at equal distances; the colours between them are interpolated linearly.
 constexpr std::array<Rgb, 10> viridis{{{68, 1, 84},
                                        {72, 40, 120},
@@ -33,11 +30,6 @@ constexpr std::array<Rgb, 7> blue_white_orange{
     {{16, 66, 128}, {66, 130, 190}, {158, 197, 228}, {240, 240, 240}, {247, 190, 127}, {217, 119, 30}, {140, 62, 0}}};
 
 } // namespace
-
-std::string_view palette(int index) {
-  constexpr int n = static_cast<int>(okabe_ito.size());
-  return okabe_ito[static_cast<std::size_t>(((index % n) + n) % n)];
-}
 
 std::string colour(ColourMap map, double fraction) {
   const std::span<const Rgb> anchors =

@@ -1,7 +1,7 @@
 #include "draw/layer_picture.hpp"
 
 #include "base/time_text.hpp"
-#include "draw/plot.hpp"
+#include "draw/particle_picture.hpp"
 #include "observe/fields.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
+#include "draw/particle_picture.hpp"
+
 #include "draw/axis.hpp"
 #include "draw/colour.hpp"
 #include "draw/colour_bar.hpp"
-#include "draw/plot.hpp"
 #include "draw/svg.hpp"
 
 #include <fmt/format.h>
@@ -67,10 +68,10 @@ Axis value_axis(const ParticlePicture& p) {
   } else {
     std::vector<double> values;
     for (const double v : p.value)
-      if (drawable(v, false)) values.push_back(v);
+      if (drawable(v)) values.push_back(v);
     if (p.diverging) // equal ends, so that the neutral middle is zero
       for (std::size_t i = 0, n = values.size(); i < n; ++i) values.push_back(-values[i]);
-    axis = fitted_axis(values, false, 0.0, 7);
+    axis = fitted_axis(values);
   }
   axis.ticks = linear_ticks(axis.low, axis.high, 7);
   return axis;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace matrigrate::draw::svg {
 
@@ -114,41 +113,6 @@ std::string document(double width, double height, std::string_view title, std::s
   out += rectangle(0, 0, width, height, "#ffffff");
   out += body;
   return out + "</svg>\n";
-}
-
-namespace {
-
-/// The number behind ` name="` in the first element of a document.
-double attribute(std::string_view document, std::string_view name) {
-  const std::string key = fmt::format(" {}=\"", name);
-  const std::size_t begin = document.find(key) + key.size();
-  double value = 0.0;
-  std::from_chars(document.data() + begin, document.data() + document.size(), value);
-  return value;
-}
-
-} // namespace
-
-std::string sheet(const std::vector<std::string>& documents, std::size_t columns, std::string_view title) {
-  constexpr double margin = 14.0;
-  double x = 0.0;
-  double y = margin + text_height(1, title_size);
-  double width = text_width(title, title_size) + 2.0 * margin;
-  double row_height = 0.0;
-  std::string body = text(margin, margin + title_size - 3.0, title, {.size = title_size, .bold = true});
-  for (std::size_t k = 0; k < documents.size(); ++k) {
-    if (k > 0 && k % columns == 0) {
-      y += row_height;
-      x = row_height = 0.0;
-    }
-    const std::string_view document = documents[k];
-    body += fmt::format("<svg x=\"{}\" y=\"{}\"", coordinate(x), coordinate(y));
-    body += document.substr(document.find("<svg") + 4);
-    x += attribute(document, "width");
-    width = std::max(width, x);
-    row_height = std::max(row_height, attribute(document, "height"));
-  }
-  return svg::document(width, y + row_height, title, body);
 }
 
 } // namespace matrigrate::draw::svg

@@ -9,8 +9,7 @@
 /// an id, so that many pictures can stand in one page. Test: tests/unit/draw/svg_test.cpp
 namespace matrigrate::draw::svg {
 
-inline constexpr std::string_view dark = "#1f2328";  ///< text, frames
-inline constexpr std::string_view faint = "#e3e6ea"; ///< grid lines
+inline constexpr std::string_view dark = "#1f2328"; ///< text, frames
 
 inline constexpr double margin = 12.0; ///< free on all sides of a picture
 
@@ -64,8 +63,5 @@ double text_height(std::size_t lines, double size);
 /// The whole document on white.
 /// @param title  read out by screen readers
 std::string document(double width, double height, std::string_view title, std::string_view body);
-
-/// Documents of document() side by side, so many in a row, as one document under a title.
-std::string sheet(const std::vector<std::string>& documents, std::size_t columns, std::string_view title);
 
 } // namespace matrigrate::draw::svg

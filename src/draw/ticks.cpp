@@ -40,30 +40,6 @@ std::string label(double value, int exponent, int decimals) {
   return with_minus(fmt::format("{:.{}f}e{}", value / std::pow(10.0, exponent), decimals, exponent));
 }
 
-/// mantissa x 10^exponent, written out as long as it is short.
-std::string decade_label(int mantissa, int exponent) {
-  if (std::abs(exponent) > 4) return with_minus(fmt::format("{}e{}", mantissa, exponent));
-  return fmt::format("{:.{}f}", mantissa * std::pow(10.0, exponent), std::max(0, -exponent));
-}
-
-/// Multiples 1 .. 9 of the decades in [low, high]; those for which `labelled(mantissa, exponent)` have a label.
-template <class Labelled>
-std::vector<Tick> decades(double low, double high, bool between, const Labelled& labelled) {
-  std::vector<Tick> ticks;
-  const int first = static_cast<int>(std::floor(std::log10(low) - slack));
-  const int last = static_cast<int>(std::ceil(std::log10(high) + slack));
-  for (int exponent = first; exponent <= last; ++exponent)
-    for (int mantissa = 1; mantissa <= 9; ++mantissa) {
-      const double value = RoundNumber{mantissa, exponent}.value();
-      if (value < low * (1.0 - slack) || value > high * (1.0 + slack)) continue;
-      if (labelled(mantissa, exponent))
-        ticks.push_back({value, decade_label(mantissa, exponent)});
-      else if (between)
-        ticks.push_back({value, ""});
-    }
-  return ticks;
-}
-
 } // namespace
 
 double round_step(double least) { return round_number(least).value(); }
@@ -83,17 +59,6 @@ std::vector<Tick> linear_ticks(double low, double high, int most) {
     ticks.push_back({value, label(value, unit, decimals)});
   }
   return ticks;
-}
-
-std::vector<Tick> log_ticks(double low, double high, int most) {
-  const double span = std::log10(high) - std::log10(low);
-  if (span >= 2.0) {
-    const int stride = static_cast<int>(std::ceil(span / most));
-    return decades(low, high, span <= 6.0, [&](int m, int e) { return m == 1 && e % stride == 0; });
-  }
-  auto ticks = decades(low, high, true, [](int m, int) { return m == 1 || m == 2 || m == 5; });
-  const auto labels = std::count_if(ticks.begin(), ticks.end(), [](const Tick& t) { return !t.label.empty(); });
-  return labels >= 3 ? ticks : linear_ticks(low, high, most);
 }
 
 } // namespace matrigrate::draw

@@ -1,8 +1,6 @@
 #include "study_report/run_curves.hpp"
 
 #include "base/file.hpp"
-#include "draw/plot.hpp"
-#include "draw/svg.hpp"
 #include "statistics/sample.hpp"
 #include "store/csv.hpp"
 #include "store/table.hpp"
@@ -13,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace matrigrate::study {
@@ -32,24 +29,6 @@ void each_done(const Study& study, const std::vector<Result>& results, const std
       if (r.run.point == point && r.standing.done()) use(r, run_folder(folder, r.run));
 }
 
-/// A row of one of the tables of run_curves.hpp.
-struct CurveRow {
-  std::vector<double> numbers;
-  std::string label;
-};
-
-/// The rows of a table: numbers, then the label.
-std::vector<CurveRow> rows_of(std::string_view csv) {
-  std::vector<CurveRow> rows;
-  for (std::vector<std::string>& fields : store::read_csv(csv).rows) {
-    CurveRow& row = rows.emplace_back();
-    row.label = std::move(fields.back());
-    fields.pop_back();
-    for (const std::string& field : fields) row.numbers.push_back(store::csv_number(field));
-  }
-  return rows;
-}
-
 /// Lags of msd.csv, and the mean over the cells at each.
 std::pair<std::vector<double>, std::vector<double>> msd_of(std::string_view table) {
   const std::vector<double> lag = store::csv_column(table, "lag_s");
@@ -62,17 +41,6 @@ std::pair<std::vector<double>, std::vector<double>> msd_of(std::string_view tabl
     means.second.push_back(statistics::moments(values).mean);
   }
   return means;
-}
-
-/// Rows by label, the labels in the order in which they first occur.
-std::vector<std::pair<std::string, std::vector<CurveRow>>> by_label(const std::vector<CurveRow>& rows) {
-  std::vector<std::pair<std::string, std::vector<CurveRow>>> groups;
-  for (const CurveRow& row : rows) {
-    auto group = std::ranges::find(groups, row.label, [](const auto& g) { return g.first; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {row.label, {}});
-    group->second.push_back(row);
-  }
-  return groups;
 }
 
 } // namespace
@@ -138,63 +106,6 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
                            store::csv_text(study.points[r.run.point].label));
   });
   return csv;
-}
-
-std::string paths_svg(std::string_view paths_csv) {
-  const auto groups = by_label(rows_of(paths_csv));
-  double extent = 1.0;
-  for (const auto& [label, rows] : groups)
-    for (const CurveRow& row : rows) extent = std::max({extent, std::abs(row.numbers[2]), std::abs(row.numbers[3])});
-  std::vector<std::string> panels;
-  for (const auto& [label, rows] : groups) {
-    std::map<std::pair<double, double>, draw::Series> paths; // by replicate and cell
-    std::set<double> runs;
-    for (const CurveRow& row : rows) {
-      runs.insert(row.numbers[0]);
-      draw::Series& series = paths[{row.numbers[0], row.numbers.size() > 4 ? row.numbers[4] : 1.0}];
-      series.x.push_back(row.numbers[2]);
-      series.y.push_back(row.numbers[3]);
-    }
-    draw::Plot plot{.title = fmt::format("{} (n = {})", label, runs.size()), .x_label = "x [um]", .y_label = "y [um]"};
-    plot.equal_axes = true;
-    plot.least_extent = extent;
-    for (auto& [path, series] : paths) plot.series.push_back(std::move(series));
-    panels.push_back(draw::to_svg(plot, 430, 400));
-  }
-  return draw::svg::sheet(panels, 3, "Paths of the centres of mass, from a common origin");
-}
-
-std::string msd_svg(std::string_view msd_csv) {
-  draw::Plot plot{
-      .title = "Mean square displacement, mean over the runs", .x_label = "lag [min]", .y_label = "MSD [um^2]"};
-  plot.log_x = plot.log_y = true;
-  for (const auto& [label, rows] : by_label(rows_of(msd_csv))) {
-    draw::Series& series = plot.series.emplace_back(draw::Series{.label = label});
-    for (const CurveRow& row : rows) {
-      series.x.push_back(row.numbers[0] / 60.0);
-      series.y.push_back(row.numbers[1]);
-    }
-  }
-  return draw::to_svg(plot);
-}
-
-std::string adhesions_svg(std::string_view adhesions_csv) {
-  draw::Plot plot{.title = "Relative force f_adh_rel at the end of adhesions",
-                  .x_label = "f_adh_rel [-]",
-                  .y_label = "share below it [-]"};
-  for (const auto& [label, rows] : by_label(rows_of(adhesions_csv))) {
-    std::vector<double> forces;
-    for (const CurveRow& row : rows) forces.push_back(row.numbers[3]);
-    std::ranges::sort(forces);
-    draw::Series& series =
-        plot.series.emplace_back(draw::Series{.label = fmt::format("{} (n = {})", label, forces.size())});
-    for (std::size_t k = 0; k < forces.size(); ++k)
-      for (const std::size_t below : {k, k + 1}) { // a step up
-        series.x.push_back(forces[k]);
-        series.y.push_back(static_cast<double>(below) / static_cast<double>(forces.size()));
-      }
-  }
-  return draw::to_svg(plot);
 }
 
 } // namespace matrigrate::study

@@ -5,12 +5,11 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// What the runs of a study look like: paths, mean square displacements and adhesions, as tables that are small enough
-/// to be kept, and as figures that are drawn from these tables alone. Runs that are not done are left out. The last
-/// column of each table is the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
+/// to be kept and that pages can be made from. Runs that are not done are left out. The last column of each table is
+/// the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
 namespace matrigrate::study {
 
 /// Mean square displacement over the runs of a point at a lag that all of them have; of several cells the mean over
@@ -39,14 +38,5 @@ std::string msd_csv(const Study& study, const std::vector<Result>& results, cons
 /// @throws InputOutputError if a table of a run that is done cannot be read
 std::string adhesions_csv(const Study& study, const std::vector<Result>& results,
                           const std::filesystem::path& study_folder);
-
-/// Paths from a common origin, a panel a point, all to one scale (Figs 6, 11 and 12 of the paper).
-std::string paths_svg(std::string_view paths_csv);
-
-/// Mean square displacement against the lag, a curve a point, logarithmic (Figs 11 and 12).
-std::string msd_svg(std::string_view msd_csv);
-
-/// Share of the adhesions that have ended below a relative force, a curve a point (Fig 9).
-std::string adhesions_svg(std::string_view adhesions_csv);
 
 } // namespace matrigrate::study

@@ -74,8 +74,7 @@ Json outline_json(const std::filesystem::path& checkpoint) {
 
 } // namespace
 
-Json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result, const Json& place) {
-  const std::filesystem::path folder = run_folder(study_folder, result.run);
+Json readouts_of_run(const Study& study, const Result& result, const Json& place) {
   Json json{{"id", result.run.hash},
             {"point", place},
             {"seed", result.run.seed},
@@ -86,11 +85,18 @@ Json run_json(const Study& study, const std::filesystem::path& study_folder, con
             {"path", nullptr},
             {"outline", nullptr},
             {"f_adh_rel", Json::array()}};
+  if (result.standing.done())
+    for (const std::string& name : study.readouts) json["readouts"][name] = result.readouts[readout_column(name)];
+  return json;
+}
+
+Json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result, const Json& place) {
+  const std::filesystem::path folder = run_folder(study_folder, result.run);
+  Json json = readouts_of_run(study, result, place);
   std::error_code error;
   if (std::filesystem::exists(folder / "report.html", error))
     json["report"] = (folder.lexically_relative(study_folder) / "report.html").generic_string();
   if (!result.standing.done()) return json;
-  for (const std::string& name : study.readouts) json["readouts"][name] = result.readouts[readout_column(name)];
   json["path"] = path_json(folder);
   json["outline"] = outline_json(folder / store::checkpoint_name);
   for (const double force : column(folder / "protrusions.csv", "f_adh_rel"))

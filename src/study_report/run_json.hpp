@@ -8,6 +8,11 @@
 
 namespace matrigrate::study {
 
+/// Of a run what does not need its folder: {id, point, seed, status, reason, report: null, readouts, path: null,
+/// outline: null, f_adh_rel: []}.
+/// @param place  of its point on the axes
+nlohmann::ordered_json readouts_of_run(const Study& study, const Result& result, const nlohmann::ordered_json& place);
+
 /// A run as the page of a study takes it (viewer/README.md): how it stands, its read-outs, path and outline at the end.
 /// @param place  of its point on the axes
 /// @throws InputOutputError if a table of a run that is done cannot be read

@@ -3,8 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "cell/geometry.hpp"
-#include "draw/plot.hpp"
-#include "draw/svg.hpp"
+#include "draw/particle_picture.hpp"
 #include "store/checkpoint.hpp"
 #include "store/csv.hpp"
 #include "store/field_file.hpp"
@@ -78,36 +77,6 @@ std::string shapes_csv(const Study& study, const std::vector<Result>& results,
                          store::csv_text(study.points[r.run.point].label));
   }
   return csv;
-}
-
-std::string shapes_svg(std::string_view shapes_csv) {
-  const store::CsvTable table = store::read_csv(shapes_csv);
-  std::vector<draw::Plot> plots;
-  double extent = 1.0;
-  std::string replicate;
-  for (const std::vector<std::string>& row : table.rows) {
-    if (plots.empty() || plots.back().title != row[3]) {
-      plots.push_back({.title = row[3], .x_label = "x [um]", .y_label = "y [um]"});
-      plots.back().equal_axes = true;
-      replicate.clear();
-    }
-    if (row[0] != replicate) plots.back().series.emplace_back();
-    replicate = row[0];
-    draw::Series& outline = plots.back().series.back();
-    outline.x.push_back(store::csv_number(row[1]));
-    outline.y.push_back(store::csv_number(row[2]));
-    extent = std::max({extent, std::abs(outline.x.back()), std::abs(outline.y.back())});
-  }
-  std::vector<std::string> panels;
-  for (draw::Plot& plot : plots) {
-    plot.least_extent = extent;
-    for (draw::Series& outline : plot.series) { // closed
-      outline.x.push_back(outline.x.front());
-      outline.y.push_back(outline.y.front());
-    }
-    panels.push_back(draw::to_svg(plot, 430, 400));
-  }
-  return draw::svg::sheet(panels, 3, "Shapes of three cells at the end of their paths");
 }
 
 std::string centres_csv(const Study& study, const std::vector<Result>& results,

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-/// Cells and matrix of the runs of a study as small tables, and the figures drawn from these alone: shapes at the end,
-/// both ways to take the centre of a cell, the stress of the fibres around a cell.
+/// Cells and matrix of the runs of a study as small tables: shapes at the end, both ways to take the centre of a cell,
+/// the stress of the fibres around a cell, and its picture.
 /// Test: tests/unit/study_report/run_shapes_test.cpp
 namespace matrigrate::study {
 
@@ -17,9 +17,6 @@ namespace matrigrate::study {
 /// replicates of each point. Runs that are not done, or whose checkpoint is gone, are left out.
 std::string shapes_csv(const Study& study, const std::vector<Result>& results,
                        const std::filesystem::path& study_folder);
-
-/// The outlines, a panel a point, all to one scale, from the common origin of their paths (Figs 6, 11 and 12).
-std::string shapes_svg(std::string_view shapes_csv);
 
 /// centres.csv: replicate, v_abs and path speed sampled at every second frame (600 s), first of the centre of the area,
 /// then of the mean of the cortex particles, point. Runs that are not done or kept no frames are left out.

@@ -1,13 +1,12 @@
 #include "study_report/study_data.hpp"
 
 #include "base/file.hpp"
-#include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
 #include "study/design/axes.hpp"
 #include "study/table_readouts.hpp"
-#include "study_report/run_curves.hpp"
+#include "study_report/drawn_study.hpp"
 #include "study_report/run_json.hpp"
 #include "study_report/screening_data.hpp"
 
@@ -28,63 +27,6 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-Json readouts_json(const Study& study) {
-  Json list = Json::array();
-  for (const std::string& name : study.readouts) {
-    const ReadOutSpec* spec = find_readout(name); // none of those that tables of runs give
-    const std::string_view unit = spec == nullptr || spec->unit == "-" ? "" : spec->unit;
-    list.push_back({{"name", name},
-                    {"label", spec == nullptr ? name : std::string(spec->label)},
-                    {"meaning", spec == nullptr ? name : std::string(spec->meaning)},
-                    {"unit", unit}});
-  }
-  return list;
-}
-
-/// The samples that are compared, with the numbers of groups.csv.
-Json groups_json(const StudyReport& report, const std::vector<Json>& place) {
-  Json list = Json::array();
-  for (const ReadOutSample& g : samples(report.study, report.results))
-    list.push_back({{"readout", g.readout},
-                    {"point", place[g.point]},
-                    {"n", g.moments.n},
-                    {"mean", g.moments.mean},
-                    {"low_whisker", g.box.low_whisker},
-                    {"low_quartile", g.box.low_quartile},
-                    {"median", g.box.median},
-                    {"high_quartile", g.box.high_quartile},
-                    {"high_whisker", g.box.high_whisker}});
-  return list;
-}
-
-Json test_json(const Study& study, const Comparison& c, const std::vector<Json>& place) {
-  const bool bounded = std::isfinite(c.difference.low) && std::isfinite(c.difference.high);
-  return {{"readout", c.readout},
-          {"a", place[c.a]},
-          {"b", place[c.b]},
-          {"test", name(study.comparisons.test)},
-          {"statistic", c.test.statistic},
-          {"p", c.test.p},
-          {"p_holm", c.p_holm},
-          {"n_a", c.sample_a.n},
-          {"n_b", c.sample_b.n},
-          {"difference", c.difference.value},
-          {"interval", bounded ? Json{c.difference.low, c.difference.high} : Json()}};
-}
-
-Json msd_json(const StudyReport& report, std::size_t point, const Json& place) {
-  Json json{{"point", place}, {"lag_min", Json::array()}, {"msd_um2", Json::array()}, {"sem_um2", Json::array()}};
-  std::vector<MsdPoint> means;
-  for (const MeanMsd& m : mean_msd(report.results, point, report.folder)) {
-    json["lag_min"].push_back(m.lag / 60.0);
-    json["msd_um2"].push_back(m.mean);
-    json["sem_um2"].push_back(m.sem);
-    means.push_back({.lag = m.lag, .msd = m.mean, .samples = m.runs});
-  }
-  json["slope"] = msd_slope(means);
-  return json;
-}
-
 Json correlation_json(const StudyReport& report) {
   std::vector<std::vector<double>> columns;
   for (const std::string& readout : report.study.readouts) {
@@ -104,10 +46,6 @@ Json correlation_json(const StudyReport& report) {
     }
   }
   return {{"names", report.study.readouts}, {"r", r}, {"p", p}, {"n", n}};
-}
-
-std::string verdict_word(Verdict verdict) {
-  return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "open" : "fails";
 }
 
 Json claims_json(const std::vector<JudgedClaim>& claims) {
@@ -159,6 +97,10 @@ Json players_json(const std::vector<PlayedRun>& played) {
 
 } // namespace
 
+std::string verdict_word(Verdict verdict) {
+  return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "open" : "fails";
+}
+
 std::string result_sentence(const StudyReport& report) {
   if (report.study.readouts.empty()) return {};
   const Json readout = readouts_json(report.study).at(0);
@@ -196,30 +138,27 @@ Json study_data(const StudyReport& report) {
   Json runs = Json::array();
   for (const Result& result : report.results)
     runs.push_back(run_json(report.study, report.folder, result, place[result.run.point]));
-  Json tests = Json::array();
-  for (const Comparison& c : report.comparisons) tests.push_back(test_json(report.study, c, place));
   Json msd = Json::array();
-  for (std::size_t i = 0; i < place.size(); ++i) msd.push_back(msd_json(report, i, place[i]));
-  return {{"format", "matrigrate-study"},
-          {"version", 1},
-          {"title", titled(report.study)},
-          {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
-          {"summary", result_sentence(report) + screening_sentence(report.study, report.screening)},
-          {"facts", facts_json(report)},
-          {"axes", axes_json(report.study)},
-          {"readouts", readouts_json(report.study)},
-          {"runs", std::move(runs)},
-          {"groups", groups_json(report, place)},
-          {"tests", std::move(tests)},
-          {"msd", std::move(msd)},
-          {"correlation", correlation_json(report)},
-          {"claims", claims_json(report.claims)},
-          {"claims_note", report.claims_note},
-          {"claims_caveat", report.claims_caveat},
-          {"screening", screening_json(report.study, report.screening)},
-          {"players", players_json(report.played)},
-          {"provenance", report.provenance},
-          {"citation", report::citation()}};
+  for (std::size_t i = 0; i < place.size(); ++i)
+    msd.push_back(msd_json(mean_msd(report.results, i, report.folder), place[i]));
+  Json data{{"format", "matrigrate-study"},
+            {"version", 1},
+            {"title", titled(report.study)},
+            {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
+            {"summary", result_sentence(report) + screening_sentence(report.study, report.screening)},
+            {"facts", facts_json(report)},
+            {"runs", std::move(runs)},
+            {"msd", std::move(msd)},
+            {"correlation", correlation_json(report)},
+            {"claims", claims_json(report.claims)},
+            {"claims_note", report.claims_note},
+            {"claims_caveat", report.claims_caveat},
+            {"screening", screening_json(report.study, report.screening)},
+            {"players", players_json(report.played)},
+            {"provenance", report.provenance},
+            {"citation", report::citation()}};
+  data.update(compared_json(report.study, report.results, report.comparisons));
+  return data;
 }
 
 } // namespace matrigrate::study

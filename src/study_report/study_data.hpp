@@ -35,6 +35,9 @@ struct StudyReport {
   Screening screening{};
 };
 
+/// A verdict in the data of pages: "holds", "fails" or "open".
+std::string verdict_word(Verdict verdict);
+
 /// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
 /// were wanted.
 std::string result_sentence(const StudyReport& report);

@@ -5,7 +5,6 @@
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
-#include "study_report/box_plot.hpp"
 #include "study_report/played_runs.hpp"
 #include "study_report/run_curves.hpp"
 
@@ -28,18 +27,16 @@ void write_or_remove(const std::filesystem::path& file, bool wanted, const std::
     run::remove_file(file);
 }
 
-/// The tables of what the runs look like, and the figures drawn from them.
+/// The tables of what the runs look like.
 void write_curves(const StudyFolder& study, const std::vector<Result>& results) {
   constexpr std::size_t max_points = 60;
   const bool wanted = study.study.points.size() <= max_points;
-  const auto write = [&](const std::string& name, const auto& table, std::string (*figure)(std::string_view)) {
-    const std::string csv = wanted ? table(study.study, results, study.folder) : std::string();
-    write_or_remove(study.folder / (name + ".csv"), wanted, csv);
-    write_or_remove(study.folder / (name + ".svg"), wanted, wanted ? figure(csv) : std::string());
+  const auto write = [&](const char* name, const auto& table) {
+    write_or_remove(study.folder / name, wanted, wanted ? table(study.study, results, study.folder) : std::string());
   };
-  write("paths", paths_csv, paths_svg);
-  write("msd", msd_csv, msd_svg);
-  write("adhesions", adhesions_csv, adhesions_svg);
+  write("paths.csv", paths_csv);
+  write("msd.csv", msd_csv);
+  write("adhesions.csv", adhesions_csv);
 }
 
 } // namespace
@@ -62,7 +59,6 @@ Collected collect_tables(const StudyFolder& study) {
                   discrepancy_csv(study.study, c.screening.discrepancies));
   write_or_remove(study.folder / "effects.csv", !study.study.steps.empty(),
                   effects_csv(study.study, c.screening.effects));
-  write_file(study.folder / "boxes.svg", boxes_svg(study.study, c.results));
   write_curves(study, c.results);
   return c;
 }

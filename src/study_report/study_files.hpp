@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// The tables, figures and page of a study. Test: tests/apps/study_test.cpp, tests/apps/study_report_test.cpp
+/// The tables and the page of a study. Test: tests/apps/study_test.cpp, tests/apps/study_report_test.cpp
 namespace matrigrate::study {
 
 /// What a study has come to so far.
@@ -22,8 +22,8 @@ struct Collected {
 /// Reads the results of all runs, and compares the points.
 Collected gathered(const StudyFolder& study);
 
-/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv, boxes.svg, and
-/// paths, msd and adhesions as .csv and .svg, of at most 60 points; with targets discrepancy.csv, and of designs that
+/// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and, of at
+/// most 60 points, paths.csv, msd.csv and adhesions.csv; with targets discrepancy.csv, and of designs that
 /// screen factors effects.csv.
 Collected collect_tables(const StudyFolder& study);
 

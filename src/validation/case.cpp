@@ -32,6 +32,12 @@ bool Result::holds() const { return all_hold(checks); }
 
 bool Result::claims_hold() const { return all_hold(claims); }
 
+void Result::add(std::string name, std::string caption, report::Plot plot) {
+  plot.name = std::move(name);
+  plot.caption = std::move(caption);
+  plots.push_back(std::move(plot));
+}
+
 Parameters default_parameters() {
   Parameters p;
   p.solver.tolerance = 1e-6;
@@ -41,7 +47,7 @@ Parameters default_parameters() {
 Result run_case(const Case& which, const Parameters& p) {
   require_stable_step(p);
   Result result = which.run(p);
-  if (which.draw) result.figures.insert(result.figures.begin(), which.draw(result.table));
+  if (which.plot) result.plots.insert(result.plots.begin(), which.plot(result.table));
   return result;
 }
 
@@ -62,14 +68,14 @@ const std::vector<Case>& cases() {
        step_limit},
       {"fibres",
        "Isotropic fibrillar gels of three concentrations, stretched with held sides, against the semi-affine law.",
-       fibres, draw_fibres},
+       fibres, plot_fibres},
       {"fibres-uniaxial", "A gel of parallel fibres, stretched along and across them with held sides.", fibres_uniaxial,
-       draw_fibres_uniaxial},
+       plot_fibres_uniaxial},
       {"protrusion", "Length of a single protrusion over time, as E and direction vary.", protrusion},
       {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
       {"time-step", "One protrusion followed with shorter and shorter steps, and with adaptive ones.", time_step},
       {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly,
-       draw_disassembly},
+       plot_disassembly},
       {"handover", "One adhesion from maturation to contraction: its force, and what Eq. 7 makes of it.", handover},
       {"competition", "Two and three adhesions that hold each other while one more protrusion grows.", competition},
       {"stunting", "Length of a protrusion that grows askew, or beside an old tunnel.", stunting},

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "draw/plot.hpp"
+#include "draw/particle_picture.hpp"
 #include "parameters/parameters.hpp"
+#include "report/plot.hpp"
 #include "store/table.hpp"
 
 #include <functional>
@@ -31,10 +32,13 @@ struct Result {
   std::vector<std::string> claim_notes; ///< what has to be known beside the claims
   std::vector<std::string> remarks;     ///< what is off, and why
   store::Table table;                   ///< the measured curves, written as NAME.csv
-  std::vector<draw::Figure> figures;    ///< the first one is the case's plot, written as NAME.svg
+  std::vector<report::Plot> plots;      ///< a page draws them
+  std::vector<draw::Picture> pictures;  ///< written as NAME-<picture>.svg
 
   bool holds() const;       ///< all checks hold, and there is at least one
   bool claims_hold() const; ///< so do all claims, and there is at least one
+
+  void add(std::string name, std::string caption, report::Plot plot);
 };
 
 /// A verification of a part of the model on its own.
@@ -42,8 +46,8 @@ struct Case {
   std::string name;    ///< as typed after `validate`
   std::string summary; ///< one sentence
   std::function<Result(const Parameters&)> run;
-  /// Draws the case's plot from its table alone; empty where `run` makes the plot.
-  std::function<draw::Figure(const store::Table&)> draw = {};
+  /// The case's plot from its table alone; empty where `run` makes the plot.
+  std::function<report::Plot(const store::Table&)> plot = {};
 };
 
 /// What the cases start from: the defaults, with a drag system solved so closely that the solver's error does not show

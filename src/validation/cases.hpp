@@ -28,10 +28,10 @@ Result handover(const Parameters& p);
 Result competition(const Parameters& p);
 Result stunting(const Parameters& p);
 
-/// Plots of cases from their tables alone, so that they can be drawn from kept tables.
+/// Plots of cases from their tables alone, so that they can be made of kept tables.
 /// @throws InputOutputError if the table has not the columns of the case
-draw::Figure draw_fibres(const store::Table& table);
-draw::Figure draw_fibres_uniaxial(const store::Table& table);
-draw::Figure draw_disassembly(const store::Table& table);
+report::Plot plot_fibres(const store::Table& table);
+report::Plot plot_fibres_uniaxial(const store::Table& table);
+report::Plot plot_disassembly(const store::Table& table);
 
 } // namespace matrigrate::validation

@@ -56,7 +56,7 @@ struct Outcome {
 };
 
 void record(const PlacedProtrusions& cell, const AdhesionParameters& p, int number, store::Table& table,
-            draw::Plot& plot) {
+            report::Plot& plot) {
   const double t = cell.state().t;
   const std::vector<Protrusion>& protrusions = cell.cell().protrusions;
   for (std::size_t k = 0; k < protrusions.size(); ++k) {
@@ -69,7 +69,7 @@ void record(const PlacedProtrusions& cell, const AdhesionParameters& p, int numb
   }
 }
 
-Outcome compete(const Parameters& p, const Arrangement& arrangement, store::Table& table, draw::Plot& plot) {
+Outcome compete(const Parameters& p, const Arrangement& arrangement, store::Table& table, report::Plot& plot) {
   PlacedProtrusions cell(p, Vec2::Zero());
   for (const double angle : arrangement.first) cell.begin(angle);
   const std::size_t n = arrangement.first.size();
@@ -109,9 +109,9 @@ Result competition(const Parameters& p) {
       {"two opposed", {0.0, std::numbers::pi}, 0.5 * std::numbers::pi},
       {"three", {0.0, 0.5 * std::numbers::pi, std::numbers::pi}, 1.5 * std::numbers::pi}};
   for (const Arrangement& arrangement : arrangements) {
-    draw::Plot plot{.title = fmt::format("Adhesions of a cell: {} mature, then one more", arrangement.name),
-                    .x_label = "time [s]",
-                    .y_label = "force of the adhesion [nN]"};
+    report::Plot plot{.title = fmt::format("Adhesions of a cell: {} mature, then one more", arrangement.name),
+                      .x_label = "time [s]",
+                      .y_label = "force of the adhesion [nN]"};
     const Outcome out = compete(p, arrangement, result.table, plot);
     const std::string& name = arrangement.name;
     result.checks.push_back({fmt::format("{}: mean r_off over r_off_min while none grows [-]", name), out.while_held,
@@ -125,9 +125,8 @@ Result competition(const Parameters& p) {
         fmt::format("{}: the one that grew later became {:.1f} um long; its base went from {:.1f} to {:.1f} um; the "
                     "largest area of the cell was {:.2f} A_0.",
                     name, out.length, out.base_start, out.base_end, out.area));
-    result.figures.push_back({result.figures.empty() ? "competition" : "three",
-                              "Adhesions hold each other; one more protrusion grows, matures and joins them.",
-                              draw::to_svg(plot)});
+    result.add(result.plots.empty() ? "competition" : "three",
+               "Adhesions hold each other; one more protrusion grows, matures and joins them.", plot);
   }
   return result;
 }

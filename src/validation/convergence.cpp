@@ -75,13 +75,13 @@ double creep_displacement(const Parameters& p, int n) {
   return mid_displacement(a.s.ecm, q.ecm).x();
 }
 
-double order_of(const draw::Series& s) {
+double order_of(const report::Series& s) {
   const std::size_t n = s.x.size();
   return std::log(s.y[n - 2] / s.y[n - 1]) / std::log(s.x[n - 2] / s.x[n - 1]);
 }
 
-draw::Series ideal(const draw::Series& s, double order, const std::string& label) {
-  draw::Series line{.label = label, .x = s.x, .mark = draw::Mark::dashed};
+report::Series ideal(const report::Series& s, double order, const std::string& label) {
+  report::Series line{.label = label, .x = s.x, .mark = report::Mark::dashed};
   for (const double x : s.x) line.y.push_back(s.y.back() * std::pow(x / s.x.back(), order));
   return line;
 }
@@ -91,7 +91,7 @@ draw::Series ideal(const draw::Series& s, double order, const std::string& label
 Result convergence(const Parameters& p) {
   Result result;
   result.table.columns = {"study", "spacing_um_or_step_s", "relative_error"};
-  draw::Series inside{.label = "walls follow the field"}, clamped{.label = "walls at rest"};
+  report::Series inside{.label = "walls follow the field"}, clamped{.label = "walls at rest"};
   for (const double dp : {4.0, 2.0, 1.0}) {
     for (auto [series, exact_walls] : {std::pair(&inside, true), std::pair(&clamped, false)}) {
       series->x.push_back(dp);
@@ -99,7 +99,7 @@ Result convergence(const Parameters& p) {
       result.table.add({exact_walls ? 0.0 : 1.0, dp, series->y.back()});
     }
   }
-  draw::Series steps{.label = "measured", .mark = draw::Mark::points};
+  report::Series steps{.label = "measured", .mark = report::Mark::points};
   const double finest = creep_displacement(p, 640);
   const double finer = creep_displacement(p, 1280);
   const double limit = 2.0 * finer - finest; // Richardson, first order
@@ -116,20 +116,20 @@ Result convergence(const Parameters& p) {
        "a rigid wall is placed to within a spacing: first order at the wall, second inside; between the two"});
   result.checks.push_back(
       {"order in dt [-]", order_of(steps), 1.0, 0.05, "explicit Euler; second-order terms of a 1/320 step"});
-  draw::Plot space{.title = "Convergence in particle spacing",
-                   .x_label = "dp [um]",
-                   .y_label = "relative error",
-                   .log_x = true,
-                   .log_y = true};
+  report::Plot space{.title = "Convergence in particle spacing",
+                     .x_label = "dp [um]",
+                     .y_label = "relative error",
+                     .log_x = true,
+                     .log_y = true};
   space.series = {inside, clamped, ideal(inside, 2.0, "second order"), ideal(clamped, 1.0, "first order")};
-  draw::Plot time{.title = "Convergence in time step",
-                  .x_label = "dt [s]",
-                  .y_label = "relative error",
-                  .log_x = true,
-                  .log_y = true};
+  report::Plot time{.title = "Convergence in time step",
+                    .x_label = "dt [s]",
+                    .y_label = "relative error",
+                    .log_x = true,
+                    .log_y = true};
   time.series = {steps, ideal(steps, 1.0, "first order")};
-  result.figures.push_back({"convergence", "Static error of a manufactured field, h/dp kept.", draw::to_svg(space)});
-  result.figures.push_back({"step", "Error of a creep test after one relaxation time.", draw::to_svg(time)});
+  result.add("convergence", "Static error of a manufactured field, h/dp kept.", space);
+  result.add("step", "Error of a creep test after one relaxation time.", time);
   return result;
 }
 

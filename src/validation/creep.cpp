@@ -45,7 +45,7 @@ double extrapolated(double low, double high) { return 2.0 * high - low; }
 
 /// One direction of load: checks the time constant and the final displacement, and adds its curves.
 void examine(const Parameters& p, const std::string& name, const Vec2& direction, double modulus, Result& result,
-             draw::Plot& plot) {
+             report::Plot& plot) {
   const double tau = lattice_viscosity(p.ecm) / modulus;
   const double dt = std::min(p.run.time_step, tau / 40.0);
   const double strain = 1e-3;
@@ -55,7 +55,7 @@ void examine(const Parameters& p, const std::string& name, const Vec2& direction
     const Creep c = creep_of(p, rows, b * direction, dt, 9.0 * tau);
     const double u_end = b * c.walls * c.walls / (8.0 * modulus);
     readings.push_back({fit_time_constant(c.t, c.u, c.u.back()) / tau, c.u.back() / u_end});
-    draw::Series measured{.label = fmt::format("{}, {:.0f} um high", name, c.walls), .mark = draw::Mark::points};
+    report::Series measured{.label = fmt::format("{}, {:.0f} um high", name, c.walls), .mark = report::Mark::points};
     for (std::size_t k = 0; k < c.t.size(); ++k) {
       const double ideal = 1.0 - std::exp(-c.t[k] / tau);
       result.table.add({direction.x() != 0.0 ? 0.0 : 1.0, c.walls, c.t[k], c.u[k], u_end * ideal});
@@ -87,12 +87,12 @@ Result creep(const Parameters& p) {
   Result result;
   const Moduli m = moduli(p.ecm);
   result.table.columns = {"confined_compression", "wall_distance_um", "time_s", "displacement_um", "closed_form_um"};
-  draw::Plot plot{.title = "Creep of a layer under a constant body force",
-                  .x_label = "time / (mu / modulus)",
-                  .y_label = "displacement / closed form at rest"};
+  report::Plot plot{.title = "Creep of a layer under a constant body force",
+                    .x_label = "time / (mu / modulus)",
+                    .y_label = "displacement / closed form at rest"};
   examine(p, "shear", Vec2(1.0, 0.0), m.G, result, plot);
   examine(p, "confined compression", Vec2(0.0, 1.0), m.longitudinal(), result, plot);
-  draw::Series closed{.label = "1 - exp(-t/tau)"};
+  report::Series closed{.label = "1 - exp(-t/tau)"};
   for (int k = 0; k <= 90; ++k) {
     closed.x.push_back(0.1 * k);
     closed.y.push_back(1.0 - std::exp(-0.1 * k));
@@ -104,7 +104,7 @@ Result creep(const Parameters& p) {
                                        "compression retards with mu/(K + 4G/3), not with "
                                        "(4/3 mu)/(K + 4G/3) as in a Newtonian fluid.",
                                        lattice_viscosity(p.ecm) / p.ecm.viscosity));
-  result.figures.push_back({"creep", "Displacement of the middle of a layer between rigid walls.", draw::to_svg(plot)});
+  result.add("creep", "Displacement of the middle of a layer between rigid walls.", plot);
   return result;
 }
 

@@ -78,16 +78,18 @@ Result disassembly(const Parameters& p) {
   return result;
 }
 
-draw::Figure draw_disassembly(const store::Table& table) {
-  draw::Plot plot{.title = "Lifetime of an adhesion, f_mat = 0.5",
-                  .x_label = "force of the adhesion [nN]",
-                  .y_label = "1/r_off [min]"};
+report::Plot plot_disassembly(const store::Table& table) {
+  report::Plot plot{.name = "disassembly",
+                    .title = "Lifetime of an adhesion, f_mat = 0.5",
+                    .caption = "Eq. 7 for the three sensitivities of the paper's Fig 4.",
+                    .x_label = "force of the adhesion [nN]",
+                    .y_label = "1/r_off [min]"};
   for (const auto& [z, rows] : table.by_first_column()) {
     plot.series.push_back({.label = fmt::format("zeta_diss = {:.0f} /nN", z)});
     plot.series.back().x = rows.column("force_nN");
     plot.series.back().y = rows.column("lifetime_min");
   }
-  return {"disassembly", "Eq. 7 for the three sensitivities of the paper's Fig 4.", draw::to_svg(plot)};
+  return plot;
 }
 
 } // namespace matrigrate::validation

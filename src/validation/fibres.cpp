@@ -130,11 +130,14 @@ Result fibres(const Parameters& p) {
   return result;
 }
 
-draw::Figure draw_fibres(const store::Table& table) {
-  draw::Plot plot{.title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
-                  .x_label = "strain",
-                  .y_label = "nominal stress [Pa]",
-                  .log_y = true};
+report::Plot plot_fibres(const store::Table& table) {
+  report::Plot plot{
+      .name = "fibres",
+      .title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
+      .caption = "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
+      .x_label = "strain",
+      .y_label = "nominal stress [Pa]",
+      .log_y = true};
   int colour = 0;
   for (const auto& [k_0, rows] : table.by_first_column()) {
     const std::vector<CollagenGel> gels = collagen_gels();
@@ -142,9 +145,9 @@ draw::Figure draw_fibres(const store::Table& table) {
     if (gel_of == gels.end()) throw InputOutputError(fmt::format("no gel of k_0 = {} Pa is known", k_0));
     const std::string name = fmt::format("{} mg/ml", gel_of->concentration);
     const std::vector<double> strain = rows.column("strain");
-    draw::Series model{.label = name + ", model", .colour = colour};
-    draw::Series measured{.label = name + ", measured", .mark = draw::Mark::points, .colour = colour};
-    draw::Series law{.label = name + ", semi-affine law", .mark = draw::Mark::dashed, .colour = colour++};
+    report::Series model{.label = name + ", model", .colour = colour};
+    report::Series measured{.label = name + ", measured", .mark = report::Mark::points, .colour = colour};
+    report::Series law{.label = name + ", semi-affine law", .mark = report::Mark::dashed, .colour = colour++};
     model.x = law.x = strain;
     model.y = rows.column("nominal_stress_Pa");
     law.y = rows.column("semi_affine_Pa");
@@ -155,8 +158,7 @@ draw::Figure draw_fibres(const store::Table& table) {
     }
     plot.series.insert(plot.series.end(), {model, measured, law});
   }
-  return {"fibres", "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
-          draw::to_svg(plot, 720, 560)};
+  return plot;
 }
 
 } // namespace matrigrate::validation

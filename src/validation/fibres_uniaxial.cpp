@@ -55,20 +55,22 @@ Result fibres_uniaxial(const Parameters& p) {
   return result;
 }
 
-draw::Figure draw_fibres_uniaxial(const store::Table& table) {
-  draw::Plot plot{.title = "Uniaxial fibrillar gel, stretched along and across its fibres",
-                  .x_label = "strain",
-                  .y_label = "nominal stress [Pa]",
-                  .log_y = true};
+report::Plot plot_fibres_uniaxial(const store::Table& table) {
+  report::Plot plot{.name = "fibres-uniaxial",
+                    .title = "Uniaxial fibrillar gel, stretched along and across its fibres",
+                    .caption = "Quasi-static stretch with held sides; k_0 = 10 kPa, 30 degrees.",
+                    .x_label = "strain",
+                    .y_label = "nominal stress [Pa]",
+                    .log_y = true};
   for (const auto& [angle, rows] : table.by_first_column()) {
     plot.series.push_back({.label = angle == 0.0 ? "along" : "across"});
     plot.series.back().x = rows.column("strain");
     plot.series.back().y = rows.column("nominal_stress_Pa");
   }
-  plot.series.push_back({.label = "isotropic, 2.4 mg/ml", .mark = draw::Mark::dashed});
+  plot.series.push_back({.label = "isotropic, 2.4 mg/ml", .mark = report::Mark::dashed});
   plot.series.back().x = plot.series.front().x;
   plot.series.back().y = table.by_first_column().front().second.column("isotropic_gel_Pa");
-  return {"fibres-uniaxial", "Quasi-static stretch with held sides; k_0 = 10 kPa, 30 degrees.", draw::to_svg(plot)};
+  return plot;
 }
 
 } // namespace matrigrate::validation

@@ -20,9 +20,9 @@ constexpr double stiffest_with_rupture = 200.0; // homogeneous matrix in which t
 
 /// One adhesion from the end of growth on, and what Eq. 7 makes of its force.
 struct Life {
-  draw::Series relative; // force over f_mat F_am, against the time since the end of maturation [s]
-  double f_mat = 0.0;    // [-]
-  double length = 0.0;   // l_prot [um]
+  report::Series relative; // force over f_mat F_am, against the time since the end of maturation [s]
+  double f_mat = 0.0;      // [-]
+  double length = 0.0;     // l_prot [um]
   double peak = std::numeric_limits<double>::infinity(); // of the relative force; so if the adhesion is lost
   double lowest_early = 0.0;                             // of the relative force within `early`
   double ended_early = 1.0;                              // share of adhesions that Eq. 7 ends within `early`
@@ -84,9 +84,9 @@ Life follow(const Parameters& p, store::Table& table) {
 Result handover(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "time_s", "force_nN", "force_over_pull", "slack", "base_width_um"};
-  draw::Plot plot{.title = "Force of a lone adhesion after maturation",
-                  .x_label = "time since the end of maturation [s]",
-                  .y_label = "force over f_mat F_am"};
+  report::Plot plot{.title = "Force of a lone adhesion after maturation",
+                    .x_label = "time since the end of maturation [s]",
+                    .y_label = "force over f_mat F_am"};
   for (const double E : {50.0, 200.0, 400.0}) {
     Parameters q = p;
     q.ecm.youngs_modulus = 1e-3 * E;
@@ -109,8 +109,7 @@ Result handover(const Parameters& p) {
                                          E, life.f_mat, life.slack, life.lowest_early, early, life.peak,
                                          life.mean_life / 60.0));
   }
-  result.figures.push_back(
-      {"handover", "F_mat is replaced by the contraction of the cortex; then the body follows.", draw::to_svg(plot)});
+  result.add("handover", "F_mat is replaced by the contraction of the cortex; then the body follows.", plot);
   return result;
 }
 

@@ -67,11 +67,11 @@ Result initiation(const Parameters& p) {
 
   std::sort(times.begin(), times.end());
   result.table.columns = {"waiting_time_s", "share_still_waiting", "exponential"};
-  draw::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
-                  .x_label = "time [s]",
-                  .y_label = "share still waiting",
-                  .log_y = true};
-  draw::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = draw::Mark::dashed};
+  report::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
+                    .x_label = "time [s]",
+                    .y_label = "share still waiting",
+                    .log_y = true};
+  report::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = report::Mark::dashed};
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const double waiting = 1.0 - static_cast<double>(k + 1) / static_cast<double>(times.size());
     result.table.add({times[k], waiting, std::exp(-rate * times[k])});
@@ -81,8 +81,7 @@ Result initiation(const Parameters& p) {
     expected.y.push_back(std::exp(-rate * times[k]));
   }
   plot.series = {measured, expected};
-  result.figures.push_back(
-      {"initiation", "A constant rate a front particle: exponential waiting times.", draw::to_svg(plot)});
+  result.add("initiation", "A constant rate a front particle: exponential waiting times.", plot);
   return result;
 }
 

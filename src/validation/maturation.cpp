@@ -21,7 +21,7 @@ struct Expected {
 constexpr std::array<Expected, 4> expected{{{50, 0.29}, {100, 0.50}, {200, 0.89}, {400, 1.0}}};
 
 /// Grows and matures one protrusion.   @return its maturation, and the force of its adhesion over time
-double mature(const Parameters& p, draw::Series& force, store::Table& table) {
+double mature(const Parameters& p, report::Series& force, store::Table& table) {
   SingleProtrusion one(p, 0.0);
   one.march_for(p.protrusion.growth_time + 2.0 * p.run.time_step);
   const double begin = one.protrusion().record.t_adhesion;
@@ -42,9 +42,9 @@ double mature(const Parameters& p, draw::Series& force, store::Table& table) {
 Result maturation(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "time_s", "force_nN", "running_f_mat"};
-  draw::Plot plot{.title = "Maturation against the stiffness of the matrix",
-                  .x_label = "time since adhesion [s]",
-                  .y_label = "force of the adhesion [nN]"};
+  report::Plot plot{.title = "Maturation against the stiffness of the matrix",
+                    .x_label = "time since adhesion [s]",
+                    .y_label = "force of the adhesion [nN]"};
   std::vector<double> f_mat;
   for (const Expected& row : expected) {
     Parameters q = p;
@@ -58,8 +58,7 @@ Result maturation(const Parameters& p) {
     result.checks.push_back(
         {fmt::format("rise of f_mat from {:.0f} to {:.0f} Pa [-]", expected[k - 1].E, expected[k].E),
          f_mat[k] - f_mat[k - 1], 0.05, 0.0, "mechanosensing: still rising to 400 Pa in the paper", Sense::at_least});
-  result.figures.push_back(
-      {"maturation", "A stiffer matrix resists more, and more steps are done in 600 s.", draw::to_svg(plot)});
+  result.add("maturation", "A stiffer matrix resists more, and more steps are done in 600 s.", plot);
   return result;
 }
 

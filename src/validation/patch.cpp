@@ -101,17 +101,17 @@ Result patch(const Parameters& p) {
                                        "the kernel's support.",
                                        anywhere));
 
-  draw::Plot plot{.title = "Patch: a driven disc approaches the linear field",
-                  .x_label = "time [s]",
-                  .y_label = "largest error / largest displacement",
-                  .log_y = true};
-  draw::Series curve{.label = "measured"};
+  report::Plot plot{.title = "Patch: a driven disc approaches the linear field",
+                    .x_label = "time [s]",
+                    .y_label = "largest error / largest displacement",
+                    .log_y = true};
+  report::Series curve{.label = "measured"};
   for (const auto& row : result.table.rows) {
     curve.x.push_back(row[0]);
     curve.y.push_back(row[1]);
   }
   plot.series.push_back(std::move(curve));
-  result.figures.push_back({"patch", "The inside of a disc follows its linearly displaced rim.", draw::to_svg(plot)});
+  result.add("patch", "The inside of a disc follows its linearly displaced rim.", plot);
   return result;
 }
 

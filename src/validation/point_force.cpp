@@ -70,7 +70,7 @@ double point_displacement(const Specimen& s) {
   return interpolate(centre, u).x();
 }
 
-draw::Figure picture(const Specimen& s) {
+draw::Picture picture(const Specimen& s) {
   draw::ParticlePicture map{.title = "Point force: displacement at 200 Pa",
                             .value_label = "displacement [um]",
                             .position = s.s.ecm.x,
@@ -85,10 +85,10 @@ draw::Figure picture(const Specimen& s) {
 Result point_force(const Parameters& p) {
   Result result;
   result.table.columns = {"youngs_modulus_Pa", "distance_um", "displacement_um", "closed_form_um"};
-  draw::Plot plot{.title = "Point force in a clamped disc",
-                  .x_label = "distance along the force [um]",
-                  .y_label = "displacement along the force [um]",
-                  .log_y = true};
+  report::Plot plot{.title = "Point force in a clamped disc",
+                    .x_label = "distance along the force [um]",
+                    .y_label = "displacement along the force [um]",
+                    .log_y = true};
   std::vector<double> compliance;
   for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
     const double E = scale * p.ecm.youngs_modulus;
@@ -101,10 +101,11 @@ Result point_force(const Parameters& p) {
         {"field error at " + label + " [-]", field_error(s, a), 0.0, clamp + kernel,
          fmt::format("clamp known to a spacing: {:.3f}; load spread over h, read from 4h on: (1/4)^2", clamp)});
     compliance.push_back(point_displacement(s) * E);
-    draw::Series measured{
-        .label = label + ", measured", .mark = draw::Mark::points, .colour = static_cast<int>(compliance.size()) - 1};
-    draw::Series exact{
-        .label = label + ", closed form", .mark = draw::Mark::line, .colour = static_cast<int>(compliance.size()) - 1};
+    report::Series measured{
+        .label = label + ", measured", .mark = report::Mark::points, .colour = static_cast<int>(compliance.size()) - 1};
+    report::Series exact{.label = label + ", closed form",
+                         .mark = report::Mark::line,
+                         .colour = static_cast<int>(compliance.size()) - 1};
     for (std::size_t i = 0; i < s.s.ecm.size(); ++i) {
       const Vec2& X = s.s.ecm.X[i];
       if (std::abs(X.y()) > 1e-9 || X.x() <= 0.0 || s.s.ecm.clamped[i]) continue;
@@ -120,7 +121,7 @@ Result point_force(const Parameters& p) {
     }
     plot.series.push_back(std::move(measured));
     plot.series.push_back(std::move(exact));
-    if (scale == 1.0) result.figures.push_back(picture(s));
+    if (scale == 1.0) result.pictures.push_back(picture(s));
   }
   const double u_max = compliance.front() / (0.25 * p.ecm.youngs_modulus);
   const double strain = u_max / (2.0 * p.ecm.smoothing_length);
@@ -137,8 +138,7 @@ Result point_force(const Parameters& p) {
       "loaded "
       "and read with the same kernel: an adhesion feels a gel that is softer by as much, at every stiffness.",
       1e3 * p.ecm.youngs_modulus, measured, measured / continuum, continuum));
-  result.figures.insert(result.figures.begin(),
-                        {"point-force", "Displacement along the line of the force.", draw::to_svg(plot)});
+  result.add("point-force", "Displacement along the line of the force.", plot);
   return result;
 }
 

@@ -38,7 +38,7 @@ Result poiseuille(const Parameters& p) {
   const double inner = 0.5 * H - 2.0 * p.ecm.smoothing_length; // where no kernel reaches a wall
 
   result.table.columns = {"wall_shear_strain", "viscosity_Pa_s"};
-  draw::Series profile{.label = "first step", .mark = draw::Mark::points};
+  report::Series profile{.label = "first step", .mark = report::Mark::points};
   a.march_for(150.0, body_force(p, Vec2(b, 0.0)), [&](const State& s) {
     if (s.step == 1)
       for (std::size_t i = 0; i < s.ecm.size(); ++i) {
@@ -71,27 +71,27 @@ Result poiseuille(const Parameters& p) {
       fmt::format("On the fresh lattice the pair drag of Eq. (2) is {:.1f} % below the nominal viscosity: "
                   "0.01 h^2 in its denominator, and a kernel sampled at {} neighbours.",
                   100.0 * (1.0 - mu / p.ecm.viscosity), lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size() - 1));
-  draw::Series exact{.label = "parabola", .mark = draw::Mark::line};
+  report::Series exact{.label = "parabola", .mark = report::Mark::line};
   for (int k = 0; k <= 60; ++k) {
     const double y = H * (k / 60.0 - 0.5);
     exact.x.push_back(y);
     exact.y.push_back(b / (2.0 * mu) * (0.25 * H * H - y * y));
   }
-  draw::Plot plot{.title = "Poiseuille: fluidized matrix between walls",
-                  .x_label = "y [um]",
-                  .y_label = "velocity [um/s]",
-                  .series = {exact, profile}};
-  result.figures.push_back({"poiseuille", "Velocity over the channel; the wall rows stand still.", draw::to_svg(plot)});
-  draw::Series over_strain{.label = "from the curvature of the profile"};
+  report::Plot plot{.title = "Poiseuille: fluidized matrix between walls",
+                    .x_label = "y [um]",
+                    .y_label = "velocity [um/s]",
+                    .series = {exact, profile}};
+  result.add("poiseuille", "Velocity over the channel; the wall rows stand still.", plot);
+  report::Series over_strain{.label = "from the curvature of the profile"};
   for (const auto& row : result.table.rows) {
     over_strain.x.push_back(row[0]);
     over_strain.y.push_back(row[1]);
   }
-  draw::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared",
-                   .x_label = "shear strain at the wall",
-                   .y_label = "viscosity [Pa s]",
-                   .series = {over_strain}};
-  result.figures.push_back({"strain", "Rows slide past each other while the fluid flows.", draw::to_svg(drift)});
+  report::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared",
+                     .x_label = "shear strain at the wall",
+                     .y_label = "viscosity [Pa s]",
+                     .series = {over_strain}};
+  result.add("strain", "Rows slide past each other while the fluid flows.", drift);
   return result;
 }
 

@@ -17,10 +17,10 @@ constexpr std::array<double, 3> stiffness{50, 200, 400}; // [Pa]
 constexpr double longest_in_paper = 30.0;                // [um]
 
 /// Length over time of a protrusion that grows for longest_growth.
-draw::Series grow(Parameters p, double angle, store::Table& table) {
+report::Series grow(Parameters p, double angle, store::Table& table) {
   p.protrusion.growth_time = 2.0 * longest_growth;
   SingleProtrusion one(p, angle);
-  draw::Series series{
+  report::Series series{
       .label = fmt::format("{:.0f} Pa, {:.1f} degrees", 1e3 * p.ecm.youngs_modulus, angle * 180.0 / std::numbers::pi)};
   for (double t = 20.0; t < longest_growth + 1.0; t += 20.0) {
     one.march_for(20.0);
@@ -31,7 +31,7 @@ draw::Series grow(Parameters p, double angle, store::Table& table) {
   return series;
 }
 
-double length_at(const draw::Series& series, double t) {
+double length_at(const report::Series& series, double t) {
   for (std::size_t k = 0; k < series.x.size(); ++k)
     if (std::abs(series.x[k] - t) < 1.0) return series.y[k];
   return std::nan("");
@@ -42,7 +42,7 @@ double length_at(const draw::Series& series, double t) {
 Result protrusion(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "angle_deg", "time_s", "length_um"};
-  draw::Plot plot{.title = "Growth of the first protrusion", .x_label = "time [s]", .y_label = "length [um]"};
+  report::Plot plot{.title = "Growth of the first protrusion", .x_label = "time [s]", .y_label = "length [um]"};
   Parameters q = p;
   for (const double E : stiffness) {
     q.ecm.youngs_modulus = 1e-3 * E;
@@ -50,9 +50,9 @@ Result protrusion(const Parameters& p) {
   }
   for (const double angle : {std::numbers::pi / 8.0, std::numbers::pi / 4.0})
     plot.series.push_back(grow(p, angle, result.table));
-  const draw::Series& soft = plot.series[0];
-  const draw::Series& base = plot.series[1];
-  const draw::Series& stiff = plot.series[2];
+  const report::Series& soft = plot.series[0];
+  const report::Series& base = plot.series[1];
+  const report::Series& stiff = plot.series[2];
 
   const double mean =
       (length_at(base, times[1]) + length_at(plot.series[3], times[1]) + length_at(plot.series[4], times[1])) / 3.0;
@@ -69,8 +69,7 @@ Result protrusion(const Parameters& p) {
   result.checks.push_back({"length after 400 s at 400 Pa over that at 50 Pa [-]",
                            length_at(stiff, times[1]) / length_at(soft, times[1]), 1.0, 0.1,
                            "the paper's l_prot is only slightly lower with stiffness"});
-  result.figures.push_back(
-      {"protrusion", "A protrusion slows down as its flanks lengthen; stiffness hardly matters.", draw::to_svg(plot)});
+  result.add("protrusion", "A protrusion slows down as its flanks lengthen; stiffness hardly matters.", plot);
   return result;
 }
 

@@ -84,9 +84,9 @@ Result relaxation(const Parameters& p) {
   result.checks.push_back({"recovery time after unloading [s]", recovery_time(p, tau), tau, tau * 2.0 * wall + 0.5 * dt,
                            "walls known to a spacing: (H +- dp)^2; half a step of explicit Euler"});
 
-  draw::Plot plot{
+  report::Plot plot{
       .title = "Relaxation: shear ramp, then hold", .x_label = "time [s]", .y_label = "wall shear stress [Pa]"};
-  draw::Series measured{.label = "measured"}, expected{.label = "Kelvin-Voigt", .mark = draw::Mark::dashed};
+  report::Series measured{.label = "measured"}, expected{.label = "Kelvin-Voigt", .mark = report::Mark::dashed};
   for (const auto& row : result.table.rows) {
     measured.x.push_back(row[0]);
     measured.y.push_back(row[2]);
@@ -94,8 +94,7 @@ Result relaxation(const Parameters& p) {
     expected.y.push_back(1e3 * (m.G * row[1] + (row[0] <= 3.0 * tau ? mu * rate : 0.0)));
   }
   plot.series = {measured, expected};
-  result.figures.push_back(
-      {"relaxation", "A Kelvin-Voigt layer drops by mu times the rate when the ramp ends.", draw::to_svg(plot)});
+  result.add("relaxation", "A Kelvin-Voigt layer drops by mu times the rate when the ramp ends.", plot);
   return result;
 }
 

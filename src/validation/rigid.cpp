@@ -147,7 +147,7 @@ Result rigid(const Parameters& p) {
                                        b.drag_torque));
 
   result.table.columns = {"steps_per_quarter_turn", "relative_error"};
-  draw::Series curve{.label = "measured", .mark = draw::Mark::points};
+  report::Series curve{.label = "measured", .mark = report::Mark::points};
   for (const int n : {50, 100, 200, 400}) {
     result.table.add({static_cast<double>(n), turned_stress_error(p, n)});
     curve.x.push_back(n);
@@ -156,17 +156,16 @@ Result rigid(const Parameters& p) {
   const double order = std::log2(curve.y[2] / curve.y[3]);
   result.checks.push_back({"order in dt of a stress turned by 90 degrees [-]", order, 1.0, 0.05,
                            "explicit Euler is of first order; 5 % for the terms of second order at 400 steps"});
-  draw::Plot plot{.title = "Rigid: a stress turned by 90 degrees",
-                  .x_label = "steps",
-                  .y_label = "relative error",
-                  .log_x = true,
-                  .log_y = true,
-                  .series = {curve}};
-  draw::Series ideal{.label = "first order", .x = curve.x, .mark = draw::Mark::dashed};
+  report::Plot plot{.title = "Rigid: a stress turned by 90 degrees",
+                    .x_label = "steps",
+                    .y_label = "relative error",
+                    .log_x = true,
+                    .log_y = true,
+                    .series = {curve}};
+  report::Series ideal{.label = "first order", .x = curve.x, .mark = report::Mark::dashed};
   for (const double n : curve.x) ideal.y.push_back(curve.y.back() * curve.x.back() / n);
   plot.series.push_back(ideal);
-  result.figures.push_back(
-      {"rigid", "Error of a deviatoric stress carried through a quarter turn.", draw::to_svg(plot)});
+  result.add("rigid", "Error of a deviatoric stress carried through a quarter turn.", plot);
   return result;
 }
 

@@ -54,7 +54,7 @@ double measured_limit(const Parameters& p, double guess) {
 Result step_limit(const Parameters& p) {
   Result result;
   result.table.columns = {"youngs_modulus_Pa", "measured_limit_s", "analysis_s"};
-  draw::Series measured{.label = "measured", .mark = draw::Mark::points},
+  report::Series measured{.label = "measured", .mark = report::Mark::points},
       analysis{.label = "analysis of the operators"};
   for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
     Parameters q = p;
@@ -72,13 +72,13 @@ Result step_limit(const Parameters& p) {
     analysis.y.push_back(expected);
   }
   result.remarks.push_back(describe(step_limits(p)) + ".");
-  draw::Plot plot{.title = "Largest stable explicit step",
-                  .x_label = "Young's modulus [Pa]",
-                  .y_label = "time step [s]",
-                  .log_x = true,
-                  .log_y = true,
-                  .series = {analysis, measured}};
-  result.figures.push_back({"step-limit", "Steps above the line blow up.", draw::to_svg(plot)});
+  report::Plot plot{.title = "Largest stable explicit step",
+                    .x_label = "Young's modulus [Pa]",
+                    .y_label = "time step [s]",
+                    .log_x = true,
+                    .log_y = true,
+                    .series = {analysis, measured}};
+  result.add("step-limit", "Steps above the line blow up.", plot);
   return result;
 }
 

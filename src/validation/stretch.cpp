@@ -58,7 +58,7 @@ void pull(Specimen& a, double strain, double seconds, double rest) {
   a.march_for(rest);
 }
 
-draw::Figure picture(const Specimen& a) {
+draw::Picture picture(const Specimen& a) {
   draw::ParticlePicture shape{.title = "Stretch: the specimen at the last strain",
                               .value_label = "von Mises stress [Pa]",
                               .position = a.s.ecm.x,
@@ -78,16 +78,16 @@ Result stretch(const Parameters& p) {
 
   result.table.columns = {"strain", "lateral_strain", "nominal_stress_Pa", "grip_stress_Pa",
                           "linear_elastic_stress_Pa"};
-  draw::Series measured{.label = "measured in the gauge", .mark = draw::Mark::points};
-  draw::Series grips{.label = "measured at the grip", .mark = draw::Mark::points};
-  draw::Series linear{.label = "linear elastic, plane strain"};
+  report::Series measured{.label = "measured in the gauge", .mark = report::Mark::points};
+  report::Series grips{.label = "measured at the grip", .mark = report::Mark::points};
+  report::Series linear{.label = "linear elastic, plane strain"};
   Reading first{};
   for (int k = 0; k < 6; ++k) {
     pull(a, k == 0 ? 0.002 : 0.02, 2.0 * tau, 8.0 * tau);
     const Reading r = read(a);
     if (k == 0) first = r;
     result.table.add({r.strain_x, r.strain_y, 1e3 * r.stress, 1e3 * r.grip_stress, 1e3 * E_plane * r.strain_x});
-    for (draw::Series* s : {&measured, &grips, &linear}) s->x.push_back(r.strain_x);
+    for (report::Series* s : {&measured, &grips, &linear}) s->x.push_back(r.strain_x);
     measured.y.push_back(1e3 * r.stress);
     grips.y.push_back(1e3 * r.grip_stress);
     linear.y.push_back(1e3 * E_plane * r.strain_x);
@@ -108,12 +108,12 @@ Result stretch(const Parameters& p) {
                   "become thinner, and the rate "
                   "form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
                   last[0], 100.0 * (last[2] / last[4] - 1.0)));
-  draw::Plot plot{.title = "Stretch: uniaxial test with free sides",
-                  .x_label = "strain",
-                  .y_label = "nominal stress [Pa]",
-                  .series = {linear, measured, grips}};
-  result.figures.push_back({"stretch", "Quasi-static stress against strain.", draw::to_svg(plot)});
-  result.figures.push_back(picture(a));
+  report::Plot plot{.title = "Stretch: uniaxial test with free sides",
+                    .x_label = "strain",
+                    .y_label = "nominal stress [Pa]",
+                    .series = {linear, measured, grips}};
+  result.add("stretch", "Quasi-static stress against strain.", plot);
+  result.pictures.push_back(picture(a));
   return result;
 }
 

@@ -19,8 +19,8 @@ constexpr double tunnel_half_width = 2.5; // of an old tunnel [um]
 constexpr double degree = std::numbers::pi / 180.0;
 
 struct Outcome {
-  draw::Series length, base; // over time [um]
-  double slack = 0.0;        // of the contour at the end of growth [-]
+  report::Series length, base; // over time [um]
+  double slack = 0.0;          // of the contour at the end of growth [-]
   bool adheres = false;
 };
 
@@ -51,7 +51,7 @@ Outcome grow(PlacedProtrusions& cell, double condition, double value, store::Tab
 Result stunting(const Parameters& p) {
   Result result;
   result.table.columns = {"beside_tunnel", "tilt_deg_or_distance_um", "time_s", "length_um", "base_width_um", "slack"};
-  draw::Plot tilted{.title = "Growth askew", .x_label = "time [s]", .y_label = "length of the protrusion [um]"};
+  report::Plot tilted{.title = "Growth askew", .x_label = "time [s]", .y_label = "length of the protrusion [um]"};
   for (const double tilt : {0.0, 20.0, 40.0, 60.0}) {
     PlacedProtrusions cell(p, Vec2(-start, 0.0));
     cell.begin(0.0, tilt * degree);
@@ -71,7 +71,7 @@ Result stunting(const Parameters& p) {
                                          tilt, length, out.base.y.back(), out.slack));
     tilted.series.push_back(std::move(out.length));
   }
-  draw::Plot beside{
+  report::Plot beside{
       .title = "Growth beside an old tunnel", .x_label = "time [s]", .y_label = "length of the protrusion [um]"};
   for (const double distance : {0.0, 3.0, 6.0, 12.0}) {
     const auto in_tunnel = [&](const Vec2& X) {
@@ -92,9 +92,8 @@ Result stunting(const Parameters& p) {
                     out.adheres ? "adheres" : "finds nothing to adhere to", turned / degree));
     beside.series.push_back(std::move(out.length));
   }
-  result.figures.push_back({"stunting", "The force of growth goes with n . d_prot.", draw::to_svg(tilted)});
-  result.figures.push_back(
-      {"stunting-tunnel", "A protrusion in matrix that the cell has degraded before.", draw::to_svg(beside)});
+  result.add("stunting", "The force of growth goes with n . d_prot.", tilted);
+  result.add("tunnel", "A protrusion in matrix that the cell has degraded before.", beside);
   return result;
 }
 

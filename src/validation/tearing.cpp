@@ -72,7 +72,7 @@ double largest_gap(const EcmState& ecm) {
   return largest;
 }
 
-draw::Figure picture(const Pulled& r, const std::string& name, const std::string& title) {
+draw::Picture picture(const Pulled& r, const std::string& name, const std::string& title) {
   draw::ParticlePicture map{.title = title, .value_label = "displacement [um]", .value_min = 0.0, .value_max = 5.0};
   for (std::size_t i = 0; i < r.ecm.size(); ++i) {
     if (r.ecm.f[i] <= 0.0 || r.ecm.X[i].norm() > 45.0) continue;
@@ -82,7 +82,7 @@ draw::Figure picture(const Pulled& r, const std::string& name, const std::string
   return {name, title + ": solid particles around the hole.", draw::to_svg(map)};
 }
 
-draw::Series curve(const Pulled& r, const std::string& label) { return {.label = label, .x = r.t, .y = r.travel}; }
+report::Series curve(const Pulled& r, const std::string& label) { return {.label = label, .x = r.t, .y = r.travel}; }
 
 } // namespace
 
@@ -109,14 +109,14 @@ Result tearing(const Parameters& p) {
       "A pull of {:.3g} nN held for {:.0f} s: {:.2f} um over reference neighbours, {:.2f} um over current ones{}.",
       pull(p), hold(p), reference.travel.back(), current.travel.back(),
       current.failure.empty() ? "" : " (" + current.failure + ")"));
-  draw::Plot plot{.title = "Tearing: travel of an adhesion-like load",
-                  .x_label = "time [s]",
-                  .y_label = "travel of the anchor [um]",
-                  .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
-  result.figures.push_back(
-      {"tearing", "The anchored point of the gel under a held pull towards the hole.", draw::to_svg(plot)});
-  result.figures.push_back(picture(reference, "reference", "Reference neighbours"));
-  result.figures.push_back(picture(current, "current", "Current neighbours"));
+  report::Plot plot{
+      .title = "Tearing: travel of an adhesion-like load",
+      .x_label = "time [s]",
+      .y_label = "travel of the anchor [um]",
+      .series = {curve(reference, "reference neighbours (default)"), curve(current, "current neighbours")}};
+  result.add("tearing", "The anchored point of the gel under a held pull towards the hole.", plot);
+  result.pictures.push_back(picture(reference, "reference", "Reference neighbours"));
+  result.pictures.push_back(picture(current, "current", "Current neighbours"));
   return result;
 }
 

@@ -60,7 +60,7 @@ Result time_step(const Parameters& p) {
   result.table.columns = {"adaptive", "time_step_s", "error_um"};
   const Tips finest = follow(p, Integrator::reference, steps.front());
   const auto errors = [&](Integrator integrator, std::span<const double> all, const std::string& label) {
-    draw::Series series{.label = label};
+    report::Series series{.label = label};
     for (const double dt : all) {
       series.x.push_back(dt);
       series.y.push_back(distance(follow(p, integrator, dt), finest));
@@ -68,8 +68,8 @@ Result time_step(const Parameters& p) {
     }
     return series;
   };
-  const draw::Series reference = errors(Integrator::reference, std::span(steps).subspan(1), "reference");
-  const draw::Series adaptive = errors(Integrator::adaptive, adaptive_steps, "adaptive");
+  const report::Series reference = errors(Integrator::reference, std::span(steps).subspan(1), "reference");
+  const report::Series adaptive = errors(Integrator::adaptive, adaptive_steps, "adaptive");
   const double quarter = 0.25 * p.ecm.particle_spacing;
   result.checks.push_back(
       {fmt::format("tip, reference: error with steps of {} s over the largest [-]", reference.x.front()),
@@ -92,11 +92,11 @@ Result time_step(const Parameters& p) {
       fmt::format("Errors are distances of the tip from that with steps of {} s, the largest at {:.0f}, {:.0f} and "
                   "{:.0f} s. Later the direction of growth decides, which is unstable.",
                   steps.front(), times[0], times[1], times[2]));
-  result.figures.push_back({"time-step", "Distance of the tip from where the shortest steps bring it.",
-                            draw::to_svg({.title = "A protrusion with longer steps",
-                                          .x_label = "time step [s]",
-                                          .y_label = "distance of the tip [um]",
-                                          .series = {reference, adaptive}})});
+  result.add("time-step", "Distance of the tip from where the shortest steps bring it.",
+             {.title = "A protrusion with longer steps",
+              .x_label = "time step [s]",
+              .y_label = "distance of the tip [um]",
+              .series = {reference, adaptive}});
   return result;
 }
 

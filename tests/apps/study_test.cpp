@@ -56,9 +56,9 @@ TEST_F(Study, RunsOnceAndAddsWhatIsNew) {
   const Ended first = run("study run e.toml --jobs 2");
   ASSERT_EQ(first.code, 0) << first.out << first.err;
   EXPECT_TRUE(contains(first.out, "4 of 4 runs done, 4 of them now")) << first.out;
-  for (const char* name : {"study.resolved.toml", "scenario.resolved.toml", "results.csv", "groups.csv",
-                           "statistics.csv", "correlations.csv", "boxes.svg", "paths.csv", "paths.svg", "msd.csv",
-                           "msd.svg", "adhesions.csv", "adhesions.svg"})
+  for (const char* name :
+       {"study.resolved.toml", "scenario.resolved.toml", "results.csv", "groups.csv", "statistics.csv",
+        "correlations.csv", "paths.csv", "msd.csv", "adhesions.csv", "report.html"})
     EXPECT_TRUE(exists(std::string("e-study/") + name)) << name;
   const auto before = hashes("e-study");
   EXPECT_EQ(before.size(), 4U);
@@ -318,14 +318,20 @@ TEST_F(Study, ReproduceRunsAndJudges) {
   EXPECT_EQ(ended.code, 4) << ended.out << ended.err;
   EXPECT_TRUE(contains(ended.out, "A5  undecided (not the paper's runs)\n")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "Not run as the paper ran it")) << ended.out;
-  for (const char* name : {"claims-A5.csv", "boxes-A5.svg", "report-A5.html", "stiffness/results.csv"})
+  for (const char* name : {"claims-A5.csv", "report-A5.html", "stiffness/results.csv"})
     EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
   EXPECT_TRUE(file("reproduce/claims-A5.csv").starts_with("id,sentence,published,ours,statistic,verdict,caveat\n"));
   EXPECT_TRUE(file("reproduce/claims-A5.csv").ends_with(",undecided,not the paper's runs\n"));
-  const std::string report = file("reproduce/report-A5.html");
-  EXPECT_TRUE(contains(report, "<p class=\"fact\">command: matrigrate reproduce A5 --set &#39;ecm.radius=40 um&#39;"));
-  EXPECT_LT(report.find("these are no verdicts on the paper"), report.find("0 of 1 hold")) << "at the top";
-  EXPECT_TRUE(contains(report, "<span class=\"caveat\">not the paper&#39;s runs</span>"));
+  const json page = json::parse(page_data("reproduce/report-A5.html"));
+  EXPECT_TRUE(page.at("facts").at(0).at("value").get<std::string>().starts_with(
+      "matrigrate reproduce A5 --set 'ecm.radius=40 um'"));
+  EXPECT_TRUE(contains(page.at("setting"), "these are no verdicts on the paper"));
+  EXPECT_EQ(page.at("statements").at(0).at("verdict"), "open");
+  EXPECT_EQ(page.at("statements").at(0).at("caveat"), "not the paper's runs");
+  EXPECT_EQ(page.at("studies").at(0).at("name"), "stiffness");
+  EXPECT_EQ(page.at("studies").at(0).at("study").at("runs").size(), 10U);
+  for (const char* name : {"shapes.csv", "centres.csv"})
+    EXPECT_TRUE(exists(std::string("reproduce/stiffness/") + name));
   const std::string results = file("reproduce/stiffness/results.csv");
   const json again = json::parse(run("reproduce A2 --json" + tiny).out);
   EXPECT_FALSE(again.at("as_published").get<bool>());

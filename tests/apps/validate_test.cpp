@@ -7,14 +7,28 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(Program, ValidateWritesCurvesFigureAndReport) {
+TEST_F(Program, ValidateWritesCurvesAndReport) {
   const Ended ended = run("validate patch");
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_TRUE(contains(ended.out, "measured")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "1 of 1 case holds; report: validate-patch/report.html")) << ended.out;
-  for (const char* file : {"patch.csv", "patch.svg", "report.html", "scenario.resolved.toml"})
+  for (const char* file : {"patch.csv", "report.html", "scenario.resolved.toml"})
     EXPECT_TRUE(exists(std::string("validate-patch/") + file)) << file;
   EXPECT_EQ(run("check validate-patch/scenario.resolved.toml").code, 0);
+  const json page = json::parse(page_data("validate-patch/report.html"));
+  const json results = json::parse(text_of(folder / "validate-patch/results.json"));
+  const json& statement = page.at("statements").at(0);
+  EXPECT_EQ(statement.at("verdict"), "holds");
+  EXPECT_EQ(statement.at("checks"), results.at("cases").at(0).at("checks"));
+  EXPECT_EQ(statement.at("plots").at(0).at("name"), "patch");
+  EXPECT_FALSE(statement.at("plots").at(0).at("series").at(0).at("x").empty());
+}
+
+TEST_F(Program, ValidateDrawsPicturesOfParticlesItself) {
+  ASSERT_EQ(run("validate stretch --quiet").code, 0);
+  const json statement = json::parse(page_data("validate-stretch/report.html")).at("statements").at(0);
+  EXPECT_EQ(statement.at("pictures").at(0).at("svg"), text_of(folder / "validate-stretch/stretch-specimen.svg"));
+  EXPECT_EQ(statement.at("plots").at(0).at("series").size(), 3U);
 }
 
 TEST_F(Program, ValidateSpeaksJson) {
@@ -56,7 +70,7 @@ TEST_F(Program, ACaseThatDoesNotHoldIsWrittenAndIsAFailure) {
   const Ended ended = run("validate relaxation --set solver.tolerance=0.1");
   EXPECT_EQ(ended.code, 4);
   EXPECT_TRUE(contains(ended.out, "does not hold")) << ended.out;
-  for (const char* file : {"relaxation.csv", "relaxation.svg", "report.html"})
+  for (const char* file : {"relaxation.csv", "report.html"})
     EXPECT_TRUE(exists(std::string("validate-relaxation/") + file)) << file;
 }
 
@@ -66,7 +80,9 @@ TEST_F(Program, ANumericalFailureEndsItsCaseOnly) {
   EXPECT_EQ(ended.code, 4);
   EXPECT_TRUE(contains(ended.out, "stopped:")) << ended.out;
   EXPECT_FALSE(exists("validate-point-force/point-force.csv")) << "nothing half-written";
-  EXPECT_TRUE(contains(text_of(folder / "validate-point-force/report.html"), "Stopped: "));
+  const json statement = json::parse(page_data("validate-point-force/report.html")).at("statements").at(0);
+  EXPECT_EQ(statement.at("verdict"), "fails");
+  EXPECT_EQ(statement.at("details").at(0).at("name"), "Stopped");
 }
 
 } // namespace

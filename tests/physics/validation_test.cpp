@@ -18,8 +18,17 @@ TEST_P(Validation, Holds) {
   for (const Check& claim : result.claims) // rows V1 to V3
     EXPECT_TRUE(claim.holds()) << claim.quantity << ": " << claim.measured << " beside " << claim.expected;
   EXPECT_FALSE(result.table.rows.empty());
-  ASSERT_FALSE(result.figures.empty());
-  EXPECT_EQ(result.figures.front().name, GetParam().name);
+  ASSERT_FALSE(result.plots.empty());
+  EXPECT_EQ(result.plots.front().name, GetParam().name);
+  for (const report::Plot& plot : result.plots) {
+    EXPECT_FALSE(plot.title.empty() || plot.caption.empty() || plot.x_label.empty() || plot.y_label.empty())
+        << plot.name;
+    EXPECT_FALSE(plot.series.empty()) << plot.name;
+    for (const report::Series& series : plot.series) {
+      EXPECT_EQ(series.x.size(), series.y.size()) << plot.name << ": " << series.label;
+      EXPECT_FALSE(series.x.empty()) << plot.name << ": " << series.label;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Validation, testing::ValuesIn(cases()), [](const auto& parameter) {

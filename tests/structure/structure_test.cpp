@@ -110,7 +110,7 @@ TEST(StructureRules, FindsForbiddenIncludes) {
   const Graph allowed{{"sph", {"base"}}};
   const Source file{"sph/kernel.cpp",
                     "#include \"sph/kernel.hpp\"\n#include \"base/vector.hpp\"\n#include <cmath>\n"
-                    "#include \"draw/plot.hpp\"\n// #include \"store/table.hpp\"\n#include \"kernel.hpp\"\n"};
+                    "#include \"draw/svg.hpp\"\n// #include \"store/table.hpp\"\n#include \"kernel.hpp\"\n"};
   const Findings findings = forbidden_includes(file, allowed);
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0], "sph/kernel.cpp:4: sph may not include draw");

@@ -2,7 +2,7 @@
 
 export type Rgb = readonly [number, number, number];
 
-/** Okabe and Ito, in the order of src/draw/colour.cpp. */
+/** Okabe and Ito. */
 export const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#f0e442"];
 /** The same on a dark page, where blue and black would be lost. */
 export const paletteOnDark = ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#f0f0f0", "#e69f00", "#0072b2", "#f0e442"];

@@ -1,4 +1,4 @@
-/** Elements in one call, and the parts that both pages have. */
+/** Elements in one call, and the parts that the pages have. */
 import type { Fact } from "./contract";
 import { onPaper } from "./paper";
 

@@ -1,6 +1,7 @@
 /** Reads the data that the program put into the page, and says plainly what is wrong with it. */
 import type { RunPage } from "./contract";
 import type { StudyPage } from "./study/contract";
+import type { VerdictPage } from "./verdicts/contract";
 
 export const dataElementId = "matrigrate-data";
 
@@ -40,4 +41,8 @@ export function embeddedRun(): RunPage {
 
 export function embeddedStudy(): StudyPage {
   return embedded("matrigrate-study", ["axes", "readouts", "runs", "groups", "tests", "msd"]) as unknown as StudyPage;
+}
+
+export function embeddedVerdicts(): VerdictPage {
+  return embedded("matrigrate-verdicts", ["facts", "statements", "studies"]) as unknown as VerdictPage;
 }

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
+import { sampleVerdicts } from "../sample/verdicts";
 import { colourMaps, mapped, phaseColours, phaseColoursOnDark, type Rgb } from "../src/colour";
 import { launch, open, settled, until } from "./browser";
 
@@ -105,7 +106,7 @@ test("on paper there are pictures with their legends, and no controls", async ()
 
 test("controls and regions have names of their own", async () => {
   const browser = await launch(false);
-  for (const [template, data] of [["run", run], ["study", sampleStudy(2)]] as const) {
+  for (const [template, data] of [["run", run], ["study", sampleStudy(2)], ["verdicts", sampleVerdicts()]] as const) {
     const { page } = await open(browser, template, JSON.stringify(data));
     const found = await page.evaluate(() => {
       const name = (e: Element) =>

@@ -56,7 +56,7 @@ let count = 0;
 /** @param json  what the program would write; null: the bare template */
 export async function open(
   browser: Browser,
-  template: "run" | "study",
+  template: "run" | "study" | "verdicts",
   json: string | null,
   options: BrowserContextOptions = {},
   query = "",
@@ -115,4 +115,21 @@ export async function still(page: Page): Promise<string> {
   for (const end = performance.now() + patience; now !== last && performance.now() < end; )
     [last, now] = [now, await shot(page)];
   return now;
+}
+
+/** Draws every plot of a page by making the window as high as it is.   @return how many there are */
+export async function allDrawn(page: Page, width = 1280): Promise<number> {
+  await page.setViewportSize({ width, height: await page.evaluate(() => document.documentElement.scrollHeight) });
+  await until(
+    () =>
+      page.evaluate(() => {
+        const plots = [...document.querySelectorAll(".plotly-figure")];
+        return (
+          plots.length > 0 &&
+          plots.every((plot) => plot.getAttribute("data-drawn") === "true" && plot.querySelector(".main-svg"))
+        );
+      }),
+    "every plot is drawn",
+  );
+  return page.locator(".plotly-figure").count();
 }

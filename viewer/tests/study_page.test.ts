@@ -1,9 +1,9 @@
 /** The page of a study in a browser: every plot is drawn, and the choices work. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
+import type { Browser } from "playwright-core";
 import { sampleScreening, sampleStudy } from "../sample/study";
-import { launch, open, settled, until } from "./browser";
+import { allDrawn, launch, open, settled, until } from "./browser";
 
 let browser: Browser;
 before(async () => {
@@ -12,22 +12,6 @@ before(async () => {
 after(async () => {
   await browser.close();
 });
-
-async function allDrawn(page: Page): Promise<number> {
-  await page.setViewportSize({ width: 1280, height: await page.evaluate(() => document.documentElement.scrollHeight) });
-  await until(
-    () =>
-      page.evaluate(() => {
-        const plots = [...document.querySelectorAll(".plotly-figure")];
-        return (
-          plots.length > 0 &&
-          plots.every((plot) => plot.getAttribute("data-drawn") === "true" && plot.querySelector(".main-svg"))
-        );
-      }),
-    "every plot is drawn",
-  );
-  return page.locator(".plotly-figure").count();
-}
 
 test("draws every plot without an error or a request", async () => {
   const study = sampleStudy();

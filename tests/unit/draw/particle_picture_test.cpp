@@ -1,4 +1,4 @@
-#include "draw/plot.hpp"
+#include "draw/particle_picture.hpp"
 #include "unit/draw/markup.hpp"
 
 #include <gtest/gtest.h>

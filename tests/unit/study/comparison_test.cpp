@@ -3,7 +3,6 @@
 #include "store/csv.hpp"
 #include "study/comparison.hpp"
 #include "study/table_readouts.hpp"
-#include "study_report/box_plot.hpp"
 
 #include <gtest/gtest.h>
 

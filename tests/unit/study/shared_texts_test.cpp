@@ -1,5 +1,4 @@
 #include "base/file.hpp"
-#include "draw/colour.hpp"
 #include "report/run_page.hpp"
 
 #include <gtest/gtest.h>
@@ -29,12 +28,6 @@ TEST(SharedTexts, CitationGivesCreditToTheProgramToo) {
   const std::string citation = source("CITATION.cff");
   EXPECT_NE(citation.find("references:"), std::string::npos);
   EXPECT_EQ(citation.find("preferred-citation:"), std::string::npos) << "readers would cite nothing else";
-}
-
-TEST(SharedTexts, ViewerHasThePaletteOfThePlots) {
-  std::string palette = "palette = [";
-  for (int k = 0; k < 8; ++k) palette += (k > 0 ? ", \"" : "\"") + std::string(draw::palette(k)) + "\"";
-  EXPECT_NE(source("viewer/src/colour.ts").find(palette + "];"), std::string::npos) << palette;
 }
 
 } // namespace

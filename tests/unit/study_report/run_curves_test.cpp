@@ -51,9 +51,6 @@ TEST_F(RunCurves, PathsBeginAtTheOriginAndHaveARowEachTenMinutes) {
                  "2,0,0.00,0.00,\"soft, \"\"50\"\"\"\n2,600,2.00,0.00,\"soft, \"\"50\"\"\"\n"
                  "2,1200,4.00,-0.50,\"soft, \"\"50\"\"\"\n"
                  "1,0,0.00,0.00,stiff\n1,600,11.00,0.00,stiff\n1,1200,22.00,-0.50,stiff\n");
-  const std::string svg = paths_svg(csv);
-  EXPECT_NE(svg.find("soft, &quot;50&quot; (n = 2)"), std::string::npos) << svg;
-  EXPECT_NE(svg.find("stiff (n = 1)"), std::string::npos);
 }
 
 TEST_F(RunCurves, MeanSquareDisplacementsAreMeansOverRuns) {
@@ -65,7 +62,6 @@ TEST_F(RunCurves, MeanSquareDisplacementsAreMeansOverRuns) {
   const std::string csv = msd_csv(study, results, folder);
   EXPECT_TRUE(csv.starts_with("lag_s,msd_um2,sem_um2,n_runs,point\n600,1.5,0.5,2,\"soft")) << csv;
   EXPECT_NE(csv.find("\n600,11,,1,stiff\n"), std::string::npos) << csv;
-  EXPECT_NE(msd_svg(csv).find("soft, &quot;50&quot;"), std::string::npos);
 }
 
 TEST_F(RunCurves, OfSeveralCellsEachHasAPathAndARunCountsOnce) {
@@ -78,26 +74,21 @@ TEST_F(RunCurves, OfSeveralCellsEachHasAPathAndARunCountsOnce) {
   EXPECT_TRUE(csv.starts_with("replicate,t_s,x_um,y_um,cell,point\n1,0,0.00,0.00,1,")) << csv;
   EXPECT_NE(csv.find("\n1,600,-2.00,0.00,1,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\n1,600,0.00,5.00,2,"), std::string::npos) << csv;
-  EXPECT_NE(paths_svg(csv).find("(n = 1)"), std::string::npos) << "runs, not cells";
   const std::vector<MeanMsd> means = mean_msd(results, 0, folder);
   ASSERT_EQ(means.size(), 1U);
   EXPECT_EQ(means[0].mean, 14.5);
   EXPECT_EQ(means[0].runs, 1U);
 }
 
-TEST_F(RunCurves, AdhesionsThatHaveEndedAreListedAndCounted) {
+TEST_F(RunCurves, AdhesionsThatHaveEndedAreListed) {
   const std::string csv = adhesions_csv(study, results, folder);
   EXPECT_EQ(csv, "replicate,length_um,f_mat,f_adh_rel,point\n1,28.00,0.700,0.100,\"soft, \"\"50\"\"\"\n"
                  "2,28.00,0.700,0.200,\"soft, \"\"50\"\"\"\n1,28.00,0.700,1.100,stiff\n");
-  EXPECT_NE(adhesions_svg(csv).find("(n = 2)"), std::string::npos);
 }
 
-TEST_F(RunCurves, AStudyWithoutRunsHasEmptyTablesAndFigures) {
+TEST_F(RunCurves, AStudyWithoutRunsHasEmptyTables) {
   const std::vector<Result> none;
   EXPECT_EQ(paths_csv(study, none, folder), "replicate,t_s,x_um,y_um,point\n");
-  for (const std::string& svg : {paths_svg(paths_csv(study, none, folder)), msd_svg(msd_csv(study, none, folder)),
-                                 adhesions_svg(adhesions_csv(study, none, folder))})
-    EXPECT_TRUE(svg.starts_with("<svg ")) << svg;
 }
 
 } // namespace

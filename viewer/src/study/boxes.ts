@@ -1,20 +1,22 @@
 /** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
-import type { StudyGroup, StudyPage, StudyReadout } from "./contract";
+import type { StudyData, StudyGroup, StudyReadout } from "./contract";
 import { pretty, readable } from "../numbers";
-import { brackets, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
-import { axis, figure, ink, type Json } from "./figure";
+import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
+import { axis, figure, ink, type Json } from "../figure";
 import { groupAt, seriesColour, values, withUnit, type Grid, type Group } from "./groups";
 
 /** Of a read-out at the point of a group, as the program computed it. */
-const statisticsOf = (study: StudyPage, group: Group, readout: string): StudyGroup | undefined =>
+const statisticsOf = (study: StudyData, group: Group, readout: string): StudyGroup | undefined =>
   study.groups.find((one) => one.readout === readout && one.point.join() === group.point.join());
 
-function caption(study: StudyPage, readout: StudyReadout): string {
+function caption(study: StudyData, readout: StudyReadout): string {
   const meaning = `${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`;
   return `${meaning}${starsNote(study.tests, readout.name)}`;
 }
 
-export function boxes(study: StudyPage, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
+export const boxesNote = `Boxes: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
+
+export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
   const bars = brackets(study.tests, made, readout.name, show);
   const levels = Math.max(0, ...bars.map((b) => b.level + 1));
   const plotHeight = 270 + 17 * levels;

@@ -187,16 +187,9 @@ export interface StudyPlayer {
   run: RunPage;
 }
 
-export interface StudyPage {
-  format: "matrigrate-study";
-  version: 1;
-  /** With the size of the study: "Stiffness: 4 points x 12 replicates". */
+/** What is drawn of a study. */
+export interface StudyData {
   title: string;
-  status: string;
-  /** What came out, in a sentence; "" for nothing. */
-  summary?: string;
-  /** Command, date, version of the program, runs done. */
-  facts?: Fact[];
   /** The first is drawn along x, the others side by side in colours. */
   axes: StudyAxis[];
   readouts: StudyReadout[];
@@ -204,6 +197,17 @@ export interface StudyPage {
   groups: StudyGroup[];
   tests: StudyTest[];
   msd: StudyMsd[];
+}
+
+/** Its title has the size of the study: "Stiffness: 4 points x 12 replicates". */
+export interface StudyPage extends StudyData {
+  format: "matrigrate-study";
+  version: 1;
+  status: string;
+  /** What came out, in a sentence; "" for nothing. */
+  summary?: string;
+  /** Command, date, version of the program, runs done. */
+  facts?: Fact[];
   correlation?: StudyCorrelation | null;
   claims?: StudyClaim[];
   /** In what the study is not the published one; "" for nothing. */

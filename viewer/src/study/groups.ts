@@ -1,7 +1,7 @@
 /** The grid of a study as it is drawn: one axis along x, the combinations of the others as series in colours. */
 import { palette, paletteOnDark } from "../colour";
-import type { GridPoint, StudyPage, StudyRun } from "./contract";
-import { isDark } from "../dom";
+import type { GridPoint, StudyData, StudyRun } from "./contract";
+import { h, isDark } from "../dom";
 import { pretty } from "../numbers";
 
 export const withUnit = (label: string, unit: string): string => (unit ? `${label} [${pretty(unit)}]` : label);
@@ -43,7 +43,7 @@ export const inRows = (groups: Group[]): Group[] =>
   [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
 
 /** @param main  index of the axis along x */
-export function grid(study: StudyPage, main: number): Grid {
+export function grid(study: StudyData, main: number): Grid {
   const axis = study.axes[main];
   const others = study.axes.map((_, i) => i).filter((i) => i !== main);
   let points: GridPoint[] = [[]];
@@ -81,6 +81,18 @@ export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>
 export function seriesColour(index: number): string {
   const colours = isDark() ? paletteOnDark : palette;
   return colours[index % colours.length];
+}
+
+/** Which colour each series has. */
+export function seriesKey(made: Grid): HTMLElement | null {
+  if (made.series.length < 2) return null;
+  return h(
+    "ul",
+    { class: "series" },
+    ...made.series.map((name, k) =>
+      h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), name),
+    ),
+  );
 }
 
 /** Colours for values along x, where each is a line of its own: dark to light in order. */

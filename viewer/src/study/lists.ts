@@ -4,7 +4,7 @@ import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
 import { withUnit } from "./groups";
 
-const verdicts = { holds: "holds", fails: "does not hold", open: "undecided" };
+export const verdicts = { holds: "holds", fails: "does not hold", open: "undecided" };
 
 /** The first sentence, and the others on demand. */
 const lines = ([first, ...others]: string[]): HTMLElement | string =>

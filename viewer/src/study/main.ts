@@ -3,27 +3,16 @@ import type { StudyPage } from "./contract";
 import { factList, fault, h, section } from "../dom";
 import { embeddedStudy } from "../embedded";
 import "../page.css";
-import { boxes } from "./boxes";
+import { boxes, boxesNote } from "./boxes";
 import { leastRuns, type Shown } from "./brackets";
 import { pretty } from "../numbers";
-import { grid, seriesColour, type Grid } from "./groups";
+import { grid, seriesKey } from "./groups";
 import { claims, runs, safe } from "./lists";
 import { players } from "./players";
 import { rankings, screeningNote, sets } from "./screening";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
 import { paths, shapes } from "./tracks";
-
-function seriesKey(made: Grid): HTMLElement | null {
-  if (made.series.length < 2) return null;
-  return h(
-    "ul",
-    { class: "series" },
-    ...made.series.map((name, k) =>
-      h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), name),
-    ),
-  );
-}
 
 /** Points that small pictures and curves of each are drawn of; of more, nobody could tell one from another. */
 const mostPoints = 60;
@@ -67,11 +56,7 @@ function show(study: StudyPage, page: HTMLElement): void {
             "Read-outs by parameter",
             fewRuns(study),
             seriesKey(made),
-            h(
-              "p",
-              { class: "note" },
-              `Boxes: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`,
-            ),
+            h("p", { class: "note" }, boxesNote),
             h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, comparisons))),
           )
         : null,

@@ -2,7 +2,7 @@
 import type { StudyEffect, StudyPage, StudyReadout } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
-import { axis, figure, ink, type Json } from "./figure";
+import { axis, figure, ink, type Json } from "../figure";
 import { seriesColour, withUnit } from "./groups";
 
 /** Rows that a plot has room for; the others are in effects.csv. */

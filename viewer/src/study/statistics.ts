@@ -1,10 +1,10 @@
 /** Mean square displacement, forces at which adhesions ended, and correlations of read-outs across runs. */
 import { blueWhiteOrange } from "../colour";
-import type { StudyPage } from "./contract";
+import type { StudyData, StudyPage } from "./contract";
 import { h } from "../dom";
 import { pText, readable, stars } from "../numbers";
 import { leastRuns } from "./brackets";
-import { axis, figure, ink, type Json } from "./figure";
+import { axis, figure, ink, type Json } from "../figure";
 import { columnColour, groupAt, multiplesStyle, seriesColour, type Grid } from "./groups";
 
 /** For logarithmic axes. */
@@ -13,7 +13,7 @@ const roundNumbers = [-2, -1, 0, 1, 2, 3, 4, 5].flatMap((k) => [1, 2, 5].map((n)
 const dashes = ["solid", "dash", "dot", "dashdot"];
 const symbols = ["circle", "square", "diamond", "triangle-up"];
 
-export function msd(study: StudyPage, made: Grid): HTMLElement | null {
+export function msd(study: StudyData, made: Grid): HTMLElement | null {
   if (study.msd.length === 0) return null;
   if (study.msd.every((m) => m.lag_min.length < 2))
     return h("p", {}, "The runs are too short: there are not two lags to draw a curve through.");

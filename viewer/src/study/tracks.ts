@@ -2,7 +2,7 @@
 import type { Lines } from "./contract";
 import { h, s } from "../dom";
 import { readable, roundStep } from "../numbers";
-import { axis, figure } from "./figure";
+import { axis, figure } from "../figure";
 import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
 /** One line for each cell. */

@@ -1,4 +1,4 @@
-/** The little of plotly that the study page uses. */
+/** The little of plotly that the pages use. */
 declare module "plotly.js-cartesian-dist-min" {
   type Json = Record<string, unknown>;
   const Plotly: {

@@ -5,44 +5,16 @@
 #include <string>
 #include <vector>
 
-/// Figures as self-contained SVG text: light background, colour-blind-safe colours, dark text. Nothing here knows
-/// physics. Equal input gives equal bytes in every locale. Test: tests/unit/draw/plot_test.cpp,
-/// particle_picture_test.cpp
+/// Pictures as self-contained SVG text: light background, colour-blind-safe colours, dark text. Nothing here knows
+/// physics. Equal input gives equal bytes in every locale. Test: tests/unit/draw/particle_picture_test.cpp
 namespace matrigrate::draw {
 
 /// A finished picture.
-struct Figure {
+struct Picture {
   std::string name;    ///< file name without ending
   std::string caption; ///< one or two sentences for the report
   std::string svg;     ///< the whole SVG document
 };
-
-enum class Mark { line, dashed, points };
-
-/// A curve of a plot. x and y are of one length; values that are not finite, or not positive on a logarithmic axis,
-/// break the line.
-struct Series {
-  std::string label = {}; ///< legend entry; empty for none
-  std::vector<double> x = {}, y = {};
-  Mark mark = Mark::line;
-  int colour = -1; ///< index into the palette; -1 takes the next one
-};
-
-/// A plot of curves over linear or logarithmic axes, with ticks at round numbers and a legend.
-struct Plot {
-  std::string title;
-  std::string x_label = {}, y_label = {}; ///< with unit: "time [s]"
-  bool log_x = false, log_y = false;
-  std::vector<Series> series = {};
-  bool equal_axes = false;   ///< a unit is as long on one axis as on the other, as on a map; linear axes only
-  double least_extent = 0.0; ///< both axes reach at least from minus to plus this, for plots to one scale; 0: as needed
-};
-
-/// @param width, height  [pixel] at least 240 x 200; the drawing gets taller where title and legend need it
-/// @return  the SVG document
-/// @throws std::invalid_argument if x and y of a series differ in length, the drawing is too small, or
-///         equal axes are wanted of a logarithmic one
-std::string to_svg(const Plot& plot, int width = 640, int height = 440);
 
 /// Particles in the plane coloured by a scalar, with a colour bar and a scale bar.
 struct ParticlePicture {

@@ -1,7 +1,7 @@
 /** A plotly plot in the look of the page, drawn when it comes near the window or is printed, and again for another look. */
 import Plotly from "plotly.js-cartesian-dist-min";
-import { h, isDark, onDarkMode } from "../dom";
-import { onPrint } from "../paper";
+import { h, isDark, onDarkMode } from "./dom";
+import { onPrint } from "./paper";
 
 export type Json = Record<string, unknown>;
 
@@ -43,6 +43,12 @@ const config: Json = {
   modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
   toImageButtonOptions: { format: "svg" },
 };
+
+/** Gives a figure, or several that belong together, the name of the file that tools/figures.mjs saves it as. */
+export function named(name: string, element: HTMLElement): HTMLElement {
+  element.dataset["figure"] = name;
+  return element;
+}
 
 export function figure(
   caption: string,

@@ -1,0 +1,97 @@
+// Saves the figures of a page of verdicts (report.html of `validate`, report-<ID>.html of `reproduce`) as SVG files, one
+// for each figure, or group of figures that belong together: stiffness.svg, stiffness-paths.svg, validate-fibres.svg.
+// Needs chromium (or $CHROMIUM), and the viewer built in build/release (or in
+// the folder $BUILD) for playwright-core.
+//   node tools/figures.mjs PAGE FOLDER
+import { mkdirSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const [file, folder] = process.argv.slice(2);
+if (!file || !folder) throw new Error("node tools/figures.mjs PAGE FOLDER");
+const build = resolve(process.env.BUILD ?? join(dirname(fileURLToPath(import.meta.url)), "../build/release"));
+const { chromium } = createRequire(join(build, "viewer/package.json"))("playwright-core");
+
+/** In the page: the figures below an element as one SVG document, as they lie on the page. */
+async function drawn(group) {
+  const margin = 12;
+  const plots = [...group.querySelectorAll(".plotly-figure")];
+  for (const plot of plots) {
+    plot.scrollIntoView();
+    while (plot.dataset.drawn !== "true") await new Promise((later) => setTimeout(later, 20));
+  }
+  const box = group.getBoundingClientRect();
+  const at = (element) => {
+    const r = element.getBoundingClientRect();
+    return { x: Math.round(r.left - box.left), y: Math.round(r.top - box.top), width: Math.round(r.width), height: Math.round(r.height) };
+  };
+  const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
+  const label = (x, y, text, style) => `<text x="${x}" y="${y}" ${style}>${escaped(text)}</text>\n`;
+  /** The lines of a text, as the browser has broken it. */
+  const lines = (element) => {
+    const found = new Map();
+    const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+    const range = document.createRange();
+    for (let node = walker.nextNode(); node; node = walker.nextNode())
+      for (const word of node.data.matchAll(/\S+\s*/g)) {
+        range.setStart(node, word.index);
+        range.setEnd(node, word.index + word[0].length);
+        const r = range.getClientRects()[0];
+        const y = Math.round(r.bottom - box.top - 5);
+        const line = found.get(y) ?? { x: Math.round(r.left - box.left), text: "" };
+        found.set(y, { ...line, text: line.text + word[0] });
+      }
+    return [...found].map(([y, line]) => label(line.x, y, line.text.trim(), 'font-size="14" fill="#57606a"')).join("");
+  };
+  let body = "";
+  for (const [k, plot] of plots.entries()) {
+    const { x, y, width, height } = at(plot);
+    const address = await Plotly.toImage(plot, { format: "svg", width, height });
+    let svg = decodeURIComponent(address.slice(address.indexOf(",") + 1));
+    svg = svg.replace(/\d+\.\d{4,}/g, (number) => String(Number(Number(number).toFixed(3)))); // of pixels
+    const id = /clip([0-9a-f]{6})/.exec(svg)?.[1]; // plotly draws lots for its ids
+    if (id) svg = svg.replaceAll(id, `figure${k}`);
+    svg = svg.replace(/ trace[0-9a-f]{6}"/g, '"');
+    body += `${svg.replace("<svg ", `<svg x="${x}" y="${y}" `)}\n`;
+  }
+  for (const shapes of group.querySelectorAll("svg.shapes")) {
+    const copy = shapes.cloneNode(true);
+    for (const [name, value] of Object.entries(at(shapes))) copy.setAttribute(name, String(value));
+    for (const one of copy.querySelectorAll("text, rect")) one.setAttribute("fill", "#1f2328");
+    body += `${new XMLSerializer().serializeToString(copy)}\n`;
+  }
+  for (const patch of group.querySelectorAll(".series .patch")) {
+    const { x, y, width, height } = at(patch);
+    body += `<rect x="${x}" y="${y}" width="${width}" height="${height}" fill="${getComputedStyle(patch).backgroundColor}"/>\n`;
+  }
+  for (const text of group.querySelectorAll("figcaption, .series li")) body += lines(text);
+  const heading = group.closest("section").querySelector("h2").textContent;
+  // A figure alone has its title in its caption.
+  const titles = group.tagName === "FIGURE" ? [] : [heading.replace(/^Study [^:]*: /, ""), group.previousElementSibling.textContent];
+  const top = 8 + 22 * titles.length;
+  const [width, height] = [Math.ceil(box.width) + 2 * margin, Math.ceil(box.height) + top + margin];
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" ` +
+    `role="img" aria-label="${escaped([heading, ...titles.slice(1)].join(": ")).replace(/"/g, "&quot;")}" font-family="system-ui, Helvetica, Arial, sans-serif">\n` +
+    `<rect width="${width}" height="${height}" fill="#ffffff"/>\n` +
+    titles.map((text, k) => label(margin, 22 + 22 * k, text, `font-size="17" font-weight="${k === 0 ? 600 : 400}" fill="#1f2328"`)).join("") +
+    `<g transform="translate(${margin} ${top})">\n${body}</g>\n</svg>\n`
+  );
+}
+
+mkdirSync(folder, { recursive: true });
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu"],
+});
+const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: "light" });
+page.setDefaultTimeout(5 * 60 * 1000); // a slow machine is no failure
+await page.goto(pathToFileURL(resolve(file)).href);
+await page.waitForSelector("html[data-ready=true]");
+for (const group of await page.$$("[data-figure]")) {
+  const name = await group.getAttribute("data-figure");
+  writeFileSync(join(folder, `${name}.svg`), await group.evaluate(drawn));
+  console.log(join(folder, `${name}.svg`));
+}
+await browser.close();

@@ -1,0 +1,106 @@
+/**
+ * The page that `reproduce all --from docs/validation` makes, and the files that tools/figures.mjs saves from it; only
+ * where MATRIGRATE_PROGRAM and MATRIGRATE_SOURCE name the program and its source.
+ */
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import type { Page } from "playwright-core";
+import type { StudyData } from "../src/study/contract";
+import type { VerdictPage } from "../src/verdicts/contract";
+import { launch, until } from "./browser";
+
+const program = process.env["MATRIGRATE_PROGRAM"];
+const source = process.env["MATRIGRATE_SOURCE"];
+const options = { skip: program === undefined || source === undefined };
+
+let folder = "";
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), "matrigrate-kept-"));
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** The page of some rows. Claims that do not hold are no failure. */
+function reproduced(rows: string): string {
+  const out = join(folder, rows);
+  const ended = spawnSync(program!, ["reproduce", rows, "--from", join(source!, "docs/validation"), "-o", out]);
+  assert.ok(ended.status === 0 || ended.status === 4, String(ended.stderr));
+  return join(out, `report-${rows}.html`);
+}
+
+/** Traces of each plot of a figure, and the numbers of their points. */
+async function traces(page: Page, name: string): Promise<number[][]> {
+  const plots = page.locator(`[data-figure="${name}"] .plotly-figure`);
+  for (const plot of await plots.all()) {
+    await plot.scrollIntoViewIfNeeded();
+    await until(async () => (await plot.getAttribute("data-drawn")) === "true", `${name} is drawn`);
+  }
+  return plots.evaluateAll((all) =>
+    all.map((plot) => (plot as unknown as { data: { x: unknown[] }[] }).data.map((trace) => trace.x.length)),
+  );
+}
+
+const sum = (v: number[]): number => v.reduce((a, b) => a + b, 0);
+
+async function checkStudy(page: Page, name: string, study: StudyData): Promise<void> {
+  const done = study.runs.filter((run) => run.status === "done");
+  assert.ok(done.length > 0, name);
+  const paths = await traces(page, `${name}-paths`);
+  assert.equal(paths.length, new Set(done.map((run) => run.point.join())).size, `${name}: a picture of paths a point`);
+  const lines = done.flatMap((run) => (run.path?.x_um ?? []).join().split(",,"));
+  assert.equal(paths.flat().length, lines.length, `${name}: paths`);
+  assert.equal(sum(paths.flat()), sum(lines.map((line) => line.split(",").length)), `${name}: points of paths`);
+  assert.equal((await traces(page, name)).length, study.readouts.length, `${name}: boxes`);
+  const [msd] = await traces(page, `${name}-msd`);
+  assert.deepEqual(msd, [...study.msd.map((m) => m.lag_min.length), 2], `${name}: mean square displacements`);
+  const outlines = study.runs.filter((run) => run.outline).length;
+  assert.equal(await page.locator(`[data-figure="${name}-shapes"] polygon`).count(), outlines, `${name}: shapes`);
+  const forces = (await traces(page, `${name}-adhesions`)).length;
+  assert.equal(forces > 0, done.some((run) => (run.f_adh_rel ?? []).length > 0), `${name}: forces`);
+}
+
+test("every figure of the kept results is drawn, with all its points", options, async () => {
+  const browser = await launch(false);
+  const names = new Set<string>();
+  for (const rows of ["all", "X"]) {
+    const page = await browser.newPage();
+    const errors: string[] = [];
+    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+    page.on("pageerror", (error) => errors.push(error.message));
+    await page.goto(pathToFileURL(reproduced(rows)).href);
+    await page.waitForSelector("html[data-ready=true]");
+    const data = JSON.parse((await page.locator("#matrigrate-data").textContent()) ?? "") as VerdictPage;
+    for (const { name, study } of data.studies) await checkStudy(page, name, study);
+    for (const plot of data.statements.flatMap((s) => s.plots))
+      assert.deepEqual(await traces(page, plot.name), [plot.series.map((s) => s.x.length)], plot.name);
+    const pictures = data.statements.flatMap((s) => s.pictures);
+    assert.equal(pictures.length, rows === "all" ? 1 : 0);
+    assert.equal(await page.locator(".picture img").count(), pictures.length);
+    for (const one of await page.locator("[data-figure]").all()) names.add(`${await one.getAttribute("data-figure")}.svg`);
+    for (const picture of pictures) names.add(`${picture.name}.svg`);
+    assert.deepEqual(errors, []);
+    await page.close();
+  }
+  const kept = readdirSync(join(source!, "docs/validation")).filter((name) => name.endsWith(".svg"));
+  assert.deepEqual([...names].sort(), kept.sort(), "the names of the kept figures");
+  await browser.close();
+});
+
+test("figures are saved as files", options, () => {
+  const to = join(folder, "figures");
+  const ended = spawnSync("node", [join(source!, "tools/figures.mjs"), reproduced("A5"), to], {
+    env: { ...process.env, BUILD: join(process.cwd(), "..") },
+  });
+  assert.equal(ended.status, 0, String(ended.stderr));
+  const files = readdirSync(to).sort();
+  assert.deepEqual(files, ["stiffness-adhesions.svg", "stiffness-msd.svg", "stiffness-paths.svg", "stiffness-shapes.svg", "stiffness.svg"]);
+  const text = Object.fromEntries(files.map((file) => [file, readFileSync(join(to, file), "utf8")]));
+  assert.equal(text["stiffness-paths.svg"].split('class="main-svg"').length - 1, 5);
+  assert.equal(text["stiffness-shapes.svg"].split("<polygon").length - 1, 15);
+  for (const caption of ["E 50 Pa, n = 12", "Paths from a common origin"])
+    assert.ok(text["stiffness-paths.svg"].replace(/\u00a0/g, " ").includes(`>${caption}<`), caption);
+});
