@@ -1,7 +1,6 @@
 // Saves the figures of a page of verdicts (report.html of `validate`, report-<ID>.html of `reproduce`) as SVG files, one
 // for each figure, or group of figures that belong together: stiffness.svg, stiffness-paths.svg, validate-fibres.svg.
-// Needs chromium (or $CHROMIUM), and the viewer built in build/release (or in
-// the folder $BUILD) for playwright-core.
+// Needs chromium (or $CHROMIUM), and the viewer built in build/release (or in the folder $BUILD) for playwright-core.
 //   node tools/figures.mjs PAGE FOLDER
 import { mkdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
