@@ -1,6 +1,6 @@
 #pragma once
 
-/// Stands in for oneTBB where there is one thread (the WebAssembly build): what base/parallel.hpp needs of it.
+/// Stands in for oneTBB where there is one thread (the WebAssembly build): what base/parallel.cpp needs of it.
 namespace tbb {
 
 template <class Value>
