@@ -46,7 +46,7 @@ void mark_points_in(const Box& box, std::span<const Vec2> points, std::uint8_t* 
   const double* at = points.data()->data();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double x = at[2 * k], y = at[2 * k + 1];
-    marks[k] = (x >= left) & (x <= right) & (y >= low) & (y <= high) ? 1 : 0;
+    marks[k] = ((x >= left) & (x <= right) & (y >= low) & (y <= high)) ? 1 : 0;
   }
 }
 

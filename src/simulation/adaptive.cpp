@@ -5,6 +5,7 @@
 #include "simulation/step_limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace {
 MATRIGRATE_SIMD
 double max_squared(std::span<const Vec2> v) {
   constexpr std::size_t lanes = 8;
-  double largest[lanes] = {};
+  std::array<double, lanes> largest{};
   std::size_t i = 0;
   for (; i + lanes <= v.size(); i += lanes)
     for (std::size_t l = 0; l < lanes; ++l) {
