@@ -53,7 +53,7 @@ std::vector<double> bond_directions(const EcmParameters& ecm) {
   for (const Vec2& X : bonds(ecm)) directions.push_back(axis_of(X));
   std::ranges::sort(directions);
   const auto same = [](double a, double b) { return b - a < same_direction; };
-  directions.erase(std::ranges::unique(directions, same).begin(), directions.end());
+  directions.erase(std::unique(directions.begin(), directions.end(), same), directions.end());
   return directions;
 }
 

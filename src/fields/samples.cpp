@@ -40,8 +40,7 @@ std::vector<double> levels(std::vector<double> coordinates) {
   std::ranges::sort(coordinates);
   const double extent = coordinates.back() - coordinates.front();
   const auto same = [&](double a, double b) { return b - a <= 1e-9 * std::max(extent, 1e-9); };
-  const auto [first, last] = std::ranges::unique(coordinates, same);
-  coordinates.erase(first, last);
+  coordinates.erase(std::unique(coordinates.begin(), coordinates.end(), same), coordinates.end());
   return coordinates;
 }
 
