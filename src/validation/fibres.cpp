@@ -141,7 +141,7 @@ report::Plot plot_fibres(const store::Table& table) {
   int colour = 0;
   for (const auto& [k_0, rows] : table.by_first_column()) {
     const std::vector<CollagenGel> gels = collagen_gels();
-    const auto gel_of = std::ranges::find_if(gels, [&](const CollagenGel& g) { return near(1e3 * g.k_0, k_0); });
+    const auto gel_of = std::ranges::find_if(gels, [k = k_0](const CollagenGel& g) { return near(1e3 * g.k_0, k); });
     if (gel_of == gels.end()) throw InputOutputError(fmt::format("no gel of k_0 = {} Pa is known", k_0));
     const std::string name = fmt::format("{} mg/ml", gel_of->concentration);
     const std::vector<double> strain = rows.column("strain");
