@@ -12,9 +12,10 @@ double degradation_rate(double distance, bool on_protrusion, double solid_pressu
                         double stiffness) {
   const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
   if (distance >= reach) return 0.0;
-  const double pressure = p.degradation.pressure == DegradationPressure::solid
-                              ? solid_pressure
-                              : std::max(solid_pressure, stiffness * contact_pressure(distance, p));
+  const double of_contact = stiffness * contact_pressure(distance, p);
+  double pressure = solid_pressure;
+  if (p.degradation.pressure == DegradationPressure::larger) pressure = std::max(pressure, of_contact);
+  if (p.degradation.pressure == DegradationPressure::sum) pressure += of_contact;
   if (pressure <= p.degradation.threshold) return 0.0;
   return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
 }

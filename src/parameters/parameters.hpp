@@ -101,9 +101,12 @@ enum class GrowingBase { free, tied };
 /// How the pull of maturation gives way to the contraction of the cortex: at once, or as the load is taken over.
 enum class Handover { immediate, bundle };
 
-/// Which pressure is compared with the threshold of degradation: the larger of that of the solid and of the contact, or
-/// that of the solid alone.
-enum class DegradationPressure { larger, solid };
+/// Which pressure is compared with the threshold of degradation: the larger of that of the solid and of the contact,
+/// that of the solid alone, or the sum of both.
+enum class DegradationPressure { larger, solid, sum };
+
+/// What an adhesion hangs on: the matrix that is near its anchor now, or the matrix that was there when it formed.
+enum class AdhesionHold { place, matter };
 
 /// How the drag system of a step is solved.
 enum class SolverMethod { multigrid, conjugate_gradient };
@@ -182,19 +185,23 @@ struct ProtrusionParameters {
 };
 
 struct AdhesionParameters {
-  double stiffness = 2.0;         ///< k_ad [nN/um]
-  double rest_length = 5.0;       ///< l_0,adh [um]
+  double stiffness = 2.0;   ///< k_ad [nN/um]
+  double rest_length = 5.0; ///< l_0,adh [um]
+  AdhesionHold hold = AdhesionHold::place;
+  double spread = 1.0;            ///< smoothing length of its kernel over that of the matrix [-]
   double least_support = 0.02;    ///< share of solid around the anchor below which the adhesion is lost [-]
   double maturation_time = 600.0; ///< T_mat [s]
   double step_threshold = 0.98;   ///< share of a step's force at which the next one begins [-]
   double base_drag = 1000.0;      ///< drag of each pinned base particle while maturing [nN s/um]
   Handover handover = Handover::bundle;
-  double r_off_min = 2.78e-4; ///< [1/s]
-  double r_off_0 = 0.2;       ///< [1/s]
-  double zeta_diss = 20.0;    ///< [1/nN]
-  bool rupture = false;       ///< whether an adhesion breaks at rupture_ratio
-  double rupture_ratio = 1.0; ///< f_rupt [-]
-  int rupture_strands = 1;    ///< strands of actomyosin whose full pull f_rupt counts
+  double handover_time = 0.4;  ///< in which the bundle gives way [s]
+  double handover_share = 0.9; ///< of f_mat F_am that bundle and cortex together put on the adhesion [-]
+  double r_off_min = 2.78e-4;  ///< [1/s]
+  double r_off_0 = 0.2;        ///< [1/s]
+  double zeta_diss = 20.0;     ///< [1/nN]
+  bool rupture = false;        ///< whether an adhesion breaks at rupture_ratio
+  double rupture_ratio = 1.0;  ///< f_rupt [-]
+  int rupture_strands = 1;     ///< strands of actomyosin whose full pull f_rupt counts
 };
 
 struct PolarizationParameters {

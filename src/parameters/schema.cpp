@@ -39,7 +39,8 @@ constexpr std::array<std::string_view, 2> fibre_forces{"axial", "vectorial"};
 constexpr std::array<std::string_view, 3> curvature_profiles{"gaussian", "half_gaussian", "triangle"};
 constexpr std::array<std::string_view, 2> growing_bases{"free", "tied"};
 constexpr std::array<std::string_view, 2> handovers{"immediate", "bundle"};
-constexpr std::array<std::string_view, 2> degradation_pressures{"larger", "solid"};
+constexpr std::array<std::string_view, 3> degradation_pressures{"larger", "solid", "sum"};
+constexpr std::array<std::string_view, 2> adhesion_holds{"place", "matter"};
 constexpr std::array<std::string_view, 2> turnings{"proportional", "constant"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
 constexpr std::array<std::string_view, 2> formulations{"total_lagrangian", "updated_lagrangian"};
@@ -260,8 +261,16 @@ constexpr std::array rows{
         "", methods, "Share of the force of a maturation step at which the next one begins", numerical},
     Row{"adhesion.handover", choice([](Parameters& p) -> Handover& { return p.adhesion.handover; }, handovers), "", none,
         "", "MODEL.md, D20", "How the pull of maturation gives way to contraction: at once, or as the cortex takes over the load", numerical},
+    Row{"adhesion.handover_time", [](Parameters& p) -> double& { return p.adhesion.handover_time; }, "s", above(0, 1e4),
+        "", "MODEL.md, D20", "Time constant in which the pull of maturation gives way", numerical},
+    Row{"adhesion.handover_share", [](Parameters& p) -> double& { return p.adhesion.handover_share; }, "1", closed(0, 1),
+        "", "MODEL.md, D20", "Share of f_mat F_am that the pull of maturation and the cortex together put on the adhesion", numerical},
     Row{"adhesion.base_drag", [](Parameters& p) -> double& { return p.adhesion.base_drag; }, "N s/m", closed(0, 1000),
         "", "MODEL.md, D19", "Drag of each of six base particles while a protrusion matures", numerical},
+    Row{"adhesion.hold", choice([](Parameters& p) -> AdhesionHold& { return p.adhesion.hold; }, adhesion_holds), "", none,
+        "", "MODEL.md, D18", "Whether an adhesion hangs on the matrix that is near its anchor at a time, or on the matter that was there when it formed", numerical},
+    Row{"adhesion.spread", [](Parameters& p) -> double& { return p.adhesion.spread; }, "1", closed(0.8, 4),
+        "", "MODEL.md, D18", "Smoothing length of the kernel that spreads an adhesion over the matrix, over that of the matrix", numerical},
     Row{"adhesion.least_support", [](Parameters& p) -> double& { return p.adhesion.least_support; }, "1", open(0, 1),
         "", "MODEL.md, D18", "Share of solid around the anchor below which an adhesion is lost", numerical},
 
@@ -286,7 +295,7 @@ constexpr std::array rows{
     Row{"degradation.threshold", [](Parameters& p) -> double& { return p.degradation.threshold; }, "Pa", closed(0, 1e6),
         "p_th,degr", table_1, "Pressure above which protrusion and body degrade the matrix"},
     Row{"degradation.pressure", choice([](Parameters& p) -> DegradationPressure& { return p.degradation.pressure; }, degradation_pressures), "", none,
-        "", "MODEL.md, D15", "Whether the larger of solid and contact pressure is compared with the threshold, or that of the solid", numerical},
+        "", "MODEL.md, D15", "Whether the larger of solid and contact pressure is compared with the threshold, that of the solid, or their sum", numerical},
 
     Row{"cues.chemotaxis", [](Parameters& p) -> double& { return p.cues.chemotaxis; }, "1", closed(-1000, 1000),
         "", "MODEL.md, D34", "Protrusions begin exp(chemotaxis times the occupancy of receptors) times as often; negative: away from it"},

@@ -5,6 +5,12 @@
 
 namespace matrigrate {
 
+namespace {
+
+Kernel adhesion_kernel(const Parameters& p) { return Kernel(p.adhesion.spread * p.ecm.smoothing_length); }
+
+} // namespace
+
 double adhesion_force(double length, const AdhesionParameters& p) {
   return p.stiffness * std::max(0.0, length - p.rest_length);
 }
@@ -33,11 +39,28 @@ double adhesion_force(const CortexState& c, const Protrusion& protrusion, const 
   return point == nullptr ? 0.0 : adhesion_force((*point - c.x[protrusion.centre]).norm(), p);
 }
 
-std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const EcmParameters& p) {
-  const Kernel kernel(p.smoothing_length);
+PointWeights hold_weights(const Vec2& point, const EcmState& ecm, const Parameters& p) {
+  return solid_weights(ecm, adhesion_kernel(p), point);
+}
+
+PointWeights hold_weights(const Phase& phase, const EcmState& ecm, const Parameters& p) {
+  const Vec2* point = anchor(phase);
+  if (point == nullptr) return {};
+  if (p.adhesion.hold == AdhesionHold::place) return hold_weights(*point, ecm, p);
+  const auto* maturing = std::get_if<Maturing>(&phase);
+  return material_weights(ecm, adhesion_kernel(p),
+                          maturing != nullptr ? maturing->held : std::get<Contracting>(phase).held);
+}
+
+Vec2 reference_position(const Vec2& point, const PointWeights& weights, const EcmState& ecm) {
+  Vec2 X = point;
+  for (std::size_t k = 0; k < weights.index.size(); ++k) X -= weights.weight[k] * ecm.displacement(weights.index[k]);
+  return X;
+}
+
+std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const Parameters& p) {
   std::vector<PointWeights> weights(cell.protrusions.size());
-  for (std::size_t n = 0; n < weights.size(); ++n)
-    if (const Vec2* point = anchor(cell.protrusions[n].phase)) weights[n] = solid_weights(ecm, kernel, *point);
+  for (std::size_t n = 0; n < weights.size(); ++n) weights[n] = hold_weights(cell.protrusions[n].phase, ecm, p);
   return weights;
 }
 

@@ -33,11 +33,21 @@ bool ruptures(double F, double f_mat, const Parameters& p);
 const Vec2* anchor(const Phase& phase);
 Vec2* anchor(Phase& phase);
 
+/// How a point of the solid that an adhesion is to hold, or a phase's adhesion, hangs in the solid: with the kernel of
+/// adhesions, around the point as it is now, or around where it was in the reference configuration (MODEL.md, D18).
+/// Empty for a phase without adhesion.
+PointWeights hold_weights(const Vec2& point, const EcmState& ecm, const Parameters& p);
+PointWeights hold_weights(const Phase& phase, const EcmState& ecm, const Parameters& p);
+
+/// Where a point of the solid was in the reference configuration [um].
+/// @param weights  of the point, from hold_weights()
+Vec2 reference_position(const Vec2& point, const PointWeights& weights, const EcmState& ecm);
+
 /// Force of the adhesion of a protrusion now; 0 without one [nN].
 double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p);
 
 /// How the anchor of each protrusion of a cell hangs in the solid; empty for those without.
-std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const EcmParameters& p);
+std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const Parameters& p);
 
 /// Adds the adhesion forces on centre particles, and their reactions on the solid; linearly implicit.
 /// @param weights  from anchor_weights()   @param first  node of particle 0 of the cortex   @param force  of all nodes

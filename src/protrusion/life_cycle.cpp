@@ -4,7 +4,6 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"
-#include "sph/interpolate.hpp"
 
 #include <cmath>
 
@@ -24,7 +23,7 @@ struct Table {
 
   Contracting contracting(const Maturing& phase) const {
     const double f_mat = final_f_mat(phase.steps, phase.last_step, now.force, p);
-    return handover(phase.anchor, f_mat, now.force, p);
+    return handover(phase, f_mat, now.force, p);
   }
 
   bool lost() const { return now.support < p.adhesion.least_support; }
@@ -32,7 +31,7 @@ struct Table {
   Transition operator()(const Growing& phase) const {
     if (now.age < p.protrusion.growth_time) return {};
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::unadhered);
-    return to(Maturing{.direction = phase.direction, .anchor = now.ahead});
+    return to(Maturing{.direction = phase.direction, .anchor = now.ahead, .held = now.held});
   }
 
   Transition operator()(const Maturing& phase) const {
@@ -106,8 +105,12 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
                       .ahead = adhesion_site(cell.cortex, protrusion, p.adhesion),
                       .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id, cell.id)};
   const bool growing = std::holds_alternative<Growing>(protrusion.phase);
-  const bool needs_solid = growing ? found.age >= p.protrusion.growth_time : anchor(protrusion.phase) != nullptr;
-  if (needs_solid) found.support = solid_weights(ecm, Kernel(p.ecm.smoothing_length), found.ahead).support;
+  if (growing && found.age >= p.protrusion.growth_time) {
+    const PointWeights weights = hold_weights(found.ahead, ecm, p);
+    found.support = weights.support;
+    found.held = reference_position(found.ahead, weights, ecm);
+  }
+  if (!growing) found.support = hold_weights(protrusion.phase, ecm, p).support;
   return found;
 }
 

@@ -13,6 +13,7 @@ struct Circumstances {
   double force = 0.0;        ///< of the adhesion [nN]
   double support = 0.0;      ///< share of solid around the anchor; when growth ends, around the point to adhere to [-]
   Vec2 ahead = Vec2::Zero(); ///< the point to adhere to, l_0,adh ahead of the tip [um]
+  Vec2 held = Vec2::Zero();  ///< that point in the reference configuration, when growth ends [um]
   double draw = 1.0;         ///< uniform in (0, 1)
 };
 

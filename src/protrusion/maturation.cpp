@@ -7,9 +7,7 @@ namespace matrigrate {
 
 namespace {
 
-constexpr int pinned = 3;            // particles at either end
-constexpr double giving_way = 0.4;   // time in which the bundle does [s]
-constexpr double bundle_share = 0.9; // of f_mat F_am that bundle and cortex together put on the adhesion
+constexpr int pinned = 3; // particles at either end
 
 void pin_base(const CortexState& c, const Protrusion& protrusion, const Parameters& p, std::uint32_t first,
               DragSystem& A) {
@@ -63,16 +61,19 @@ void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint3
   }
 }
 
-Contracting handover(const Vec2& anchor, double f_mat, double F, const Parameters& p) {
-  if (p.adhesion.handover == Handover::immediate) return {.anchor = anchor, .f_mat = f_mat};
-  return {.anchor = anchor, .f_mat = f_mat, .bundle = bundle_share * f_mat * p.actomyosin.force, .falling = F};
+Contracting handover(const Maturing& maturing, double f_mat, double F, const Parameters& p) {
+  Contracting next{.anchor = maturing.anchor, .f_mat = f_mat, .held = maturing.held};
+  if (p.adhesion.handover == Handover::immediate) return next;
+  next.bundle = p.adhesion.handover_share * f_mat * p.actomyosin.force;
+  next.falling = F;
+  return next;
 }
 
 Contracting handed_over(Contracting phase, double F, const Parameters& p, double dt) {
-  const double excess = F - bundle_share * phase.f_mat * p.actomyosin.force;
+  const double excess = F - p.adhesion.handover_share * phase.f_mat * p.actomyosin.force;
   phase.falling = excess > 0.0 && F < phase.falling ? F : 0.0;
   if (phase.falling > 0.0 || excess <= 0.0) return phase;
-  phase.bundle = std::max(0.0, phase.bundle + std::expm1(-dt / giving_way) * excess);
+  phase.bundle = std::max(0.0, phase.bundle + std::expm1(-dt / p.adhesion.handover_time) * excess);
   return phase;
 }
 

@@ -37,7 +37,7 @@ void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint3
 
 /// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, D20): the
 /// bundle takes over nine tenths of f_mat F_am.
-Contracting handover(const Vec2& anchor, double f_mat, double F, const Parameters& p);
+Contracting handover(const Maturing& maturing, double f_mat, double F, const Parameters& p);
 
 /// The same after dt with a load F. What the last step of maturation loaded beyond f_mat F_am falls off first;
 /// from then on the bundle gives way by what F exceeds 0.9 f_mat F_am, with a time constant of 0.4 s (MODEL.md, D20).

@@ -93,7 +93,7 @@ void describe_cells(const State& s, const Parameters& p, Workspace& w) {
     shape.membership = membership(cell, p);
     shape.normals = normals(cell.cortex);
     shape.nearby = nearby_solid(s.ecm, cell.cortex, SegmentGrid(cell.cortex, reach), reach);
-    shape.anchor_weights = anchor_weights(cell, s.ecm, p.ecm);
+    shape.anchor_weights = anchor_weights(cell, s.ecm, p);
   }
   w.touches = cell_touches(s.cells, cell_reach(p.contact.cells));
 }

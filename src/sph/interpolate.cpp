@@ -4,15 +4,17 @@
 
 namespace matrigrate {
 
-PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point) {
+namespace {
+
+PointWeights weights_at(const EcmState& ecm, std::span<const Vec2> positions, const Kernel& kernel, const Vec2& point) {
   PointWeights w;
   const double support = kernel.support();
   double sum = 0.0;
   Box box = around(point, support);
   if (ecm.period_x > 0.0) box = unbounded_along_x(box);
-  for (const std::uint32_t i : points_in(box, ecm.x)) {
+  for (const std::uint32_t i : points_in(box, positions)) {
     if (ecm.f[i] <= 0.0 || ecm.ligand_at(i) <= 0.0) continue;
-    const Vec2 d = nearest_image(ecm.x[i] - point, ecm.period_x);
+    const Vec2 d = nearest_image(positions[i] - point, ecm.period_x);
     if (d.squaredNorm() >= support * support) continue;
     w.index.push_back(i);
     w.weight.push_back(ecm.f[i] * ecm.ligand_at(i) * kernel.W(d.norm()));
@@ -22,6 +24,16 @@ PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2
   if (sum > 0.0)
     for (double& a : w.weight) a /= sum;
   return w;
+}
+
+} // namespace
+
+PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point) {
+  return weights_at(ecm, ecm.x, kernel, point);
+}
+
+PointWeights material_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point) {
+  return weights_at(ecm, ecm.X, kernel, point);
 }
 
 void spread(const PointWeights& w, const Vec2& force, std::span<Vec2> F) {

@@ -23,6 +23,10 @@ struct PointWeights {
 /// @param point  [um]
 PointWeights solid_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point);
 
+/// The same with the particles at their reference positions: the surroundings of a material point, whose weights change
+/// with f_degr alone.   @param point  in the reference configuration [um]
+PointWeights material_weights(const EcmState& ecm, const Kernel& kernel, const Vec2& point);
+
 /// Distributes `force` [nN] at the point to the particles, adding to F.
 void spread(const PointWeights& w, const Vec2& force, std::span<Vec2> F);
 

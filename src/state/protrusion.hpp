@@ -22,6 +22,7 @@ struct Maturing {
   Vec2 anchor = Vec2::Zero();    ///< the adhered point of the matrix [um]
   int steps = 0;                 ///< maturation steps done; f_mat stands at 0.1 (steps + 1), at most 1
   double last_step = 0.0;        ///< when the last one was done, since the end of growth [s]
+  Vec2 held = Vec2::Zero();      ///< the anchor in the reference configuration [um]
 };
 
 /// Pulls with its final maturation until its adhesion disassembles.
@@ -30,6 +31,7 @@ struct Contracting {
   double f_mat = 0.0;         ///< [-]
   double bundle = 0.0;        ///< pull of the tip on its base that is left of maturation [nN]
   double falling = 0.0; ///< force of the adhesion when last seen, while what maturation loaded falls off; then 0 [nN]
+  Vec2 held = Vec2::Zero(); ///< the anchor in the reference configuration [um]
 };
 
 /// Without adhesion, still contracting.

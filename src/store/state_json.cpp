@@ -17,26 +17,31 @@ struct PhaseJson {
     return {{"direction", to_json(phase.direction)},
             {"anchor", to_json(phase.anchor)},
             {"steps", phase.steps},
-            {"last_step", phase.last_step}};
+            {"last_step", phase.last_step},
+            {"held", to_json(phase.held)}};
   }
   Json operator()(const Contracting& phase) const {
     return {{"anchor", to_json(phase.anchor)},
             {"f_mat", phase.f_mat},
             {"bundle", phase.bundle},
-            {"falling", phase.falling}};
+            {"falling", phase.falling},
+            {"held", to_json(phase.held)}};
   }
   Json operator()(const Finishing& phase) const { return {{"f_mat", phase.f_mat}}; }
 };
+
+/// The anchor in the reference configuration; files of programs that did not know it do not need it.
+Vec2 held_of(const Json& json) { return vector(json.contains("held") ? json.at("held") : json.at("anchor")); }
 
 Phase phase_of(const Json& json) {
   const std::string name = json.at("name");
   if (name == "growing") return Growing{vector(json.at("direction")), number(json.at("base_width"))};
   if (name == "maturing")
     return Maturing{vector(json.at("direction")), vector(json.at("anchor")), integer<int>(json.at("steps")),
-                    number(json.at("last_step"))};
+                    number(json.at("last_step")), held_of(json)};
   if (name == "contracting")
     return Contracting{vector(json.at("anchor")), number(json.at("f_mat")), number(json.at("bundle")),
-                       number(json.at("falling"))};
+                       number(json.at("falling")), held_of(json)};
   if (name == "finishing") return Finishing{number(json.at("f_mat"))};
   throw std::invalid_argument("there is no phase \"" + name + "\"");
 }

@@ -8,7 +8,7 @@ namespace matrigrate::live {
 
 namespace {
 
-constexpr std::uint64_t version = 0x4d47'4c49'5645'0003; // "MGLIVE" 3
+constexpr std::uint64_t version = 0x4d47'4c49'5645'0004; // "MGLIVE" 4
 
 /// Writes or reads a value after the other; the lists of members below are the same for both.
 class Writer {
@@ -118,11 +118,13 @@ struct PhaseMembers {
       b.number(phase.anchor);
       b.number(phase.steps);
       b.number(phase.last_step);
+      b.number(phase.held);
     } else if constexpr (std::is_same_v<P, Contracting>) {
       b.number(phase.anchor);
       b.number(phase.f_mat);
       b.number(phase.bundle);
       b.number(phase.falling);
+      b.number(phase.held);
     } else {
       b.number(phase.f_mat);
     }

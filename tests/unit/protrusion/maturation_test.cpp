@@ -74,7 +74,7 @@ TEST(Handover, TheBundleGivesWayAsFastWhateverTheStep) {
 
 TEST(Handover, WhatMaturationLoadedFallsOffFirst) {
   const Parameters p;
-  Contracting phase = handover(Vec2::Zero(), 0.5, 0.33, p); // the running step had loaded a tenth more than 0.3 nN
+  Contracting phase = handover(Maturing{}, 0.5, 0.33, p); // the running step had loaded a tenth more than 0.3 nN
   const double whole = phase.bundle;
   EXPECT_DOUBLE_EQ(whole, 0.27);
   for (const double F : {0.32, 0.30, 0.28, 0.275}) {
@@ -86,7 +86,7 @@ TEST(Handover, WhatMaturationLoadedFallsOffFirst) {
   EXPECT_EQ(phase.falling, 0.0);
   EXPECT_EQ(phase.bundle, whole);
   EXPECT_LT(handed_over(phase, 0.28, p, a_step).bundle, whole); // now the cortex pulls
-  Contracting held = handover(Vec2::Zero(), 0.5, 0.33, p);      // others pull: the load does not fall
+  Contracting held = handover(Maturing{}, 0.5, 0.33, p);      // others pull: the load does not fall
   held = handed_over(held, 0.34, p, a_step);
   EXPECT_LT(held.bundle, whole);
 }
