@@ -8,15 +8,24 @@
 
 namespace matrigrate {
 
+double degradation_pressure(double distance, double solid_pressure, const Parameters& p, double stiffness) {
+  const double of_contact = stiffness * contact_pressure(distance, p);
+  switch (p.degradation.pressure) {
+  case DegradationPressure::larger:
+    return std::max(solid_pressure, of_contact);
+  case DegradationPressure::sum:
+    return solid_pressure + of_contact;
+  case DegradationPressure::solid:
+    break;
+  }
+  return solid_pressure;
+}
+
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,
                         double stiffness) {
   const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
   if (distance >= reach) return 0.0;
-  const double of_contact = stiffness * contact_pressure(distance, p);
-  double pressure = solid_pressure;
-  if (p.degradation.pressure == DegradationPressure::larger) pressure = std::max(pressure, of_contact);
-  if (p.degradation.pressure == DegradationPressure::sum) pressure += of_contact;
-  if (pressure <= p.degradation.threshold) return 0.0;
+  if (degradation_pressure(distance, solid_pressure, p, stiffness) <= p.degradation.threshold) return 0.0;
   return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
 }
 

@@ -11,6 +11,10 @@
 /// Test: tests/unit/contact/degrade_test.cpp
 namespace matrigrate {
 
+/// The pressure that degradation.pressure names, which is compared with p_th [kPa]: that of the solid, the larger of it
+/// and the contact pressure, or their sum.   @param distance  to the closest segment [um]
+double degradation_pressure(double distance, double solid_pressure, const Parameters& p, double stiffness = 1.0);
+
 /// Rate at which an encounter degrades its particle [1/s]: the protrusion's or the body's, where the particle is closer
 /// than its reach and the pressure that degradation.pressure names is above p_th, else 0.
 /// @param on_protrusion  whether the closest segment belongs to a protrusion

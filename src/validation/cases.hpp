@@ -13,6 +13,7 @@ Result stretch(const Parameters& p);
 Result creep(const Parameters& p);
 Result relaxation(const Parameters& p);
 Result point_force(const Parameters& p);
+Result load(const Parameters& p);
 Result poiseuille(const Parameters& p);
 Result tearing(const Parameters& p);
 Result convergence(const Parameters& p);
@@ -25,6 +26,8 @@ Result time_step(const Parameters& p);
 Result disassembly(const Parameters& p);
 Result initiation(const Parameters& p);
 Result handover(const Parameters& p);
+Result follow(const Parameters& p);
+Result fibre_maturation(const Parameters& p);
 Result competition(const Parameters& p);
 Result stunting(const Parameters& p);
 

@@ -50,8 +50,9 @@ void PlacedProtrusions::begin(double angle, double tilt) {
   begin_protrusion(cell, i, c.x[i] - Eigen::Rotation2Dd(tilt) * out, m_specimen.s.t, m_specimen.p.protrusion);
 }
 
-void PlacedProtrusions::march_for(double seconds, const std::function<bool(const State&)>& each_step) {
-  m_specimen.march_for(seconds, {}, each_step);
+void PlacedProtrusions::march_for(double seconds, const std::function<bool(const State&)>& each_step,
+                                  const Loads& loads) {
+  m_specimen.march_for(seconds, loads, each_step);
 }
 
 double PlacedProtrusions::length(std::size_t k) const {

@@ -20,7 +20,7 @@ public:
   /// @param tilt  of its direction against the line from the centre of mass through that particle [rad]
   void begin(double angle, double tilt = 0.0);
 
-  void march_for(double seconds, const std::function<bool(const State&)>& each_step = {});
+  void march_for(double seconds, const std::function<bool(const State&)>& each_step = {}, const Loads& loads = {});
 
   /// @param k  in the order in which they began
   double length(std::size_t k) const;     ///< from the middle of the base to the tip, now [um]

@@ -1,0 +1,137 @@
+#include "ecm/law/material.hpp"
+#include "sph/interpolate.hpp"
+#include "state/initial.hpp"
+#include "validation/cases.hpp"
+#include "validation/closed_forms.hpp"
+#include "validation/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace matrigrate::validation {
+
+namespace {
+
+constexpr double loaded_radius = 80.0;   // of the disc [um]
+constexpr double small = 0.02;           // load in the linear range [nN]
+const Vec2 site(0.37, 0.71);             // of the load, at no particular place of the lattice [um]
+constexpr double times_mu_over_G = 30.0; // after which the point is at rest
+
+struct Loaded {
+  double compliance = 0.0; // displacement of the point over the load, at rest [um/nN]
+  double t_98 = 0.0;       // until 98 % of it [s]
+};
+
+/// A constant load on a point of a disc, spread and read with the kernel of adhesions.
+Loaded loaded(const Parameters& p, double pull) {
+  Parameters q = p;
+  q.ecm.radius = loaded_radius;
+  q.ecm.cell_hole = false;
+  q.run.integrator = Integrator::adaptive; // halves its steps where a large weight of the penalty asks for it
+  Specimen a(disc(q), q);
+  const Kernel kernel(q.adhesion.spread * q.ecm.smoothing_length);
+  Vec2 point = site;
+  const auto weights = [&](const State& s) {
+    return q.adhesion.hold == AdhesionHold::matter ? material_weights(s.ecm, kernel, site)
+                                                   : solid_weights(s.ecm, kernel, point);
+  };
+  double before = 0.0;
+  report::Series path;
+  a.march_for(
+      times_mu_over_G * q.ecm.viscosity / moduli(q.ecm).G,
+      [&](const State& s, std::span<Vec2> force) { spread(weights(s), Vec2(pull, 0.0), force); },
+      [&](const State& s) {
+        point += (s.t - before) * interpolate(weights(s), s.ecm.v);
+        before = s.t;
+        path.x.push_back(s.t);
+        path.y.push_back(point.x() - site.x());
+        return true;
+      });
+  Loaded result{.compliance = path.y.back() / pull};
+  for (std::size_t k = 0; k < path.x.size() && path.y[k] < 0.98 * path.y.back(); ++k) result.t_98 = path.x[k];
+  return result;
+}
+
+/// Of the continuum under the same load [um/nN].
+double continuum(const Parameters& p) {
+  const double clamp = loaded_radius - 2.0 * p.ecm.smoothing_length + 0.5 * p.ecm.particle_spacing;
+  return clamped_disc_compliance(Kernel(p.adhesion.spread * p.ecm.smoothing_length), clamp, moduli(p.ecm).G,
+                                 p.ecm.poissons_ratio)
+         / p.ecm.thickness;
+}
+
+Parameters with(Parameters p, AdhesionHold hold, double spread, double weight) {
+  p.adhesion.hold = hold;
+  p.adhesion.spread = spread;
+  p.ecm.hourglass_weight = weight;
+  return p;
+}
+
+} // namespace
+
+Result load(const Parameters& p) {
+  Result result;
+  result.table.columns = {
+      "spread", "hourglass_weight", "load_nN", "matter", "compliance_um_per_nN", "continuum_um_per_nN", "t_98_s"};
+  const auto measure = [&](const Parameters& q, double pull) {
+    const Loaded found = loaded(q, pull);
+    result.table.add({q.adhesion.spread, q.ecm.hourglass_weight, pull,
+                      q.adhesion.hold == AdhesionHold::matter ? 1.0 : 0.0, found.compliance, continuum(q), found.t_98});
+    return found;
+  };
+  report::Plot of_weight{.title = "Compliance against the hourglass weight",
+                         .x_label = "hourglass weight [-]",
+                         .y_label = "compliance over that of the continuum [-]",
+                         .log_x = true};
+  constexpr std::array weights{0.1, 0.5, 2.0, 10.0};
+  for (const double spread : {1.0, 1.5, 2.0, 2.5}) {
+    report::Series series{.label = fmt::format("kernel {:.1f} um", spread * p.ecm.smoothing_length)};
+    for (const double weight : weights) {
+      const Parameters q = with(p, AdhesionHold::matter, spread, weight);
+      series.x.push_back(weight);
+      series.y.push_back(measure(q, small).compliance / continuum(q));
+    }
+    const double change = series.y[1] / series.y[3] - 1.0;
+    if (spread == 2.5) {
+      result.checks.push_back({"compliance over that of the continuum, kernel of 2.5 times the width [-]", series.y[1],
+                               1.0, 0.05, "a load that is resolved: an adhesion feels the gel within a twentieth"});
+      result.checks.push_back({"its change from weight 0.5 to 10 [-]", change, 0.0, 0.03,
+                               "the penalty has no physics, so a resolved load must not feel it"});
+    }
+    result.remarks.push_back(fmt::format("Kernel of {:.1f} um: {:.3f} times the compliance of the continuum at weight "
+                                         "0.5; {:.3f} times as much at 0.5 as at "
+                                         "10.",
+                                         spread * p.ecm.smoothing_length, series.y[1], 1.0 + change));
+    of_weight.series.push_back(std::move(series));
+  }
+  report::Plot of_load{.title = "Compliance against the load",
+                       .x_label = "load [nN]",
+                       .y_label = "compliance over that of a small load [-]",
+                       .log_x = true};
+  const double linear = loaded(with(p, AdhesionHold::matter, 1.0, p.ecm.hourglass_weight), small).compliance;
+  for (const AdhesionHold hold : {AdhesionHold::place, AdhesionHold::matter}) {
+    const bool matter = hold == AdhesionHold::matter;
+    report::Series series{.label = matter ? "held by matter" : "held by place"};
+    for (const double pull : {small, 0.3, 0.6, 1.2, 2.0}) {
+      series.x.push_back(pull);
+      series.y.push_back(measure(with(p, hold, 1.0, p.ecm.hourglass_weight), pull).compliance / linear);
+    }
+    if (matter)
+      result.checks.push_back({"compliance at 2 nN over that at 0.02 nN, held by matter [-]", series.y.back(), 1.0,
+                               0.05, "linear but for what strains of order one add"});
+    result.remarks.push_back(fmt::format("{}: {:.3f} times the small compliance at 0.6 nN, {:.3f} times at 2 nN.",
+                                         series.label, series.y[2], series.y.back()));
+    of_load.series.push_back(std::move(series));
+  }
+  result.add("load-weight", "A wider kernel loads modes that the sums over neighbours resolve.", of_weight);
+  result.add(
+      "load-force",
+      "An adhesion that hangs on what is near its anchor now slips through the gel; one that hangs on matter does "
+      "not.",
+      of_load);
+  return result;
+}
+
+} // namespace matrigrate::validation
