@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-/// Grids from files, each of which is read once. Test: tests/unit/fields/grids_test.cpp
+/// Grids from files, each of which is read once. Test: tests/unit/fields/fields_test.cpp
 namespace matrigrate::fields {
 
 struct FileWords;

@@ -50,9 +50,10 @@ std::vector<std::string_view> header_of(std::string_view line) {
 }
 
 /// The different coordinates, in order.
-std::vector<double> levels(std::vector<double> coordinates) {
+std::vector<double> levels(std::vector<double> coordinates, const char* axis) {
   std::ranges::sort(coordinates);
   const double extent = coordinates.back() - coordinates.front();
+  if (!std::isfinite(extent)) throw std::invalid_argument(fmt::format("has values of {} too far apart", axis));
   const auto same = [&](double a, double b) { return b - a <= 1e-9 * std::max(extent, 1e-9); };
   coordinates.erase(std::unique(coordinates.begin(), coordinates.end(), same), coordinates.end());
   return coordinates;
@@ -62,7 +63,6 @@ double spacing_of(const std::vector<double>& level, const char* axis) {
   if (level.size() < 2)
     throw std::invalid_argument(fmt::format("has one value of {} only; a grid has two at least", axis));
   const double step = (level.back() - level.front()) / static_cast<double>(level.size() - 1);
-  if (!std::isfinite(step)) throw std::invalid_argument(fmt::format("has values of {} too far apart", axis));
   for (std::size_t k = 0; k < level.size(); ++k)
     if (std::abs(level[k] - level.front() - step * static_cast<double>(k)) > relative_slack * step)
       throw std::invalid_argument(fmt::format("is no regular grid: {} is {} where {} is expected", axis, level[k],
@@ -72,7 +72,7 @@ double spacing_of(const std::vector<double>& level, const char* axis) {
 
 /// Values at places, each at its node. The memory for the nodes is not asked for before there is a value for each.
 Samples on_grid(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& value) {
-  const std::vector<double> columns = levels(x), rows = levels(y);
+  const std::vector<double> columns = levels(x, "x_um"), rows = levels(y, "y_um");
   Samples samples{.origin = {columns.front(), rows.front()},
                   .spacing = {spacing_of(columns, "x_um"), spacing_of(rows, "y_um")},
                   .columns = columns.size(),
