@@ -49,7 +49,7 @@ std::string description(const Parameters& p, const Derived& d) {
                       p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity, duration_text(p.run.duration),
                       p.run.integrator == Integrator::adaptive ? "up to " : "", d.longest_step);
   const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
-    text += fmt::format("{:<26}{:<16}{}\n", name, value, note);
+    text += fmt::format("{:<25} {:<15} {}\n", name, value, note);
   };
   add("bulk modulus K", fmt::format("{:.4g} Pa", 1e3 * d.K),
       std::string("E / (3 (1 - 2 nu))") + (graded ? "; here and below E is ecm.youngs_modulus" : ""));

@@ -18,6 +18,23 @@ from .errors import ConfigurationError, Fault, InputOutputError
 _usual_adaptive_step = 5.0  # s; that of the reference is the schema's default
 
 
+def _file_of(text: str) -> tuple[str, str] | None:
+    """The name of a file and what follows it, of the text of a field; None of a formula.
+
+    >>> _file_of("my map.csv column=E")
+    ('my map.csv', ' column=E')
+    >>> _file_of("'a x=1.PNG' pixel=1")
+    ('a x=1.PNG', ' pixel=1')
+    >>> _file_of("200 + x")
+    """
+    text = text.strip()
+    if quoted := re.match(r"""(["'])((?:\\.|(?!\1).)*)\1""", text, re.DOTALL):
+        return re.sub(r"\\(.)", r"\1", quoted[2]), text[quoted.end():]
+    head = re.split(r"\s[A-Za-z_]+=(?!=)", text, maxsplit=1)[0]
+    ends = list(re.finditer(r"\S\.(csv|png|tiff?)(?=\s|$)", head, re.IGNORECASE))
+    return (text[:ends[-1].end()], text[ends[-1].end():]) if ends else None
+
+
 def _plain(value: Any) -> Any:
     """Numbers of numpy as those of Python."""
     return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
@@ -89,8 +106,12 @@ class Scenario(Sections, Mapping[str, Value]):
         scenario = cls(_read(path), name=path.stem)
         for p in _schema.parameters().values():
             text = str(scenario._given.get(p.path, ""))
-            if p.kind == "field" and re.match(r"\S+\.(csv|png|tiff?)( |$)", text):  # relative names count from the file
-                scenario._given[p.path] = str(path.resolve().parent / text)
+            if p.kind == "field" and (named := _file_of(text)):  # relative names count from the file
+                name, options = named
+                whole = str(path.resolve().parent / name)
+                if re.search(r"\s", whole):
+                    whole = '"' + re.sub(r'(["\\])', r"\\\1", whole) + '"'
+                scenario._given[p.path] = whole + options
         return scenario
 
     def __getitem__(self, path: str) -> Value:

@@ -14,10 +14,10 @@ namespace matrigrate::fields {
 ///   "200 + 50*tanh(x/20)"                      a formula in x, y and r [um] (Formula)
 ///   "stiffness.csv"                            a grid (samples_from_csv); "... column=E_Pa" takes that column
 ///   "collagen.png pixel=0.5 from=50 to=400"    a picture, PNG or TIFF: width of a pixel [um], and the values of black
-///   and
-///                                              white; "x=10 y=-5" is where its centre lies [um] (0, 0)
+///                                              and white; "x=10 y=-5" is where its centre lies [um] (0, 0)
 ///
-/// Names of files have no spaces; they count from the folder of the scenario.
+/// docs/how-to/fields.md has all keys. Names of files count from the folder of the scenario (file_words.hpp). The
+/// samples of a picture are taken as they are stored; values lie on a straight line between those of black and white.
 class Field {
 public:
   /// @param folder  that relative names of files count from
@@ -42,5 +42,8 @@ private:
   std::string m_text;
   std::unique_ptr<Source> m_source;
 };
+
+/// Whether a text names a file by its whole path and fingerprint, as Field::text() does.
+bool names_one_file(const std::string& text);
 
 } // namespace matrigrate::fields

@@ -10,7 +10,8 @@ namespace matrigrate::fields {
 
 /// A formula in x and y [um], such as "200 + 50*sin(x/20)". It knows + - * / ^, comparisons, && || and ?:, the
 /// functions and constants of muParser (sin, cos, exp, sqrt, abs, min, max, _pi ...), and r, the distance from the
-/// origin [um]. It has no loops, no memory and no access to anything else.
+/// origin [um]. It has no loops, no memory and no access to anything else. A comma stands between the
+/// arguments of a function only.
 class Formula {
 public:
   /// @param text  at most 1000 characters

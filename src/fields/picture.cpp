@@ -1,12 +1,12 @@
-#include "base/failure.hpp"
-#include "base/file.hpp"
-#include "fields/samples.hpp"
+#include "fields/picture.hpp"
+
+#include "fields/raster.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
-#include <tiffio.h>
 
-#include <memory>
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -15,70 +15,125 @@ namespace matrigrate::fields {
 namespace {
 
 constexpr std::size_t max_pixels = 16'000'000;
-constexpr std::size_t max_picture_bytes = std::size_t{1} << 28U;
+constexpr std::size_t max_samples = 4 * max_pixels;
 
-/// Grey values of a picture, row by row, downwards.
-struct Grey {
-  std::size_t width = 0, height = 0;
-  std::vector<double> values;
-};
+// Of red, green and blue. As whole numbers they give a grey picture that is stored in colours its very samples.
+constexpr std::array<double, 3> weights{2126.0, 7152.0, 722.0};
+constexpr double sum_of_weights = 10000.0;
 
-void check_size(std::size_t width, std::size_t height) {
-  if (width == 0 || height == 0 || width > max_pixels / height)
+bool is_tiff(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  return bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv)
+         || bytes.starts_with("MM\0+"sv);
+}
+
+Raster read_raster(std::string_view bytes, const std::optional<std::size_t>& page) {
+  if (is_tiff(bytes)) return read_tiff(bytes, page);
+  if (!bytes.starts_with("\x89PNG"))
+    throw std::invalid_argument(fmt::format("is neither PNG nor TIFF{}, whatever its name says",
+                                            bytes.starts_with("\xff\xd8\xff") ? " but JPEG" : ""));
+  if (page && *page > 1) throw std::invalid_argument(fmt::format("has no page {}: a PNG has one", *page));
+  return read_png(bytes);
+}
+
+template <class Number>
+double number_at(const std::vector<std::byte>& data, std::size_t number) {
+  Number value{};
+  std::memcpy(&value, data.data() + number * sizeof(Number), sizeof(Number));
+  return static_cast<double>(value);
+}
+
+void require_opaque(const Raster& raster) {
+  for (std::size_t k = raster.channels - 1; k < raster.width * raster.height * raster.channels; k += raster.channels)
+    if (raster.sample(k) != raster.full)
+      throw std::invalid_argument(
+          fmt::format("has transparent pixels, and which value they should have is not known: save it without "
+                      "transparency, or take the samples of one channel with channel=1 to channel={}",
+                      raster.channels));
+}
+
+/// The one channel that is taken; none for the mean of the colours.
+/// @throws std::invalid_argument if there is no such channel, or one has to be chosen
+std::optional<std::size_t> channel_of(const Raster& raster, const std::optional<std::size_t>& choice) {
+  if (choice) {
+    if (*choice > raster.channels)
+      throw std::invalid_argument(fmt::format("has no channel {}: it has {}", *choice, raster.channels));
+    return *choice - 1;
+  }
+  const std::size_t shown = raster.colour ? 3 : 1;
+  if (raster.channels != shown + (raster.alpha ? 1 : 0))
     throw std::invalid_argument(
-        fmt::format("is a picture of {} x {} pixels; allowed are 1 to 16 million", width, height));
-}
-
-Grey read_png(const std::string& bytes) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  const std::unique_ptr<png_image, void (*)(png_image*)> freed(&image, [](png_image* i) { png_image_free(i); });
-  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
-    throw std::invalid_argument(fmt::format("cannot be read as PNG: {}", image.message));
-  check_size(image.width, image.height);
-  image.format = PNG_FORMAT_GRAY;
-  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
-  if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0)
-    throw std::invalid_argument(fmt::format("cannot be read as PNG: {}", image.message));
-  Grey grey{image.width, image.height, {}};
-  for (const png_byte pixel : pixels) grey.values.push_back(pixel / 255.0);
-  return grey;
-}
-
-Grey read_tiff(const std::filesystem::path& file) {
-  TIFFSetErrorHandler(nullptr);
-  TIFFSetWarningHandler(nullptr);
-  const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(TIFFOpen(file.c_str(), "r"), TIFFClose);
-  if (!tiff) throw std::invalid_argument("cannot be read as TIFF");
-  std::uint32_t width = 0, height = 0;
-  TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
-  TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
-  check_size(width, height);
-  std::vector<std::uint32_t> pixels(std::size_t{width} * height);
-  if (TIFFReadRGBAImageOriented(tiff.get(), width, height, pixels.data(), ORIENTATION_TOPLEFT, 1) == 0)
-    throw std::invalid_argument("cannot be read as TIFF");
-  Grey grey{width, height, {}};
-  for (const std::uint32_t p : pixels) // brightness as of BT.709
-    grey.values.push_back((0.2126 * TIFFGetR(p) + 0.7152 * TIFFGetG(p) + 0.0722 * TIFFGetB(p)) / 255.0);
-  return grey;
+        fmt::format("has {0} channels: choose one with channel=1 to channel={0}", raster.channels));
+  if (raster.alpha) require_opaque(raster);
+  return raster.colour ? std::nullopt : std::optional<std::size_t>(0);
 }
 
 } // namespace
 
-Samples samples_from_picture(const std::filesystem::path& file, double pixel, const Vec2& centre) {
-  const std::string bytes = read_file(file, max_picture_bytes);
-  const Grey grey = bytes.starts_with("\x89PNG") ? read_png(bytes) : read_tiff(file);
-  Samples samples{
-      .origin =
-          centre - 0.5 * pixel * Vec2(static_cast<double>(grey.width) - 1.0, static_cast<double>(grey.height) - 1.0),
-      .spacing = {pixel, pixel},
-      .columns = grey.width,
-      .rows = grey.height,
-      .values = std::vector<double>(grey.values.size())};
-  for (std::size_t row = 0; row < grey.height; ++row)
-    std::copy_n(grey.values.begin() + static_cast<std::ptrdiff_t>((grey.height - 1 - row) * grey.width), grey.width,
-                samples.values.begin() + static_cast<std::ptrdiff_t>(row * grey.width));
-  return samples;
+std::size_t bytes_of(SampleType type) {
+  switch (type) {
+  case SampleType::whole_8:
+    return 1;
+  case SampleType::whole_16:
+    return 2;
+  case SampleType::whole_32:
+  case SampleType::real_32:
+    return 4;
+  case SampleType::real_64:
+    break;
+  }
+  return 8;
+}
+
+void Raster::allocate() {
+  if (width == 0 || height == 0 || width > max_pixels / height)
+    throw std::invalid_argument(
+        fmt::format("is a picture of {} x {} pixels; allowed are 1 to 16 million", width, height));
+  if (channels > max_samples / (width * height))
+    throw std::invalid_argument(
+        fmt::format("has {} channels of {} x {} pixels; allowed are 64 million samples", channels, width, height));
+  data.resize(width * height * channels * bytes_of(type));
+}
+
+double Raster::sample(std::size_t number) const {
+  switch (type) {
+  case SampleType::whole_8:
+    return number_at<std::uint8_t>(data, number);
+  case SampleType::whole_16:
+    return number_at<std::uint16_t>(data, number);
+  case SampleType::whole_32:
+    return number_at<std::uint32_t>(data, number);
+  case SampleType::real_32:
+    return number_at<float>(data, number);
+  case SampleType::real_64:
+    break;
+  }
+  return number_at<double>(data, number);
+}
+
+Picture read_picture(std::string_view bytes, const PictureChoice& choice) {
+  const Raster raster = read_raster(bytes, choice.page);
+  const std::optional<std::size_t> channel = channel_of(raster, choice.channel);
+  Picture picture{.width = raster.width, .height = raster.height, .samples = {}, .black = {}, .white = {}};
+  picture.samples.resize(raster.width * raster.height);
+  for (std::size_t k = 0; k < picture.samples.size(); ++k) {
+    const std::size_t first = k * raster.channels;
+    double& sample = picture.samples[k];
+    if (channel)
+      sample = raster.sample(first + *channel);
+    else
+      sample = (weights[0] * raster.sample(first) + weights[1] * raster.sample(first + 1)
+                + weights[2] * raster.sample(first + 2))
+               / sum_of_weights;
+    if (!std::isfinite(sample))
+      throw std::invalid_argument(
+          fmt::format("has no finite number in the pixel of column {} and row {}, counted from 1 at the upper left",
+                      k % raster.width + 1, k / raster.width + 1));
+  }
+  if (raster.type == SampleType::real_32 || raster.type == SampleType::real_64) return picture;
+  picture.black = raster.zero_is_white ? raster.full : 0.0;
+  picture.white = raster.zero_is_white ? 0.0 : raster.full;
+  return picture;
 }
 
 } // namespace matrigrate::fields

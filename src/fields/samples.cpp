@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace matrigrate::fields {
 
@@ -35,10 +36,24 @@ double number(std::string_view field, std::size_t line) {
   return value;
 }
 
+/// The header line, without the mark of UTF-8 and the quotes that some programs write.
+std::vector<std::string_view> header_of(std::string_view line) {
+  if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+  std::vector<std::string_view> header = split(line, ',');
+  for (std::string_view& name : header)
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+  for (const auto& [sign, name] : {std::pair(';', "semicolons"), std::pair('\t', "tabs")})
+    if (header.size() == 1 && line.find(sign) != std::string_view::npos)
+      throw std::invalid_argument(
+          fmt::format("has {} between its columns; write commas there, and points in numbers", name));
+  return header;
+}
+
 /// The different coordinates, in order.
-std::vector<double> levels(std::vector<double> coordinates) {
+std::vector<double> levels(std::vector<double> coordinates, const char* axis) {
   std::ranges::sort(coordinates);
   const double extent = coordinates.back() - coordinates.front();
+  if (!std::isfinite(extent)) throw std::invalid_argument(fmt::format("has values of {} too far apart", axis));
   const auto same = [&](double a, double b) { return b - a <= 1e-9 * std::max(extent, 1e-9); };
   coordinates.erase(std::unique(coordinates.begin(), coordinates.end(), same), coordinates.end());
   return coordinates;
@@ -53,6 +68,38 @@ double spacing_of(const std::vector<double>& level, const char* axis) {
       throw std::invalid_argument(fmt::format("is no regular grid: {} is {} where {} is expected", axis, level[k],
                                               level.front() + step * static_cast<double>(k)));
   return step;
+}
+
+/// Values at places, each at its node. The memory for the nodes is not asked for before there is a value for each.
+Samples on_grid(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& value) {
+  const std::vector<double> columns = levels(x, "x_um"), rows = levels(y, "y_um");
+  Samples samples{.origin = {columns.front(), rows.front()},
+                  .spacing = {spacing_of(columns, "x_um"), spacing_of(rows, "y_um")},
+                  .columns = columns.size(),
+                  .rows = rows.size(),
+                  .values = {}};
+  std::vector<std::size_t> nodes(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const auto i = static_cast<std::size_t>(std::lround((x[k] - samples.origin.x()) / samples.spacing.x()));
+    const auto j = static_cast<std::size_t>(std::lround((y[k] - samples.origin.y()) / samples.spacing.y()));
+    nodes[k] = j * samples.columns + i;
+  }
+  std::vector<std::size_t> in_order = nodes;
+  std::ranges::sort(in_order);
+  const auto place = [&](std::size_t node) {
+    return fmt::format("the node ({}, {}) um", columns[node % samples.columns], rows[node / samples.columns]);
+  };
+  if (const auto twice = std::ranges::adjacent_find(in_order); twice != in_order.end())
+    throw std::invalid_argument(fmt::format("has {} twice", place(*twice)));
+  if (const std::size_t expected = samples.columns * samples.rows; in_order.size() != expected) {
+    std::size_t missing = 0;
+    while (missing < in_order.size() && in_order[missing] == missing) ++missing;
+    throw std::invalid_argument(fmt::format("has no value for {}: a grid of {} x {} nodes has {} rows, this has {}",
+                                            place(missing), samples.columns, samples.rows, expected, x.size()));
+  }
+  samples.values.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) samples.values[nodes[k]] = value[k];
+  return samples;
 }
 
 } // namespace
@@ -79,17 +126,21 @@ double Samples::at(const Vec2& x) const {
 
 Samples samples_from_csv(std::string_view csv, std::string_view column) {
   const std::vector<std::string_view> lines = split(csv, '\n');
-  const std::vector<std::string_view> header = split(lines.front(), ',');
+  const std::vector<std::string_view> header = header_of(lines.front());
   const auto find = [&](std::string_view name) {
     const auto found = std::ranges::find(header, name);
     if (found == header.end())
       throw std::invalid_argument(
           fmt::format("has no column {}; its header is \"{}\"", name, lines.front().substr(0, 80)));
+    if (std::ranges::count(header, name) > 1) throw std::invalid_argument(fmt::format("has two columns {}", name));
     return static_cast<std::size_t>(found - header.begin());
   };
   const std::size_t at_x = find("x_um"), at_y = find("y_um");
   if (column.empty() && header.size() < 3) throw std::invalid_argument("has no third column");
   const std::size_t at_value = column.empty() ? 2 : find(column);
+  if (column.empty() && (at_x == 2 || at_y == 2))
+    throw std::invalid_argument(
+        fmt::format("has {} as its third column; name the column of the values with column=", header[2]));
   std::vector<double> x, y, value;
   for (std::size_t k = 1; k < lines.size(); ++k) {
     if (lines[k].empty()) continue;
@@ -102,28 +153,21 @@ Samples samples_from_csv(std::string_view csv, std::string_view column) {
     value.push_back(number(fields[at_value], k + 1));
   }
   if (x.empty()) throw std::invalid_argument("has no rows");
-  const std::vector<double> columns = levels(x), rows = levels(y);
-  Samples samples{.origin = {columns.front(), rows.front()},
-                  .spacing = {spacing_of(columns, "x_um"), spacing_of(rows, "y_um")},
-                  .columns = columns.size(),
-                  .rows = rows.size(),
-                  .values = std::vector<double>(columns.size() * rows.size(), std::nan(""))};
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const auto i = static_cast<std::size_t>(std::lround((x[k] - samples.origin.x()) / samples.spacing.x()));
-    const auto j = static_cast<std::size_t>(std::lround((y[k] - samples.origin.y()) / samples.spacing.y()));
-    double& node = samples.values[j * samples.columns + i];
-    if (!std::isnan(node)) throw std::invalid_argument(fmt::format("has the node ({}, {}) um twice", x[k], y[k]));
-    node = value[k];
-  }
-  if (const auto missing = std::ranges::find_if(samples.values, [](double v) { return std::isnan(v); });
-      missing != samples.values.end()) {
-    const auto k = static_cast<std::size_t>(missing - samples.values.begin());
-    throw std::invalid_argument(
-        fmt::format("has no value for the node ({}, {}) um: a grid of {} x {} nodes has {} rows, "
-                    "this has {}",
-                    columns[k % samples.columns], rows[k / samples.columns], samples.columns, samples.rows,
-                    samples.values.size(), x.size()));
-  }
+  return on_grid(x, y, value);
+}
+
+Samples samples_from_picture(const Picture& picture, double pixel, const Vec2& centre, double zero, double one) {
+  const std::size_t width = picture.width, height = picture.height;
+  Samples samples{.origin =
+                      centre - 0.5 * pixel * Vec2(static_cast<double>(width) - 1.0, static_cast<double>(height) - 1.0),
+                  .spacing = {pixel, pixel},
+                  .columns = width,
+                  .rows = height,
+                  .values = std::vector<double>(picture.samples.size())};
+  for (std::size_t row = 0; row < height; ++row)
+    for (std::size_t column = 0; column < width; ++column)
+      samples.values[row * width + column] =
+          (picture.samples[(height - 1 - row) * width + column] - zero) / (one - zero);
   return samples;
 }
 

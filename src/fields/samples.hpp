@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "fields/picture.hpp"
 
 #include <cstddef>
-#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -22,17 +22,14 @@ struct Samples {
 };
 
 /// A grid from CSV with a header line: columns x_um and y_um, and the one named, or the third; a row per node of a
-/// regular grid, in any order.
-/// @throws std::invalid_argument saying what is wrong: no such column, no number, no regular grid, a node missing or
-/// twice
+/// regular grid, in any order. Memory and time grow as the text does.
+/// @throws std::invalid_argument saying what is wrong: no such column, no commas, no number, no regular grid, a node
+/// missing or twice
 Samples samples_from_csv(std::string_view csv, std::string_view column);
 
-/// The grey of a PNG or TIFF picture: 0 black to 1 white; colours by their brightness. Pixel (0, 0) is the upper left
-/// one.
+/// A picture with a node in the middle of each pixel, as (sample - zero) / (one - zero).
 /// @param pixel   width of a pixel [um], > 0
 /// @param centre  where the picture's centre lies [um]
-/// @throws InputOutputError if the file cannot be read
-/// @throws std::invalid_argument if it is no such picture, or has more than 16 million pixels
-Samples samples_from_picture(const std::filesystem::path& file, double pixel, const Vec2& centre);
+Samples samples_from_picture(const Picture& picture, double pixel, const Vec2& centre, double zero, double one);
 
 } // namespace matrigrate::fields

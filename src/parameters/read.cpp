@@ -181,7 +181,7 @@ private:
   /// its values are needed.   @return what is wrong
   std::string complete_field(const Row& row, const Place& place) {
     std::string& text = std::get<std::string& (*)(Parameters&)>(row.member)(m_parameters);
-    if (text.empty() || text.find(" hash=") != std::string::npos) return {};
+    if (text.empty() || fields::names_one_file(text)) return {};
     const std::filesystem::path folder =
         place.file == command_line ? std::filesystem::path() : std::filesystem::path(place.file).parent_path();
     try {

@@ -49,6 +49,18 @@ TEST_F(FieldsOfScenarios, AreTheSameFromTheResolvedScenarioAndAfterAResumption) 
   EXPECT_TRUE(contains(changed.err, "has changed: its fingerprint is")) << changed.err;
 }
 
+TEST_F(FieldsOfScenarios, FilesAreFoundInAFolderWithSpaces) {
+  std::filesystem::create_directory(folder / "sp ace");
+  write("sp ace/my E.csv", "x_um,y_um,E_Pa\n-60,-60,100\n60,-60,300\n-60,60,100\n60,60,300\n");
+  write("sp ace/cell.toml", "[run]\nduration = \"0.02 h\"\nintegrator = \"adaptive\"\n[ecm]\nradius = \"60 um\"\n"
+                            "[ecm.fields]\nyoungs_modulus = \"my E.csv\"\nligand = \"50 + x/2\"\n");
+  const Ended explained = run("explain 'sp ace/cell.toml'");
+  EXPECT_TRUE(contains(explained.out, " Pa   ecm.fields; a grid of 2 x 2 nodes")) << explained.out << explained.err;
+  ASSERT_EQ(run("run 'sp ace/cell.toml' -o whole --quiet").code, 0);
+  ASSERT_EQ(run("run whole/scenario.resolved.toml -o again --quiet").code, 0);
+  EXPECT_EQ(hash("again"), hash("whole"));
+}
+
 TEST_F(FieldsOfScenarios, EveryFaultIsToldAtOnceWithItsPlaceAndNothingIsWritten) {
   scenario("[ecm.fields]\nyoungs_modulus = \"195 - 10*x\"\nf_degr = \"channel.png pixel=1 from=0 to=1\"\n"
            "[fibres]\narrangement = \"uniaxial\"\n[fibres.field]\ndirection_deg = \""

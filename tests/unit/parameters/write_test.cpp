@@ -55,7 +55,7 @@ private:
   }
   void change(const Row&, bool& (*member)(Parameters&), Parameters& p, double) { member(p) = m_random() % 2 == 0; }
   void change(const Row&, std::string& (*member)(Parameters&), Parameters& p, double) {
-    member(p) = m_random() % 2 == 0 ? "" : fmt::format("{} + \"\\\" hash=1", m_random()); // as it is kept, unread
+    member(p) = m_random() % 2 == 0 ? "" : fmt::format("\"/sp ace/\\\"{}\\\\.csv\" hash=1", m_random()); // unread
   }
   void change(const Row&, const Choice& choice, Parameters& p, double) {
     choice.set(p, m_random() % choice.names.size());
@@ -106,6 +106,11 @@ TEST(Write, EveryValueOfEveryRangeReadsBackToTheSameBits) {
       ASSERT_EQ((*member)(q), (*member)(copy)) << row.path << " = " << text;
     }
   }
+}
+
+TEST(Write, AFormulaOnSeveralLinesReadsBack) {
+  const Parameters p = parse_parameters("[ecm.fields]\nyoungs_modulus = \"\"\"200\n  + x\n\t+ y\"\"\"\n", "lines.toml");
+  EXPECT_TRUE(same(parse_parameters(to_toml(p), "written.toml"), p)) << to_toml(p);
 }
 
 TEST(Write, EveryParameterStandsInTheResolvedFile) {

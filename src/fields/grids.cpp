@@ -1,0 +1,146 @@
+#include "fields/grids.hpp"
+
+#include "base/file.hpp"
+#include "fields/file_words.hpp"
+#include "fields/picture.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+namespace matrigrate::fields {
+
+namespace {
+
+constexpr std::size_t max_file_bytes = std::size_t{1} << 28U;
+constexpr std::size_t kept_grids = 8, kept_values = std::size_t{1} << 25U;
+
+/// Changes whenever a file does.
+using Version = std::tuple<dev_t, ino_t, off_t, time_t, long, time_t, long>;
+
+std::optional<Version> version_of(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+  return Version(status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
+                 status.st_ctim.tv_sec, status.st_ctim.tv_nsec);
+}
+
+/// What was read of a file.
+struct Kept {
+  std::filesystem::path file;
+  std::optional<Version> version; ///< before it was read
+  std::string hash;
+  NamedGrid of;
+};
+
+class Keeper {
+public:
+  /// The fingerprint of a file, if it is still as it was read.
+  std::string hash_of(const std::filesystem::path& file, const std::optional<Version>& version) {
+    const std::scoped_lock lock(m_mutex);
+    const auto found = std::ranges::find_if(
+        m_kept, [&](const Kept& kept) { return kept.file == file && kept.version && kept.version == version; });
+    return found == m_kept.end() ? "" : found->hash;
+  }
+
+  std::shared_ptr<const Grid> grid_of(const std::string& text) {
+    const std::scoped_lock lock(m_mutex);
+    const auto found = std::ranges::find_if(m_kept, [&](const Kept& kept) { return kept.of.text == text; });
+    return found == m_kept.end() ? nullptr : found->of.grid;
+  }
+
+  void keep(Kept kept) {
+    const std::scoped_lock lock(m_mutex);
+    std::erase_if(m_kept, [&](const Kept& other) { return other.of.text == kept.of.text; });
+    m_kept.insert(m_kept.begin(), std::move(kept));
+    std::size_t number = 0, values = 0;
+    while (number < std::min(m_kept.size(), kept_grids) && values <= kept_values)
+      values += m_kept[number++].of.grid->samples.values.size();
+    if (values > kept_values && number > 1) --number;
+    m_kept.resize(number);
+  }
+
+private:
+  std::mutex m_mutex;
+  std::vector<Kept> m_kept; ///< the last one first
+};
+
+Keeper& keeper() {
+  static Keeper all;
+  return all;
+}
+
+void require(const FileWords& words, std::initializer_list<const char*> keys) {
+  for (const char* needed : keys)
+    if (!words.options.contains(needed))
+      throw std::invalid_argument(
+          fmt::format("a picture needs {0}=...: write \"{1} pixel=0.5 from=50 to=400\", the width "
+                      "of a pixel in um and the values of black and white",
+                      needed, words.name.string()));
+}
+
+Grid picture_grid(const FileWords& words, std::string_view bytes) {
+  require(words, {"pixel"});
+  const double pixel = *words.number("pixel");
+  if (pixel <= 0.0) throw std::invalid_argument("pixel must be above 0 um");
+  const Vec2 centre(words.number("x").value_or(0.0), words.number("y").value_or(0.0));
+  const auto from = words.number("from"), to = words.number("to");
+  auto black = words.number("black"), white = words.number("white");
+  const Picture picture = read_picture(bytes, {.page = words.count("page"), .channel = words.count("channel")});
+  if (picture.black) {
+    require(words, {"from", "to"});
+  } else {
+    if (!from && !to && !black && !white) return {samples_from_picture(picture, pixel, centre, 0.0, 1.0), 0.0, 1.0};
+    if (!from || !to || !black || !white) {
+      const auto [least, largest] = std::ranges::minmax(picture.samples);
+      throw std::invalid_argument(fmt::format(
+          "its samples are of floating point, from {:g} to {:g}: leave out from=, to=, black= and white= to take them "
+          "as they are, or give all four: black= and white= are the samples that get the values from= and to=",
+          least, largest));
+    }
+  }
+  if (!black) black = picture.black;
+  if (!white) white = picture.white;
+  if (*black == *white) throw std::invalid_argument("black= and white= must be different");
+  return {samples_from_picture(picture, pixel, centre, *black, *white), *from, *to};
+}
+
+Grid read_grid(const FileWords& words, std::string_view bytes) {
+  try {
+    if (words.picture()) return picture_grid(words, bytes);
+    return {samples_from_csv(bytes, words.word("column"))};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", words.name.string(), error.what()));
+  }
+}
+
+} // namespace
+
+NamedGrid grid_of(const FileWords& words, const std::filesystem::path& folder) {
+  const std::filesystem::path file = std::filesystem::absolute(folder / words.name).lexically_normal();
+  const std::optional<Version> version = version_of(file);
+  std::string hash = keeper().hash_of(file, version), bytes;
+  const auto read = [&] {
+    bytes = read_file(file, max_file_bytes);
+    hash = fmt::format("{:016x}", XXH3_64bits(bytes.data(), bytes.size()));
+  };
+  if (hash.empty()) read();
+  if (const std::string given = words.word("hash"); !given.empty() && given != hash)
+    throw std::invalid_argument(
+        fmt::format("{} has changed: its fingerprint is {}, and was {}", file.string(), hash, given));
+  NamedGrid named{keeper().grid_of(words.text(file, hash)), words.text(file, hash)};
+  if (named.grid) return named;
+  if (bytes.empty()) read();
+  named = {std::make_shared<const Grid>(read_grid(words, bytes)), words.text(file, hash)};
+  keeper().keep({file, version, hash, named});
+  return named;
+}
+
+} // namespace matrigrate::fields
