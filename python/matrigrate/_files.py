@@ -29,6 +29,8 @@ def unit_of(column: str) -> str:
 
 
 def read_text(path: Path) -> str:
+    if path.exists() and not path.is_file() and not path.is_dir():  # a device may have no end
+        raise InputOutputError(f"{path}: cannot be read: it is no regular file", path.parent)
     try:
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
