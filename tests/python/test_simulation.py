@@ -111,7 +111,7 @@ class TestSimulation(common.InTemporaryFolder):
                 self.small(**{name: function}).advance(until=10)
 
     def test_says_what_it_is(self):
-        simulation = self.small(overrides={"cells": [{"x": -16, "y": 0}, {"x": 16, "y": 0}]})
+        simulation = self.small(overrides={"cells": "[{x = -16, y = 0}, {x = 16, y = 0}]"})
         simulation.advance(hours=0.01)
         self.assertRegex(repr(simulation), r"Simulation\('scenario': 2 cells, \d+ particles of matrix, 0\.01\d* of 6 h, \d+ steps\)")
 
