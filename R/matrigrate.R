@@ -2,11 +2,28 @@
 # Units stand in the names of columns: t_s, x_um, v_migr_abs_um_per_h.
 
 # A table of the program: numbers to the last bit, texts as they are, empty fields as NA.
-.matrigrate_table <- function(file, texts) {
+# texts: columns that hold no numbers; NULL if there are none, and then anything else is damage
+# unfinished: whether its last row may be cut short, because it is being written
+.matrigrate_table <- function(file, texts, unfinished = FALSE) {
   if (!file.exists(file)) stop(file, ": there is no such file", call. = FALSE)
+  damaged <- function(line, ...) stop(file, ":", line, ": is damaged: ", ..., call. = FALSE)
+  content <- readBin(file, "raw", file.size(file))
+  ends <- which(content == as.raw(10))
+  if (length(content) == 0) damaged(1, "it is empty")
+  if (content[length(content)] != as.raw(10)) {
+    if (!unfinished || length(ends) == 0) damaged(length(ends) + 1, "it is cut short")
+    content <- content[seq_len(ends[length(ends)])]
+  }
+  if (any(content == as.raw(0))) damaged(1, "it is no text")
+  lines <- textConnection(strsplit(rawToChar(content), "\n", fixed = TRUE)[[1]], encoding = "bytes")
+  on.exit(close(lines))
+  fields <- utils::count.fields(lines, sep = ",", quote = "\"", blank.lines.skip = FALSE, comment.char = "")
+  if (is.na(fields[1]) || fields[1] < 2) damaged(1, "commas are expected between its columns")
+  wrong <- which(!is.na(fields) & fields != fields[1]) # NA: a text goes on in the next line
+  if (length(wrong) > 0) damaged(wrong[1], "has ", fields[wrong[1]], " fields, its header ", fields[1])
   table <- tryCatch(
-    utils::read.csv(file, colClasses = "character", na.strings = character(), check.names = FALSE, encoding = "UTF-8"),
-    error = function(e) stop(file, ": is damaged: ", conditionMessage(e), call. = FALSE)
+    utils::read.csv(file, nrows = length(ends) - 1, colClasses = "character", na.strings = character(), check.names = FALSE, encoding = "UTF-8"),
+    error = function(e) damaged(1, conditionMessage(e))
   )
   for (name in names(table)) {
     column <- table[[name]]
@@ -14,7 +31,8 @@
     column[guarded] <- substring(column[guarded], 2)
     if (!name %in% texts) {
       number <- suppressWarnings(as.numeric(column))
-      if (all(column == "" | !is.na(number))) column <- number
+      bad <- which(column != "" & is.na(number))
+      if (length(bad) == 0) column <- number else if (is.null(texts)) damaged(bad[1] + 1, name, " is no number")
     }
     table[[name]] <- column
   }
@@ -32,11 +50,13 @@ read_results <- function(study, table = "results.csv") {
   ))
 }
 
-# The tracks of a run, or of all runs of a study, in one data.frame: id (the folder of the run), label, swept parameters
-# and replicate (of a study), then t_s [s], x_um, y_um [um] and the other columns of tracks.csv. For celltrackR:
+# The tracks of a run, or of all runs of a study, in one data.frame, a row for each cell at each time: id, run (the folder
+# of the run), cell (its number in that run, from 1); of a study label, swept parameters, replicate and seed; then t_s [s],
+# x_um, y_um [um] and the other columns of tracks.csv. The id is that of one cell in one run: the folder, and with several
+# cells the folder, a slash and the number of the cell. For celltrackR:
 #   celltrackR::as.tracks(d, id.column = "id", time.column = "t_s", pos.columns = c("x_um", "y_um"))
 read_tracks <- function(folder) {
-  if (file.exists(file.path(folder, "run.json"))) return(.matrigrate_tracks(folder, data.frame(id = basename(folder))))
+  if (file.exists(file.path(folder, "run.json"))) return(.matrigrate_tracks(folder))
   if (!.matrigrate_is_study(folder)) stop(folder, ": is no folder of a run or a study", call. = FALSE)
   results <- read_results(folder)
   names <- colnames(results)
@@ -44,14 +64,19 @@ read_tracks <- function(folder) {
   begun <- file.exists(file.path(folder, "runs", results$run, "tracks.csv"))
   if (!any(begun)) stop(folder, ": none of its runs has begun", call. = FALSE)
   tracks <- lapply(which(begun), function(i) {
-    front <- data.frame(id = results$run[i], results[i, keys], check.names = FALSE)
-    .matrigrate_tracks(file.path(folder, "runs", results$run[i]), front)
+    .matrigrate_tracks(file.path(folder, "runs", results$run[i]), results[i, keys])
   })
   do.call(rbind, tracks)
 }
 
-.matrigrate_tracks <- function(folder, front) {
-  tracks <- .matrigrate_table(file.path(folder, "tracks.csv"), character())
-  rownames(front) <- NULL
-  cbind(front[rep(1, nrow(tracks)), , drop = FALSE], tracks[names(tracks) != "track"], row.names = NULL)
+.matrigrate_tracks <- function(folder, keys = NULL) {
+  record <- file.path(folder, "run.json")
+  running <- file.exists(record) && any(grepl("\"status\": *\"running\"", readLines(record, warn = FALSE)))
+  tracks <- .matrigrate_table(file.path(folder, "tracks.csv"), NULL, unfinished = running)
+  run <- rep(basename(normalizePath(folder)), nrow(tracks))
+  cell <- tracks$track
+  id <- if (length(unique(cell)) > 1) paste(run, cell, sep = "/") else run
+  front <- data.frame(id, run, cell)
+  if (!is.null(keys)) front <- cbind(front, keys[rep(1, nrow(tracks)), , drop = FALSE], row.names = NULL)
+  cbind(front, tracks[names(tracks) != "track"], row.names = NULL)
 }

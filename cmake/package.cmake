@@ -4,6 +4,9 @@ install(DIRECTORY python/matrigrate DESTINATION lib/python3/dist-packages # Debi
         FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN *.json
         PATTERN __pycache__ EXCLUDE)
 install(FILES R/matrigrate.R DESTINATION ${data}/R)
+install(FILES CITATION.cff MODEL.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.md)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.cpp PATTERN *.md)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME matrigrate)
@@ -13,7 +16,7 @@ set(CPACK_PACKAGE_DESCRIPTION
     "Simulates in two dimensions how a single cell migrates through a degradable viscoelastic extracellular matrix, after
 Heck et al. 2020 (PLoS Comput Biol 16(1): e1007250), with studies of many runs and their statistics. Contains the program, a Python package that
 reads results and calls the program, an R file, and the libraries with their headers.")
-set(CPACK_PACKAGE_CONTACT "The Matrigrate authors <authors@matrigrate.invalid>")
+set(CPACK_PACKAGE_CONTACT "The Matrigrate authors") # becomes Maintainer; there is no address
 set(CPACK_PACKAGE_FILE_NAME matrigrate_${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -22,5 +25,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the shared libraries that the program needs, by dpkg-shlibdeps
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-pandas, python3-h5py, python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS # for projects that use the libraries
-    "g++, cmake, libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libhdf5-dev, libboost-math-dev, librandom123-dev, libxxhash-dev, zlib1g-dev")
+    "g++, cmake, libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libhdf5-dev, libmuparser-dev, libpng-dev, libtiff-dev, libboost-math-dev, librandom123-dev, libxxhash-dev, zlib1g-dev")
 include(CPack)

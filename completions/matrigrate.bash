@@ -60,6 +60,7 @@ _matrigrate() {
   matrigrate_study_submit:--throttle) COMPREPLY=(); return ;;
   matrigrate_study_submit:--cpus) COMPREPLY=(); return ;;
   matrigrate_study_submit:--chunk) COMPREPLY=(); return ;;
+  matrigrate_study_submit:--launcher) COMPREPLY=(); return ;;
   matrigrate_study_task:--list) COMPREPLY=(); return ;;
   matrigrate_reproduce:-o|matrigrate_reproduce:--output) _matrigrate_files -d; return ;;
   matrigrate_reproduce:--replicates) COMPREPLY=(); return ;;
@@ -108,7 +109,7 @@ _matrigrate() {
   matrigrate_study_collect)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json --quiet" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_study_submit)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --account --partition --qos --time --mem --mail-user --throttle --cpus --chunk --retry-failed --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --account --partition --qos --time --mem --mail-user --throttle --cpus --chunk --launcher --retry-failed --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_reproduce)

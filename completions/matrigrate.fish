@@ -168,6 +168,7 @@ complete -c matrigrate -n '__matrigrate_at study submit' -l mail-user -x -d 'Who
 complete -c matrigrate -n '__matrigrate_at study submit' -l throttle -x -d 'Largest number of tasks at a time (default: as Slurm decides)'
 complete -c matrigrate -n '__matrigrate_at study submit' -l cpus -x -d 'Threads per task; never changes a result (default: 1)'
 complete -c matrigrate -n '__matrigrate_at study submit' -l chunk -x -d 'Runs per task, one after the other (default: as few as fit into 1000 tasks)'
+complete -c matrigrate -n '__matrigrate_at study submit' -l launcher -x -d 'What a task calls in place of this program, as in "apptainer exec /lab/x.sif matrigrate"'
 complete -c matrigrate -n '__matrigrate_at study submit' -l retry-failed -d 'Compute again also what failed numerically; it will fail again unless the program has changed'
 complete -c matrigrate -n '__matrigrate_at study submit' -l json -d 'Print {folder, job, runs, tasks}'
 

@@ -1,4 +1,4 @@
-# Shared by ./demo, ./test and tools/site.sh: what the build, the tests and the site need from Debian, and how it is built.
+# Shared by ./demo, ./test, python/install.sh, the recipes of containers and tools/site.sh: what the build, the tests and the site need from Debian, and how it is built.
 # Sourced with the working directory at the project's root.
 
 # name: reason
@@ -24,6 +24,19 @@ zlib1g-dev: compression of frames and of what reports hold
 libboost-math-dev: distributions behind the p-values of studies
 nodejs: builds the pages of reports
 npm: gets what builds them
+"
+packages_for_simulation="
+pybind11-dev: the compiled module of the Python package, for matrigrate.Simulation
+python3-dev: the same
+"
+packages_for_python="
+python3-venv: the environment that it goes into
+python3-pip: installs it
+python3-setuptools: the same
+python3-wheel: the same
+python3-pandas: tables
+python3-h5py: frames
+python3-matplotlib: figures
 "
 packages_to_test="
 libgtest-dev: the tests

@@ -82,6 +82,11 @@ void add_slurm_options(CLI::App& verb, SubmitOptions& options) {
       ->check(CLI::Range(1, 1024));
   verb.add_option("--chunk", options.chunk,
                   "Runs per task, one after the other (default: as few as fit into 1000 tasks)");
+  verb.add_option("--launcher", options.launcher,
+                  "What a task calls in place of this program, as in \"apptainer exec /lab/x.sif matrigrate\"")
+      ->check([](const std::string& words) {
+        return CLI::detail::split_up(words).empty() ? std::string("names no program") : std::string();
+      });
   verb.add_option("SBATCH", slurm.more, "After --: further options for sbatch, as in -- --constraint=avx2");
 }
 

@@ -8,6 +8,7 @@
 #include "study_runs/child.hpp"
 #include "study_runs/slurm_job.hpp"
 
+#include <CLI/StringTools.hpp>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -91,7 +92,8 @@ int slurm_threads() {
 
 } // namespace
 
-int submit_study(const SubmitOptions& options) {
+int submit_study(SubmitOptions options) {
+  options.slurm.launcher = CLI::detail::split_up(options.launcher);
   const StudyFolder study = read_study_file(options.study);
   std::vector<Fault> faults = slurm_faults(options.slurm, study.folder);
   if (!faults.empty()) throw ConfigurationError(std::move(faults));

@@ -44,12 +44,13 @@ int collect_study(const StudyOptions& options);
 struct SubmitOptions {
   StudyOptions study;
   study::SlurmOptions slurm;
+  std::string launcher;  ///< what a task calls in place of this program, as typed
   std::size_t chunk = 0; ///< runs per task; 0: as few as fit into 1000 tasks
 };
 /// Writes the job script and hands it to sbatch.
 /// @throws ConfigurationError if the study or an option for Slurm is wrong; nothing is written then
 /// @throws InputOutputError if there is no sbatch, or it refuses; the script is kept then
-int submit_study(const SubmitOptions& options);
+int submit_study(SubmitOptions options);
 
 struct TaskOptions {
   std::string folder;

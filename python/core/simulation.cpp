@@ -16,12 +16,17 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cxxabi.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -49,6 +54,51 @@ template <class T>
 Array vectors(const std::vector<T>& values, const py::object& owner) {
   return view(values, owner, {2});
 }
+
+// The end of the interpreter. A thread that Python does not wait for (a daemon) may compute then. Python would end it
+// by unwinding its stack where it asks for Python's lock, and C++ would end the process; so such threads wait instead.
+std::atomic<int> marches{0}; ///< under way, in threads that do not wait for the end of the process
+std::atomic<bool> is_ending{false};
+std::thread::id ending_thread; ///< in which the interpreter ends; set before is_ending
+
+/// Until the process is gone.
+[[noreturn]] void wait_for_the_end() {
+  --marches;
+  for (;;) ::pause();
+}
+
+/// Called by Python at its end: makes the marches of other threads wait at the end of their step.
+void end_marches() {
+  ending_thread = std::this_thread::get_id();
+  is_ending = true;
+  const py::gil_scoped_release released;
+  const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(5); // a function of the user's may sleep
+  while (marches > 0 && std::chrono::steady_clock::now() < latest)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+/// Python's lock, given up for the life of this object but for the time between take() and give().
+class Unlocked {
+public:
+  Unlocked() : m_thread(PyEval_SaveThread()) { ++marches; }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+  ~Unlocked() {
+    take();
+    --marches;
+  }
+  void take() {
+    try {
+      PyEval_RestoreThread(m_thread);
+    } catch (const abi::__forced_unwind&) {
+      wait_for_the_end();
+    }
+  }
+  void give() { m_thread = PyEval_SaveThread(); }
+
+private:
+  PyThreadState* m_thread;
+};
 
 class Simulation {
 public:
@@ -97,6 +147,7 @@ public:
     if (!m_matrix_force.is_none() || !m_cell_force.is_none())
       loads = [&](const State& s, std::span<Vec2> forces) { add_forces(self, s, forces); };
     const auto each_step = [&](const State& s) {
+      if (is_ending && std::this_thread::get_id() != ending_thread) wait_for_the_end();
       see();
       const bool goes_on = ++done < max_steps;
       if (Clock::now() >= next) {
@@ -107,7 +158,8 @@ public:
       return goes_on;
     };
     const Set computing(m_computing);
-    const py::gil_scoped_release released;
+    Unlocked unlocked;
+    m_unlocked = &unlocked;
     if (m_state.t < last_start) ask_cue(self);
     march(m_state, m_p, m_workspace, t_end, loads, each_step);
   }
@@ -134,12 +186,27 @@ private:
     bool m_to;
   };
 
-  /// Python's lock, for a function of the user's between two parts of the computation.
-  struct Called {
-    py::gil_scoped_acquire held;
-    Set at_rest;
-    explicit Called(bool& computing) : at_rest(computing, false) {}
-  };
+  /// Calls a function with Python's lock, between two parts of the computation.
+  template <class Function>
+  void with_python(const Function& function) {
+    class Taken {
+    public:
+      explicit Taken(Unlocked& unlocked) : m_unlocked(unlocked) { m_unlocked.take(); }
+      Taken(const Taken&) = delete;
+      Taken& operator=(const Taken&) = delete;
+      ~Taken() { m_unlocked.give(); }
+
+    private:
+      Unlocked& m_unlocked;
+    };
+    const Taken taken(*m_unlocked);
+    const Set at_rest(m_computing, false);
+    try {
+      function();
+    } catch (const abi::__forced_unwind&) { // the interpreter ends while a function of the user's runs
+      wait_for_the_end();
+    }
+  }
 
   /// Adds to the hash what a run adds to it at its rows of tracks.csv.
   void see() {
@@ -152,21 +219,23 @@ private:
 
   /// Ctrl-C, and what the user wants to be told.
   void tell(const py::object& self, const py::object& each) {
-    const Called called(m_computing);
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!each.is_none()) each(self);
+    with_python([&] {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!each.is_none()) each(self);
+    });
   }
 
   /// The propensities of the next step, where new ones are due.
   void ask_cue(const py::object& self) {
     if (m_cue.is_none()) return;
     if (!m_workspace.propensity.empty() && m_state.step < m_cued_at + m_cue_every) return;
-    const Called called(m_computing);
-    std::vector<std::vector<double>> propensity;
-    for (std::size_t k = 0; k < m_state.cells.size(); ++k)
-      propensity.push_back(factors(m_cue(self, k), m_state.cells[k].cortex.size()));
-    m_workspace.propensity = std::move(propensity);
-    m_cued_at = m_state.step;
+    with_python([&] {
+      std::vector<std::vector<double>> propensity;
+      for (std::size_t k = 0; k < m_state.cells.size(); ++k)
+        propensity.push_back(factors(m_cue(self, k), m_state.cells[k].cortex.size()));
+      m_workspace.propensity = std::move(propensity);
+      m_cued_at = m_state.step;
+    });
   }
 
   /// As Python writes it.
@@ -209,10 +278,11 @@ private:
   }
 
   void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) {
-    const Called called(m_computing);
-    const std::size_t matrix = s.ecm.size();
-    if (!m_matrix_force.is_none()) add(m_matrix_force(self), forces.subspan(0, matrix), "force");
-    if (!m_cell_force.is_none()) add(m_cell_force(self), forces.subspan(matrix), "cell_force");
+    with_python([&] {
+      const std::size_t matrix = s.ecm.size();
+      if (!m_matrix_force.is_none()) add(m_matrix_force(self), forces.subspan(0, matrix), "force");
+      if (!m_cell_force.is_none()) add(m_cell_force(self), forces.subspan(matrix), "cell_force");
+    });
   }
 
   Parameters m_p;
@@ -225,9 +295,10 @@ private:
   py::object m_cell_force = py::none();
   py::object m_cue = py::none();
   std::uint64_t m_cue_every = 1;
-  std::uint64_t m_cued_at = 0; ///< step of the last call of the cue
-  bool m_marching = false;     ///< march_to() is under way
-  bool m_computing = false;    ///< in it, no function of the user's is
+  std::uint64_t m_cued_at = 0;    ///< step of the last call of the cue
+  Unlocked* m_unlocked = nullptr; ///< of the march that is under way
+  bool m_marching = false;        ///< march_to() is under way
+  bool m_computing = false;       ///< in it, no function of the user's is
 };
 
 /// A protrusion that lives, as a dictionary.
@@ -276,6 +347,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace matrigrate;
   module.doc() = "A simulation that is stepped from Python; used by matrigrate.Simulation.";
   py::register_exception_translator(&translate);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
   const auto of = [](const py::object& self) -> const State& { return self.cast<const Simulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
     const std::vector<Cell>& cells = of(self).cells;

@@ -22,7 +22,7 @@ from ._version import __version__
 from .errors import (ConfigurationError, Fault, InputOutputError, InternalError, KeyboardStop, MatrigrateError,
                      NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError)
 from .fields import Field, Fields
-from .results import Readouts, Run, load, meaning
+from .results import Readouts, ReadoutsOfCells, Run, load, meaning
 from .scenario import Scenario, Section
 from .simulate import run, run_study
 from .simulation import Cell, CoreNotFound, Matrix, Simulation
@@ -30,7 +30,7 @@ from .studies import Runs, Study, load_study
 
 __all__ = [
     "Cell", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields", "InputOutputError", "InternalError",
-    "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "Run",
+    "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run",
     "Runs", "Scenario", "Section", "Simulation", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__",
     "load", "load_study", "meaning", "plot", "run", "run_study",
 ]

@@ -28,7 +28,14 @@ def unit_of(column: str) -> str:
     return next((unit for suffix, unit in _units.items() if column.endswith("_" + suffix)), "1")
 
 
+def require_regular(path: Path) -> None:
+    """:raises InputOutputError: of a device or pipe, which may have no end"""
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise InputOutputError(f"{path}: cannot be read: it is no regular file", path.parent)
+
+
 def read_text(path: Path) -> str:
+    require_regular(path)
     try:
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError:

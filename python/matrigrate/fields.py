@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-_bodies = ("matrix", "outline")
+_bodies = ("matrix", "outline", "nucleus")
 _sparse = ("protrusions", "anchors")
+_aliases = {"matrix/degradation": "matrix/f_degr"}  # the layers of the command line that the file calls otherwise
 
 
 class Field:
@@ -47,7 +48,9 @@ class Field:
 class Fields(Mapping[str, Field]):
     """The frames of cell and matrix: ``fields["matrix/pressure"][k]`` is the pressure [Pa] of all particles in frame k.
 
-    Arrays are (frames, particles) or (frames, particles, 3).
+    Arrays are (frames, particles) or (frames, particles, 3). Several cells follow one another: ``outline/cell`` is the number
+    of the cell, from 1, of each particle of ``outline``. "matrix/degradation", as the command line calls it, is
+    "matrix/f_degr".
     """
 
     def __init__(self, file: str | Path) -> None:
@@ -61,6 +64,7 @@ class Fields(Mapping[str, Field]):
                 raise InputOutputError(f"{self.file}: is no file of frames of this program", self.file.parent) from None
 
     def __getitem__(self, name: str) -> Field:
+        name = _aliases.get(name, name)
         if name not in self._fields:
             raise KeyError(f"{name}; there are {', '.join(self._fields)}")
         return self._fields[name]
@@ -88,7 +92,7 @@ class Fields(Mapping[str, Field]):
         return int(np.abs(self.times - t).argmin())
 
     def frame(self, k: int) -> dict[str, np.ndarray[Any, Any]]:
-        """All arrays of matrix and outline in frame k, by their names."""
+        """All arrays of matrix, outline and nucleus in frame k, by their names."""
         try:
             number = range(len(self.times))[k]
         except IndexError:
@@ -120,6 +124,10 @@ class Fields(Mapping[str, Field]):
                 arrays[name.replace("/", "_")] = xarray.DataArray(field[...], dims=dims, attrs={"units": field.units})
         data = xarray.Dataset(arrays, coords={"time": ("time", self.times, {"units": "s"})})
         return data.assign_coords(axis=["x", "y", "z"]) if "axis" in data.dims else data
+
+    def has_frames(self, name: str) -> bool:
+        """Whether a field has values of each particle in each frame."""
+        return self._has_frames(self[name])
 
     def _has_frames(self, field: Field) -> bool:
         return (field.name.split("/")[0] in _bodies and field.name != "matrix/reference" and len(field.shape) > 1

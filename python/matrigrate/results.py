@@ -3,10 +3,12 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
 
 from . import _arguments
 from ._files import read_json, read_table, read_text, unit_of
@@ -109,6 +111,68 @@ class Readouts(Mapping[str, float]):
                          for name, value in self._values.items())
 
 
+class ReadoutsOfCells(Mapping[int, Readouts]):
+    """The read-outs of a run of several cells: by the number of the cell, from 1, those of that cell; by the name of a
+    read-out, also as an attribute, an array with its value of each cell in their order.
+
+    >>> readouts = ReadoutsOfCells([{"cell": 1, "f_mat": 0.5}, {"cell": 2, "f_mat": None}])
+    >>> readouts[1].f_mat, readouts.f_mat.tolist()
+    (0.5, [0.5, nan])
+    """
+
+    def __init__(self, cells: Sequence[Mapping[str, Any]]) -> None:
+        self._cells = {int(cell["cell"]): Readouts({name: value for name, value in cell.items() if name != "cell"})
+                       for cell in cells}
+
+    @overload
+    def __getitem__(self, key: int) -> Readouts: ...
+    @overload
+    def __getitem__(self, key: str) -> np.ndarray[Any, Any]: ...
+
+    def __getitem__(self, key: int | str) -> Any:
+        if isinstance(key, str):
+            return np.array([cell[key] for cell in self._cells.values()], dtype=float)
+        if key not in self._cells:
+            raise KeyError(f"{key}; the cells are {', '.join(map(str, self._cells))}")
+        return self._cells[key]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._cells)
+
+    def __len__(self) -> int:
+        return len(self._cells)
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the read-outs."""
+        return list(next(iter(self._cells.values()), {}))
+
+    def __getattr__(self, name: str) -> np.ndarray[Any, Any]:
+        if name.startswith("_") or name not in self.names:
+            raise AttributeError(f"there is no read-out {name}")
+        return self[name]
+
+    def __dir__(self) -> list[str]:
+        return [*self.names, "names", "unit", "meaning"]
+
+    def unit(self, name: str) -> str:
+        """The unit of a read-out, such as "um/h"; "1" of counts and ratios."""
+        self[name]
+        return unit_of(name)
+
+    def meaning(self, name: str) -> str:
+        """What a read-out is, in words."""
+        self[name]
+        return meaning(name)
+
+    def __repr__(self) -> str:
+        rows = [" " * 26 + "".join(f"{f'cell {number}':>12}" for number in self._cells)]
+        for name in self.names:
+            unit = unit_of(name) if unit_of(name) != "1" else ""
+            rows.append(f"{name:<26}{''.join(f'{value:>12.4g}' for value in self[name])} {unit:<6} {meaning(name)}")
+        return "\n".join(rows)
+
+
 class Run:
     """The folder of a run. Files are read when they are asked for, tables once.
 
@@ -153,7 +217,8 @@ class Run:
 
     @cached_property
     def tracks(self) -> pandas.DataFrame:
-        """A row each minute: ``t_s`` [s], ``x_um``, ``y_um`` [um], area, perimeter, polarization, protrusions."""
+        """A row each minute, and of each cell: ``track`` (its number, from 1), ``t_s`` [s], ``x_um``, ``y_um`` [um], area,
+        perimeter, polarization, protrusions."""
         return self._table("tracks.csv")
 
     @cached_property
@@ -168,18 +233,39 @@ class Run:
 
     @cached_property
     def msd(self) -> pandas.DataFrame:
-        """Mean square displacement [um^2] over lags [s] of 10 min to half the run; written when the run ends."""
+        """Mean square displacement [um^2] over lags [s] of 10 min to half the run, of several cells for each ``cell``;
+        written when the run ends."""
         return self._table("msd.csv")
 
     @cached_property
-    def readouts(self) -> Readouts:
-        """The paper's read-outs by name, with units; written when the run ends."""
+    def group(self) -> pandas.DataFrame:
+        """Of a run of several cells what they do together, a row each minute: ``t_s`` [s], centroid and spread [um], speed
+        [um/h], order, distances [um], contacts.
+
+        :raises InputOutputError: of a run of one cell, which has none
+        """
+        if not (self.folder / "group.csv").exists():
+            raise InputOutputError(f"{self.folder}: has no group.csv, which runs of several cells have", self.folder)
+        return self._table("group.csv")
+
+    @cached_property
+    def readouts(self) -> Readouts | ReadoutsOfCells:
+        """The paper's read-outs by name, with units; of several cells those of each. Written when the run ends."""
         path = self._existing("summary.json")
         values = read_json(path)
-        for name, value in values.items():
-            if isinstance(value, (str, bool, dict)):
-                raise InputOutputError(f"{path}: is damaged: {name} is no number", self.folder)
-        return Readouts(values)
+        cells = values.get("cells", [values])
+        if not isinstance(cells, list) or not cells or not all(isinstance(cell, dict) for cell in cells):
+            raise InputOutputError(f"{path}: is damaged: its cells are no list of read-outs", self.folder)
+        for cell in cells:
+            for name, value in cell.items():
+                if isinstance(value, bool) or not isinstance(value, (int, float, type(None))):
+                    raise InputOutputError(f"{path}: is damaged: {name} is no number", self.folder)
+        if "cells" not in values:
+            return Readouts(values)
+        if [cell.get("cell") for cell in cells] != list(range(1, len(cells) + 1)) or len(set(map(frozenset, cells))) > 1:
+            raise InputOutputError(f"{path}: is damaged: its cells are not numbered from 1, with the same read-outs",
+                                   self.folder)
+        return ReadoutsOfCells(cells)
 
     @cached_property
     def scenario(self) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _arguments, _program, _schema
+from ._files import require_regular
 from ._schema import Parameter, Value
 from ._sections import Section as Section
 from ._sections import Sections, classes, help_text, of, unknown
@@ -298,6 +299,7 @@ def _flat(values: Mapping[str, Any]) -> Iterator[tuple[str, Any, bool]]:
 
 
 def _read(path: Path) -> dict[str, Any]:
+    require_regular(path)
     try:
         return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except tomllib.TOMLDecodeError as error:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _arguments, _program
+from ._files import read_text
 from ._schema import toml_text
 from .errors import KeyboardStop
 from .results import Run, load
@@ -108,7 +109,7 @@ def _default_folder(file: Path, seed: int | None, overrides: Mapping[str, Any]) 
         seed = overrides.get("run.seed")
     if seed is None:
         try:
-            seed = tomllib.loads(file.read_text(encoding="utf-8-sig")).get("run", {}).get("seed", 1)
+            seed = tomllib.loads(read_text(file).removeprefix("\ufeff")).get("run", {}).get("seed", 1)
         except (OSError, ValueError, AttributeError):
             seed = 1
     name = f"{file.stem}-seed{seed}"

@@ -150,15 +150,15 @@ class Simulation:
         :param cell_force: the same for the particles of the cortex (of all cells, one after the other)
         :param cue: called for each cell before a step; returns factors on the rate of initiation of its particles [-],
             finite and >= 0, shape (n,), or None for 1; with protrusion.number > 0, weights in the draw of the particle
-        :param cue_every: steps between two calls of the cue, which the factors of the first hold for; >= 1
+        :param cue_every: steps between two calls of the cue, which the factors of the first hold for; 1 to 10^9
         :raises ConfigurationError: with all that is wrong with the scenario
         :raises InputOutputError: if the file of the scenario cannot be read
         :raises CoreNotFound: if the package was installed without its compiled module
         """
         for what, function in (("force", force), ("cell_force", cell_force), ("cue", cue)):
             _arguments.function(what, function)
-        if isinstance(cue_every, bool) or not isinstance(cue_every, int) or cue_every < 1:
-            raise ValueError(f"cue_every is {cue_every!r}; a whole number of steps >= 1 is expected")
+        if isinstance(cue_every, bool) or not isinstance(cue_every, (int, np.integer)) or not 1 <= cue_every <= 10**9:
+            raise ValueError(f"cue_every is {cue_every!r}; a whole number of steps from 1 to 10^9 is expected")
         name, text = _text_of(scenario)
         words = [f"{key}={value if isinstance(value, str) else toml_text(value)}"
                  for key, value in _arguments.mapping("overrides", overrides).items()]
@@ -166,13 +166,21 @@ class Simulation:
         self._core: _core.Simulation = core().Simulation(text, name, words)
         me = weakref.ref(self)  # a cycle through the compiled object would never be freed
 
-        def with_me(function: Callable[[Simulation], Floats | None] | None) -> Callable[[object], Floats | None] | None:
-            return None if function is None else lambda _: function(_alive(me))
+        def with_me(what: str, function: Callable[[Simulation], Floats | None] | None
+                    ) -> Callable[[object], Floats | None] | None:
+            return None if function is None else lambda _: _unmasked(what, function(_alive(me)))
 
-        self._core.set_force(with_me(force), with_me(cell_force))
-        self._core.set_cue(None if cue is None else lambda _, k: cue(_alive(me), _alive(me).cells[k]), cue_every)
+        self._core.set_force(with_me("force", force), with_me("cell_force", cell_force))
+        self._core.set_cue(None if cue is None else
+                           lambda _, k: _unmasked("cue", cue(_alive(me), _alive(me).cells[k])), int(cue_every))
+        self._name = name
         self.matrix = Matrix(self._core)  #: the particles of the matrix
-        self.cells: list[Cell] = [Cell(self._core, k) for k in range(self._core.cell_count)]  #: the cells; one so far
+        self.cells: list[Cell] = [Cell(self._core, k) for k in range(self._core.cell_count)]  #: the cells, in the order of the scenario
+
+    def __repr__(self) -> str:
+        cells = "1 cell" if len(self.cells) == 1 else f"{len(self.cells)} cells"
+        return (f"Simulation({self._name!r}: {cells}, {len(self.matrix)} particles of matrix, {self.t / 3600:.3g} of "
+                f"{self.duration / 3600:.3g} h, {self.step_count} steps)")
 
     @property
     def cell(self) -> Cell:
@@ -245,8 +253,8 @@ def core() -> ModuleType:
     found = next((place for place in places if place and Path(place).is_file()), None)
     if found is None:
         raise CoreNotFound("this package was installed without its compiled module, so it cannot step a simulation "
-                           "(matrigrate.run does): install pybind11-dev and python3-dev, build (./demo or ./test in a clone of "
-                           "Matrigrate), and install it again")
+                           "(matrigrate.run does); on Debian 12, in a clone of Matrigrate, python/install.sh builds the "
+                           "module and installs the package with it into a virtual environment")
     spec = importlib.util.spec_from_file_location(name, found,
                                                   loader=importlib.machinery.ExtensionFileLoader(name, found))
     assert spec is not None and spec.loader is not None
@@ -260,6 +268,14 @@ def _alive(me: weakref.ref[Simulation]) -> Simulation:
     simulation = me()
     assert simulation is not None  # it is computing
     return simulation
+
+
+def _unmasked(what: str, returned: Floats | None) -> Floats | None:
+    """What a function of the user's returned. :raises ValueError: if it is masked, since a mask would be ignored"""
+    if isinstance(returned, np.ma.MaskedArray):
+        raise ValueError(f"{what} returned a masked array, whose mask would be ignored; a plain one is expected, such as "
+                         ".filled(0)")
+    return returned
 
 
 def _text_of(scenario: Scenario | str | os.PathLike[str] | None) -> tuple[str, str]:

@@ -105,7 +105,7 @@ constexpr std::string_view script_body = R"(
 cancelled=0
 trap 'cancelled=1' TERM
 trap 'kill -TERM "$task" 2>/dev/null' USR1
-"$program" study task "$folder" "$SLURM_ARRAY_TASK_ID" --list "$list" &
+"${program[@]}" study task "$folder" "$SLURM_ARRAY_TASK_ID" --list "$list" &
 task=$!
 wait "$task"
 code=$?
@@ -135,6 +135,11 @@ std::string output_pattern(const std::string& path) {
   return text;
 }
 
+void check_launcher(Faults& faults, const std::vector<std::string>& launcher) {
+  for (const std::string& word : launcher)
+    if (std::ranges::any_of(word, is_control)) faults.add("--launcher", word, "holds a control character");
+}
+
 } // namespace
 
 std::vector<Fault> slurm_faults(const SlurmOptions& options, const std::filesystem::path& folder) {
@@ -147,6 +152,7 @@ std::vector<Fault> slurm_faults(const SlurmOptions& options, const std::filesyst
   check_time(faults, options.time);
   check_folder(faults, folder);
   check_more(faults, options.more);
+  check_launcher(faults, options.launcher);
   return std::move(faults).all();
 }
 
@@ -187,8 +193,10 @@ std::string job_script(const SlurmOptions& options, const std::filesystem::path&
   add_if("--mail-user", options.mail_user);
   if (!options.mail_user.empty()) add("--mail-type=END,FAIL"); // without it Slurm sends nothing
   if (!options.more.empty()) text += "# submitted by: " + shell_text(sbatch_command(options, "submit.sh")) + "\n";
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  text += fmt::format("program={}\nfolder={}\nlist={}\n", quoted(program), quoted(path), quoted(list));
+  const std::vector<std::string> program = options.launcher.empty()
+                                               ? std::vector{std::filesystem::read_symlink("/proc/self/exe").string()}
+                                               : options.launcher;
+  text += fmt::format("program=({})\nfolder={}\nlist={}\n", shell_text(program), quoted(path), quoted(list));
   return text + std::string(script_body);
 }
 

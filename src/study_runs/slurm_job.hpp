@@ -15,12 +15,13 @@ struct SlurmOptions {
   std::string account;
   std::string partition; ///< one or several, with commas between
   std::string qos;
-  std::string time;              ///< limit of a task, in one of Slurm's formats
-  std::string memory;            ///< of a task, as in 500M
-  std::string mail_user;         ///< who is told when the job ends or fails
-  std::size_t throttle = 0;      ///< tasks at a time; 0: no limit
-  int cpus = 1;                  ///< per task
-  std::vector<std::string> more; ///< further options for sbatch, word by word
+  std::string time;                  ///< limit of a task, in one of Slurm's formats
+  std::string memory;                ///< of a task, as in 500M
+  std::string mail_user;             ///< who is told when the job ends or fails
+  std::size_t throttle = 0;          ///< tasks at a time; 0: no limit
+  int cpus = 1;                      ///< per task
+  std::vector<std::string> launcher; ///< what a task calls in place of this program, word by word; empty: this program
+  std::vector<std::string> more;     ///< further options for sbatch, word by word
 };
 
 /// Everything in the options that Slurm would misread, and a folder whose name cannot be given to Slurm. Since each

@@ -118,12 +118,38 @@ TEST_F(Submit, NamesOfFoldersAreNoCommands) {
   ASSERT_EQ(submit("e.toml -o '100 %A $(touch PWNED) `touch PWNED` '\\''x'\\'").code, 0);
   const std::string odd = "100 %A $(touch PWNED) `touch PWNED` 'x'";
   EXPECT_TRUE(contains(script(odd), "/100 %%A $(touch PWNED) `touch PWNED` 'x'/slurm/%A_%a.out\"\n")) << script(odd);
-  std::ofstream(base / "print_folder") << "cd '" << folder.string() << "'\n"
-                                       << "sed -i 's/^\"$program\".*/printf %s \"$folder\" \\&/' 100*/submit.sh\n"
-                                       << "SLURM_ARRAY_TASK_ID=0 bash 100*/submit.sh\n";
+  std::ofstream(base / "print_folder")
+      << "cd '" << folder.string() << "'\n"
+      << "sed -i 's/^\"${program\\[@\\]}\".*/printf %s \"$folder\" \\&/' 100*/submit.sh\n"
+      << "SLURM_ARRAY_TASK_ID=0 bash 100*/submit.sh\n";
   std::system(("bash '" + (base / "print_folder").string() + "' >'" + (base / "printed").string() + "'").c_str());
   EXPECT_EQ(text_of(base / "printed"), (folder / odd).string());
   EXPECT_FALSE(exists("PWNED"));
+}
+
+/// A task of the script calls the launcher with its words, and then the words of the task.
+TEST_F(Submit, CallsALauncherInPlaceOfThisProgram) {
+  std::filesystem::create_directory(base / "my bin");
+  std::ofstream(base / "my bin/launch") << "#!/bin/sh\nprintf '<%s>\\n' \"$@\" >'" << (base / "launched").string()
+                                        << "'\n";
+  std::filesystem::permissions(base / "my bin/launch", std::filesystem::perms::owner_all);
+  const std::string launcher = "\"" + (base / "my bin/launch").string() + "\" exec \"$(touch PWNED) x.sif\" matrigrate";
+  const Ended ended = submit("e.toml --launcher '" + launcher + "'");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_FALSE(contains(script(), MATRIGRATE_PROGRAM)) << "nodes may not have it";
+  const std::string task =
+      "cd '" + base.string() + "' && SLURM_ARRAY_TASK_ID=3 bash '" + (folder / "e-study/submit.sh").string() + "'";
+  EXPECT_EQ(std::system(task.c_str()), 0);
+  const std::string said = text_of(base / "launched");
+  EXPECT_TRUE(said.starts_with("<exec>\n<$(touch PWNED) x.sif>\n<matrigrate>\n<study>\n<task>\n<"
+                               + (folder / "e-study").string() + ">\n<3>\n<--list>\n<slurm/tasks-"))
+      << said;
+  EXPECT_FALSE(std::filesystem::exists(base / "PWNED"));
+  EXPECT_EQ(submit("e.toml -o none --launcher ''").code, 2);
+  const Ended refused = submit("e.toml -o none --launcher $'x\ay'");
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_TRUE(contains(refused.err, "--launcher: \"x?y\" holds a control character")) << refused.err;
+  EXPECT_FALSE(exists("none"));
 }
 
 TEST_F(Submit, NamesThatAreNoTextAreNoInternalError) {

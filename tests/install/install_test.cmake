@@ -14,6 +14,12 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BINARY_DIR} --prefix ${prefix})
 
+# A build of the program alone, as ./demo makes it, can be installed: the module of Python may be missing.
+file(READ ${BINARY_DIR}/python/core/cmake_install.cmake rule)
+if(rule MATCHES "TYPE MODULE" AND NOT rule MATCHES "TYPE MODULE OPTIONAL FILES")
+  message(SEND_ERROR "the module of Python is not optional: a build of the program alone could not be installed")
+endif()
+
 # All files are there; those of the package name no folder of this build.
 set(expected bin/matrigrate share/matrigrate/docs/scenario.schema.json share/man/man1/matrigrate.1
              share/doc/matrigrate/LICENSE share/doc/matrigrate/NOTICES share/bash-completion/completions/matrigrate

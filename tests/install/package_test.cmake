@@ -18,8 +18,8 @@ endfunction()
 
 run(text ${CMAKE_CPACK_COMMAND} --config ${BINARY_DIR}/CPackConfig.cmake -B ${FOLDER}/made)
 file(GLOB package ${FOLDER}/made/matrigrate_*.deb)
-run(control ${DPKG_DEB} --field ${package} Package Depends Recommends)
-foreach(word "Package: matrigrate" libhdf5 libtbb libfmt libc6 python3-pandas)
+run(control ${DPKG_DEB} --field ${package} Package Depends Recommends Suggests)
+foreach(word "Package: matrigrate" libhdf5 libtbb libfmt libc6 python3-pandas libmuparser-dev libpng-dev libtiff-dev)
   string(FIND "${control}" "${word}" place)
   if(place EQUAL -1)
     message(SEND_ERROR "the package does not name ${word}:\n${control}")
@@ -29,7 +29,8 @@ run(text ${DPKG_DEB} -x ${package} ${FOLDER}/unpacked)
 foreach(file bin/matrigrate include/matrigrate/simulation/advance.hpp lib/python3/dist-packages/matrigrate/__init__.py
              lib/python3/dist-packages/matrigrate/scenario.schema.json share/man/man1/matrigrate.1
              share/bash-completion/completions/matrigrate share/matrigrate/studies/stiffness.toml
-             share/matrigrate/R/matrigrate.R share/doc/matrigrate/LICENSE)
+             share/matrigrate/R/matrigrate.R share/doc/matrigrate/LICENSE share/doc/matrigrate/CITATION.cff
+             share/doc/matrigrate/MODEL.md share/doc/matrigrate/docs/tutorial.md share/doc/matrigrate/examples/04_my_force.cpp)
   if(NOT EXISTS ${FOLDER}/unpacked/usr/${file} AND NOT EXISTS ${FOLDER}/unpacked/usr/${file}.gz)
     message(SEND_ERROR "not in the package: /usr/${file}")
   endif()
@@ -43,7 +44,7 @@ run(text ${FOLDER}/unpacked/usr/bin/matrigrate check ${FOLDER}/unpacked/usr/shar
 # The recipes of containers take their lists of packages from tools/setup.sh, and name files that exist.
 foreach(recipe Dockerfile matrigrate.def)
   file(READ ${SOURCE_DIR}/packaging/${recipe} text)
-  foreach(word "tools/setup.sh" "install_packages \"$packages_to_build\"" "--preset release" CPackConfig.cmake debian:12)
+  foreach(word "tools/setup.sh" "install_packages \"$packages_to_build$packages_for_simulation\"" "--preset release" CPackConfig.cmake debian:12)
     string(FIND "${text}" "${word}" place)
     if(place EQUAL -1)
       message(SEND_ERROR "packaging/${recipe} lacks ${word}")

@@ -5,16 +5,8 @@
 set -euo pipefail
 package=$(realpath "$1")
 source=$(realpath "$(dirname "$0")/../..")
-[ "$(id -u)" -eq 0 ] || { echo "needs root, for chroot" >&2; exit 1; }
-command -v debootstrap >/dev/null || apt-get install -y --no-install-recommends debootstrap
-root=$(mktemp -d)
-trap 'umount "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$root"' EXIT
-mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | head -1)
-debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
-[ ! -d /etc/apt/apt.conf.d ] || cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/" # proxies
+. "$source/tests/long/bare_debian.sh"
 cp "$package" "$root/matrigrate.deb"
-mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
-in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
 recommended=$(dpkg-deb --field "$package" Recommends | tr -d ,) # those of the package, and not all that these recommend
 in_root "apt-get update -q && apt-get install -y -q --no-install-recommends /matrigrate.deb $recommended"
 in_root "matrigrate selftest"
@@ -29,6 +21,8 @@ ln -s /usr/lib/python3/dist-packages "$pages/python"
 ln -s /usr/share/matrigrate/R "$pages/R"
 in_root "cd /srv && MATRIGRATE=/usr/bin/matrigrate python3 -B pages/tests/docs/test_page.py docs/tutorial.md"
 in_root "cd /srv && MATRIGRATE=/usr/bin/matrigrate MATRIGRATE_SMALL_RUNS=none python3 -B pages/tests/python/test_tutorial.py"
-in_root "python3 -c 'import matrigrate; matrigrate.simulation.core()'"
+in_root "cd /srv && python3 -c 'import matrigrate; simulation = matrigrate.Simulation(); simulation.step(); print(simulation)'"
+in_root "cd /usr/share/doc/matrigrate && test -s CITATION.cff -a -s MODEL.md -a -s docs/tutorial.md -a -s examples/04_my_force.cpp"
+in_root "cd /srv && matrigrate study submit /usr/share/matrigrate/studies/stiffness.toml -o s --launcher 'apptainer exec x.sif matrigrate' 2>/dev/null || test \$? -eq 5 && grep -q '^program=(apptainer exec x.sif matrigrate)$' s/submit.sh"
 in_root "man -w matrigrate 2>/dev/null || test -e /usr/share/man/man1/matrigrate.1 -o -e /usr/share/man/man1/matrigrate.1.gz || echo 'manual pages are left out of this root'"
 echo "the package works in a bare Debian 12"

@@ -14,7 +14,7 @@ tracks <- read_tracks(file.path(runs, "run"))
 last <- strsplit(lines[length(lines)], ",")[[1]]
 stopifnot(
   nrow(tracks) == length(lines) - 1,
-  identical(names(tracks)[1:4], c("id", "t_s", "x_um", "y_um")), tracks$id == "run",
+  identical(names(tracks)[1:4], c("id", "run", "cell", "t_s")), tracks$id == "run", tracks$cell == 1,
   tracks$x_um[nrow(tracks)] == as.numeric(last[3]), is.na(tracks$polarization_rad[1])
 )
 
@@ -29,15 +29,55 @@ stopifnot(statistics$point_a == "=soft", is.numeric(statistics$p_holm))
 
 together <- read_tracks(file.path(runs, "study"))
 stopifnot(
-  length(unique(together$id)) == 4, identical(names(together)[2:5], c("label", "ecm.youngs_modulus_Pa", "replicate", "seed")),
+  length(unique(together$id)) == 4, identical(names(together)[2:7], c("run", "cell", "label", "ecm.youngs_modulus_Pa", "replicate", "seed")),
   nrow(together) == sum(sapply(unique(results$run), function(run) nrow(read_tracks(file.path(runs, "study", "runs", run)))))
 )
 
 exported <- utils::read.csv(file.path(runs, "exported", "tracks.csv"), check.names = FALSE)
 stopifnot(
   identical(names(exported)[1:5], c("run", "label", "ecm.youngs_modulus_Pa", "replicate", "seed")),
-  exported$run == together$id, exported$t_s == together$t_s, exported$x_um == together$x_um, exported$y_um == together$y_um
+  exported$run == together$run, exported$track == together$cell, exported$t_s == together$t_s, exported$x_um == together$x_um, exported$y_um == together$y_um
 )
+
+# Several cells: a track for each of them, whose speeds are those of the program.
+speed_of <- function(track) {
+  n <- nrow(track)
+  sqrt((track$x_um[n] - track$x_um[1])^2 + (track$y_um[n] - track$y_um[1])^2) / (track$t_s[n] - track$t_s[1]) * 3600
+}
+pair <- read_tracks(file.path(runs, "pair"))
+expected <- utils::read.csv(file.path(runs, "pair", "summary.csv"))
+stopifnot(
+  identical(unique(pair$id), c("pair/1", "pair/2")), pair$run == "pair",
+  all.equal(unname(sapply(split(pair, pair$id), speed_of)), expected$v_migr_abs_um_per_h, tolerance = 1e-9)
+)
+pairs <- read_tracks(file.path(runs, "pairs"))
+results_of_pairs <- read_results(file.path(runs, "pairs"))
+mean_speeds <- tapply(sapply(split(pairs, pairs$id), speed_of), sapply(split(pairs$run, pairs$id), unique), mean)
+stopifnot(
+  length(unique(pairs$id)) == 4,
+  all.equal(as.vector(mean_speeds[results_of_pairs$run]), results_of_pairs$v_migr_abs_um_per_h, tolerance = 1e-9)
+)
+
+# Tables that are cut or ragged are refused with file and line; of a run that goes on the row that is being written is left out.
+damaged <- tempfile("damaged")
+dir.create(damaged)
+broken <- function(text, words, status = "done") {
+  writeLines(paste0("{\"status\": \"", status, "\"}"), file.path(damaged, "run.json"))
+  cat(text, file = file.path(damaged, "tracks.csv"))
+  refused(words, read_tracks(damaged))
+}
+whole <- paste0(paste(lines, collapse = "\n"), "\n")
+with_line <- function(k, line) paste0(paste(replace(lines, k, line), collapse = "\n"), "\n")
+broken(with_line(5, paste0(lines[5], ",1,2,3")), "tracks.csv:5: is damaged: has")
+broken(with_line(5, sub(",[^,]*$", "", lines[5])), "tracks.csv:5: is damaged: has")
+broken(with_line(5, ""), "tracks.csv:5: is damaged: has 0 fields")
+broken(with_line(5, sub(",", ",x", lines[5])), "tracks.csv:5: is damaged: t_s is no number")
+broken(substr(whole, 1, nchar(whole) - 3), paste0("tracks.csv:", length(lines), ": is damaged: it is cut short"))
+broken(gsub(",", ";", whole), "tracks.csv:1: is damaged: commas are expected")
+broken("", "tracks.csv:1: is damaged: it is empty")
+broken(whole, "no error")
+broken(substr(whole, 1, nchar(whole) - 3), "no error", "running")
+stopifnot(nrow(read_tracks(damaged)) == length(lines) - 2)
 
 refused("no folder of a run or a study", read_tracks("nowhere"))
 refused("no folder of a study", read_results(file.path(runs, "run")))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A short run, one that failed and a small study for the tests of Python and R: small_runs.sh PROGRAM FOLDER
+# A short run, one of two cells, one that failed, a small study and one of two cells for the tests of Python and R: small_runs.sh PROGRAM FOLDER
 set -eu
 rm -rf "$2"
 mkdir -p "$2"
@@ -33,5 +33,20 @@ TOML
 "$1" study run study.toml -o study --quiet >/dev/null
 "$1" export study --tracks -o exported >/dev/null
 "$1" export study --tracks >/dev/null
+"$1" new two.toml --preset two-cells >/dev/null
+"$1" run two.toml -o pair --quiet --hours 0.4 --set ecm.radius="75 um" --set nucleus.radius="3 um" \
+  --set protrusion.initiation_rate="0.002 1/s" --set output.report=false >/dev/null
+cat >pairs.toml <<TOML
+scenario = "two.toml"
+replicates = 2
+[set]
+run.duration = "3 min"
+run.integrator = "adaptive"
+ecm.radius = "75 um"
+output.pictures = false
+[[points]]
+label = "pair"
+TOML
+"$1" study run pairs.toml -o pairs --quiet >/dev/null
 "$1" run cell.toml -o failed --quiet --set ecm.radius="40 um" --set ecm.youngs_modulus="50 Pa" 2>/dev/null && exit 1
 test -f failed/run.json

@@ -45,6 +45,28 @@ class Runs(unittest.TestCase):
             self.assertNotEqual(matrigrate.meaning(name), name, "a read-out without a meaning")
             self.assertIn(matrigrate.meaning(name), repr(self.run_.readouts))
 
+    def test_readouts_of_several_cells(self):
+        pair = matrigrate.load(common.runs / "pair")
+        table = pandas.read_csv(common.runs / "pair" / "summary.csv")
+        readouts = pair.readouts
+        self.assertEqual((list(readouts), readouts.names), ([1, 2], list(self.run_.readouts)))
+        self.assertEqual(readouts[2].v_migr_abs_um_per_h, readouts.v_migr_abs_um_per_h[1])
+        for name in readouts.names:
+            np.testing.assert_allclose(readouts[name], table[name].to_numpy(float), rtol=1e-12)
+        self.assertEqual((readouts.unit("l_prot_um"), readouts.meaning("f_mat")), ("um", "maturation, mean"))
+        self.assertIn("speed, start to end", repr(readouts).splitlines()[2])
+        for wrong, error in ((lambda: readouts[3], KeyError), (lambda: readouts.speed, AttributeError),
+                             (lambda: readouts["speed"], KeyError)):
+            with self.assertRaises(error):
+                wrong()
+
+    def test_group(self):
+        group = matrigrate.load(common.runs / "pair").group
+        self.assertEqual(list(group["t_s"]), list(self.run_.tracks["t_s"][:len(group)]))
+        self.assertEqual(group.attrs["units"]["speed_um_per_h"], "um/h")
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "has no group.csv, which runs of several cells have"):
+            self.run_.group
+
     def test_record_scenario_status(self):
         self.assertEqual(self.run_.status, "done")
         self.assertEqual(self.run_.seed, 1)
@@ -83,6 +105,20 @@ class FieldsOfARun(unittest.TestCase):
             self.fields["matrix/pressur"]
         with self.assertRaises(IndexError):
             self.fields["matrix/pressure"][99]
+
+    def test_nucleus_and_names_of_the_command_line(self):
+        pair = matrigrate.load(common.runs / "pair").fields
+        with h5py.File(pair.file) as file:
+            np.testing.assert_array_equal(pair["nucleus/position"][...], file["nucleus/position"][()])
+        self.assertEqual(pair["nucleus/position"].units, "um")
+        self.assertEqual(pair.frame(0)["nucleus/position"].shape[1], 3)
+        np.testing.assert_array_equal(pair["matrix/degradation"][-1], pair["matrix/f_degr"][-1])
+        self.assertNotIn("matrix/degradation", list(pair))
+        try:
+            import xarray  # noqa: F401
+        except ImportError:
+            return
+        self.assertEqual(pair.xarray()["nucleus_position"].dims, ("time", "nucleus", "axis"))
 
     def test_anchors_and_protrusions(self):
         self.assertGreater(len(self.fields.anchors), 0)

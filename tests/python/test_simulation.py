@@ -5,6 +5,8 @@ import gc
 import os
 import resource
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -101,6 +103,38 @@ class TestSimulation(common.InTemporaryFolder):
         with self.assertRaises(IndexError):
             simulation._core.cell_x(1)
 
+    def test_masked_arrays_are_refused(self):
+        masked = np.ma.masked_array(np.zeros((235, 2)), mask=np.ones((235, 2)))
+        for name, function in (("cell_force", lambda s: masked), ("cue", lambda s, cell: masked[:, 0]),
+                               ("force", lambda s: masked)):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"{name} returned a masked array"):
+                self.small(**{name: function}).advance(until=10)
+
+    def test_says_what_it_is(self):
+        simulation = self.small(overrides={"cells": "[{x = -16, y = 0}, {x = 16, y = 0}]"})
+        simulation.advance(hours=0.01)
+        self.assertRegex(repr(simulation), r"Simulation\('scenario': 2 cells, \d+ particles of matrix, 0\.01\d* of 6 h, \d+ steps\)")
+
+    def test_the_interpreter_ends_while_a_daemon_computes(self):
+        begin = ("import sys, threading, time, numpy as np, matrigrate\n"
+                 "s = matrigrate.Simulation(overrides={'ecm.radius': '60 um', 'run.integrator': 'adaptive'}, %s)\n"
+                 "threading.Thread(target=lambda: (s.advance(hours=1000), print('returned')), daemon=True).start()\n"
+                 "time.sleep(0.3)\nprint(s.step_count > 0)\n")
+        for options in ("", "cell_force=lambda s: None", "force=lambda s: sum(range(200000)) and None",
+                        "cue=lambda s, c: time.sleep(0.2) if s.t > 10 else None"):
+            for end in ("", "sys.exit(3)"):
+                done = subprocess.run([sys.executable, "-c", begin % options + end], capture_output=True, text=True, timeout=60)
+                with self.subTest(options, end=end):
+                    self.assertEqual((done.returncode, done.stdout, done.stderr), (3 if end else 0, "True\n", ""))
+
+    def test_functions_at_the_end_can_still_compute(self):
+        script = ("import atexit, matrigrate\ns = matrigrate.Simulation(overrides={'ecm.radius': '60 um'})\n"
+                  "atexit.register(lambda: (s.step(), print(s.step_count)))\n")
+        early = "import atexit\natexit.register(lambda: (s.step(), print(s.step_count)))\n" + script.split("atexit.reg")[0]
+        for text in (script, early):
+            done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, timeout=60)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "1\n", ""))
+
     def test_a_cue_of_ones_changes_no_bit(self):
         free, ones, none = self.small(overrides=OFTEN), self.small(
             overrides=OFTEN, cue=lambda s, cell: np.ones(len(cell.x))), self.small(overrides=OFTEN, cue=lambda s, cell: None)
@@ -140,8 +174,8 @@ class TestSimulation(common.InTemporaryFolder):
         while simulation.step_count < 10:
             simulation.step()
         self.assertEqual(asked, list(range(0, simulation.step_count, 4)))
-        for wrong in (0, -1, 1.5, "2", True):
-            with self.assertRaisesRegex(ValueError, "a whole number of steps >= 1 is expected"):
+        for wrong in (0, -1, 1.5, "2", True, 10**30):
+            with self.assertRaisesRegex(ValueError, "a whole number of steps from 1 to 10.9 is expected"):
                 self.small(cue=lambda s, cell: None, cue_every=wrong)
 
     def test_wrong_cues(self):
@@ -240,6 +274,9 @@ class TestSimulation(common.InTemporaryFolder):
         self.assertEqual(sorted(f.key for f in caught.exception.faults), ["ecm.radiu", "ecm.youngs_modulus"])
         with self.assertRaisesRegex(matrigrate.InputOutputError, "none.toml: cannot be read: No such file"):
             matrigrate.Simulation("none.toml")
+        for read in (matrigrate.Simulation, matrigrate.Scenario.load):
+            with self.assertRaisesRegex(matrigrate.InputOutputError, "/dev/zero: cannot be read: it is no regular file"):
+                read("/dev/zero")
         for text, error, words in ((b"\xff", matrigrate.InputOutputError, "bad.toml: is damaged: it is no text"),
                                    (b"[ecm", matrigrate.ConfigurationError, "bad.toml:1:"),
                                    (b"replicates = 3", matrigrate.ConfigurationError, "bad.toml: is a study of many runs")):

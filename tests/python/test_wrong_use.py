@@ -125,6 +125,11 @@ class Damage(common.InTemporaryFolder):
         (self.run_ / "run.json").write_text(json.dumps(record))
         (self.run_ / "summary.json").write_text('{"f_mat": "much"}')
         self.refused("f_mat is no number", lambda: matrigrate.load("run").readouts)
+        for cells, words in ((3, "no list of read-outs"), ([], "no list of read-outs"), ([1], "no list of read-outs"),
+                             ([{"cell": 1, "f_mat": "x"}], "f_mat is no number"), ([{"f_mat": 1}], "not numbered from 1"),
+                             ([{"cell": 1, "a": 1}, {"cell": 2, "b": 1}], "the same read-outs")):
+            (self.run_ / "summary.json").write_text(json.dumps({"cells": cells}))
+            self.refused(words, lambda: matrigrate.load("run").readouts)
         with h5py.File(self.run_ / "fields.h5", "r+") as file:
             file["anchors/frame"][0] = 99
         self.refused("anchors do not fit its frames", lambda: matrigrate.load("run").fields.anchors)
