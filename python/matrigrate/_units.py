@@ -52,7 +52,7 @@ _prefixes = {"p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "
 _usual = ("Pa", "kPa", "um", "nm", "mm", "nN", "pN", "uN", "s", "ms", "min", "h", "d", "rad", "deg", "MPa", "GPa", "mPa", "m", "N",
           "g", "kg", "second", "minute", "hour", "day")  # the common ones come first
 _slips = {"pascal": "Pa", "pascals": "Pa", "kilopascal": "kPa", "kilopascals": "kPa", "micron": "um", "microns": "um",
-          "micrometer": "um", "micrometers": "um", "sec": "s", "secs": "s", "hr": "h", "hrs": "h", "mins": "min"}
+          "micrometer": "um", "micrometers": "um", "sec": "s", "secs": "s", "hr": "h", "hrs": "h"}
 _number = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _symbol = re.compile(r"1|(?:[A-Za-z]|[^\x00-\x7f·])+")
 _longest = 80

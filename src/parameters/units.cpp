@@ -98,8 +98,7 @@ std::string unit_meant(std::string_view text) {
       std::pair{"pascal", "Pa"},       std::pair{"pascals", "Pa"},     std::pair{"kilopascal", "kPa"},
       std::pair{"kilopascals", "kPa"}, std::pair{"micron", "um"},      std::pair{"microns", "um"},
       std::pair{"micrometer", "um"},   std::pair{"micrometers", "um"}, std::pair{"sec", "s"},
-      std::pair{"secs", "s"},          std::pair{"hr", "h"},           std::pair{"hrs", "h"},
-      std::pair{"mins", "min"}};
+      std::pair{"secs", "s"},          std::pair{"hr", "h"},           std::pair{"hrs", "h"}};
   for (const auto& [word, unit] : words)
     if (same_letters(word, text)) return fmt::format("; did you mean {}?", unit);
   return {};
