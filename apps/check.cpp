@@ -2,6 +2,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "parameters/read.hpp"
+#include "run/estimate.hpp"
 #include "simulation/start_rules.hpp"
 #include "study/read_study.hpp"
 
@@ -29,6 +30,7 @@ struct Finding {
   std::string file;
   bool study = false;
   std::string size;          ///< of a good study: "4 points x 2 replicates = 8 runs"
+  std::string cost;          ///< of a good scenario: what its steps cost; may be empty
   std::vector<Fault> faults; ///< none if it is good
   std::string unreadable;    ///< why it cannot be read; empty if it can
 };
@@ -42,7 +44,7 @@ Finding look_at(const std::string& file) {
       const study::Study s = study::read_study(file, {.overrides = {}, .replicates = {}, .more = start_rules()});
       found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
     } else {
-      read_parameters(file, {}, start_rules());
+      found.cost = run::cost_of_reference_steps(read_parameters(file, {}, start_rules()));
     }
   } catch (const ConfigurationError& error) {
     found.faults = error.faults();
@@ -67,6 +69,7 @@ void print_finding(const Finding& found) {
   if (!found.faults.empty()) return;
   print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
                     found.study ? " study: " + found.size : ""));
+  if (!found.cost.empty()) print(fmt::format("{}: {}\n", found.file, found.cost));
 }
 
 int check_files(const CheckArguments& options) {

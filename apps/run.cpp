@@ -1,10 +1,12 @@
 #include "apps/parameter_options.hpp"
 #include "apps/run_output.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/read.hpp"
+#include "run/estimate.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/resume.hpp"
 #include "simulation/start.hpp"
@@ -53,6 +55,9 @@ RunOutcome outcome_of(const RunArguments& options, const Parameters& p, const Ru
   options.force ? warn_of_other_files(how.folder, display) : require_free(how.folder, p, display);
   RunStart start{.s = initial_state(p), .p = p};
   make_output_folder(how.folder, options.force);
+  if (!options.quiet && !options.json)
+    if (const std::string cost = run::cost_of_reference_steps(p); !cost.empty())
+      print(fmt::format("{}: {}\n", options.file, cost));
   return run::run(std::move(start), how, display);
 }
 

@@ -59,7 +59,10 @@ std::string address(const std::filesystem::path& file) {
 } // namespace
 
 std::string installed_browser() {
-  if (const char* named = std::getenv("CHROMIUM"); named != nullptr && is_installed(named)) return named;
+  if (const char* named = std::getenv("CHROMIUM"); named != nullptr && *named != '\0') {
+    if (is_installed(named)) return named;
+    throw InputOutputError(fmt::format("CHROMIUM is {}, which is no program; unset it, or name a browser", named));
+  }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (is_installed(name)) return name;
   return {};

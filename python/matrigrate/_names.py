@@ -4,6 +4,20 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 _longest = 80
+_matrix = ("", "ecm", "matrix", "gel")
+_run = ("", "run", "simulation")
+_aliases: dict[str, tuple[tuple[str, ...], str]] = {  # words that people try: in which sections, and what they mean
+    **dict.fromkeys(("stiffness", "elasticity", "elastic_modulus", "modulus", "rigidity"), (_matrix, "ecm.youngs_modulus")),
+    "domain_radius": (_matrix, "ecm.radius"),
+    "poisson_ratio": (_matrix, "ecm.poissons_ratio"),
+    "resolution": (_matrix, "ecm.particle_spacing"),
+    "time": (_run, "run.duration"),
+    **dict.fromkeys(("hours", "end_time"), ((*_run, "time"), "run.duration")),
+    **dict.fromkeys(("dt", "step"), ((*_run, "time"), "run.time_step")),
+    **dict.fromkeys(("contraction", "contractility"), (("", "cell", "actomyosin"), "actomyosin.force")),
+    "diameter": (("", "cell"), "cell.radius"),
+    "orientation": (("", "fibres", "fibers"), "fibres.direction_deg"),
+}
 
 
 def edit_distance(a: str, b: str) -> int:
@@ -42,6 +56,9 @@ def nearest_parameter(path: str, parameters: dict[str, str], sections: Iterable[
     if not path or len(path) > _longest:
         return None
     key, best, least = path.rsplit(".", 1)[-1], None, _allowance(path) + 1
+    alias_sections, alias = _aliases.get(key, ((), ""))
+    if path.removesuffix(key).removesuffix(".") in alias_sections:
+        return alias
     for name, symbol in parameters.items():
         if symbol and key == symbol:
             return name

@@ -119,7 +119,8 @@ class Parameter:
             if what.startswith("has a comma"):
                 raise ValueError(f"{shown} {what}") from None
             joint = ": " if what.startswith(('"', "the ")) else " "
-            raise ValueError(f"{shown}{joint}{excerpt(what, 120)}; {such}") from None
+            advice = "" if what.endswith("?") else f"; {such}"  # it has its own
+            raise ValueError(f"{shown}{joint}{excerpt(what, 120)}{advice}") from None
         if not unit_text:
             raise ValueError(f"{shown} has no unit; {such}, or as a bare number in {self.unit}")
         own = parse_unit(self.unit)

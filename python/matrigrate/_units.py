@@ -49,6 +49,10 @@ _symbols = _prefixed | {"min": _minute, "h": _hour, "d": _day, "1": _unit(), "ra
                         "°": _degree, "degree": _degree, "second": _unit(time=1), "minute": _minute, "hour": _hour,
                         "day": _day}
 _prefixes = {"p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "k": 3, "M": 6, "G": 9}
+_usual = ("Pa", "kPa", "um", "nm", "mm", "nN", "pN", "uN", "s", "ms", "min", "h", "d", "rad", "deg", "MPa", "GPa", "mPa", "m", "N",
+          "g", "kg", "second", "minute", "hour", "day")  # the common ones come first
+_slips = {"pascal": "Pa", "pascals": "Pa", "kilopascal": "kPa", "kilopascals": "kPa", "micron": "um", "microns": "um",
+          "micrometer": "um", "micrometers": "um", "sec": "s", "secs": "s", "hr": "h", "hrs": "h"}
 _number = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _symbol = re.compile(r"1|(?:[A-Za-z]|[^\x00-\x7f·])+")
 _longest = 80
@@ -86,6 +90,14 @@ def _find(text: str) -> Unit | None:
     return None
 
 
+def _unit_meant(text: str) -> str:
+    """ "; did you mean kPa?" of "kpa"; empty if no unit has these letters."""
+    typed = text.lower()
+    meant = next((unit for unit in _usual if typed == unit.lower() or (len(unit) >= 3 and typed == unit.lower() + "s")),
+                 _slips.get(typed, ""))
+    return f"; did you mean {meant}?" if meant else ""
+
+
 def parse_unit(text: str) -> Unit:
     """The unit of a text such as "N/m^1.5" or "Pa s"; ValueError says what is wrong with it."""
     if len(text.encode()) > _longest:
@@ -100,7 +112,7 @@ def parse_unit(text: str) -> Unit:
             raise ValueError(f'"{text}" is not a unit')
         factor = _find(match.group())
         if factor is None:
-            raise ValueError(f'"{match.group()}" is not a unit')
+            raise ValueError(f'"{match.group()}" is not a unit{_unit_meant(match.group())}')
         rest, power = rest[match.end():].lstrip(" \t"), Fraction(1)
         if rest.startswith("^"):
             exponent = re.match(r"[ \t]*([-+]?)([0-9.]*)", rest[1:])

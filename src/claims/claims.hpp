@@ -9,7 +9,8 @@
 #include <vector>
 
 /// The claims of Heck et al. 2020 that ensembles of runs can bear out, one entry a row of the table to reproduce. The
-/// rule of a claim follows from its sentence, was written before the runs were made, and is not changed after them.
+/// rule of a claim follows from its sentence, was written before the runs that it judges, and is not changed after
+/// them.
 ///
 /// How sentences are read: "rises" and "falls" compare the lowest with the highest value of the parameter,
 /// significantly; "unaffected" and "no significant change" mean no significant difference there; "slightly" asks for

@@ -60,8 +60,9 @@ Typed typed_string(const Row& row, const std::string& text) {
     const std::string_view what = error.what();
     if (what.starts_with("has a comma")) throw std::invalid_argument(fmt::format("{} {}", quoted_excerpt(text), what));
     const bool names_itself = what.starts_with('"') || what.starts_with("the ");
+    const std::string advice = what.ends_with('?') ? std::string() : "; " + such; // it has its own
     throw std::invalid_argument(
-        fmt::format("{}{}{}; {}", quoted_excerpt(text), names_itself ? ": " : " ", excerpt(what, 120), such));
+        fmt::format("{}{}{}{}", quoted_excerpt(text), names_itself ? ": " : " ", excerpt(what, 120), advice));
   }
   if (quantity.unit.empty())
     throw std::invalid_argument(

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace matrigrate {
@@ -19,6 +20,40 @@ std::string_view last_part(std::string_view path) { return path.substr(path.rfin
 
 /// Slips that are forgiven in a name of this length.
 std::size_t allowance(std::size_t length) { return std::max<std::size_t>(1, length / 3); }
+
+/// Words that people try, and what they mean here. The Python package has the same (_names.py).
+struct Alias {
+  std::string_view word;     ///< alone or in one of the sections
+  std::string_view sections; ///< in which it means this, each between spaces
+  std::string_view path;
+};
+
+constexpr std::array aliases{Alias{"stiffness", " ecm matrix gel ", "ecm.youngs_modulus"},
+                             Alias{"elasticity", " ecm matrix gel ", "ecm.youngs_modulus"},
+                             Alias{"elastic_modulus", " ecm matrix gel ", "ecm.youngs_modulus"},
+                             Alias{"modulus", " ecm matrix gel ", "ecm.youngs_modulus"},
+                             Alias{"rigidity", " ecm matrix gel ", "ecm.youngs_modulus"},
+                             Alias{"domain_radius", " ecm matrix gel ", "ecm.radius"},
+                             Alias{"poisson_ratio", " ecm matrix gel ", "ecm.poissons_ratio"},
+                             Alias{"resolution", " ecm matrix gel ", "ecm.particle_spacing"},
+                             Alias{"hours", " run time simulation ", "run.duration"},
+                             Alias{"time", " run simulation ", "run.duration"},
+                             Alias{"end_time", " run time simulation ", "run.duration"},
+                             Alias{"dt", " run time simulation ", "run.time_step"},
+                             Alias{"step", " run time simulation ", "run.time_step"},
+                             Alias{"contraction", " cell actomyosin ", "actomyosin.force"},
+                             Alias{"contractility", " cell actomyosin ", "actomyosin.force"},
+                             Alias{"diameter", " cell ", "cell.radius"},
+                             Alias{"orientation", " fibres fibers ", "fibres.direction_deg"}};
+
+std::optional<std::string> alias_of(std::string_view path) {
+  const std::string_view word = last_part(path);
+  const std::string section =
+      word.size() == path.size() ? std::string() : fmt::format(" {} ", path.substr(0, path.size() - word.size() - 1));
+  for (const Alias& alias : aliases) // an exact word: no letters are forgiven
+    if (alias.word == word && alias.sections.find(section) != std::string_view::npos) return std::string(alias.path);
+  return std::nullopt;
+}
 
 } // namespace
 
@@ -56,6 +91,7 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
 
 std::optional<std::string> nearest_parameter(std::string_view path) {
   if (path.empty() || path.size() > longest_name) return std::nullopt;
+  if (auto meant = alias_of(path)) return meant;
   const std::string_view key = last_part(path);
   std::optional<std::string> best;
   std::size_t best_distance = allowance(path.size()) + 1;

@@ -1,5 +1,7 @@
 #include "parameters/units.hpp"
 
+#include "parameters/unit_hint.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -251,7 +253,7 @@ Unit parse_unit(std::string_view text) {
     const std::string_view symbol = scan.symbol();
     if (symbol.empty()) throw std::invalid_argument(fmt::format("\"{}\" is not a unit", text));
     const auto factor = find_symbol(symbol);
-    if (!factor) throw std::invalid_argument(fmt::format("\"{}\" is not a unit", symbol));
+    if (!factor) throw std::invalid_argument(fmt::format("\"{}\" is not a unit{}", symbol, unit_meant(symbol)));
     int exponent = one;
     if (scan.take("^")) {
       const auto given = scan.exponent();

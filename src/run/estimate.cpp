@@ -1,5 +1,6 @@
 #include "run/estimate.hpp"
 
+#include "base/time_text.hpp"
 #include "ecm/law/material.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_fields.hpp"
@@ -120,6 +121,17 @@ std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) 
   q.run.time_step = longest_step(q, d.limits);
   if (q.run.time_step <= p.run.time_step) return std::nullopt;
   return Quicker{q.run.time_step, wall_time(q, static_cast<double>(d.particles()))};
+}
+
+std::string cost_of_reference_steps(const Parameters& p) {
+  constexpr double worth_telling = 10.0; // [s]
+  if (p.run.integrator == Integrator::adaptive) return {};
+  const Derived d = derived(p);
+  const auto quicker = with_longer_steps(p, d);
+  if (!quicker || d.cost.wall_time < std::max(2.0 * quicker->wall_time, quicker->wall_time + worth_telling)) return {};
+  return fmt::format("takes the reference steps of {:.3g} s throughout, about {} on one thread; run.integrator = "
+                     "\"adaptive\" would take about {}",
+                     p.run.time_step, wall_time_text(d.cost.wall_time), wall_time_text(quicker->wall_time));
 }
 
 std::string wall_time_basis() {

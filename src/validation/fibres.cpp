@@ -111,15 +111,17 @@ Result fibres(const Parameters& p) {
     result.checks.push_back({fmt::format("{}: strain at which stiffening sets in", name), onset_of(q), p.fibres.onset,
                              2.0 * largest_strain / lattice_increments, "two increments of the infinite lattice"});
     const double error = relative_error(specimen, law_points, judged_up_to);
+    const double from_data = relative_error(specimen, gel_of.measured, data_up_to);
     if (gel_of.concentration > 1.0)
       result.claims.push_back({fmt::format("{}: rms relative error of the stress to strain {:.2f} against the "
-                                           "semi-affine law, sides held in both [-]",
-                                           name, judged_up_to),
+                                           "semi-affine law, sides held in both (to the measured curve: {:.2f} to "
+                                           "strain {:.2f}, not judged) [-]",
+                                           name, judged_up_to, from_data, data_up_to),
                                error, agreement, 0.0, "what agreement is taken to mean here", Sense::at_most});
     result.claim_notes.push_back(
         fmt::format("{}: rms relative error {:.2f} to strain {:.2f} against the measured curve, "
                     "whose source labels it shear.",
-                    name, relative_error(specimen, gel_of.measured, data_up_to), data_up_to));
+                    name, from_data, data_up_to));
     if (gel_of.concentration < 1.0)
       result.claim_notes.push_back(fmt::format(
           "{} is not judged: rms relative error {:.2f} against the law, and {:.2f} without the elastic rest of "

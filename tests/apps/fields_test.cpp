@@ -114,7 +114,9 @@ TEST_F(Fields, OfAnUnfinishedRunAreExported) {
 
 TEST_F(Fields, ArePutSideBySideForAPublication) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
-  ASSERT_EQ(run("export here --panel '0, 0.25 min, 36 s' -o out").code, 0);
+  const Ended figure = run("export here --panel '0, 0.25 min, 36 s' -o out");
+  ASSERT_EQ(figure.code, 0);
+  EXPECT_EQ(figure.err, "matrigrate: --panel: there is no frame at 0.25 min; the nearest is taken, at 16 s\n");
   const std::string panel = text_of(folder / "out/panel.svg");
   EXPECT_TRUE(contains(panel, ">0 s</text>") && contains(panel, ">16 s</text>") && contains(panel, ">36 s</text>"));
   EXPECT_TRUE(contains(panel, "displacement [um]"));
@@ -135,6 +137,11 @@ TEST_F(Fields, NeedsToolsForPixels) {
   ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
   const char* known = std::getenv("PATH");
   const std::string path = known != nullptr ? known : "";
+  ASSERT_EQ(::setenv("CHROMIUM", "/nope", 1), 0);
+  const Ended browser = run("export here --movie -o no");
+  EXPECT_EQ(browser.code, 5);
+  EXPECT_TRUE(contains(browser.err, "CHROMIUM is /nope, which is no program")) << browser.err;
+  ::unsetenv("CHROMIUM");
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");
   const Ended pixels = run("export here --png");

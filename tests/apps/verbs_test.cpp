@@ -39,6 +39,22 @@ TEST_F(Program, UsageErrors) {
   EXPECT_EQ(entries(), 0u) << "nothing is written on an error";
 }
 
+TEST_F(Program, TellsWhatReferenceStepsCost) {
+  const std::string tells = " takes the reference steps of 0.4 s throughout, about ";
+  const std::string quick = "run.integrator = \"adaptive\"";
+  write("a.toml", "ecm.radius = \"60 um\"\nrun.duration = \"6 h\"\n");
+  const std::string checked = run("check a.toml").out;
+  EXPECT_TRUE(checked.starts_with("a.toml: good\na.toml:" + tells)) << checked;
+  EXPECT_TRUE(contains(checked, quick)) << checked;
+  write("b.toml", "ecm.radius = \"60 um\"\n" + quick + "\n");
+  EXPECT_EQ(run("check b.toml").out, "b.toml: good\n");
+  write("c.toml", "ecm.radius = \"60 um\"\nrun.duration = \"10 s\"\n");
+  EXPECT_EQ(run("check c.toml").out, "c.toml: good\n") << "it costs next to nothing";
+  const Ended ran = run("run a.toml -o a --wall-time '0.1 s'");
+  EXPECT_TRUE(contains(ran.out, "a.toml:" + tells)) << ran.out;
+  EXPECT_FALSE(contains(run("run a.toml -o b --wall-time '0.1 s' --quiet").out, tells));
+}
+
 TEST_F(Program, NewWritesAScenarioOnce) {
   EXPECT_EQ(run("new a.toml").code, 0);
   EXPECT_EQ(run("check a.toml").out, "a.toml: good\n");
@@ -102,7 +118,7 @@ TEST_F(Program, SelftestHoldsHere) {
 }
 
 TEST_F(Program, CheckTellsEveryFaultOfEveryFile) {
-  write("good.toml", "[ecm]\nyoungs_modulus = \"50 Pa\"\n");
+  write("good.toml", "[run]\nintegrator = \"adaptive\"\n[ecm]\nyoungs_modulus = \"50 Pa\"\n");
   write("bad.toml", "[ecm]\nyoungs_modulu = 1\nradius = \"150 Pa\"\n");
   write("torn.toml", "[ecm]\nyoungs_modulu = 1\nviscosity = 1000 Pa s\n");
   const Ended ended = run("check bad.toml good.toml torn.toml");

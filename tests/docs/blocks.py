@@ -4,10 +4,13 @@
 ```python   runs in this process, after the blocks before it
 ```r        runs with all R blocks before it, where Rscript is installed
 ```toml title="FILE"    is written to FILE
-```text     is output: each line must have been printed on this page, whatever the numbers
+```text     is output: its lines must have been printed on this page, to the last digit and in this order; of output that was
+            printed several times, the last one counts
 
 <!-- not run: REASON --> before a block leaves it out; <!-- needs PROGRAM, PROGRAM --> where one of these is not installed.
 <!-- exit code N --> or <!-- exit code N or M --> is the code that its last command ends with.
+<!-- varies: WHAT --> before output whose numbers depend on the machine or the clock: they are not compared.
+<!-- within N % --> before output whose numbers may differ by so much: test_page.py --update leaves those that agree.
 """
 import contextlib
 import dataclasses
@@ -32,17 +35,24 @@ class Block:
     not_run: str
     needs: list[str]
     codes: tuple[int, ...]
+    varies: str  #: on what the numbers of an output depend; empty: on nothing
+    within: float  #: by which share of its value a number of an output may differ
+    start: int  #: of the text in the page
+    end: int
 
 
 def blocks(page: pathlib.Path) -> list[Block]:
     found = []
     text = page.read_text(encoding="utf-8")
-    pattern = r"(?:^<!-- (?:not run: (?P<why>[^>]*?)|needs (?P<needs>[^>]*?)|exit code (?P<codes>[^>]*?)) -->\n)?^```(?P<info>[^\n]*)\n(?P<body>.*?)^```$"
+    marks = (r"not run: (?P<why>[^>]*?)|needs (?P<needs>[^>]*?)|exit code (?P<codes>[^>]*?)|varies: (?P<varies>[^>]*?)"
+             r"|within (?P<within>[\d.]+) %")
+    pattern = rf"(?:^<!-- (?:{marks}) -->\n)?^```(?P<info>[^\n]*)\n(?P<body>.*?)^```$"
     for match in re.finditer(pattern, text, re.MULTILINE | re.DOTALL):
         title = re.search(r'title="([^"]*)"', match["info"])
         codes = tuple(int(code) for code in (match["codes"] or "0").split(" or "))
         found.append(Block((match["info"].split() or [""])[0], title[1] if title else "", match["body"],
-                           text[:match.start("body")].count("\n") + 1, match["why"] or "", re.findall(r"[^, ]+", match["needs"] or ""), codes))
+                           text[:match.start("body")].count("\n") + 1, match["why"] or "", re.findall(r"[^, ]+", match["needs"] or ""), codes,
+                           match["varies"] or "", float(match["within"] or 0) / 100, *match.span("body")))
     return found
 
 
@@ -54,6 +64,8 @@ class Runner:
         self.printed = ""
         self.faults: list[str] = []
         self.skipped: list[str] = []
+        self.compared = 0  #: blocks of output
+        self._outputs: list[tuple[Block, str]] = []  # each, as it was printed
         self._names: dict[str, object] = {}
         self._r = ""
 
@@ -118,11 +130,63 @@ class Runner:
         return ""
 
     def _compare(self, block: Block) -> str:
-        said = {plain(line) for line in re.split(r"[\n\r]", self.printed)}
-        missing = [line for line in block.text.splitlines() if line.strip() and plain(line) not in said]
-        return "not printed on this page: " + " | ".join(missing) if missing else ""
+        """What differs from the last output of the same words; keeps that output for updated()."""
+        self.compared += 1
+        wanted = [line for line in block.text.splitlines() if line.strip()]
+        printed = [line.rstrip() for line in re.split(r"[\n\r]", self.printed) if line.strip()]
+        starts = [k for k, line in enumerate(printed) if wanted and plain(line) == plain(wanted[0])]
+        found = next(filter(None, (follow(wanted, printed[k:]) for k in reversed(starts))), None)
+        if found is None:
+            return "not printed on this page, or not in this order: " + " | ".join(wanted)
+        shown, different = [], ""
+        for line in block.text.splitlines():
+            real = found.pop(0) if line.strip() else line
+            same = agrees(line, real, block)
+            shown.append(line if same else real)
+            different += "" if same else f"\n  shown:   {line}\n  printed: {real}"
+        self._outputs.append((block, "".join(line + "\n" for line in shown)))
+        return f"{other_numbers} (tests/docs/test_page.py --update takes the printed ones):{different}" if different else ""
+
+    def updated(self) -> str:
+        """The page with each output as it was printed."""
+        text = self.page.read_text(encoding="utf-8")
+        for block, output in reversed(self._outputs):
+            text = text[:block.start] + output + text[block.end:]
+        return text
+
+
+other_numbers = "other numbers than were printed"
+number = re.compile(r"(?<![\w.])-?\d[\d.,]*(?:e[-+]?\d+)?")
 
 
 def plain(line: str) -> str:
-    """A line without its numbers, and with single spaces."""
-    return " ".join(re.sub(r"-?\d[\d.,]*(?:e[-+]?\d+)?", "0", line).split())
+    """A line without its numbers, and with single spaces. A number in the first column of a table belongs to its words."""
+    columns = re.split(r" {2,}", line.strip())
+    if len(columns) > 1:
+        return " ".join([columns[0], number.sub("0", " ".join(columns[1:]))])
+    return number.sub("0", line.strip())
+
+
+def follow(wanted: list[str], printed: list[str]) -> list[str] | None:
+    """For each line the next one printed of the same words; None unless all are there."""
+    rest = iter(printed)
+    found = [next((line for line in rest if plain(line) == plain(want)), None) for want in wanted]
+    return None if None in found else found
+
+
+def agrees(shown: str, printed: str, block: Block) -> bool:
+    """Of two lines with the same words: are their numbers the same, as far as the marks of the block ask for it?"""
+    if block.varies or shown.rstrip() == printed:
+        return True
+    if block.within == 0.0:
+        return False
+    pairs = zip(number.findall(shown), number.findall(printed), strict=True)
+    return all(a == b or abs(_value(a) - _value(b)) <= block.within * abs(_value(b)) for a, b in pairs)
+
+
+def _value(text: str) -> float:
+    """Of what looks like a number; "1.2.3" is none."""
+    try:
+        return float(text.rstrip(".,").replace(",", ""))
+    except ValueError:
+        return float("nan")

@@ -32,16 +32,39 @@ class Blocks(InFolder):
 
     def test_state_is_kept_and_output_compared(self):
         done = self.ran('```sh\nexport A=5\nmkdir b\ncd b\n```\n```toml title="x.toml"\nk = 1\n```\n'
-                        "```sh\ncat x.toml; echo \"$A  um\"\n```\n```text\nk = 27\n3.1 um\n```\n"
+                        "```sh\ncat x.toml; echo \"$A um\"\n```\n```text\nk = 1\n5 um\n```\n"
                         '```python\nimport pathlib\nn = pathlib.Path("x.toml").read_text()\n```\n```python\nassert n == "k = 1\\n"\n```\n')
         self.assertEqual(done.faults, [])
 
     def test_faults_are_found(self):
         for text, fault in (("```sh\nfalse\n```\n", "page.md:2: ended with 1"), ("```python\n1 / 0\n```\n", "ZeroDivisionError"),
-                            ("```text\nhello\n```\n", "not printed on this page: hello"), ("```ruby\n```\n", "no test runs"),
+                            ("```text\nhello\n```\n", "not printed on this page, or not in this order: hello"), ("```ruby\n```\n", "no test runs"),
                             ("```toml\n```\n", "names no file"), ("<!-- not run: dull -->\n```sh\nfalse\n```\n", "not a reason"),
                             ("<!-- exit code 4 -->\n```sh\ntrue\n```\n", "ended with 0, not (4,)")):
             self.assertIn(fault, "\n".join(self.ran(text).faults))
+
+    two_runs = ('```sh\nfor run in "1.5 2" "2.5 3"; do set -- $run; echo "speed every 60 s  $1"; echo "speed every 600 s  $2"; echo; done\n'
+                'echo "Done: 4 steps."\n```\n')
+
+    def test_numbers_of_outputs_are_compared(self):
+        for shown, fault in (("speed every 600 s  3\n\nDone: 4 steps.\n", ""), ("speed every 60 s  2.5\nDone: 4 steps.\n", ""),
+                             ("speed every 60 s  1.5\n", "printed: speed every 60 s  2.5"),  # of the run before
+                             ("speed every 600 s  3\nDone: 5 steps.\n", "printed: Done: 4 steps."),
+                             ("speed every 300 s  3\n", "not printed"), ("Done: 4 steps.\nspeed every 60 s  2.5\n", "not in this order")):
+            faults = "\n".join(self.ran(f"{self.two_runs}```text\n{shown}```\n").faults)
+            self.assertIn(fault, faults)
+            self.assertEqual(bool(fault), bool(faults), shown)
+
+    def test_marks_of_outputs(self):
+        for mark, good in (("varies: the machine", True), ("within 25 %", True), ("within 10 %", False)):
+            done = self.ran(f"{self.two_runs}<!-- {mark} -->\n```text\nspeed every 60 s  2.1\n```\n")
+            self.assertEqual(not done.faults, good, mark)
+
+    def test_outputs_are_rewritten(self):
+        page = self.two_runs + "```text\n{}\n\n{}\n```\nbetween\n<!-- within 30 % -->\n```text\n{}\n```\n"
+        done = self.ran(page.format("speed every 600 s  2", "Done: 5 steps.", "speed every 60 s  2.1"))
+        self.assertEqual(done.updated(), page.format("speed every 600 s  3", "Done: 4 steps.", "speed every 60 s  2.1"))
+        self.assertEqual(self.ran(done.updated()).faults, [])
 
     def test_marks(self):
         done = self.ran("<!-- not run: needs Slurm -->\n```sh\nfalse\n```\n<!-- exit code 0 or 4 -->\n```sh\nexit 4\n```\n")

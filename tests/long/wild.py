@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs with one to ten parameters drawn over their whole documented ranges, at full size, and how each ended.
 
-    tests/long/wild.py PROGRAM FOLDER [--runs 60] [--hours 0.3] [--jobs 2] [--limit 1200]
+    tests/long/wild.py PROGRAM FOLDER [--runs 60] [--hours 0.3] [--radius UM] [--jobs 2] [--limit 1200]
 
 Each run must end by itself with 0 (done), 3 (configuration) or 4 (numerical failure), the last two with a reason, within
 LIMIT seconds of CPU time and 9 GB of address space. What sets the size or the length of a run stays as it is: the matrix
@@ -10,6 +10,7 @@ and its spacing, the place of the cell, the duration, the intervals of output; s
 import argparse
 import collections
 import concurrent.futures
+import json
 import pathlib
 import random
 import re
@@ -19,24 +20,29 @@ import sys
 
 HELD = {"run.duration", "run.seed", "run.threads", "ecm.radius", "ecm.particle_spacing", "ecm.smoothing_length",
         "cell.start_x", "cell.start_y"}
-WHOLE = {"cell.particles", "protrusion.number", "protrusion.half_width", "protrusion.tip_half_width",
-         "adhesion.rupture_strands", "solver.max_iterations"}
 PRESETS = ["baseline", "fibrillar", "two-protrusions-fibres", "one-protrusion", "four-protrusions"]
 
 
 def parameters(program):
-    """(key, allowed) of every parameter, from the table that the program prints."""
-    table = subprocess.run([program, "list", "--parameters"], capture_output=True, text=True, check=True).stdout
+    """(key, allowed, whether it is a whole number) of every parameter that has a range, from the table and the schema that the
+    program prints; [[cells]] and fields, whose values are formulas, are left out."""
+    table, schema = (subprocess.run([program, "list", form], capture_output=True, text=True, check=True).stdout
+                     for form in ("--parameters", "--schema-json"))
+    sections = json.loads(schema)["properties"]
     section, rows = "", []
     for line in table.splitlines():
-        if heading := re.match(r"## \[(\w+(?:\.\w+)*)\]", line):
-            section = heading.group(1)
+        if heading := re.match(r"## (\[\[?[\w.]+\]?\])", line):
+            section = heading.group(1).strip("[]")
         elif row := re.match(r"\| `(\w+)` \| .*? \| (.*?) \|", line):
-            rows.append((f"{section}.{row.group(1)}", row.group(2)))
+            if section != "cells" and not row.group(2).startswith("a formula"):
+                entry = sections
+                for name in section.split("."):
+                    entry = entry[name]["properties"]
+                rows.append((f"{section}.{row.group(1)}", row.group(2), entry[row.group(1)].get("type") == "integer"))
     return [row for row in rows if row[0] not in HELD and not row[0].startswith("output.")]
 
 
-def draw(key, allowed, rng):
+def draw(key, allowed, whole, rng):
     """A value over the allowed range, as text for --set."""
     if names := re.findall(r'"(\w+)"', allowed):
         return rng.choice(names)
@@ -56,7 +62,7 @@ def draw(key, allowed, rng):
         value = floor * (high / floor) ** rng.random()
         if low == 0.0 and ">=" in allowed and rng.random() < 0.1:
             value = 0.0
-    if key in WHOLE:
+    if whole:
         return str(round(value))
     return f"{value:.6g} {unit}".strip()
 
@@ -64,7 +70,7 @@ def draw(key, allowed, rng):
 def settings(rows, seed):
     rng = random.Random(seed)
     chosen = rng.sample(rows, rng.randint(1, 10))
-    sets = [f"{key}={draw(key, allowed, rng)}" for key, allowed in chosen]
+    sets = [f"{key}={draw(key, allowed, whole, rng)}" for key, allowed, whole in chosen]
     if rng.random() < 0.5 and not any(s.startswith(("run.integrator", "run.time_step")) for s in sets):
         sets += ["run.integrator=adaptive", "run.time_step=5 s"]
     return rng.choice(PRESETS), sets
@@ -77,7 +83,7 @@ def run(options, rows, seed):
         subprocess.run([options.program, "new", scenario, "--preset", preset], check=True, stdout=subprocess.DEVNULL)
     command = [options.program, "run", str(scenario), "-o", str(options.folder / f"run-{seed}"), "--quiet",
                "--hours", str(options.hours), "--seed", str(seed)]
-    for setting in sets:
+    for setting in sets + ([f"ecm.radius={options.radius} um"] if options.radius else []):
         command += ["--set", setting]
 
     def limits():
@@ -97,6 +103,7 @@ def main():
     parser.add_argument("folder", type=lambda p: pathlib.Path(p).resolve())
     parser.add_argument("--runs", type=int, default=60)
     parser.add_argument("--hours", type=float, default=0.3)
+    parser.add_argument("--radius", help="um, of the disc of matrix in place of that of the preset")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--limit", type=int, default=1200, help="CPU seconds of a run")
     options = parser.parse_args()

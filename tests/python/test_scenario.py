@@ -27,6 +27,13 @@ wrong = [  # what the program and Python must say the same of
     ("protrusion", "deflection_cone", "190 deg"), ("protrusion", "deflection_cone", 4), ("cell", "crowding", 1),
     ("solver", "max_iterations", 0), ("ecm", "youngs_modulu", 1), ("ecm", "E", 1), ("ecm", "force", 1), ("run", "zzzzzz", 1),
     ("cell", "repulsion_stiffness", "3 N/m^1.5 s"), ("adhesion", "zeta_diss", "20 nN"), ("run", "threads", 1025),
+    ("ecm", "stiffness", 1), ("ecm", "elasticity", 1), ("ecm", "elastic_modulus", 1), ("ecm", "modulus", 1), ("ecm", "rigidity", 1),
+    ("ecm", "domain_radius", 1), ("ecm", "poisson_ratio", 1), ("ecm", "resolution", 1), ("run", "hours", 1), ("run", "time", 1),
+    ("run", "end_time", 1), ("run", "dt", 1), ("run", "step", 1), ("cell", "contraction", 1), ("actomyosin", "contractility", 1),
+    ("cell", "diameter", 1), ("fibres", "orientation", 1), ("fibres", "modulus", 1),
+    *(("ecm", "youngs_modulus", f"1 {unit}") for unit in ("kpa", "KPA", "pa", "PASCALS", "Kilopascal", "Bar")),
+    *(("run", "duration", f"1 {unit}") for unit in ("Hrs", "HOURS", "sec", "S", "Weeks")),
+    ("ecm", "radius", "1 micron"), ("ecm", "radius", "1 UM"),
 ]
 right = [
     ("ecm", "youngs_modulus", "0.05 kPa"), ("degradation", "threshold", "1 MPa"), ("degradation", "threshold", 1e6),

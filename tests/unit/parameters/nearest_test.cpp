@@ -1,5 +1,7 @@
 #include "parameters/nearest.hpp"
 
+#include "parameters/schema.hpp"
+
 #include <gtest/gtest.h>
 
 namespace matrigrate {
@@ -34,6 +36,26 @@ TEST(Nearest, ParametersAreFoundByMoreThanSpelling) {
   EXPECT_EQ(nearest_parameter("ecm.E"), "ecm.youngs_modulus") << "the paper's symbol";
   EXPECT_EQ(nearest_parameter("emc"), "ecm") << "a section";
   EXPECT_EQ(nearest_parameter("ecm.colour"), std::nullopt);
+}
+
+TEST(Nearest, WordsThatPeopleTryAreKnown) {
+  EXPECT_EQ(nearest_parameter("ecm.stiffness"), "ecm.youngs_modulus") << "not fibres.stiffness";
+  EXPECT_EQ(nearest_parameter("stiffness"), "ecm.youngs_modulus");
+  EXPECT_EQ(nearest_parameter("fibre.stiffness"), "fibres.stiffness") << "another section: by its letters";
+  EXPECT_EQ(nearest_parameter("run.hours"), "run.duration");
+  EXPECT_EQ(nearest_parameter("time.hours"), "run.duration");
+  EXPECT_EQ(nearest_parameter("cell.contractility"), "actomyosin.force");
+}
+
+TEST(Nearest, AliasesLeadToParameters) {
+  for (const std::string_view word :
+       {"ecm.elasticity", "ecm.elastic_modulus", "ecm.modulus", "ecm.rigidity", "ecm.domain_radius",
+        "ecm.poisson_ratio", "ecm.resolution", "run.time", "run.end_time", "run.step", "cell.contraction",
+        "cell.diameter", "fibers.orientation"}) {
+    const auto meant = nearest_parameter(word);
+    ASSERT_TRUE(meant) << word;
+    EXPECT_NE(find_row(*meant), nullptr) << word;
+  }
 }
 
 } // namespace

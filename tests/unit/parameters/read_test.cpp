@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         Faulty{"ecm.viscosity = \"1000 Pa\"", "f.toml:1:17: ecm.viscosity: \"1000 Pa\" is a stress, but a viscosity is "
                                               "expected; write it like \"1000 Pa s\""},
         Faulty{"ecm.youngs_modulus = \"200 Pascal\"",
-               "f.toml:1:22: ecm.youngs_modulus: \"200 Pascal\": \"Pascal\" is not a unit; write it like \"200 Pa\""},
+               "f.toml:1:22: ecm.youngs_modulus: \"200 Pascal\": \"Pascal\" is not a unit; did you mean Pa?"},
         Faulty{"ecm.youngs_modulus = \"200\"", "f.toml:1:22: ecm.youngs_modulus: \"200\" has no unit; write it like "
                                                "\"200 Pa\", or as a bare number in Pa"},
         Faulty{"ecm.youngs_modulus = \"stiff\"",

@@ -1,5 +1,7 @@
 #include "parameters/units.hpp"
 
+#include "parameters/unit_hint.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -130,6 +132,13 @@ TEST(Units, NumbersComeBackAsPeopleWriteThem) {
 TEST(Units, AnHourDoesNotHoldEveryDouble) {
   EXPECT_EQ(from_internal(21600.1234567891, parse_unit("h")), "");
   EXPECT_FALSE(parse_unit("h").decimal());
+}
+
+TEST(Units, OtherLettersAreHintedAt) {
+  EXPECT_EQ(unit_meant("kpa"), "; did you mean kPa?");
+  EXPECT_EQ(unit_meant("MINUTES"), "; did you mean minute?");
+  EXPECT_EQ(unit_meant("Pascal"), "; did you mean Pa?");
+  EXPECT_EQ(unit_meant("furlong"), "");
 }
 
 TEST(Units, DimensionsHaveWords) {
