@@ -317,7 +317,7 @@ TEST_F(Study, FieldsCountFromItsFolderAndTheirContentDecides) {
   write("A/e.toml", "scenario = \"../s.toml\"\nreplicates = 1\n[sweep]\necm.fields.youngs_modulus = [\"none.csv\"]\n");
   const Ended missing = run("study plan A/e.toml");
   EXPECT_EQ(missing.code, 3);
-  EXPECT_TRUE(contains(missing.err, "A/e.toml:4:34: ecm.fields.youngs_modulus: ")) << missing.err;
+  EXPECT_TRUE(contains(missing.err, "A/e.toml:4:30: ecm.fields.youngs_modulus: ")) << missing.err;
 }
 
 TEST_F(Study, WithoutSlurmTheScriptIsKept) {
