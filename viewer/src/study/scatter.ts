@@ -13,7 +13,9 @@ export function scatters(study: StudyPage): HTMLElement | null {
   if (!made || made.factors.length === 0) return null;
   const place = new Map(made.points.map((point, i) => [point.join(), i]));
   const conditions = study.axes.length > 1 ? study.axes[1].values.map(String) : [""];
-  const figures = study.readouts.flatMap((readout) =>
+  const defined = study.readouts.filter((r) => study.runs.some((run) => typeof run.readouts[r.name] === "number"));
+  if (defined.length === 0) return null;
+  const figures = defined.flatMap((readout) =>
     made.factors.map((factor) => {
       const c = factor.correlations.find((one) => one.readout === readout.name);
       const known = c && c.rho !== null;
