@@ -28,7 +28,7 @@ bool crossed_itself(const study::Result& r) { return r.standing.reason.find("cro
 /// Computes those of the given runs that are missing.
 /// @throws Stopped, InputOutputError
 void compute_missing(const StudyFolder& study, const std::vector<std::size_t>& runs, const ReproduceOptions& options) {
-  make_study_folder(study.folder);
+  make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
   const bool quiet = options.quiet || options.json || options.markdown;
@@ -43,23 +43,27 @@ void compute_missing(const StudyFolder& study, const std::vector<std::size_t>& r
     throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
 }
 
+/// The study in a larger disc.
+StudyFolder second_of(const StudyFolder& study, std::string_view name, const ReproduceOptions& options) {
+  ReproduceOptions larger = options;
+  larger.overrides.push_back(
+      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
+  return planned(shipped(name, larger), std::filesystem::path(options.folder) / fmt::format("{}-larger-disc", name));
+}
+
 /// Runs again, in a larger disc, those that ended at the rim. @return all results, these replaced; none if there were
 /// none
 std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::vector<study::Result>& results,
                                           std::string_view name, const ReproduceOptions& options) {
   if (std::ranges::none_of(results, ended_at_rim)) return {};
-  ReproduceOptions larger = options;
-  larger.overrides.push_back(
-      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
-  const StudyFolder second =
-      planned(shipped(name, larger), std::filesystem::path(options.folder) / fmt::format("{}-larger-disc", name));
+  const StudyFolder second = second_of(study, name, options);
   std::vector<std::size_t> runs;
   for (std::size_t k = 0; k < second.runs.size(); ++k)
     if (std::ranges::any_of(results, [&](const study::Result& r) {
           return ended_at_rim(r) && r.run.point == second.runs[k].point && r.run.replicate == second.runs[k].replicate;
         }))
       runs.push_back(k);
-  compute_missing(second, runs, larger);
+  compute_missing(second, runs, options);
   std::vector<study::Result> all = results;
   for (study::Result& r : study::results(second.study, second.runs, second.folder)) {
     const auto same = std::ranges::find_if(
@@ -88,6 +92,17 @@ void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceO
 }
 
 } // namespace
+
+void require_own_study_folders(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options) {
+  if (!options.from.empty()) return;
+  for (const study::Claim* claim : claims)
+    for (const std::string_view name : claim->studies) {
+      const std::filesystem::path folder(options.folder);
+      const StudyFolder study = planned(shipped(name, options), folder / name);
+      study::require_own_folder(study);
+      study::require_own_folder(second_of(study, name, options));
+    }
+}
 
 study::Study shipped(std::string_view name, const ReproduceOptions& options) {
   study::Changes changes{options.overrides, options.replicates, start_rules()};

@@ -23,6 +23,11 @@ inline constexpr double larger_disc = 1.5;
 /// @throws ConfigurationError if an override is wrong
 study::Study shipped(std::string_view name, const ReproduceOptions& options);
 
+/// @throws InputOutputError if a folder of a study that claims need, or of its runs in a larger disc, is not its own;
+///         nothing is written
+/// @throws ConfigurationError if an override is wrong
+void require_own_study_folders(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options);
+
 /// Computes what is missing of the studies that claims need, each in its own folder; with options.from reads
 /// <study>-results.csv of that folder in place of it, where it is there.
 /// @throws Stopped after a signal

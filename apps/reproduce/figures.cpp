@@ -18,8 +18,6 @@ namespace matrigrate::apps {
 
 namespace {
 
-constexpr std::string_view fibre_study = "kept-protrusions-fibres";
-
 /// The text of a table; empty if it is not there.
 std::string table(const std::filesystem::path& file) {
   constexpr std::size_t largest = std::size_t{1} << 28U;

@@ -6,10 +6,14 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What the page of `matrigrate reproduce` draws. Test: tests/apps/reproduce_test.cpp, viewer/tests/kept_page.test.ts
 namespace matrigrate::apps {
+
+/// The study whose fibres are drawn.
+inline constexpr std::string_view fibre_study = "kept-protrusions-fibres";
 
 struct ReproducedFigures {
   std::map<std::string, std::vector<report::Plot>> plots;           ///< by the id of the row that they belong to

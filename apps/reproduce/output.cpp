@@ -5,6 +5,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/study_claims.hpp"
 #include "run/provenance.hpp"
@@ -110,6 +111,33 @@ std::vector<report::Fact> facts(const study::Evidence& evidence, const std::stri
 }
 
 } // namespace
+
+void require_own_files(const ReproduceOptions& options, const std::vector<const study::Claim*>& claims) {
+  constexpr std::size_t largest = std::size_t{1} << 30U;
+  struct Own {
+    std::string name;
+    View mark; ///< that a file of ours has
+  };
+  std::vector<Own> files{{fmt::format("claims-{}.csv", options.id), "id,sentence,published,ours,statistic"},
+                         {"claims.csv", "id,kind,claim,published,ours"},
+                         {fmt::format("report-{}.html", options.id), "matrigrate-verdicts"}};
+  if (options.chooses("F1")) files.push_back({"fields.csv", "t_s,particles,defined,largest_displacement_um"});
+  const bool among_fibres = std::ranges::any_of(claims, [](const study::Claim* claim) {
+    return std::ranges::find(claim->studies, fibre_study) != claim->studies.end();
+  });
+  if (among_fibres) files.push_back({"fibre-stress.csv", "what,x_um,y_um,von_mises_Pa"});
+  if (among_fibres) files.push_back({"fibre-stress.svg", "Von Mises stress of the fibres"});
+  std::vector<std::string> foreign;
+  for (const Own& own : files) {
+    const std::filesystem::path file = std::filesystem::path(options.folder) / own.name;
+    if (std::filesystem::exists(file) && read_file(file, largest).find(own.mark) == std::string::npos)
+      foreign.push_back(own.name);
+  }
+  if (!foreign.empty())
+    throw InputOutputError(fmt::format("{}: {} would be replaced, and {} not written by this program; choose another "
+                                       "folder with -o",
+                                       options.folder, fmt::join(foreign, ", "), foreign.size() == 1 ? "was" : "were"));
+}
 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,

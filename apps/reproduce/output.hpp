@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/reproduce/figures.hpp"
+#include "apps/reproduce/options.hpp"
 #include "claims/claims.hpp"
 
 #include <filesystem>
@@ -11,6 +12,10 @@ namespace matrigrate::apps {
 
 /// A row of the table of claims.
 using ReproducedRow = study::JudgedClaim;
+
+/// @param claims  that are judged
+/// @throws InputOutputError naming the files that would be replaced and were not written by this program
+void require_own_files(const ReproduceOptions& options, const std::vector<const study::Claim*>& claims);
 
 /// Writes claims.csv (the table), claims-<id>.csv (every mean and condition) and report-<id>.html into the
 /// folder. Beside each verdict on runs that are not the paper's stands that they are not: in the column `caveat`,

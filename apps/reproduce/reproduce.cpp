@@ -82,6 +82,14 @@ int reproduce(const ReproduceOptions& options) {
     for (const std::string_view name : claim->studies) shipped(name, options);
   if (!options.from.empty() && !std::filesystem::is_directory(options.from))
     throw InputOutputError(fmt::format("{}: is no folder", options.from));
+  std::vector<const study::Claim*> needed = claims;
+  if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
+    ReproduceOptions first = options;
+    first.id = "A1";
+    needed.push_back(chosen_claims(first).front());
+  }
+  require_own_study_folders(needed, options);
+  if (!options.markdown) require_own_files(options, needed);
   if (options.from.empty() || !options.markdown) make_output_folder(options.folder, true);
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json && !options.markdown) print_error(setting + "\n");
@@ -90,12 +98,6 @@ int reproduce(const ReproduceOptions& options) {
   try {
     for (const PartRow& row : part_rows())
       if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
-    auto needed = claims;
-    if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
-      ReproduceOptions first = options;
-      first.id = "A1";
-      needed.push_back(chosen_claims(first).front());
-    }
     all = gather_evidence(needed, options);
   } catch (const Stopped& stopped) {
     print("stopped; the same command goes on\n");

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace matrigrate::apps {
 
@@ -24,13 +25,20 @@ std::string groups_text(const StudyFolder& study, const std::vector<study::ReadO
   rows[0][3] = fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.study.comparisons.alpha));
   for (const study::ReadOutSample& s : samples)
     if (s.readout == readout)
-      rows.push_back({study.study.points[s.point].label, fmt::format("{}", s.moments.n), number_text(s.mean.value),
-                      interval_text(s.mean)});
+      rows.push_back({study::point_text(study.study, s.point), fmt::format("{}", s.moments.n),
+                      number_text(s.mean.value), interval_text(s.mean)});
   return aligned(rows, 1);
 }
 
 /// Too few runs for a test: no p is shown.
 bool few_runs(const study::Comparison& c) { return std::min(c.sample_a.n, c.sample_b.n) < study::least_runs; }
+
+std::vector<std::size_t> lengths(const std::string& text) {
+  std::vector<std::size_t> all{0};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) all.push_back(line.size());
+  return all;
+}
 
 /// Only pairs of which something can be said.
 std::string comparisons_text(const StudyFolder& study, const std::vector<study::Comparison>& comparisons,
@@ -45,12 +53,22 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
       continue;
     }
     rows.push_back({study.study.points[c.a].label, study.study.points[c.b].label, number_text(c.difference.value),
-                    interval_text(c.difference), few_runs(c) ? "-" : number_text(c.test.p),
+                    few_runs(c) ? "-" : interval_text(c.difference), few_runs(c) ? "-" : number_text(c.test.p),
                     few_runs(c) ? "-" : number_text(c.p_holm), number_text(c.g.value), number_text(c.detectable)});
   }
   if (rows.size() == 1) return {};
-  return "\n" + aligned(rows, 2)
-         + (left_out > 0 ? fmt::format("  and {} more in statistics.csv\n", left_out) : std::string());
+  constexpr std::size_t widest = 80;
+  std::string text = aligned(rows, 2);
+  if (std::ranges::max(lengths(text)) > widest) { // each pair on a line of its own
+    std::vector<std::vector<std::string>> numbers;
+    for (const auto& row : rows) numbers.emplace_back(row.begin() + 2, row.end());
+    std::istringstream lines(aligned(numbers, 0));
+    text.clear();
+    std::string line;
+    for (std::size_t i = 0; std::getline(lines, line); ++i)
+      text += (i == 0 ? "  from -> to\n" : fmt::format("  {} -> {}\n", rows[i][0], rows[i][1])) + "  " + line + "\n";
+  }
+  return "\n" + text + (left_out > 0 ? fmt::format("  and {} more in statistics.csv\n", left_out) : std::string());
 }
 
 /// What to know of the numbers above.

@@ -106,7 +106,7 @@ StudyFolder read_study_file(const StudyOptions& options) {
 
 int run_study(const StudyOptions& options) {
   const StudyFolder study = read_study_file(options);
-  make_study_folder(study.folder);
+  make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
   const PoolOutcome outcome = compute(

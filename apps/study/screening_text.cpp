@@ -25,7 +25,8 @@ std::string sets_text(const study::Study& study, const std::vector<study::Discre
   std::vector<std::vector<std::string>> rows{{"factors", "discrepancy", percent(study), "targets"}};
   for (const std::size_t i : study::ranking(all)) {
     if (rows.size() > most) break;
-    rows.push_back({study.sets[all[i].set].label, number_text(all[i].value.value), interval_text(all[i].value),
+    rows.push_back({set_text(study, all[i].set), number_text(all[i].value.value),
+                    study.replicates < study::least_runs ? "-" : interval_text(all[i].value),
                     fmt::format("{} of {}", all[i].judged, targets)});
   }
   std::string text = "discrepancy from the targets\n" + aligned(rows, 1);
@@ -45,9 +46,9 @@ std::string title(const study::Study& study, const study::Effect& e) {
 }
 
 /// "0.5 (0.1 to 0.9)"
-std::string cell(const study::Effect& e) {
+std::string cell(const study::Study& study, const study::Effect& e) {
   const std::string value = number_text(e.ranked().value);
-  const std::string interval = interval_text(e.ranked());
+  const std::string interval = has_interval(study, e) ? interval_text(e.ranked()) : "-";
   return interval == "-" ? value : fmt::format("{} ({})", value, interval);
 }
 
@@ -73,7 +74,7 @@ std::string effects_text(const study::Study& study, std::span<const study::Effec
     if (head.size() == 1 + e.condition.value_or(0)) head.push_back(column);
     auto line = std::ranges::find(lines, title(study, e), &Line::title);
     if (line == lines.end()) line = lines.insert(line, {title(study, e), 0.0, {}});
-    line->cells.push_back(cell(e));
+    line->cells.push_back(cell(study, e));
     if (e.rank > 0) line->size = std::max(line->size, std::abs(e.ranked().value));
   }
   std::ranges::stable_sort(lines, std::greater(), &Line::size);

@@ -97,7 +97,7 @@ int submit_study(SubmitOptions options) {
   const StudyFolder study = read_study_file(options.study);
   std::vector<Fault> faults = slurm_faults(options.slurm, study.folder);
   if (!faults.empty()) throw ConfigurationError(std::move(faults));
-  make_study_folder(study.folder);
+  make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
   const std::vector<std::size_t> open = open_runs(study, options.study.retry_failed);

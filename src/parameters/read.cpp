@@ -147,7 +147,9 @@ private:
     if (row == nullptr) return unknown(path, false, place);
     m_given.insert_or_assign(path, place);
     std::string fault = assign(*row, given_by(node), m_parameters);
-    if (fault.empty() && kind(*row) == Kind::field) fault = complete_field(*row, place);
+    if (fault.empty() && kind(*row) == Kind::field)
+      fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),
+                             place.file == command_line ? "" : std::filesystem::path(place.file).parent_path());
     if (!fault.empty()) complain(place, path, fault);
   }
 
@@ -175,23 +177,6 @@ private:
       const Place& place = m_cell_places[fault.cell];
       m_faults.add({place.file, place.line, place.column, cell_key(fault.cell), std::move(fault.message)});
     }
-  }
-
-  /// Makes the text of a field the same from any folder. One with a fingerprint is so already; its file is read when
-  /// its values are needed.   @return what is wrong
-  std::string complete_field(const Row& row, const Place& place) {
-    std::string& text = std::get<std::string& (*)(Parameters&)>(row.member)(m_parameters);
-    if (text.empty() || fields::names_one_file(text)) return {};
-    const std::filesystem::path folder =
-        place.file == command_line ? std::filesystem::path() : std::filesystem::path(place.file).parent_path();
-    try {
-      text = fields::Field(text, folder).text();
-    } catch (const std::invalid_argument& error) {
-      return excerpt(error.what(), 300);
-    } catch (const InputOutputError& error) {
-      return excerpt(error.what(), 300);
-    }
-    return {};
   }
 
   /// Only where each single value is good: otherwise the rule would judge a default that nobody chose.
@@ -231,6 +216,18 @@ private:
 };
 
 } // namespace
+
+std::string complete_field(std::string& text, const std::filesystem::path& folder) {
+  if (text.empty() || fields::names_one_file(text)) return {};
+  try {
+    text = fields::Field(text, folder).text();
+  } catch (const std::invalid_argument& error) {
+    return excerpt(error.what(), 300);
+  } catch (const InputOutputError& error) {
+    return excerpt(error.what(), 300);
+  }
+  return {};
+}
 
 Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                            std::span<const Rule> more) {

@@ -28,6 +28,12 @@ Parameters read_parameters(const std::filesystem::path& file, const std::vector<
 Parameters parse_parameters(std::string_view text, const std::string& name,
                             const std::vector<std::string>& overrides = {}, std::span<const Rule> more = {});
 
+/// Makes the text of a field the same from any folder: the whole path of its file, with a fingerprint of the content. A
+/// text with a fingerprint is so already; its file is read when its values are needed.
+/// @param folder  that names of files count from
+/// @return what is wrong; empty if nothing is
+std::string complete_field(std::string& text, const std::filesystem::path& folder);
+
 /// @throws ConfigurationError with all faults, those of the file "--set"
 Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides,
                            std::span<const Rule> more = {});

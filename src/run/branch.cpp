@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/read.hpp"
+#include "parameters/schema.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/provenance.hpp"
 #include "run/stopped_run.hpp"
@@ -14,7 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace matrigrate::run {
 
@@ -43,6 +46,17 @@ std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double 
   return best;
 }
 
+/// The start rules but for those on fields: a branch cannot change them, and its checkpoint holds their values, so that
+/// their files are not needed.
+std::span<const Rule> rules_without_fields() {
+  static const std::vector<Rule> rules = [] {
+    std::vector<Rule> all(start_rules().begin(), start_rules().end());
+    std::erase_if(all, [](const Rule& rule) { return kind(*find_row(rule.keys.front())) == Kind::field; });
+    return all;
+  }();
+  return rules;
+}
+
 void require_multiple(double t, const Parameters& p) {
   const double steps = t / p.run.time_step;
   if (std::abs(steps - std::round(steps)) > 1e-6)
@@ -56,11 +70,11 @@ void require_multiple(double t, const Parameters& p) {
 
 RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptions& options, RunObserver& observer) {
   const Parameters before = scenario_of(from, observer);
-  const Parameters after = apply_overrides(before, how.overrides, start_rules());
-  if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
-    throw ConfigurationError(std::move(faults));
   std::optional<FoundCheckpoint> found =
       how.at ? checkpoint_before(from, *how.at, observer) : last_checkpoint(from, how.previous);
+  const Parameters after = apply_overrides(before, how.overrides, found ? rules_without_fields() : start_rules());
+  if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
+    throw ConfigurationError(std::move(faults));
   const double until = how.at ? *how.at : found->checkpoint.state.t;
   require_multiple(until, before);
   require_multiple(until, after);

@@ -22,44 +22,16 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_listed = 20;
 
-std::string listed(std::vector<std::string> items, std::string_view separator) {
-  if (items.size() > max_listed) {
-    const std::size_t more = items.size() - max_listed;
-    items.resize(max_listed);
-    items.push_back(fmt::format("and {} more", more));
-  }
-  return fmt::format("{}", fmt::join(items, separator));
-}
-
-/// Entries that are not hidden, sorted; none where there is no folder.
-std::vector<std::string> visible_entries(const fs::path& folder) {
-  std::error_code error;
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (!entry.path().filename().string().starts_with('.')) names.push_back(entry.path().filename().string());
-  std::ranges::sort(names);
-  return names;
-}
-
 std::string bare(std::string text) {
   std::erase(text, '"');
   return text;
 }
 
 /// "  run.duration: 1 h there, 6 min here", a line for each parameter that differs.
-std::string differences(const fs::path& folder, const Parameters& p, RunObserver& observer) {
-  std::vector<std::string> lines;
-  const Parameters there = scenario_of(folder, observer);
-  for (const Row& row : schema()) {
-    const std::string before = bare(value_text(row, there));
-    const std::string now = bare(value_text(row, p));
-    if (before != now && row.path != "run.threads")
-      lines.push_back(fmt::format("  {}: {} there, {} here", row.path, before, now));
-  }
-  if (cells_text(there) != cells_text(p))
-    lines.push_back(fmt::format("  cells: {} there, {} here", bare(cells_text(there)), bare(cells_text(p))));
+std::string lines_of_differences(const fs::path& folder, const Parameters& p, RunObserver& observer) {
+  std::vector<std::string> lines = differences(scenario_of(folder, observer), p);
   if (lines.empty()) return "  it was written by another version of the program\n";
-  return listed(std::move(lines), "\n") + "\n";
+  return "  " + listed(std::move(lines), "\n  ") + "\n";
 }
 
 double number_of(const Json& record, const char* key) {
@@ -71,7 +43,7 @@ std::string description(const fs::path& folder, const Json& record, const Parame
   std::string text = fmt::format("{}: holds another run ({}, {} of {}):\n", folder.string(), text_of(record, "status"),
                                  time_text(number_of(record, "t_s")), time_text(number_of(record, "duration_s")));
   try {
-    text += differences(folder, p, observer);
+    text += lines_of_differences(folder, p, observer);
   } catch (const InputOutputError& trouble) {
     text += fmt::format("  its parameters cannot be compared: {}\n", trouble.what());
   }
@@ -79,6 +51,37 @@ std::string description(const fs::path& folder, const Json& record, const Parame
 }
 
 } // namespace
+
+std::string listed(std::vector<std::string> items, std::string_view separator) {
+  if (items.size() > max_listed) {
+    const std::size_t more = items.size() - max_listed;
+    items.resize(max_listed);
+    items.push_back(fmt::format("and {} more", more));
+  }
+  return fmt::format("{}", fmt::join(items, separator));
+}
+
+std::vector<std::string> visible_entries(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (!entry.path().filename().string().starts_with('.')) names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+std::vector<std::string> differences(const Parameters& there, const Parameters& here) {
+  std::vector<std::string> all;
+  for (const Row& row : schema()) {
+    const std::string before = bare(value_text(row, there));
+    const std::string now = bare(value_text(row, here));
+    if (before != now && row.path != "run.threads")
+      all.push_back(fmt::format("{}: {} there, {} here", row.path, before, now));
+  }
+  if (cells_text(there) != cells_text(here))
+    all.push_back(fmt::format("cells: {} there, {} here", bare(cells_text(there)), bare(cells_text(here))));
+  return all;
+}
 
 bool is_free(const fs::path& folder) { return visible_entries(folder).empty(); }
 

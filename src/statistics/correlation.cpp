@@ -4,9 +4,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace matrigrate::statistics {
+
+namespace {
+
+/// From 1; of equal values the mean of theirs.
+std::vector<double> ranks(const std::vector<double>& x) {
+  std::vector<double> all;
+  for (const double value : x) {
+    const auto below = std::ranges::count_if(x, [&](double other) { return other < value; });
+    const auto equal = std::ranges::count(x, value);
+    all.push_back(static_cast<double>(below) + 0.5 * (static_cast<double>(equal) + 1.0));
+  }
+  return all;
+}
+
+/// From the mean; exactly 0 where all values are the same.
+std::vector<double> deviations(const std::vector<double>& x) {
+  const auto [low, high] = std::ranges::minmax(x);
+  const double mean = low == high ? low : moments(x).mean;
+  std::vector<double> all;
+  for (const double value : x) all.push_back(value - mean);
+  return all;
+}
+
+} // namespace
 
 Correlation pearson(Values x, Values y) {
   if (x.size() != y.size()) throw std::invalid_argument("a correlation of samples of different length");
@@ -32,6 +59,45 @@ Correlation pearson(Values x, Values y) {
   c.r = std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
   if (c.n < 3) return c;
   const double df = static_cast<double>(c.n) - 2.0;
+  const double rest = 1.0 - c.r * c.r;
+  c.p = rest > 0.0 ? t_two_sided(c.r * std::sqrt(df / rest), df) : 0.0;
+  return c;
+}
+
+Correlation spearman(Values x, Values y) {
+  if (x.size() != y.size()) throw std::invalid_argument("a correlation of samples of different length");
+  std::vector<double> u;
+  std::vector<double> v;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
+    u.push_back(x[i]);
+    v.push_back(y[i]);
+  }
+  return pearson(ranks(u), ranks(v));
+}
+
+Correlation pearson_within(Values x, Values y, const std::vector<std::size_t>& group) {
+  if (x.size() != y.size() || x.size() != group.size())
+    throw std::invalid_argument("a correlation of samples of different length");
+  std::map<std::size_t, std::pair<std::vector<double>, std::vector<double>>> pairs;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
+    pairs[group[i]].first.push_back(x[i]);
+    pairs[group[i]].second.push_back(y[i]);
+  }
+  std::vector<double> u;
+  std::vector<double> v;
+  std::size_t groups = 0;
+  for (const auto& [of, both] : pairs) {
+    if (both.first.size() < 2) continue;
+    ++groups;
+    std::ranges::copy(deviations(both.first), std::back_inserter(u));
+    std::ranges::copy(deviations(both.second), std::back_inserter(v));
+  }
+  Correlation c = pearson(u, v);
+  c.p = undefined;
+  if (c.n < groups + 2 || std::isnan(c.r)) return c;
+  const double df = static_cast<double>(c.n - groups) - 1.0;
   const double rest = 1.0 - c.r * c.r;
   c.p = rest > 0.0 ? t_two_sided(c.r * std::sqrt(df / rest), df) : 0.0;
   return c;

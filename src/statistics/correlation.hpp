@@ -19,6 +19,17 @@ struct Correlation {
 /// @throws std::invalid_argument if they are not
 Correlation pearson(Values x, Values y);
 
+/// Spearman's rank correlation: Pearson's r of the ranks, of equal values the mean of theirs. p is by the same t, which
+/// is good from about ten pairs on.
+/// @throws std::invalid_argument if x and y are not of one length
+Correlation spearman(Values x, Values y);
+
+/// Pearson's r within groups: of the deviations from the mean of the group, so that what differs between groups makes
+/// no correlation. p has n - k - 1 degrees of freedom, for k groups with two pairs or more; others are left out.
+/// @param x, y, group  of one length
+/// @throws std::invalid_argument if they are not
+Correlation pearson_within(Values x, Values y, const std::vector<std::size_t>& group);
+
 /// Of each quantity with each: symmetric.
 std::vector<std::vector<Correlation>> correlation_matrix(const std::vector<std::vector<double>>& quantities);
 

@@ -1,4 +1,9 @@
 #include "study/effects.hpp"
+#include "parameters/schema.hpp"
+#include "parameters/units.hpp"
+#include "study/comparison.hpp"
+#include "study/design/sweep.hpp"
+#include <fmt/format.h>
 
 #include "statistics/bootstrap.hpp"
 #include "statistics/distributions.hpp"
@@ -203,6 +208,34 @@ std::string factor_label(const Study& study, const std::string& factor) {
   for (const Step& step : study.steps)
     if (step.factor != factor && step.factor.ends_with("." + key)) return factor;
   return key;
+}
+
+std::string set_text(const Study& study, std::size_t set) {
+  const FactorSet& one = study.sets[set];
+  const bool counted = one.label.starts_with("sample ") || one.label.starts_with("trajectory ");
+  if (!counted || one.settings.empty()) return one.label;
+  std::vector<Setting> rounded = one.settings;
+  for (Setting& s : rounded) {
+    if (kind(*find_row(s.key)) != Kind::quantity) continue;
+    std::string bare = s.value;
+    std::erase(bare, '"');
+    const units::Quantity quantity = units::parse_quantity(bare);
+    s.value = fmt::format("{:g} {}", std::stod(fmt::format("{:.3g}", std::stod(quantity.number))), quantity.unit);
+  }
+  return label_of(rounded);
+}
+
+std::string point_text(const Study& study, std::size_t point) {
+  const Point& one = study.points[point];
+  const std::string text = set_text(study, one.set);
+  if (text == study.sets[one.set].label) return one.label;
+  return study.conditions.empty() ? text : fmt::format("{}: {}", study.conditions[one.condition].label, text);
+}
+
+bool has_interval(const Study& study, const Effect& effect) {
+  const std::size_t n =
+      effect.design == Design::morris || effect.readout != discrepancy_readout ? effect.n : study.replicates;
+  return n >= least_runs;
 }
 
 } // namespace matrigrate::study

@@ -55,6 +55,14 @@ std::string discrepancy_csv(const Study& study, const std::vector<Discrepancy>& 
 /// effects.csv: a row an effect.
 std::string effects_csv(const Study& study, const std::vector<Effect>& effects);
 
+/// A factor set, or a point, as people read it: its label; of a design whose labels only count ("sample 8", "trajectory
+/// 2, step 1") the values of its factors to three digits: "youngs_modulus 138 Pa, viscosity 705 Pa s".
+std::string set_text(const Study& study, std::size_t set);
+std::string point_text(const Study& study, std::size_t point);
+
+/// Whether an effect has enough behind it for an interval: least_runs trajectories, or replicates.
+bool has_interval(const Study& study, const Effect& effect);
+
 /// "youngs_modulus", or its whole path where two factors of the study end alike.
 std::string factor_label(const Study& study, const std::string& factor);
 

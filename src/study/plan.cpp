@@ -1,6 +1,7 @@
 #include "study/plan.hpp"
 
 #include "store/trajectory_hash.hpp"
+#include "study/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,20 @@
 
 namespace matrigrate::study {
 
+namespace {
+
+/// A value without the folder of the file that it names: a study has the same seeds wherever it lies.
+std::string anywhere(const std::string& value) {
+  const std::size_t hash = value.find(" hash=");
+  return hash == std::string::npos ? value : without_folder(value) + value.substr(hash);
+}
+
+} // namespace
+
 std::uint64_t run_seed(std::uint64_t study_seed, std::vector<Setting> settings, std::size_t replicate) {
   std::ranges::sort(settings, {}, &Setting::key);
   std::string text = fmt::format("seed {}\n", study_seed);
-  for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, s.value);
+  for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, anywhere(s.value));
   text += fmt::format("replicate {}\n", replicate);
   return std::stoull(store::text_hash(text), nullptr, 16) & ((std::uint64_t{1} << 53U) - 1);
 }

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace matrigrate::study {
 
@@ -57,6 +58,7 @@ public:
     }
     m_table = std::move(std::get<toml::table>(document));
     check_keys();
+    complete_fields_of_sections();
     read_head();
     read_base();
     read_points();
@@ -95,6 +97,15 @@ private:
       m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
                    [key] { return did_you_mean(nearest(key, known_keys())); });
     }
+  }
+
+  void complete_fields_of_sections() {
+    for (const char* key : {"set", "sweep", "one_at_a_time", "morris"})
+      if (toml::table* table = m_table[key].as_table()) complete_fields(*table, m_folder, m_faults);
+    for (const char* key : {"points", "conditions"})
+      if (toml::array* list = m_table[key].as_array())
+        for (toml::node& node : *list)
+          if (toml::table* table = node.as_table()) complete_fields(*table, m_folder, m_faults);
   }
 
   void read_head() {
@@ -181,6 +192,7 @@ private:
       conditions = read_conditions(*tables, m_study.base, m_faults);
     Allowance allowance(m_study.replicates, conditions.size());
     std::vector<Draft> sets = read_sets(allowance);
+    tell_files_apart(sets);
     check_overlaps(m_table, conditions, m_faults);
     for (const Draft& draft : sets) m_study.sets.push_back({draft.point.label, draft.point.settings});
     for (const ConditionDraft& draft : conditions) m_study.conditions.push_back(draft.condition);
@@ -211,6 +223,15 @@ private:
       take_design(morris_sets(*ranges, m_study.base, m_study.seed, allowance, m_faults));
     if (drafts.empty()) drafts.push_back({{.label = label_of({}), .settings = {}, .parameters = m_study.base}, {}, {}});
     return drafts;
+  }
+
+  /// Files of one name in two folders are called by their whole paths.
+  static void tell_files_apart(std::vector<Draft>& sets) {
+    std::map<std::string, int> count;
+    for (const Draft& draft : sets) ++count[draft.point.label];
+    for (Draft& draft : sets)
+      if (count[draft.point.label] > 1 && draft.point.label == label_of(draft.point.settings))
+        draft.point.label = label_of(draft.point.settings, true);
   }
 
   void read_targets_and_steps() {

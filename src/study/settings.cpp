@@ -2,6 +2,7 @@
 
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
+#include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +41,42 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
   }
 }
 
+void complete_fields_in(toml::table& table, const std::string& prefix, const std::filesystem::path& folder,
+                        FaultList& faults) {
+  for (auto&& [name, node] : table) {
+    const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
+    const auto complete = [&](toml::node& one) {
+      if (toml::value<std::string>* text = one.as_string())
+        if (std::string fault = complete_field(text->get(), folder); !fault.empty())
+          faults.add(place_of(one), path, std::move(fault));
+    };
+    const Row* row = find_row(path);
+    if (row == nullptr && node.is_table() && is_section(path))
+      complete_fields_in(*node.as_table(), path, folder, faults);
+    if (row == nullptr || kind(*row) != Kind::field) continue;
+    complete(node);
+    if (toml::array* list = node.as_array())
+      for (toml::node& one : *list) complete(one);
+  }
+}
+
 } // namespace
+
+void complete_fields(toml::table& table, const std::filesystem::path& folder, FaultList& faults) {
+  complete_fields_in(table, "", folder, faults);
+}
+
+std::string without_folder(const std::string& value) {
+  const std::size_t hash = value.find(" hash=");
+  if (hash == std::string::npos) return value;
+  std::string text = value.substr(0, hash);
+  std::size_t ending = 0;
+  for (const char* known : {".csv", ".png", ".tif"})
+    if (const std::size_t at = text.rfind(known); at != std::string::npos) ending = std::max(ending, at);
+  text = text.substr(text.rfind('/', ending) + 1); // npos + 1 is 0
+  std::erase_if(text, [](char c) { return c == '"' || c == '\\'; });
+  return text;
+}
 
 std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
                                     const std::vector<std::string>& own, FaultList& faults) {

@@ -5,6 +5,7 @@
 #include "study/fault_list.hpp"
 #include "study/study.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +29,13 @@ struct Named {
 /// @param own      keys of the table that are no parameters, and are left to the caller
 std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
                                     const std::vector<std::string>& own, FaultList& faults);
+
+/// Completes each field that a table names (complete_field), be it one text or a list of them, so that its file counts
+/// from the folder of the study and its content decides on the runs.
+void complete_fields(toml::table& table, const std::filesystem::path& folder, FaultList& faults);
+
+/// The value of a setting as people read it: of a field from a file without folder and fingerprint; others as they are.
+std::string without_folder(const std::string& value);
 
 /// Gives the parameter a value. @return how it stands in a scenario file; none, and a fault, if it is not allowed
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults);

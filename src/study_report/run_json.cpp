@@ -77,6 +77,7 @@ Json outline_json(const std::filesystem::path& checkpoint) {
 Json readouts_of_run(const Study& study, const Result& result, const Json& place) {
   Json json{{"id", result.run.hash},
             {"point", place},
+            {"replicate", result.run.replicate},
             {"seed", result.run.seed},
             {"status", status_of(result.standing)},
             {"reason", result.standing.reason},

@@ -1,6 +1,8 @@
 #include "study_report/screening_data.hpp"
 
+#include "study/comparison.hpp"
 #include "study/design/designs.hpp"
+#include "study/design/sweep.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,8 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-Json bounds(const statistics::Interval& i) {
-  return std::isfinite(i.low) && std::isfinite(i.high) ? Json{i.low, i.high} : Json();
+/// Null where there is too little behind it.
+Json bounds(const statistics::Interval& i, bool enough) {
+  return enough && std::isfinite(i.low) && std::isfinite(i.high) ? Json{i.low, i.high} : Json();
 }
 
 Json targets_json(const Study& study) {
@@ -45,7 +48,7 @@ Json sets_json(const Study& study, const std::vector<Discrepancy>& all) {
     list.push_back({{"label", set.label},
                     {"settings", set.settings.empty() ? std::string() : label_of(set.settings)},
                     {"discrepancy", all[i].value.value},
-                    {"interval", bounds(all[i].value)},
+                    {"interval", bounds(all[i].value, study.replicates >= least_runs)},
                     {"judged", all[i].judged},
                     {"undefined", undefined},
                     {"z", z},
@@ -69,20 +72,20 @@ Json effect_json(const Study& study, const Effect& e) {
             {"n", e.n}};
   if (e.design == Design::one_at_a_time) {
     json["effect"] = e.effect.value;
-    json["interval"] = bounds(e.effect);
+    json["interval"] = bounds(e.effect, has_interval(study, e));
     return json;
   }
   const statistics::ElementaryEffects& elementary = e.elementary;
   json["mu"] = elementary.mu.value;
   json["mu_star"] = elementary.mu_star.value;
-  json["mu_star_interval"] = bounds(elementary.mu_star);
+  json["mu_star_interval"] = bounds(elementary.mu_star, has_interval(study, e));
   json["sigma"] = elementary.sigma.value;
-  json["sigma_interval"] = bounds(elementary.sigma);
+  json["sigma_interval"] = bounds(elementary.sigma, has_interval(study, e));
   return json;
 }
 
-std::string interval_text(const statistics::Interval& i) {
-  return std::isfinite(i.low) && std::isfinite(i.high)
+std::string interval_text(const statistics::Interval& i, bool enough) {
+  return enough && std::isfinite(i.low) && std::isfinite(i.high)
              ? fmt::format("{:.3g} ({:.3g} to {:.3g})", i.value, i.low, i.high)
              : fmt::format("{:.3g}", i.value);
 }
@@ -105,7 +108,8 @@ std::string screening_sentence(const Study& study, const Screening& screening) {
   const std::vector<std::size_t> order = ranking(screening.discrepancies);
   if (!order.empty() && screening.discrepancies[order.front()].judged > 0) {
     const Discrepancy& best = screening.discrepancies[order.front()];
-    text += fmt::format(" The discrepancy is least, {}, at {}.", interval_text(best.value), study.sets[best.set].label);
+    text += fmt::format(" The discrepancy is least, {}, at {}.",
+                        interval_text(best.value, study.replicates >= least_runs), set_text(study, best.set));
   }
   const auto first = std::ranges::find(screening.effects, 1U, &Effect::rank);
   if (first == screening.effects.end()) return text;
@@ -114,7 +118,8 @@ std::string screening_sentence(const Study& study, const Screening& screening) {
          + fmt::format(" The largest effect on {}{} is that of {}{}: {}{}.", first->readout,
                        first->condition ? " at " + study.conditions[*first->condition].label : std::string(),
                        factor_label(study, first->factor), value.empty() ? "" : " " + value,
-                       first->design == Design::morris ? "mu* " : "", interval_text(first->ranked()));
+                       first->design == Design::morris ? "mu* " : "",
+                       interval_text(first->ranked(), has_interval(study, *first)));
 }
 
 } // namespace matrigrate::study

@@ -5,6 +5,7 @@
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
 #include "study/design/axes.hpp"
+#include "study/design/range.hpp"
 #include "study/table_readouts.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/run_json.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <system_error>
@@ -27,25 +29,90 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
+/// Within points. Left out are read-outs without scatter within any point, such as a count that the study sets.
 Json correlation_json(const StudyReport& report) {
+  std::vector<std::size_t> point;
+  std::size_t most = 0; // runs at a point
+  std::map<std::size_t, std::size_t> count;
+  for (const Result& r : report.results) {
+    point.push_back(r.run.point);
+    if (r.standing.done()) most = std::max(most, ++count[r.run.point]);
+  }
+  std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
   for (const std::string& readout : report.study.readouts) {
     const std::size_t index = readout_column(readout);
-    std::vector<double>& values = columns.emplace_back();
+    std::vector<double> values;
     for (const Result& r : report.results) values.push_back(r.readouts[index]);
+    if (std::isnan(statistics::pearson_within(values, values, point).r)) continue;
+    names.push_back(readout);
+    columns.push_back(std::move(values));
   }
+  if (most < least_runs || names.size() < 2) return {};
+  std::vector<double> pairs;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t j = i + 1; j < columns.size(); ++j)
+      pairs.push_back(statistics::pearson_within(columns[i], columns[j], point).p);
+  const std::vector<double> holm = statistics::holm(pairs);
+  std::size_t next = 0;
+  std::vector<std::vector<double>> p_holm(
+      columns.size(), std::vector<double>(columns.size(), std::numeric_limits<double>::quiet_NaN()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t j = i + 1; j < columns.size(); ++j) p_holm[i][j] = p_holm[j][i] = holm[next++];
   Json r = Json::array();
   Json p = Json::array();
   Json n = Json::array();
-  for (const auto& row : statistics::correlation_matrix(columns)) {
+  for (const auto& x : columns) {
     for (Json* matrix : {&r, &p, &n}) matrix->push_back(Json::array());
-    for (const statistics::Correlation& c : row) {
+    for (const auto& y : columns) {
+      const statistics::Correlation c = statistics::pearson_within(x, y, point);
       r.back().push_back(c.r);
       p.back().push_back(c.p);
       n.back().push_back(c.n);
     }
   }
-  return {{"names", report.study.readouts}, {"r", r}, {"p", p}, {"n", n}};
+  return {{"names", names}, {"r", r}, {"p", p}, {"p_holm", p_holm}, {"n", n}};
+}
+
+/// Read-outs over factors where the points are no grid: values of numbers in the unit of their row, one a point, and
+/// for each read-out Spearman's correlation of the means of points, with p after Holm over all of them.
+Json scatter_json(const StudyReport& report) {
+  const Json axes = axes_json(report.study);
+  if (axes.empty() || (axes.at(0).at("name") != "point" && axes.at(0).at("name") != "factors")) return {};
+  const std::vector<ReadOutSample> means = samples(report.study, report.results);
+  Json factors = Json::array();
+  std::vector<double> all_p;
+  for (const std::string& key : swept_keys(report.study)) {
+    const Row& row = *find_row(key);
+    std::vector<double> values;
+    for (const Point& point : report.study.points)
+      if (const auto value = number_in_unit(row, point.parameters)) values.push_back(*value);
+    if (values.size() != report.study.points.size() || std::ranges::min(values) == std::ranges::max(values)) continue;
+    Json correlations = Json::array();
+    for (const std::string& readout : report.study.readouts) {
+      std::vector<double> y(values.size(), std::numeric_limits<double>::quiet_NaN());
+      for (const ReadOutSample& s : means)
+        if (s.readout == readout) y[s.point] = s.moments.mean;
+      const statistics::Correlation c = statistics::spearman(values, y);
+      all_p.push_back(c.p);
+      correlations.push_back({{"readout", readout}, {"rho", c.r}, {"n", c.n}});
+    }
+    factors.push_back({{"name", key},
+                       {"label", factor_label(report.study, key)},
+                       {"unit", row.unit == "1" ? "" : row.unit},
+                       {"values", values},
+                       {"correlations", correlations}});
+  }
+  const std::vector<double> holm = statistics::holm(all_p);
+  std::size_t next = 0;
+  for (Json& factor : factors)
+    for (Json& c : factor["correlations"]) c["p_holm"] = holm[next++];
+  Json targets = Json::array();
+  for (const Target& t : report.study.targets)
+    targets.push_back({{"readout", t.readout}, {"low", t.low}, {"high", t.high}});
+  Json points = Json::array();
+  for (const Json& place : places(report.study)) points.push_back(place);
+  return {{"points", points}, {"factors", factors}, {"targets", targets}};
 }
 
 Json claims_json(const std::vector<JudgedClaim>& claims) {
@@ -111,7 +178,7 @@ std::string result_sentence(const StudyReport& report) {
   const auto value = [&](const ReadOutSample& s) {
     const std::string unit = readout.at("unit");
     return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit.empty() ? "" : " " + unit, s.moments.n,
-                       s.moments.n == 1 ? "" : "s", report.study.points[s.point].label);
+                       s.moments.n == 1 ? "" : "s", point_text(report.study, s.point));
   };
   const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
   if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
@@ -150,6 +217,7 @@ Json study_data(const StudyReport& report) {
             {"runs", std::move(runs)},
             {"msd", std::move(msd)},
             {"correlation", correlation_json(report)},
+            {"scatter", scatter_json(report)},
             {"claims", claims_json(report.claims)},
             {"claims_note", report.claims_note},
             {"claims_caveat", report.claims_caveat},

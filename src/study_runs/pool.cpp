@@ -105,9 +105,11 @@ private:
     std::vector<std::size_t> open;
     for (const std::size_t i : runs) {
       const Standing s = standing(m_study.folder, m_study.runs[i]);
-      if (s.done())
+      if (s.done()) {
         ++m_outcome.done_before;
-      else if (s.failed_for_good() && !m_options.retry_failed)
+        std::error_code ignored; // a log that a pool left when it was killed
+        std::filesystem::remove(run_log(m_study.folder, m_study.runs[i]), ignored);
+      } else if (s.failed_for_good() && !m_options.retry_failed)
         note(i, s.status, s.reason);
       else
         open.push_back(i);

@@ -3,14 +3,22 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/write.hpp"
+#include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
+#include "run/stopped_run.hpp"
+#include "study/design/sweep.hpp"
 #include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 namespace matrigrate::study {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t largest_file = std::size_t{1} << 25;
 constexpr const char* study_file = "study.resolved.toml";
@@ -23,9 +31,77 @@ Parameters neutral(Parameters p) {
   return p;
 }
 
-void write_if_new(const std::filesystem::path& file, const std::string& text) {
-  if (std::filesystem::exists(file) && read_file(file, largest_file) == text) return;
-  write_file(file, text);
+std::string base_text(const StudyFolder& study) { return to_toml(neutral(study.study.base)); }
+
+bool is_text(const fs::path& file, const std::string& text) {
+  return fs::exists(file) && read_file(file, largest_file) == text;
+}
+
+void write_if_new(const fs::path& file, const std::string& text) {
+  if (!is_text(file, text)) write_file(file, text);
+}
+
+/// The points of a study by what decides on their first runs, and how people call them.
+std::map<std::string, std::string> points_of(const StudyFolder& study) {
+  std::map<std::string, std::string> points;
+  for (const Run& run : study.runs)
+    if (run.replicate == 1) {
+      std::string text = label_of(study.study.points[run.point].settings, true);
+      points.emplace(run.hash, std::move(text));
+    }
+  return points;
+}
+
+/// What those of the points are called that others have not.
+std::vector<std::string> without(const std::map<std::string, std::string>& points,
+                                 const std::map<std::string, std::string>& others) {
+  std::vector<std::string> names;
+  for (const auto& [hash, name] : points)
+    if (!others.contains(hash)) names.push_back(name);
+  std::ranges::sort(names);
+  return names;
+}
+
+/// In what two studies differ, a line each.
+std::vector<std::string> differences(const StudyFolder& there, const StudyFolder& here,
+                                     const std::vector<std::string>& only_there,
+                                     const std::vector<std::string>& only_here) {
+  std::vector<std::string> lines = run::differences(neutral(there.study.base), neutral(here.study.base));
+  if (there.study.seed != here.study.seed)
+    lines.push_back(fmt::format("seed: {} there, {} here", there.study.seed, here.study.seed));
+  if (there.study.common_random_numbers != here.study.common_random_numbers)
+    lines.push_back(fmt::format("common_random_numbers: {} there, {} here", there.study.common_random_numbers,
+                                here.study.common_random_numbers));
+  if (!lines.empty() && only_there == only_here) return lines; // the points are called the same
+  for (const std::string& name : only_there) lines.push_back("only there: " + name);
+  for (const std::string& name : only_here) lines.push_back("only here: " + name);
+  return lines;
+}
+
+/// @throws InputOutputError if the folder holds a study and neither extends the other
+void require_same_study(const StudyFolder& study) {
+  if (is_text(study.folder / study_file, to_toml(study.study, scenario_file))
+      && is_text(study.folder / scenario_file, base_text(study)))
+    return;
+  const std::string other = "\n-o FOLDER computes this study somewhere else";
+  try {
+    const StudyFolder there = open_study(study.folder);
+    const auto points_there = points_of(there);
+    const auto points_here = points_of(study);
+    const std::vector<std::string> only_there = without(points_there, points_here);
+    const std::vector<std::string> only_here = without(points_here, points_there);
+    if (only_there.empty() || only_here.empty()) return;
+    if (std::ranges::none_of(there.runs,
+                             [&](const Run& run) { return standing(there.folder, run).status != RunState::missing; }))
+      return; // nothing was computed of it
+    throw InputOutputError(
+        fmt::format("{}: holds another study{}:\n  {}{}", study.folder.string(),
+                    there.study.title.empty() ? std::string() : fmt::format(", \"{}\"", there.study.title),
+                    run::listed(differences(there, study, only_there, only_here), "\n  "), other));
+  } catch (const ConfigurationError& error) {
+    throw InputOutputError(
+        fmt::format("{}: holds a study that cannot be compared: {}{}", study.folder.string(), error.what(), other));
+  }
 }
 
 } // namespace
@@ -41,21 +117,36 @@ std::filesystem::path default_study_folder(const std::filesystem::path& file) {
   return file.stem().string() + "-study";
 }
 
-void make_study_folder(const std::filesystem::path& folder) {
-  const bool known = std::filesystem::exists(folder / study_file) || std::filesystem::exists(folder / ".lock");
-  try {
-    make_output_folder(folder, known);
-  } catch (const InputOutputError&) {
-    if (std::filesystem::is_directory(folder))
-      throw InputOutputError(
-          fmt::format("{}: holds other files, and no study; choose another folder with -o", folder.string()));
-    throw;
-  }
-  make_output_folder(folder / "runs", true);
+void require_own_folder(const StudyFolder& study) {
+  const fs::path& folder = study.folder;
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (fs::exists(status) && !fs::is_directory(status))
+    throw InputOutputError(fmt::format("{}: is no folder; choose another one with -o", folder.string()));
+  std::vector<std::string> there = run::visible_entries(folder);
+  const auto holds = [&](const char* name) { return std::ranges::find(there, name) != there.end(); };
+  if (holds("run.json") || run::has_checkpoint(folder))
+    throw InputOutputError(fmt::format("{}: is the folder of a run, and holds {}; choose another folder for the study "
+                                       "with -o",
+                                       folder.string(), run::listed(there, ", ")));
+  if (holds(study_file)) return require_same_study(study);
+  if (holds(scenario_file) && is_text(folder / scenario_file, base_text(study))) // killed before the next file
+    std::erase(there, scenario_file);
+  std::erase(there, "runs");
+  if (!there.empty())
+    throw InputOutputError(fmt::format("{}: holds other files, and no study: {}; choose another folder with -o",
+                                       folder.string(), run::listed(there, ", ")));
+}
+
+void make_study_folder(const StudyFolder& study) {
+  require_own_folder(study);
+  make_output_folder(study.folder, true);
+  make_output_folder(study.folder / "runs", true);
 }
 
 void write_study(const StudyFolder& study) {
-  write_if_new(study.folder / scenario_file, to_toml(neutral(study.study.base)));
+  require_own_folder(study);
+  write_if_new(study.folder / scenario_file, base_text(study));
   write_if_new(study.folder / study_file, to_toml(study.study, scenario_file));
 }
 

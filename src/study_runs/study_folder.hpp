@@ -24,11 +24,18 @@ StudyFolder planned(Study study, std::filesystem::path folder);
 /// "stiffness.toml" -> "stiffness-study"; the folder itself for its own study.resolved.toml.
 std::filesystem::path default_study_folder(const std::filesystem::path& file);
 
-/// Makes the folder, if there is none. One that holds something else than a study is refused.
-/// @throws InputOutputError
-void make_study_folder(const std::filesystem::path& folder);
+/// Whether the folder is the study's own: it is not there, empty but for hidden files and `runs` (of a pool that was
+/// killed early), or holds the same study, or one of which either has all the points of the other, with whatever
+/// replicates. Two points are the same if their runs are: parameters, content of the files of fields, seeds.
+/// @throws InputOutputError if it is not: says what the folder holds, and in what that differs. Nothing is written.
+void require_own_folder(const StudyFolder& study);
+
+/// Makes the folder, if there is none.
+/// @throws InputOutputError as require_own_folder()
+void make_study_folder(const StudyFolder& study);
 
 /// Writes study and scenario into the folder, where they differ from what is there. To be done under its lock.
+/// @throws InputOutputError as require_own_folder(): others may have written since
 void write_study(const StudyFolder& study);
 
 /// The study that a folder holds.

@@ -36,6 +36,11 @@ TEST_F(FieldsOfScenarios, AreTheSameFromTheResolvedScenarioAndAfterAResumption) 
   EXPECT_EQ(hash("elsewhere/again"), hash("whole"));
   ASSERT_EQ(run("resume whole --at '60 s' --hours 0.05 --seed 1 -o branch --quiet").code, 0);
   EXPECT_EQ(hash("branch"), hash("whole")) << "a branch without a change";
+  std::filesystem::rename(folder / "E.csv", folder / "away.csv");
+  ASSERT_EQ(run("resume whole --hours 0.06 -o further --quiet").code, 0) << "its checkpoint holds the values";
+  std::filesystem::rename(folder / "away.csv", folder / "E.csv");
+  ASSERT_EQ(run("resume whole --hours 0.06 -o beside --quiet").code, 0);
+  EXPECT_EQ(hash("further"), hash("beside"));
   for (const char* text :
        {"ecm.fields.youngs_modulus=300 + x", "ecm.fields.f_degr=x > 0 ? 1 : 0", "ecm.youngs_modulus=300 Pa"}) {
     const std::string change = text;

@@ -219,6 +219,107 @@ TEST_F(Study, RefusesAFolderOfSomethingElse) {
   EXPECT_TRUE(contains(ended.err, "holds other files")) << ended.err;
 }
 
+TEST_F(Study, OverwritesNothing) {
+  const auto refused = [&](const std::string& command, const std::vector<std::string>& parts) {
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.code, 5) << command << ended.err;
+    for (const std::string& part : parts) EXPECT_TRUE(contains(ended.err, part)) << command << "\n" << ended.err;
+  };
+  ASSERT_EQ(run("run s.toml -o r --quiet").code, 0);
+  const std::string msd = file("r/msd.csv");
+  const std::string report = file("r/report.html");
+  for (const char* verb : {"run", "submit"})
+    refused(std::string("study ") + verb + " e.toml -o r", {"r: is the folder of a run", "run.json", "-o"});
+  EXPECT_EQ(file("r/msd.csv"), msd);
+  EXPECT_EQ(file("r/report.html"), report);
+  EXPECT_FALSE(exists("r/runs"));
+  EXPECT_EQ(run("resume r --hours 0.003 -o b --quiet").code, 0);
+
+  std::filesystem::create_directory(folder / "mine");
+  write("mine/.lock", "");
+  write("mine/results.csv", "mine");
+  refused("study run e.toml -o mine", {"mine: holds other files, and no study: results.csv"});
+  EXPECT_EQ(file("mine/results.csv"), "mine");
+  EXPECT_FALSE(exists("mine/runs"));
+
+  std::filesystem::create_directories(folder / "early/runs"); // of a pool that was killed early
+  write("early/.lock", "");
+  EXPECT_EQ(run("study run e.toml -o early --quiet").code, 0);
+
+  std::filesystem::create_directories(folder / "other");
+  write("other/e.toml", "scenario = \"../s.toml\"\nseed = 2\nreplicates = 1\n[set]\necm.radius = \"50 um\"\n[sweep]\n"
+                        "ecm.youngs_modulus = [50, 70]\n");
+  ASSERT_EQ(run("study run e.toml --quiet").code, 0);
+  const std::string results = file("e-study/results.csv");
+  const std::string known = file("e-study/study.resolved.toml");
+  refused("study run other/e.toml",
+          {"e-study: holds another study, \"Stiffness\":", "ecm.radius: 40 um there, 50 um here",
+           "seed: 1 there, 2 here", "only there: youngs_modulus 100 Pa", "only here: youngs_modulus 70 Pa",
+           "-o FOLDER"});
+  EXPECT_EQ(file("e-study/results.csv"), results);
+  EXPECT_EQ(file("e-study/study.resolved.toml"), known);
+  write_study("\"50 Pa\"", 3); // fewer points, more replicates
+  EXPECT_EQ(run("study run e.toml --quiet").code, 0);
+}
+
+TEST_F(Study, ReproducesNothingOverFilesOfTheUser) {
+  std::filesystem::create_directories(folder / "u/stiffness");
+  write("u/claims.csv", "mine");
+  const std::string command = "reproduce A5 -o u --quiet --replicates 1 --set 'ecm.radius=40 um' --set run.duration=4";
+  Ended ended = run(command);
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "u: claims.csv would be replaced")) << ended.err;
+  EXPECT_EQ(file("u/claims.csv"), "mine");
+  std::filesystem::remove(folder / "u/claims.csv");
+  write("u/stiffness/results.csv", "mine");
+  ended = run(command);
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "u/stiffness: holds other files")) << ended.err;
+  EXPECT_EQ(file("u/stiffness/results.csv"), "mine");
+  EXPECT_FALSE(exists("u/stiffness/runs"));
+}
+
+TEST_F(Study, FieldsCountFromItsFolderAndTheirContentDecides) {
+  const std::string grid = "x_um,y_um,E_Pa\n-60,-60,100\n60,-60,300\n-60,60,100\n60,60,300\n";
+  for (const char* there : {"A", "A/other"}) std::filesystem::create_directory(folder / there);
+  write("A/E.csv", grid);
+  write("A/other/E.csv", "x_um,y_um,E_Pa\n-60,-60,400\n60,-60,400\n-60,60,400\n60,60,400\n");
+  write("A/e.toml",
+        "scenario = \"../s.toml\"\nreplicates = 1\n[sweep]\necm.fields.youngs_modulus = [\"E.csv\", \"200 + x\"]\n");
+  write("A/set.toml", "scenario = \"../s.toml\"\nreplicates = 1\n[set]\necm.fields.youngs_modulus = \"E.csv\"\n");
+  write("A/conditions.toml",
+        "scenario = \"../s.toml\"\nreplicates = 1\n[[conditions]]\nlabel = \"plain\"\n[[conditions]]\n"
+        "label = \"grid\"\n[conditions.ecm.fields]\nyoungs_modulus = \"E.csv\"\n");
+  for (const std::string name : {"e", "set", "conditions"}) {
+    ASSERT_EQ(run("study run A/" + name + ".toml -o " + name + " --quiet").code, 0) << name << text_of(base / "err");
+    ASSERT_EQ(run("-h >/dev/null; cd A/other; '" MATRIGRATE_PROGRAM "' study run ../" + name + ".toml -o ../../" + name
+                  + "2 --quiet")
+                  .code,
+              0)
+        << name << text_of(base / "err");
+    EXPECT_EQ(hashes(name), hashes(name + "2"));
+  }
+  EXPECT_TRUE(contains(file("e/study.resolved.toml"), "E.csv hash="));
+  EXPECT_TRUE(contains(file("e/results.csv"), ",youngs_modulus E.csv,")) << file("e/results.csv");
+  const std::string results = file("e/results.csv");
+  write("A/E.csv", grid.substr(0, grid.size() - 4) + "301\n");
+  for (const std::string name : {"e", "set"}) {
+    const Ended changed = run("study run A/" + name + ".toml -o " + name);
+    EXPECT_EQ(changed.code, 5) << changed.err;
+    std::size_t fingerprints = 0;
+    for (std::size_t at = changed.err.find(" hash="); at != std::string::npos; at = changed.err.find(" hash=", at + 1))
+      ++fingerprints;
+    EXPECT_EQ(fingerprints, 2U) << changed.err;
+  }
+  EXPECT_EQ(run("study run e/study.resolved.toml").code, 3) << "it names the content";
+  EXPECT_EQ(file("e/results.csv"), results);
+  EXPECT_EQ(run("study run A/e.toml -o new --quiet").code, 0);
+  write("A/e.toml", "scenario = \"../s.toml\"\nreplicates = 1\n[sweep]\necm.fields.youngs_modulus = [\"none.csv\"]\n");
+  const Ended missing = run("study plan A/e.toml");
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_TRUE(contains(missing.err, "A/e.toml:4:30: ecm.fields.youngs_modulus: ")) << missing.err;
+}
+
 TEST_F(Study, WithoutSlurmTheScriptIsKept) {
   const std::string command = "cd '" + folder.string()
                               + "' && PATH=/nowhere '" MATRIGRATE_PROGRAM

@@ -41,6 +41,7 @@ function run(u: Random, point: GridPoint, seed: number): StudyRun {
   return {
     id: `${stiffness[point[0]]}-${point[1]}-${seed}`,
     point,
+    replicate: seed,
     seed,
     status: failed ? "failed" : "done",
     reason: failed ? "the solver gave up after 5000 iterations at 2 h 13 min" : "",
@@ -193,6 +194,7 @@ export function sampleStudy(replicates = 12): StudyPage {
       names,
       r,
       p: r.map((row, i) => row.map((v, j) => (i === j ? null : pOf(v * Math.sqrt((done.length - 2) / (1 - v * v)))))),
+      p_holm: r.map((row, i) => row.map((v, j) => (i === j ? null : Math.min(1, 10 * pOf(v * Math.sqrt((done.length - 2) / (1 - v * v))))))),
       n: r.map((row) => row.map(() => done.length)),
     },
     claims: [

@@ -311,6 +311,50 @@ test("ranks factors by effect, and factor sets by discrepancy", async () => {
   await plain.page.context().close();
 });
 
+test("a design that is no grid is drawn over its factors, with targets", async () => {
+  const study = sampleStudy(2);
+  const values = [138, 50, 900, 210, 77];
+  const labels = values.map((_, i) => `sample ${i + 1}`);
+  const points = values.map((_, i) => [i]);
+  const correlations = study.readouts.map((r) => ({ readout: r.name, rho: 0.9, p_holm: 0.04, n: 5 }));
+  const design = {
+    ...study,
+    axes: [{ name: "point", label: "point", meaning: "Point of the study", unit: "", values: labels }],
+    runs: study.runs.filter((r) => r.point[1] === 0).map((r) => ({ ...r, point: [r.point[0]] })),
+    groups: study.groups.filter((g) => g.point[1] === 0).map((g) => ({ ...g, point: [g.point[0]] })),
+    tests: [],
+    msd: [],
+    scatter: {
+      points,
+      factors: [{ name: "ecm.youngs_modulus", label: "youngs_modulus", unit: "Pa", values, correlations }],
+      targets: [{ readout: study.readouts[0].name, low: 5, high: 6 }],
+    },
+  };
+  const { page, errors } = await open(browser, "study", JSON.stringify(design));
+  await allDrawn(page);
+  assert.equal(await page.locator("#scatter .plotly-figure").count(), study.readouts.length);
+  assert.equal(await page.locator("#readouts").count(), 0, "no boxes over names of samples");
+  const caption = (await page.locator("#scatter figcaption >> nth=0").textContent()) ?? "";
+  assert.match(caption, /v_migr_abs over youngs_modulus: Spearman's rho 0.9 over 5 points, p = 0.040 after Holm/);
+  const shapes = await page.evaluate(() =>
+    [...document.querySelectorAll("#scatter .plotly-figure")].map(
+      (one) => (one as unknown as { layout: { shapes: { y0: number; y1: number }[] } }).layout.shapes.map((s) => [s.y0, s.y1]),
+    ),
+  );
+  assert.deepEqual(shapes.slice(0, 2), [[[5, 6]], []], "the target on its read-out alone");
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("of fewer than five runs the points are drawn, and no box", async () => {
+  const { page, errors } = await open(browser, "study", JSON.stringify(sampleStudy(2)));
+  await allDrawn(page);
+  assert.equal(await page.locator("#readouts .boxlayer .trace").count(), 0);
+  assert.match((await page.locator("#runs tbody a >> nth=0").textContent()) ?? "", /^replicate \d+$/);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("of very many points, small pictures are left out", async () => {
   const study = sampleStudy(1);
   const labels = Array.from({ length: 61 }, (_, i) => `sample ${i + 1}`);

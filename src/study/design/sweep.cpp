@@ -50,11 +50,11 @@ std::vector<ValueList> value_lists(const toml::table& table, std::string_view se
   return all;
 }
 
-std::string label_of(const std::vector<Setting>& settings) {
+std::string label_of(const std::vector<Setting>& settings, bool whole) {
   if (settings.empty()) return "all";
   std::string label;
   for (const Setting& s : settings) {
-    std::string value = s.value;
+    std::string value = whole ? s.value : without_folder(s.value);
     std::erase(value, '"');
     const Row& row = *find_row(s.key);
     const std::string_view name =

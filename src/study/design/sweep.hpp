@@ -68,7 +68,9 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
 /// Places in [0, 1), one in each of n equal strips, in random order.
 std::vector<double> stratified(std::size_t n, std::uint64_t seed);
 
-/// "youngs_modulus 50 Pa, force 0.6 nN"; "all" without settings.
-std::string label_of(const std::vector<Setting>& settings);
+/// "youngs_modulus 50 Pa, force 0.6 nN"; "all" without settings. A field from a file is called by the name of the file
+/// ("youngs_modulus stiff.csv").
+/// @param whole  with the whole path and the fingerprint of files
+std::string label_of(const std::vector<Setting>& settings, bool whole = false);
 
 } // namespace matrigrate::study

@@ -28,7 +28,7 @@ protected:
 TEST_F(StudyFolders, HoldTheStudyThatWasWritten) {
   const StudyFolder study = two_points();
   ASSERT_EQ(study.runs.size(), 6U);
-  make_study_folder(study.folder);
+  make_study_folder(study);
   write_study(study);
   const StudyFolder again = open_study(study.folder);
   ASSERT_EQ(again.runs.size(), study.runs.size());
@@ -41,7 +41,7 @@ TEST_F(StudyFolders, HoldTheStudyThatWasWritten) {
 TEST_F(StudyFolders, OfOtherFilesAreRefused) {
   fs::create_directories(m_root / "s");
   write_file(m_root / "s" / "letter.txt", "x");
-  EXPECT_THROW(make_study_folder(m_root / "s"), InputOutputError);
+  EXPECT_THROW(make_study_folder(two_points()), InputOutputError);
   EXPECT_THROW(open_study(m_root / "s"), InputOutputError);
 }
 
@@ -79,12 +79,13 @@ public:
 
 TEST_F(StudyFolders, HaveRunsThatAreNotComputedAgain) {
   const StudyFolder study = two_points();
-  make_study_folder(study.folder);
+  make_study_folder(study);
   for (const study::Run& run : study.runs) { // not testing::Test::Run
     fs::create_directories(run_folder(study.folder, run));
     const bool first = run.hash == study.runs.front().hash;
     write_file(run_folder(study.folder, run) / "run.json",
                first ? R"({"status": "failed", "exit_code": 4, "reason": "why"})" : R"({"status": "done"})");
+    write_file(run_log(study.folder, run), "");
   }
   Stopping observer;
   const PoolOutcome outcome = compute(study, {0, 1, 2, 3, 4, 5}, {}, observer);
@@ -93,6 +94,8 @@ TEST_F(StudyFolders, HaveRunsThatAreNotComputedAgain) {
   ASSERT_EQ(outcome.troubles.size(), 1U);
   EXPECT_EQ(outcome.troubles[0].status, RunState::failed);
   EXPECT_EQ(outcome.troubles[0].reason, "why");
+  EXPECT_TRUE(fs::exists(run_log(study.folder, study.runs.front())));
+  EXPECT_FALSE(fs::exists(run_log(study.folder, study.runs.back()))) << "left by a pool that was killed";
 }
 
 } // namespace

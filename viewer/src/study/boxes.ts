@@ -14,7 +14,10 @@ function caption(study: StudyData, readout: StudyReadout): string {
   return `${meaning}${starsNote(study.tests, readout.name)}`;
 }
 
-export const boxesNote = `Boxes: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
+/** Runs that a box is drawn of; of fewer the runs alone. */
+export const leastForBox = 5;
+
+export const boxesNote = `Boxes, of ${leastForBox} runs or more: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
 
 export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
   const bars = brackets(study.tests, made, readout.name, show);
@@ -35,6 +38,20 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
       for (const g of groups) {
         const found = values(g, readout.name);
         const box = statisticsOf(study, g, readout.name);
+        const text = found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`);
+        if (found.length < leastForBox) {
+          data.push({
+            type: "scatter",
+            mode: "markers",
+            name,
+            x: found.map((_, i) => g.x + made.width * 0.3 * (found.length > 1 ? i / (found.length - 1) - 0.5 : 0)),
+            y: found.map((v) => v.value),
+            marker: { color: colour, size: 7, opacity: 0.75 },
+            text,
+            hoverinfo: "text",
+          });
+          continue;
+        }
         data.push({
           type: "box",
           name,
@@ -53,7 +70,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
           line: { color: colour, width: 1.5 },
           fillcolor: "rgba(128,128,128,.1)",
           marker: { color: colour, size: 5, opacity: 0.75 },
-          text: [found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`)],
+          text: [text],
           hoverinfo: "text",
           hoveron: "points",
         });

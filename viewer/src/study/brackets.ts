@@ -47,7 +47,7 @@ export function story(test: StudyTest, made: Grid, unit: string): string[] {
   ];
   if (test.difference !== null)
     lines.push(
-      `difference ${number(test.difference)} ${pretty(unit)}${test.interval ? ` (95 %: ${number(test.interval[0])} to ${number(test.interval[1])})` : ""}`,
+      `difference ${number(test.difference)} ${pretty(unit)}${test.interval && enoughRuns(test) ? ` (95 %: ${number(test.interval[0])} to ${number(test.interval[1])})` : ""}`,
     );
   return lines;
 }

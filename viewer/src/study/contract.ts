@@ -38,6 +38,8 @@ export interface StudyRun {
   /** Unique in the study. */
   id: string;
   point: GridPoint;
+  /** From 1. */
+  replicate?: number;
   seed: number;
   status: "done" | "failed" | "running" | "pending";
   /** Why it failed; "" otherwise. */
@@ -96,11 +98,13 @@ export interface StudyTest {
   interval: [number, number] | null;
 }
 
-/** Pairwise correlations across all runs; square matrices in the order of `names`. */
+/** Pairwise correlations within points; square matrices in the order of `names`. */
 export interface StudyCorrelation {
   names: string[];
   r: (number | null)[][];
   p: (number | null)[][];
+  /** Corrected after Holm over all pairs. */
+  p_holm: (number | null)[][];
   n: number[][];
 }
 
@@ -178,6 +182,22 @@ export interface StudyScreening {
   effects: StudyEffect[];
 }
 
+/** Read-outs over the factors of a design that is no grid. */
+export interface StudyScatter {
+  /** Grid point of each value. */
+  points: GridPoint[];
+  factors: {
+    name: string;
+    label: string;
+    unit: string;
+    /** One a point. */
+    values: number[];
+    /** Spearman's rank correlation over the means of points, p after Holm over all factors and read-outs. */
+    correlations: { readout: string; rho: number | null; p_holm: number | null; n: number }[];
+  }[];
+  targets: { readout: string; low: number; high: number }[];
+}
+
 /** A run that the page of a study plays. */
 export interface StudyPlayer {
   /** As in `runs`. */
@@ -215,6 +235,7 @@ export interface StudyPage extends StudyData {
   /** What stands beside each verdict: "not the paper's runs"; "" for nothing. */
   claims_caveat?: string;
   screening?: StudyScreening | null;
+  scatter?: StudyScatter | null;
   players?: StudyPlayer[];
   provenance: string;
   citation: string;

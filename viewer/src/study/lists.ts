@@ -42,6 +42,9 @@ export function claims(study: StudyPage): HTMLElement | null {
 export const safe = (address: string | null): string | null =>
   address !== null && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(address) ? address : null;
 
+/** By its place in the study; the name of its folder is a hash, and on hover. */
+const nameOf = (run: StudyRun): string => (run.replicate ? `replicate ${run.replicate}` : run.id);
+
 const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];
 
 /** Failures first: they are what someone looks for here. */
@@ -56,7 +59,7 @@ export function runs(study: StudyPage): HTMLElement {
   ];
   const sorted = [...study.runs].sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status));
   const rows = sorted.map((run) => [
-    safe(run.report) ? h("a", { href: safe(run.report) ?? "" }, run.id) : run.id,
+    safe(run.report) ? h("a", { href: safe(run.report) ?? "", title: run.id }, nameOf(run)) : h("span", { title: run.id }, nameOf(run)),
     ...study.axes.map((a, i) => String(a.values[run.point[i]])),
     String(run.seed),
     run.reason

@@ -9,6 +9,7 @@ import { pretty } from "../numbers";
 import { grid, seriesKey } from "./groups";
 import { claims, runs, safe } from "./lists";
 import { players } from "./players";
+import { scatters } from "./scatter";
 import { rankings, screeningNote, sets } from "./screening";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
@@ -50,7 +51,8 @@ function show(study: StudyPage, page: HTMLElement): void {
       ),
       part("factors", "Factors by effect", rankings(study), screeningNote(study)),
       part("sets", "Factor sets by discrepancy", sets(study)),
-      study.readouts.length > 0
+      part("scatter", "Read-outs over factors", scatters(study)),
+      study.readouts.length > 0 && !study.scatter?.factors.length
         ? section(
             "readouts",
             "Read-outs by parameter",
@@ -72,7 +74,7 @@ function show(study: StudyPage, page: HTMLElement): void {
       played,
       many ? null : part("msd", "Mean square displacement", msd(study, made)),
       part("adhesions", "Force at which adhesions ended, over f_mat F_am", adhesionForces(made), seriesKey(made)),
-      part("correlation", "Correlations across runs", correlation(study)),
+      part("correlation", "Correlations within points", correlation(study)),
       section("runs", "Runs", runs(study)),
       section("provenance", "Provenance", h("pre", {}, study.provenance)),
       section("citation", "To cite", h("p", { class: "citation" }, study.citation)),

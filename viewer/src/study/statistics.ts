@@ -124,7 +124,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
   const labels = c.names.map(label);
   const enough = (i: number, j: number) => c.n[i][j] >= leastRuns;
   const drawn = figure(
-    `Correlation of read-outs across all runs: Pearson's r where there are ${leastRuns} runs or more. Stars for p < 0.05, 0.01, 0.001, not corrected for the number of pairs; p and n on hover.`,
+    `Correlation of read-outs within points: Pearson's r of the deviations of runs from the mean of their point, so that what the study sets makes none. Read-outs that do not vary within points are left out. Stars for p < 0.05, 0.01, 0.001 after Holm's correction over all pairs; both p and n on hover.`,
     90 + 68 * labels.length,
     (width) => ({
       data: [
@@ -143,7 +143,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
           text: c.r.map((row, i) =>
             row.map(
               (r, j) =>
-                `${labels[i]} with ${labels[j]}<br>r = ${readable(r, 3)}${i === j ? "" : `, ${pText(c.p[i][j])}`}<br>n = ${c.n[i][j]}`,
+                `${labels[i]} with ${labels[j]}<br>r = ${readable(r, 3)}${i === j ? "" : `, ${pText(c.p[i][j])}, after Holm's correction ${pText(c.p_holm[i][j])}`}<br>n = ${c.n[i][j]}`,
             ),
           ),
           hoverinfo: "text",
@@ -162,7 +162,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
                 ? "\u2013"
                 : i === j
                   ? "1"
-                  : `${r.toFixed(2).replace("-", "\u2212")}${(c.p[i][j] ?? 1) < 0.05 ? `<br>${stars(c.p[i][j])}` : ""}`,
+                  : `${r.toFixed(2).replace("-", "\u2212")}${(c.p_holm[i][j] ?? 1) < 0.05 ? `<br>${stars(c.p_holm[i][j])}` : ""}`,
             font: { size: width > 520 ? 13 : 12, color: r !== null && enough(i, j) && Math.abs(r) > 0.62 ? "#ffffff" : "#1f2328" },
           })),
         ),
