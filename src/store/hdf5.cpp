@@ -109,6 +109,42 @@ Handle without_cache() {
   return access;
 }
 
+/// An array within the file itself: every link on the way to it is hard, and its numbers are in this file.
+/// @throws InputOutputError if it is not there, or refers to another place
+Handle own_array(const Handle& file, const std::string& name) {
+  for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
+    const std::string part = name.substr(0, end);
+    H5L_info_t link{};
+    if (H5Lexists(file.id(), part.c_str(), H5P_DEFAULT) <= 0
+        || H5Lget_info(file.id(), part.c_str(), &link, H5P_DEFAULT) < 0)
+      fail(fmt::format("there is no {}", name));
+    if (link.type != H5L_TYPE_HARD) fail(fmt::format("{} is a link to another place", part));
+    if (end == std::string::npos) break;
+  }
+  Handle data(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("{} is no array", name));
+  const Handle creation(H5Dget_create_plist(data.id()), H5Pclose, fmt::format("{} has no layout", name));
+  if (H5Pget_external_count(creation.id()) != 0) fail(fmt::format("{} keeps its numbers in another file", name));
+  if (H5Pget_layout(creation.id()) == H5D_VIRTUAL) fail(fmt::format("{} is a view of other arrays", name));
+  return data;
+}
+
+/// Refuses an array that takes more memory than its bytes in the file can give: deflate makes at most 1032 bytes of
+/// one.
+void require_stored(const Handle& data, const std::string& name, hsize_t numbers, std::size_t file_size) {
+  constexpr hsize_t most_expanded = 1032;
+  const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
+  const H5T_class_t kind = H5Tget_class(type.id());
+  const std::size_t bytes = H5Tget_size(type.id());
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || bytes > sizeof(double))
+    fail(fmt::format("{} has another type", name));
+  const hsize_t stored = H5Dget_storage_size(data.id());
+  if (stored > file_size) fail(fmt::format("{} is longer than the file", name));
+  if (numbers > most_expanded * stored / bytes) fail(fmt::format("{} is not written: it holds too few bytes", name));
+}
+
+constexpr hsize_t max_numbers = hsize_t{1} << 30U;  // of a frame or a table
+constexpr hsize_t max_in_array = hsize_t{1} << 40U; // of all frames
+
 /// The shape of an array, and a part of it: frames or rows in a stretch.
 struct Slab {
   Handle space;
@@ -127,13 +163,14 @@ Slab slab_of(const Handle& data, std::size_t first, std::size_t rows) {
   std::vector<hsize_t> count = slab.shape;
   start[0] = first;
   count[0] = rows;
-  for (const hsize_t n : count) slab.size *= n;
+  for (const hsize_t n : count) {
+    if (n != 0 && slab.size > max_in_array / n) fail("an array is too large");
+    slab.size *= n;
+  }
   require(H5Sselect_hyperslab(slab.space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
           "no frame could be chosen");
   return slab;
 }
-
-constexpr hsize_t max_numbers = hsize_t{1} << 30U; // of a frame or a table
 
 } // namespace
 
@@ -210,7 +247,7 @@ void MemoryFile::write_text(const std::string& name, std::string_view text) {
 /// @param part  of the array, which the view shows
 void MemoryFile::name_part(const std::string& view, const std::string& name, hid_t part, std::span<const hsize_t> shape,
                            std::string_view unit) {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
   const Handle creation = undated();
@@ -220,14 +257,14 @@ void MemoryFile::name_part(const std::string& view, const std::string& name, hid
 
 void MemoryFile::name_frame(const std::string& view, const std::string& name, std::size_t frame,
                             std::string_view unit) {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Slab slab = slab_of(data, frame, 1);
   name_part(view, name, slab.space.id(), std::span(slab.shape).subspan(1), unit);
 }
 
 void MemoryFile::name_rows(const std::string& view, const std::string& name, std::size_t first, std::size_t rows,
                            std::string_view unit) {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   Slab slab = slab_of(data, first, rows);
   slab.shape[0] = rows;
   name_part(view, name, slab.space.id(), slab.shape, unit);
@@ -235,7 +272,7 @@ void MemoryFile::name_rows(const std::string& view, const std::string& name, std
 
 /// The array of that name. @param columns  1 for a 1-d array   @param rows  its length out
 Handle MemoryFile::open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const {
-  Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  Handle data = own_array(m_file, name);
   const Handle stored(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
   if (H5Tequal(stored.id(), type) <= 0) fail(fmt::format("{} has another type", name));
   const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
@@ -287,25 +324,50 @@ std::string MemoryFile::text(const std::string& name) const {
 }
 
 bool MemoryFile::has(const std::string& name) const {
-  const std::string group = name.substr(0, name.rfind('/'));
-  if (!group.empty() && H5Lexists(m_file.id(), group.c_str(), H5P_DEFAULT) <= 0) return false;
+  for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1)) {
+    const std::string group = name.substr(0, end);
+    H5L_info_t link{};
+    if (H5Lexists(m_file.id(), group.c_str(), H5P_DEFAULT) <= 0
+        || H5Lget_info(m_file.id(), group.c_str(), &link, H5P_DEFAULT) < 0)
+      return false;
+    if (link.type != H5L_TYPE_HARD) fail(fmt::format("{} is a link to another place", group));
+  }
   return H5Lexists(m_file.id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::vector<float> MemoryFile::floats(const std::string& name) const {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
   if (size < 0 || static_cast<hsize_t>(size) > max_numbers) fail(fmt::format("{} has another shape", name));
+  require_stored(data, name, static_cast<hsize_t>(size), m_size);
+  if (static_cast<hsize_t>(size) * sizeof(float) > m_size) fail(fmt::format("{} is longer than the file", name));
   std::vector<float> values(static_cast<std::size_t>(size));
   require(H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
           fmt::format("{} not read", name));
   return values;
 }
 
+void MemoryFile::require_frames(const std::string& name, std::size_t frames, std::size_t numbers) const {
+  const Handle data = own_array(m_file, name);
+  const Slab slab = slab_of(data, 0, frames);
+  if (slab.shape[0] != frames) fail(fmt::format("{} has {} frames instead of {}", name, slab.shape[0], frames));
+  const hsize_t in_frame = frames == 0 ? 0 : slab.size / frames;
+  if (numbers > 0 && in_frame != numbers)
+    fail(fmt::format("{} has {} numbers a frame instead of {}", name, in_frame, numbers));
+  const Handle creation(H5Dget_create_plist(data.id()), H5Pclose, fmt::format("{} has no layout", name));
+  std::vector<hsize_t> chunk(slab.shape.size(), 0), expected = slab.shape;
+  expected[0] = 1;
+  const int dimensions = static_cast<int>(chunk.size());
+  if (H5Pget_layout(creation.id()) != H5D_CHUNKED || H5Pget_chunk(creation.id(), dimensions, chunk.data()) != dimensions
+      || chunk != expected)
+    fail(fmt::format("{} is not stored frame by frame", name));
+  require_stored(data, name, slab.size, m_size);
+}
+
 template <class Number>
 std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Slab slab = slab_of(data, frame, 1);
   if (slab.size > max_numbers) fail(fmt::format("{} has another shape", name));
   std::vector<Number> values(slab.size);

@@ -1,6 +1,7 @@
 #include "store/run_memory.hpp"
 
 #include "base/failure.hpp"
+#include "store/json_text.hpp"
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>
@@ -196,6 +197,7 @@ std::string to_text(const RunMemory& memory) {
 
 RunMemory parse_memory(const std::string& text) {
   try {
+    require_shallow(text);
     const Json json = Json::parse(text);
     RunMemory memory;
     for (const Json& row : json.at("rows")) memory.rows.push_back(track_of(row));
