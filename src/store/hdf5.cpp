@@ -1,6 +1,7 @@
 #include "store/hdf5.hpp"
 
 #include "base/failure.hpp"
+#include "store/own_array.hpp"
 
 #include <fmt/format.h>
 
@@ -107,39 +108,6 @@ Handle without_cache() {
   Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "no access list");
   require(H5Pset_chunk_cache(access.id(), 0, 0, 0.0), "no array without a cache");
   return access;
-}
-
-/// An array within the file itself: every link on the way to it is hard, and its numbers are in this file.
-/// @throws InputOutputError if it is not there, or refers to another place
-Handle own_array(const Handle& file, const std::string& name) {
-  for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
-    const std::string part = name.substr(0, end);
-    H5L_info_t link{};
-    if (H5Lexists(file.id(), part.c_str(), H5P_DEFAULT) <= 0
-        || H5Lget_info(file.id(), part.c_str(), &link, H5P_DEFAULT) < 0)
-      fail(fmt::format("there is no {}", name));
-    if (link.type != H5L_TYPE_HARD) fail(fmt::format("{} is a link to another place", part));
-    if (end == std::string::npos) break;
-  }
-  Handle data(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("{} is no array", name));
-  const Handle creation(H5Dget_create_plist(data.id()), H5Pclose, fmt::format("{} has no layout", name));
-  if (H5Pget_external_count(creation.id()) != 0) fail(fmt::format("{} keeps its numbers in another file", name));
-  if (H5Pget_layout(creation.id()) == H5D_VIRTUAL) fail(fmt::format("{} is a view of other arrays", name));
-  return data;
-}
-
-/// Refuses an array that takes more memory than its bytes in the file can give: deflate makes at most 1032 bytes of
-/// one.
-void require_stored(const Handle& data, const std::string& name, hsize_t numbers, std::size_t file_size) {
-  constexpr hsize_t most_expanded = 1032;
-  const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
-  const H5T_class_t kind = H5Tget_class(type.id());
-  const std::size_t bytes = H5Tget_size(type.id());
-  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || bytes > sizeof(double))
-    fail(fmt::format("{} has another type", name));
-  const hsize_t stored = H5Dget_storage_size(data.id());
-  if (stored > file_size) fail(fmt::format("{} is longer than the file", name));
-  if (numbers > most_expanded * stored / bytes) fail(fmt::format("{} is not written: it holds too few bytes", name));
 }
 
 constexpr hsize_t max_numbers = hsize_t{1} << 30U;  // of a frame or a table
