@@ -8,8 +8,8 @@
 #include "parameters/schema.hpp"
 #include "run/run_record.hpp"
 #include "store/csv.hpp"
-#include "store/json_text.hpp"
 #include "store/naming.hpp"
+#include "store/state_json.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

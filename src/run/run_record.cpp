@@ -5,7 +5,7 @@
 #include "base/time_text.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
-#include "store/json_text.hpp"
+#include "store/state_json.hpp"
 #include "store/trajectory_hash.hpp"
 
 #include <fmt/chrono.h>

@@ -4,7 +4,6 @@
 #include "base/file.hpp"
 #include "state/dof.hpp"
 #include "store/hdf5.hpp"
-#include "store/json_text.hpp"
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>

@@ -291,48 +291,6 @@ std::string MemoryFile::text(const std::string& name) const {
   return {values.begin(), values.end()};
 }
 
-bool MemoryFile::has(const std::string& name) const {
-  for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1)) {
-    const std::string group = name.substr(0, end);
-    H5L_info_t link{};
-    if (H5Lexists(m_file.id(), group.c_str(), H5P_DEFAULT) <= 0
-        || H5Lget_info(m_file.id(), group.c_str(), &link, H5P_DEFAULT) < 0)
-      return false;
-    if (link.type != H5L_TYPE_HARD) fail(fmt::format("{} is a link to another place", group));
-  }
-  return H5Lexists(m_file.id(), name.c_str(), H5P_DEFAULT) > 0;
-}
-
-std::vector<float> MemoryFile::floats(const std::string& name) const {
-  const Handle data = own_array(m_file, name);
-  const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
-  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  if (size < 0 || static_cast<hsize_t>(size) > max_numbers) fail(fmt::format("{} has another shape", name));
-  require_stored(data, name, static_cast<hsize_t>(size), m_size);
-  if (static_cast<hsize_t>(size) * sizeof(float) > m_size) fail(fmt::format("{} is longer than the file", name));
-  std::vector<float> values(static_cast<std::size_t>(size));
-  require(H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-          fmt::format("{} not read", name));
-  return values;
-}
-
-void MemoryFile::require_frames(const std::string& name, std::size_t frames, std::size_t numbers) const {
-  const Handle data = own_array(m_file, name);
-  const Slab slab = slab_of(data, 0, frames);
-  if (slab.shape[0] != frames) fail(fmt::format("{} has {} frames instead of {}", name, slab.shape[0], frames));
-  const hsize_t in_frame = frames == 0 ? 0 : slab.size / frames;
-  if (numbers > 0 && in_frame != numbers)
-    fail(fmt::format("{} has {} numbers a frame instead of {}", name, in_frame, numbers));
-  const Handle creation(H5Dget_create_plist(data.id()), H5Pclose, fmt::format("{} has no layout", name));
-  std::vector<hsize_t> chunk(slab.shape.size(), 0), expected = slab.shape;
-  expected[0] = 1;
-  const int dimensions = static_cast<int>(chunk.size());
-  if (H5Pget_layout(creation.id()) != H5D_CHUNKED || H5Pget_chunk(creation.id(), dimensions, chunk.data()) != dimensions
-      || chunk != expected)
-    fail(fmt::format("{} is not stored frame by frame", name));
-  require_stored(data, name, slab.size, m_size);
-}
-
 template <class Number>
 std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
   const Handle data = own_array(m_file, name);

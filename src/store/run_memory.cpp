@@ -1,7 +1,6 @@
 #include "store/run_memory.hpp"
 
 #include "base/failure.hpp"
-#include "store/json_text.hpp"
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>

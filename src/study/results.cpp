@@ -5,8 +5,8 @@
 #include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
 #include "statistics/sample.hpp"
-#include "store/json_text.hpp"
 #include "store/row_file.hpp"
+#include "store/state_json.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
