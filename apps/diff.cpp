@@ -8,6 +8,8 @@
 #include "parameters/schema.hpp"
 #include "run/run_record.hpp"
 #include "store/csv.hpp"
+#include "store/naming.hpp"
+#include "store/state_json.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,9 +39,7 @@ struct Side {
 
 Json json_of(const fs::path& file) {
   if (!fs::exists(file)) return nullptr;
-  Json read = Json::parse(read_file(file, largest_file), nullptr, false);
-  if (read.is_discarded()) throw InputOutputError(fmt::format("{}: is no JSON", file.string()));
-  return read;
+  return store::read_json_object(file, largest_file);
 }
 
 Side side(const std::string& name) {
@@ -51,10 +51,13 @@ Side side(const std::string& name) {
     throw InputOutputError(fmt::format("{}: is the folder of no run (no run.json)", name));
   Side one{.name = name,
            .p = read_parameters(folder / "scenario.resolved.toml"),
-           .record = json_of(folder / "run.json"),
+           .record = run::read_record(folder),
            .summary = json_of(folder / "summary.json"),
            .tracks = {}};
-  if (fs::exists(folder / "tracks.csv")) one.tracks = read_file(folder / "tracks.csv", largest_file);
+  if (const fs::path tracks = folder / "tracks.csv"; fs::exists(tracks)) {
+    one.tracks = read_file(tracks, largest_file);
+    if (one.tracks.empty()) throw InputOutputError(fmt::format("{}: is empty", tracks.string()));
+  }
   return one;
 }
 
@@ -78,9 +81,18 @@ Json readouts_of_both(const Side& a, const Side& b) {
   return list;
 }
 
+store::CsvTable tracks_of(const Side& one) {
+  return store::naming(fs::path(one.name) / "tracks.csv", [&one] {
+    store::CsvTable table = store::read_csv(one.tracks);
+    if (!table.column("t_s")) throw InputOutputError("has no column t_s");
+    return table;
+  });
+}
+
 /// Time of the first row of tracks.csv in which two runs differ [s]; nothing if one holds the other.
 std::optional<double> first_difference(const Side& a, const Side& b) {
-  const store::CsvTable left = store::read_csv(a.tracks), right = store::read_csv(b.tracks);
+  if (a.tracks.empty() || b.tracks.empty()) return {};
+  const store::CsvTable left = tracks_of(a), right = tracks_of(b);
   const auto time = left.column("t_s");
   for (std::size_t k = 0; time && k < std::min(left.rows.size(), right.rows.size()); ++k)
     if (left.rows[k] != right.rows[k]) return store::csv_number(left.rows[k][*time]);

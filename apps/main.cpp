@@ -14,7 +14,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 namespace matrigrate::apps {
@@ -82,6 +84,24 @@ int complain(std::string_view what, ExitCode code) {
   return code;
 }
 
+/// Takes no memory, as there is none.
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view text = "matrigrate: not enough memory; explain tells what a scenario needs\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  std::_Exit(numerical);
+}
+
+/// Memory may also end where nothing can be caught: in a destructor or a thread.
+[[noreturn]] void end_by_terminate() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  } catch (...) { // an error of the program
+  }
+  std::abort();
+}
+
 } // namespace
 
 } // namespace matrigrate::apps
@@ -93,6 +113,7 @@ int main(int argc, char** argv) {
   ::mallopt(M_MMAP_THRESHOLD, 4 << 20); // what is larger grows in place, and goes back to the system at once
   ::mallopt(M_TRIM_THRESHOLD, 8 << 20); // what each step takes and gives back stays
   std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end
+  std::set_terminate(end_by_terminate);
   try {
     return run_program(argc, argv);
   } catch (const UsageError& error) {
@@ -107,7 +128,7 @@ int main(int argc, char** argv) {
   } catch (const std::system_error& error) { // of a file system or a thread
     return complain(error.what(), input_output);
   } catch (const std::bad_alloc&) {
-    return complain("not enough memory; explain tells what a scenario needs", numerical);
+    end_without_memory();
   } catch (const std::exception& error) {
     return complain(fmt::format("internal error, please report it: {}", error.what()), internal);
   }

@@ -4,6 +4,7 @@
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "store/run_files.hpp"
+#include "store/state_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,7 @@ constexpr std::size_t max_summary = std::size_t{1} << 20U; // bytes of summary.j
 Json summary_of(const run::RunOutcome& outcome) {
   const std::string text =
       outcome.computed ? store::summary_json(outcome.cells) : read_file(outcome.folder / "summary.json", max_summary);
-  return Json::parse(text, nullptr, false);
+  return store::parse_json(text);
 }
 
 void print_json(const run::RunOutcome& outcome, const std::string& report) {
@@ -81,6 +82,7 @@ int print_outcome(const run::RunOutcome& outcome, const OutcomeStyle& style) {
 
 void tell_lost_frames(const run::FinishedRun& run) {
   if (const std::string text = store::to_text(run::lost_frames(run)); !text.empty()) print_warning(text);
+  if (!run.trouble.empty()) print_warning(run.trouble);
 }
 
 } // namespace matrigrate::apps

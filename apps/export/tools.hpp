@@ -16,7 +16,8 @@ void require_tool(const std::string& program, const std::string& purpose, const 
 /// @throws InputOutputError if it fails
 void call(const std::vector<std::string>& command);
 
-/// A folder that is gone with all that is in it at the end of this object.
+/// A folder that is gone with all that is in it at the end of this object. One whose process was killed goes when the
+/// next one is made beside it.
 struct TemporaryFolder {
   /// @throws InputOutputError if it cannot be made
   explicit TemporaryFolder(const std::filesystem::path& in);
@@ -24,6 +25,9 @@ struct TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder();
   std::filesystem::path path;
+
+private:
+  int m_lock = -1; ///< tells others that it is in use
 };
 
 } // namespace matrigrate::apps

@@ -127,15 +127,45 @@ void rename_file(const std::filesystem::path& from, const std::filesystem::path&
   if (entries.number() >= 0) ::fsync(entries.number()); // some file systems cannot, and need not
 }
 
-std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+namespace {
+
+/// Opens a regular file. @param size  its bytes out
+int open_regular(const std::filesystem::path& path, std::size_t& size) {
   // Without O_NONBLOCK, opening a named pipe would wait for its writer.
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.number() < 0) fail_with(path, "cannot be read", errno);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) fail_with(path, "cannot be read", errno);
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0) fail_with(path, "cannot be read", errno);
-  if (S_ISDIR(status.st_mode)) fail(path, "is a folder, not a file");
-  if (!S_ISREG(status.st_mode)) fail(path, "is not a regular file");
-  const auto size = static_cast<std::size_t>(status.st_size);
+  const int error = ::fstat(descriptor, &status) == 0 ? 0 : errno;
+  if (error == 0 && S_ISREG(status.st_mode)) {
+    size = static_cast<std::size_t>(status.st_size);
+    return descriptor;
+  }
+  ::close(descriptor);
+  if (error != 0) fail_with(path, "cannot be read", error);
+  fail(path, S_ISDIR(status.st_mode) ? "is a folder, not a file" : "is not a regular file");
+}
+
+} // namespace
+
+std::string read_start(const std::filesystem::path& path, std::size_t bytes) {
+  std::size_t size = 0;
+  const Descriptor file(open_regular(path, size));
+  std::string start(std::min(size, bytes), '\0');
+  std::size_t filled = 0;
+  while (filled < start.size()) {
+    const ssize_t got = ::read(file.number(), start.data() + filled, start.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_with(path, "cannot be read", errno);
+    if (got == 0) break;
+    filled += static_cast<std::size_t>(got);
+  }
+  start.resize(filled);
+  return start;
+}
+
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  std::size_t size = 0;
+  const Descriptor file(open_regular(path, size));
   if (size > max_bytes) fail(path, fmt::format("has {} bytes, more than the {} allowed", size, max_bytes));
 
   std::string content;

@@ -49,6 +49,10 @@ void rename_file(const std::filesystem::path& from, const std::filesystem::path&
 /// @throws InputOutputError if it cannot be read, is no regular file, or is larger than max_bytes
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
+/// Reads the first bytes of a file, fewer where it is shorter.
+/// @throws InputOutputError as read_file
+std::string read_start(const std::filesystem::path& path, std::size_t bytes);
+
 /// Creates a folder for results. An existing folder that is not empty, apart from hidden files, is refused unless
 /// `force`. Nothing is deleted.
 /// @throws InputOutputError naming the path and the reason

@@ -50,6 +50,24 @@ bool ended_at(const Json& record, double t) {
   return (status == RunStatus::done || status == RunStatus::interrupted) && reached != record.end() && *reached == t;
 }
 
+/// A checkpoint; where it is damaged, tells whether the one before is whole.
+store::Checkpoint checkpoint_in(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  try {
+    return store::read_checkpoint(file);
+  } catch (const InputOutputError& trouble) {
+    const std::filesystem::path before = folder / store::previous_checkpoint_name;
+    std::string offer;
+    try {
+      if (file != before)
+        offer =
+            fmt::format("; {}, at {}, is whole, and is taken where {} is moved away", store::previous_checkpoint_name,
+                        time_text(store::read_checkpoint(before).state.t), store::checkpoint_name);
+    } catch (const InputOutputError&) { // neither is
+    }
+    throw InputOutputError(trouble.what() + offer);
+  }
+}
+
 } // namespace
 
 FinishedRun read_run(const std::filesystem::path& folder) {
@@ -61,11 +79,10 @@ FinishedRun read_run(const std::filesystem::path& folder) {
     throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
   FinishedRun run;
   run.folder = folder;
-  run.record = Json::parse(read_file(folder / "run.json", max_record), nullptr, false);
-  if (!run.record.is_object()) throw InputOutputError(fmt::format("{}/run.json: cannot be read", folder.string()));
+  run.record = read_record(folder);
   const bool last = std::filesystem::exists(folder / store::checkpoint_name, error);
   const std::filesystem::path file = folder / (last ? store::checkpoint_name : store::previous_checkpoint_name);
-  const store::Checkpoint checkpoint = store::read_checkpoint(file);
+  const store::Checkpoint checkpoint = checkpoint_in(folder, file);
   run.p = parse_parameters(checkpoint.scenario, file.string());
   run.t = checkpoint.state.t;
   run.memory = store::parse_memory(checkpoint.memory);
@@ -78,7 +95,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   const store::FrameShape shape{.head = observe::frame_head(checkpoint.state, run.p),
                                 .outline = cortex_particles(checkpoint.state),
                                 .fibres = run.p.fibres.arrangement != FibreArrangement::none};
-  if (run.p.output.field_interval > 0.0) run.film = store::saved_film(folder, shape, run.frame_times);
+  if (run.p.output.field_interval > 0.0) run.film = store::saved_film(folder, shape, run.frame_times, &run.trouble);
   return run;
 }
 

@@ -25,6 +25,7 @@ struct FinishedRun {
   std::vector<CellResult> cells;   ///< results of each
   std::vector<double> frame_times; ///< of the frames written up to the checkpoint [s]
   observe::Film film;              ///< those that are still whole, and later ones
+  std::string trouble;             ///< why fields.h5 was refused; empty if it was not, or was not needed
 };
 
 /// The scenario is taken from the checkpoint.

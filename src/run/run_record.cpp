@@ -1,9 +1,11 @@
 #include "run/run_record.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
+#include "store/state_json.hpp"
 #include "store/trajectory_hash.hpp"
 
 #include <fmt/chrono.h>
@@ -62,8 +64,32 @@ std::string stiffness_text(const Parameters& p) {
 Json record_of(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / "run.json", error)) return {};
-  const Json json = Json::parse(read_file(folder / "run.json", max_record), nullptr, false);
+  const Json json = store::parse_json(read_file(folder / "run.json", max_record));
   return json.is_object() ? json : Json();
+}
+
+Json read_record(const fs::path& folder) {
+  const fs::path file = folder / "run.json";
+  Json record = store::read_json_object(file, max_record);
+  const auto require = [&](const char* key, bool right, const char* wanted) {
+    if (record.contains(key) && !record.at(key).is_null() && !right)
+      throw InputOutputError(
+          fmt::format("{}: {} is of type {}; {} is expected", file.string(), key, record.at(key).type_name(), wanted));
+  };
+  for (const char* key : {"status", "reason", "trajectory_hash", "configuration_hash", "scenario", "start", "end"})
+    require(key, value_of(record, key).is_string(), "a text");
+  for (const char* key : {"t_s", "wall_time_s", "steps"}) require(key, value_of(record, key).is_number(), "a number");
+  return record;
+}
+
+void RunRecord::note_end() {
+  end = WallClock::now();
+  steady_end = std::chrono::steady_clock::now();
+}
+
+double RunRecord::wall_time() const {
+  const auto now = steady_end.value_or(std::chrono::steady_clock::now());
+  return earlier_wall_time + std::chrono::duration<double>(now - steady_start).count();
 }
 
 std::string text_of(const Json& record, const char* key) {
@@ -151,7 +177,6 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
 }
 
 Json to_json(const RunRecord& record, const Parameters& p) {
-  const WallClock::time_point now = record.end.value_or(WallClock::now());
   const store::LostFrames& lost = record.lost_frames;
   Json json{{"status", to_string(record.status())},
             {"exit_code", record.ended ? Json(exit_code(*record.ended)) : Json()},
@@ -160,7 +185,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
             {"steps", record.steps},
             {"t_s", record.t},
             {"duration_s", p.run.duration},
-            {"wall_time_s", record.earlier_wall_time + std::chrono::duration<double>(now - record.start).count()},
+            {"wall_time_s", record.wall_time()},
             {"ms_per_step",
              record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
             {"trajectory_hash", record.trajectory_hash},

@@ -38,12 +38,22 @@ struct RunRecord {
   std::vector<nlohmann::ordered_json> lineage;    ///< restarts and branches, oldest first
   std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
   std::optional<std::chrono::system_clock::time_point> end;
+  std::chrono::steady_clock::time_point steady_start = std::chrono::steady_clock::now(); ///< nobody sets it back
+  std::optional<std::chrono::steady_clock::time_point> steady_end;
+
+  /// Notes that the run ends now.
+  void note_end();
+  double wall_time() const; ///< of this run, also before it was resumed [s]
 
   RunStatus status() const { return ended ? status_of(*ended) : RunStatus::running; }
 };
 
 /// run.json of a folder; null where there is none, or it cannot be read.
 nlohmann::ordered_json record_of(const std::filesystem::path& folder);
+
+/// run.json of a folder, for those who show it.
+/// @throws InputOutputError naming the file, if it cannot be read, is no JSON object, or has a value of another type
+nlohmann::ordered_json read_record(const std::filesystem::path& folder);
 
 /// A text of a record; empty where there is none.
 std::string text_of(const nlohmann::ordered_json& record, const char* key);

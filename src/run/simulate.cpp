@@ -70,7 +70,7 @@ public:
       ::malloc_trim(0); // and gives it back
       m_record.trajectory_hash = m_folder->trajectory_hash();
       m_folder->finish(m_s, status_text(), status == RunStatus::failed, m_record, m_options.page_template);
-      m_record.end = std::chrono::system_clock::now();
+      m_record.note_end();
       m_folder->write_record(m_record);
       if (status == RunStatus::done) m_folder->remove_log();
     } catch (const InputOutputError& error) {
@@ -184,7 +184,7 @@ private:
   void record_trouble(const std::string& reason, RunEnd end) {
     m_record.ended = end;
     m_record.reason = fmt::format("{}; {}", reason, safe_text());
-    m_record.end = std::chrono::system_clock::now();
+    m_record.note_end();
     try {
       m_folder->write_record(m_record);
     } catch (const InputOutputError&) { // the first trouble is the one to tell

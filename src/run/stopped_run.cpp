@@ -66,7 +66,8 @@ bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) 
     observer.warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}",
                               (folder / "run.json").string(), time_text(t), time_text(found.p.run.duration)));
     return false;
-  } catch (const InputOutputError&) { // then there is nothing to go on from
+  } catch (const InputOutputError& trouble) { // then there is nothing to go on from
+    observer.warn(fmt::format("{}; the run is done, but it cannot be extended from there", trouble.what()));
     return true;
   }
 }
@@ -167,7 +168,7 @@ RunStart start_from(const FoundCheckpoint& found, const Json& record) {
     start.commands = commands_of(record);
   }
   if (record.is_object() && record.contains("wall_time_s") && record.at("wall_time_s").is_number())
-    start.earlier_wall_time = record.at("wall_time_s");
+    start.earlier_wall_time = std::max(0.0, record.at("wall_time_s").get<double>());
   return start;
 }
 

@@ -36,17 +36,23 @@ std::string first_line(int version, std::string_view content) {
   return line;
 }
 
+/// The format of a checkpoint by its first bytes. @throws InputOutputError if it is none that can be read
+int version_in(std::string_view start, const std::string& name) {
+  int version = 0;
+  const char* const end = start.data() + start.size();
+  const bool ours = start.starts_with(checkpoint_magic);
+  if (!ours || std::from_chars(start.data() + checkpoint_magic.size(), end, version).ec != std::errc())
+    throw InputOutputError(fmt::format("{}: is no checkpoint of matrigrate", name));
+  if (version < one_cell_version || version > checkpoint_version)
+    throw InputOutputError(fmt::format("{}: is a checkpoint of format {}; this program reads formats {} to {}", name,
+                                       version, one_cell_version, checkpoint_version));
+  return version;
+}
+
 /// The HDF5 file behind a user block that promises it. @throws InputOutputError with the reason
 std::string_view checked_content(std::string_view image, const std::string& name) {
   const auto refuse = [&name](std::string_view why) { throw InputOutputError(fmt::format("{}: {}", name, why)); };
-  if (!image.starts_with(checkpoint_magic)) refuse("is no checkpoint of matrigrate");
-  int version = 0;
-  const char* const end = image.data() + image.size();
-  const auto read = std::from_chars(image.data() + checkpoint_magic.size(), end, version);
-  if (read.ec != std::errc()) refuse("is no checkpoint of matrigrate");
-  if (version < one_cell_version || version > checkpoint_version)
-    refuse(fmt::format("is a checkpoint of format {}; this program reads formats {} to {}", version, one_cell_version,
-                       checkpoint_version));
+  const int version = version_in(image, name);
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
   if (image.substr(0, block) == first_line(version, content)) return content;
@@ -215,6 +221,7 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
 
 State parse_state_parts(const std::string& text) {
   try {
+    require_shallow(text);
     return small_parts_of(Json::parse(text));
   } catch (const Json::exception& error) {
     throw InputOutputError(fmt::format("the state cannot be read: {}", error.what()));
@@ -263,6 +270,7 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
+  version_in(read_start(file, block), file.string()); // before all of a large file is read
   return parse_checkpoint(read_file(file, max_checkpoint_bytes), file.string());
 }
 

@@ -1,6 +1,7 @@
 #include "store/hdf5.hpp"
 
 #include "base/failure.hpp"
+#include "store/own_array.hpp"
 
 #include <fmt/format.h>
 
@@ -109,6 +110,9 @@ Handle without_cache() {
   return access;
 }
 
+constexpr hsize_t max_numbers = hsize_t{1} << 30U;  // of a frame or a table
+constexpr hsize_t max_in_array = hsize_t{1} << 40U; // of all frames
+
 /// The shape of an array, and a part of it: frames or rows in a stretch.
 struct Slab {
   Handle space;
@@ -127,13 +131,14 @@ Slab slab_of(const Handle& data, std::size_t first, std::size_t rows) {
   std::vector<hsize_t> count = slab.shape;
   start[0] = first;
   count[0] = rows;
-  for (const hsize_t n : count) slab.size *= n;
+  for (const hsize_t n : count) {
+    if (n != 0 && slab.size > max_in_array / n) fail("an array is too large");
+    slab.size *= n;
+  }
   require(H5Sselect_hyperslab(slab.space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
           "no frame could be chosen");
   return slab;
 }
-
-constexpr hsize_t max_numbers = hsize_t{1} << 30U; // of a frame or a table
 
 } // namespace
 
@@ -210,7 +215,7 @@ void MemoryFile::write_text(const std::string& name, std::string_view text) {
 /// @param part  of the array, which the view shows
 void MemoryFile::name_part(const std::string& view, const std::string& name, hid_t part, std::span<const hsize_t> shape,
                            std::string_view unit) {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
   const Handle creation = undated();
@@ -220,14 +225,14 @@ void MemoryFile::name_part(const std::string& view, const std::string& name, hid
 
 void MemoryFile::name_frame(const std::string& view, const std::string& name, std::size_t frame,
                             std::string_view unit) {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Slab slab = slab_of(data, frame, 1);
   name_part(view, name, slab.space.id(), std::span(slab.shape).subspan(1), unit);
 }
 
 void MemoryFile::name_rows(const std::string& view, const std::string& name, std::size_t first, std::size_t rows,
                            std::string_view unit) {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   Slab slab = slab_of(data, first, rows);
   slab.shape[0] = rows;
   name_part(view, name, slab.space.id(), slab.shape, unit);
@@ -235,7 +240,7 @@ void MemoryFile::name_rows(const std::string& view, const std::string& name, std
 
 /// The array of that name. @param columns  1 for a 1-d array   @param rows  its length out
 Handle MemoryFile::open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const {
-  Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  Handle data = own_array(m_file, name);
   const Handle stored(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
   if (H5Tequal(stored.id(), type) <= 0) fail(fmt::format("{} has another type", name));
   const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
@@ -286,26 +291,9 @@ std::string MemoryFile::text(const std::string& name) const {
   return {values.begin(), values.end()};
 }
 
-bool MemoryFile::has(const std::string& name) const {
-  const std::string group = name.substr(0, name.rfind('/'));
-  if (!group.empty() && H5Lexists(m_file.id(), group.c_str(), H5P_DEFAULT) <= 0) return false;
-  return H5Lexists(m_file.id(), name.c_str(), H5P_DEFAULT) > 0;
-}
-
-std::vector<float> MemoryFile::floats(const std::string& name) const {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
-  const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
-  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  if (size < 0 || static_cast<hsize_t>(size) > max_numbers) fail(fmt::format("{} has another shape", name));
-  std::vector<float> values(static_cast<std::size_t>(size));
-  require(H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-          fmt::format("{} not read", name));
-  return values;
-}
-
 template <class Number>
 std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
-  const Handle data(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("there is no {}", name));
+  const Handle data = own_array(m_file, name);
   const Slab slab = slab_of(data, frame, 1);
   if (slab.size > max_numbers) fail(fmt::format("{} has another shape", name));
   std::vector<Number> values(slab.size);

@@ -36,7 +36,8 @@ private:
   Close m_close;
 };
 
-/// A file held in memory: written as a whole, and read only from bytes that are known to be whole.
+/// A file held in memory, written as a whole. One that is read may come from anyone: arrays that are links, views, kept
+/// in another file, or larger than what the file holds are refused.
 class MemoryFile {
 public:
   /// An empty file to be filled.
@@ -81,6 +82,10 @@ public:
   std::string text(const std::string& name) const;
   bool has(const std::string& name) const;
   std::vector<float> floats(const std::string& name) const; ///< of any shape, row by row
+  /// Refuses an array of frames before its memory is taken.
+  /// @param numbers  of a frame; 0: any
+  /// @throws InputOutputError if it has another shape, or more numbers than its bytes can hold
+  void require_frames(const std::string& name, std::size_t frames, std::size_t numbers) const;
   /// What a FrameArray of frames has at one.
   std::vector<float> float_frame(const std::string& name, std::size_t frame) const;
   std::vector<std::uint8_t> byte_frame(const std::string& name, std::size_t frame) const;

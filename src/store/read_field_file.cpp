@@ -74,8 +74,9 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
   for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
   if (whole != nullptr) whole->assign(times.size(), true);
   if (times.empty()) return film;
-  const auto frames_of = [&](const std::string& name, const auto& read, const auto& keep) {
+  const auto frames_of = [&](const std::string& name, std::size_t numbers, const auto& read, const auto& keep) {
     if (!file.has(name)) return; // fibres, where there are none
+    file.require_frames(name, times.size(), numbers);
     for (std::size_t k = 0; k < film.frames.size(); ++k) {
       try {
         keep(film.frames[k], read(name, k));
@@ -85,17 +86,23 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
       }
     }
   };
+  const auto numbers_of = [&](const auto& field) {
+    const std::size_t each = field.components == 2 ? 3 : 1; // vectors have a third component
+    return field.name.starts_with("matrix/") ? each * film.head.particles() : 0;
+  };
   for (const auto& field : observe::float_fields())
     if (!field.of_protrusions())
       frames_of(
-          fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
+          fmt::format("/{}", field.name), numbers_of(field),
+          [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
           [&](observe::Frame& f, observe::Floats v) {
             field.of(f) = field.components == 2 ? in_plane(v) : std::move(v);
           });
   for (const auto& field : observe::byte_fields())
     if (!field.of_protrusions())
       frames_of(
-          fmt::format("/{}", field.name), [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
+          fmt::format("/{}", field.name), numbers_of(field),
+          [&](const auto& name, std::size_t k) { return file.byte_frame(name, k); },
           [&](observe::Frame& f, observe::Bytes v) { field.of(f) = std::move(v); });
   read_protrusions(file, film);
   const std::size_t fibres = file.has("/matrix/fibre_von_mises") ? film.head.particles() : 0;

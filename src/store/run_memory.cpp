@@ -140,6 +140,7 @@ Json json_of(const observe::CellScene& scene) {
   for (const observe::DrawnProtrusion& drawn : scene.protrusions) protrusions.push_back(json_of(drawn));
   Json json{
       {"t_s", scene.t}, {"radius_um", scene.radius}, {"spacing_um", scene.spacing}, {"matrix", std::move(matrix)}};
+  if (!scene.obstacles.empty()) json["obstacles"] = to_json(scene.obstacles);
   if (scene.cells.size() > 1) {
     for (const observe::DrawnCell& cell : scene.cells) json["cells"].push_back(json_of(cell));
     json["protrusions"] = std::move(protrusions);
@@ -160,6 +161,7 @@ observe::CellScene scene_of(const Json& json) {
   scene.radius = number(json.at("radius_um"));
   scene.spacing = number(json.at("spacing_um"));
   for (std::size_t k = 0; k < observe::matrix_classes; ++k) scene.matrix[k] = vectors(json.at("matrix").at(k));
+  if (json.contains("obstacles")) scene.obstacles = vectors(json.at("obstacles"));
   if (json.contains("cells"))
     for (const Json& cell : json.at("cells")) scene.cells.push_back(drawn_cell_of(cell));
   else
@@ -194,6 +196,7 @@ std::string to_text(const RunMemory& memory) {
 
 RunMemory parse_memory(const std::string& text) {
   try {
+    require_shallow(text);
     const Json json = Json::parse(text);
     RunMemory memory;
     for (const Json& row : json.at("rows")) memory.rows.push_back(track_of(row));

@@ -26,12 +26,15 @@ bool same(const observe::FrameHead& a, const observe::FrameHead& b) {
 /// Calls with each whole frame of the log, and then, while some are `missing`, with each one of the field file.
 template <class Keep, class Missing>
 void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape, const Keep& keep,
-                    const Missing& missing) {
+                    const Missing& missing, std::string* trouble = nullptr) {
   const auto see = [&](observe::Frame frame) {
     if (frame.outline.f_mat.size() == shape.outline && frame.matrix.fibre_von_mises.empty() != shape.fibres)
       keep(std::move(frame));
   };
-  std::ifstream log(folder / frame_log_name, std::ios::binary);
+  std::ifstream log;
+  std::error_code error; // a named pipe would be waited for
+  if (std::filesystem::is_regular_file(folder / frame_log_name, error))
+    log.open(folder / frame_log_name, std::ios::binary);
   std::optional<FrameReader> reader;
   try {
     reader.emplace(log);
@@ -47,7 +50,8 @@ void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape
     observe::Film film = read_whole_frames(folder);
     if (same(film.head, shape.head))
       for (observe::Frame& frame : film.frames) see(std::move(frame));
-  } catch (const InputOutputError&) { // then they are lost
+  } catch (const InputOutputError& reason) { // then they are lost
+    if (trouble != nullptr) *trouble = reason.what();
   }
 }
 
@@ -63,7 +67,8 @@ SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& 
   return saved;
 }
 
-observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
+observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times,
+                         std::string* trouble) {
   std::map<double, observe::Frame> saved;
   for_each_whole(
       folder, shape,
@@ -71,7 +76,7 @@ observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& 
         const double t = frame.t;
         saved.try_emplace(t, std::move(frame));
       },
-      [&] { return !std::ranges::all_of(times, [&](double t) { return saved.contains(t); }); });
+      [&] { return !std::ranges::all_of(times, [&](double t) { return saved.contains(t); }); }, trouble);
   observe::Film film{.head = shape.head, .frames = {}};
   for (auto& [t, frame] : saved) film.frames.push_back(std::move(frame));
   return film;

@@ -30,7 +30,9 @@ SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& 
 
 /// All frames that a folder still holds whole, whether a checkpoint knows of them or not.
 /// @param times  of those that there should be: only where one is missing in the log is the field file read [s]
-observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
+/// @param trouble  why the field file was refused, if it was
+observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times,
+                         std::string* trouble = nullptr);
 
 /// Frames that were written once and are not there any longer.
 struct LostFrames {

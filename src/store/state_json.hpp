@@ -4,8 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +18,22 @@
 namespace matrigrate::store {
 
 using Json = nlohmann::ordered_json;
+
+// Files that may come from anyone. Test: tests/unit/store/json_text_test.cpp
+
+/// Levels of brackets within brackets: what is deeper would take the stack of those who copy, write or delete it. The
+/// program's own files have less than ten.
+inline constexpr std::size_t max_json_levels = 100;
+
+/// @throws InputOutputError if the text has more levels
+void require_shallow(std::string_view json);
+
+/// What a JSON text holds; discarded (Json::is_discarded) where it is no JSON or has too many levels.
+Json parse_json(std::string_view text);
+
+/// The JSON object of a file.
+/// @throws InputOutputError naming the file, if it cannot be read, is no JSON, no object, or has too many levels
+Json read_json_object(const std::filesystem::path& file, std::size_t max_bytes);
 
 /// An integer that T can hold. @throws std::invalid_argument if it is none
 template <class T>

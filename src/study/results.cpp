@@ -6,6 +6,7 @@
 #include "parameters/schema.hpp"
 #include "statistics/sample.hpp"
 #include "store/row_file.hpp"
+#include "store/state_json.hpp"
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
@@ -81,7 +82,7 @@ double summary_readout(const json& summary, const char* name) {
 }
 
 std::vector<double> readouts_of(const std::filesystem::path& folder) {
-  const json summary = json::parse(read_file(folder / "summary.json", largest_json), nullptr, false);
+  const json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
   if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
   std::vector<double> values;
   for (const ReadOutSpec& spec : readout_table()) values.push_back(summary_readout(summary, spec.name.data()));
@@ -125,7 +126,7 @@ std::filesystem::path run_log(const std::filesystem::path& study_folder, const R
 Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   const std::filesystem::path file = run_folder(study_folder, run) / "run.json";
   if (!std::filesystem::exists(file)) return from_log(run_log(study_folder, run));
-  const json record = json::parse(read_file(file, largest_json), nullptr, false);
+  const json record = store::parse_json(read_file(file, largest_json));
   Standing s;
   if (record.is_discarded() || !record.is_object()) {
     s.status = RunState::unfinished;

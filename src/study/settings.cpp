@@ -70,9 +70,12 @@ std::string without_folder(const std::string& value) {
   const std::size_t hash = value.find(" hash=");
   if (hash == std::string::npos) return value;
   std::string text = value.substr(0, hash);
+  std::string lower = text;
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   std::size_t ending = 0;
   for (const char* known : {".csv", ".png", ".tif"})
-    if (const std::size_t at = text.rfind(known); at != std::string::npos) ending = std::max(ending, at);
+    if (const std::size_t at = lower.rfind(known); at != std::string::npos) ending = std::max(ending, at);
   text = text.substr(text.rfind('/', ending) + 1); // npos + 1 is 0
   std::erase_if(text, [](char c) { return c == '"' || c == '\\'; });
   return text;

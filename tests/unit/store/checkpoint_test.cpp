@@ -1,6 +1,7 @@
 #include "store/checkpoint.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "state/dof.hpp"
 #include "state/initial.hpp"
 #include "store/hdf5.hpp"
@@ -64,6 +65,19 @@ std::string refusal(std::string_view image) {
     return error.what();
   }
   return "accepted";
+}
+
+TEST(Checkpoint, IsKnownByItsFirstBytes) {
+  const auto file = std::filesystem::temp_directory_path() / ("junk_" + std::to_string(::getpid()) + ".h5");
+  write_file(file, "junk");
+  std::filesystem::resize_file(file, std::uintmax_t{8} << 30U); // more than is ever read
+  try {
+    store::read_checkpoint(file);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputOutputError& error) {
+    EXPECT_EQ(error.what(), file.string() + ": is no checkpoint of matrigrate");
+  }
+  std::filesystem::remove(file);
 }
 
 TEST(Checkpoint, GivesTheSameBitsBack) {

@@ -13,8 +13,26 @@
 
 #include <unistd.h>
 
+#include <filesystem>
+
 namespace matrigrate::store {
 namespace {
+
+/// The numbers of a view in a field file, as HDF5 reads it from a disk; MemoryFile refuses views.
+observe::Floats view_in(const std::string& image, const char* name) {
+  const auto path = std::filesystem::temp_directory_path() / ("views_" + std::to_string(::getpid()) + ".h5");
+  write_file(path, image);
+  observe::Floats values;
+  {
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "no file");
+    const Handle data(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "no view");
+    const Handle space(H5Dget_space(data.id()), H5Sclose, "no shape");
+    values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  }
+  std::filesystem::remove(path);
+  return values;
+}
 
 /// The attributes of a field file, as any program reads them.
 class Attributes {
@@ -122,7 +140,7 @@ TEST(FieldFile, HoldsPositionsInSpace) {
   EXPECT_EQ(x[5], 0.0F);
   EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[3], 0);
   EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[4], 1);
-  EXPECT_EQ(file.floats("/frames/1/matrix/position"), x) << "a view, for readers of XDMF";
+  EXPECT_EQ(view_in(image, "/frames/1/matrix/position"), x) << "a view, for readers of XDMF";
   EXPECT_THROW(file.float_frame("/matrix/position", 2), InputOutputError);
   EXPECT_THROW(file.float_frame("/matrix/nothing", 0), InputOutputError);
 }
@@ -174,8 +192,8 @@ TEST(FieldFile, HoldsAdhesionsOfEachFrame) {
   const MemoryFile file(image);
   EXPECT_EQ(file.floats("/anchors/frame"), observe::Floats{0.0F});
   EXPECT_EQ(file.floats("/anchors/id"), observe::Floats{2.0F});
-  EXPECT_EQ(file.floats("/frames/0/anchors/position"), (observe::Floats{30.5F, -1.25F, 0.0F}));
-  EXPECT_EQ(file.floats("/frames/0/anchors/force"), observe::Floats{film.frames[0].protrusions.force[1]});
+  EXPECT_EQ(view_in(image, "/frames/0/anchors/position"), (observe::Floats{30.5F, -1.25F, 0.0F}));
+  EXPECT_EQ(view_in(image, "/frames/0/anchors/force"), observe::Floats{film.frames[0].protrusions.force[1]});
   EXPECT_FALSE(file.has("/frames/1/anchors/force"));
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "store/hdf5.hpp"
+
+#include <cstddef>
+#include <string>
+
+/// What is asked of an array before it is read from a file that may come from anyone.
+/// Test: tests/unit/store/foreign_fields_test.cpp
+namespace matrigrate::store {
+
+/// An array within the file itself: every link on the way to it is hard, and its numbers are in this file.
+/// @throws InputOutputError if it is not there, or refers to another place
+Handle own_array(const Handle& file, const std::string& name);
+
+/// Refuses an array that takes more memory than its bytes in the file can give: deflate makes at most 1032 bytes of
+/// one.
+/// @throws InputOutputError also if its numbers are of no common type
+void require_stored(const Handle& data, const std::string& name, hsize_t numbers, std::size_t file_size);
+
+} // namespace matrigrate::store
