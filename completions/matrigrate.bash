@@ -95,7 +95,7 @@ _matrigrate() {
   matrigrate_export)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --svg --png --panel --movie --fps --seconds --size --follow --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_validate)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover competition stunting initiation all" -- "$cur")); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all" -- "$cur")); fi ;;
   matrigrate_selftest)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --with --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_study)

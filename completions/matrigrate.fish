@@ -112,7 +112,7 @@ complete -c matrigrate -n '__matrigrate_at export' -l layer -x -a 'degradation d
 complete -c matrigrate -n '__matrigrate_at export' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into (default: DIR/export)'
 complete -c matrigrate -n '__matrigrate_at export' -l force -d 'Replace an earlier export of the same kind'
 
-complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover competition stunting initiation all'
+complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all'
 complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at validate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: validate-NAME)'
 complete -c matrigrate -n '__matrigrate_at validate' -l scenario -r -F -d 'Take material and numerics from this scenario file'

@@ -267,8 +267,16 @@ class Adhesion(Section):
     """Share of the force of a maturation step at which the next one begins; > 0 and <= 1. Default: 0.98 (Heck et al. 2020, Methods)."""
     handover: Literal["immediate", "bundle"]
     """How the pull of maturation gives way to contraction: at once, or as the cortex takes over the load; "immediate" or "bundle". Default: "bundle" (MODEL.md, D20)."""
+    handover_time: _Quantity
+    """Time constant in which the pull of maturation gives way; > 0 and <= 10000 s. A bare number is in s. Default: "0.4 s" (MODEL.md, D20)."""
+    handover_share: float
+    """Share of f_mat F_am that the pull of maturation and the cortex together put on the adhesion; >= 0 and <= 1. Default: 0.9 (MODEL.md, D20)."""
     base_drag: _Quantity
     """Drag of each of six base particles while a protrusion matures; >= 0 and <= 1000 N s/m. A bare number is in N s/m. Default: "1 N s/m" (MODEL.md, D19)."""
+    hold: Literal["place", "matter"]
+    """Whether an adhesion hangs on the matrix that is near its anchor at a time, or on the matter that was there when it formed; "place" or "matter". Default: "place" (MODEL.md, D18)."""
+    spread: float
+    """Smoothing length of the kernel that spreads an adhesion over the matrix, over that of the matrix; >= 0.8 and <= 4. Default: 1 (MODEL.md, D18)."""
     least_support: float
     """Share of solid around the anchor below which an adhesion is lost; > 0 and < 1. Default: 0.02 (MODEL.md, D18)."""
 
@@ -295,8 +303,8 @@ class Degradation(Section):
     """Reach of degradation around the body of the cell (d_degr,cell); >= 0 and <= 100 um. A bare number is in um. Default: "1.9 um" (Heck et al. 2020, Table 1)."""
     threshold: _Quantity
     """Pressure above which protrusion and body degrade the matrix (p_th,degr); >= 0 and <= 1e6 Pa. A bare number is in Pa. Default: "20 Pa" (Heck et al. 2020, Table 1)."""
-    pressure: Literal["larger", "solid"]
-    """Whether the larger of solid and contact pressure is compared with the threshold, or that of the solid; "larger" or "solid". Default: "solid" (MODEL.md, D15)."""
+    pressure: Literal["larger", "solid", "sum"]
+    """Whether the larger of solid and contact pressure is compared with the threshold, that of the solid, or their sum; "larger" or "solid" or "sum". Default: "solid" (MODEL.md, D15)."""
 
 class Cues(Section):
     """What tells the cell where to begin protrusions; off in the paper."""

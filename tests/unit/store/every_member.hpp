@@ -24,12 +24,12 @@ inline auto members(Growing& s) {
   return std::tie(direction, base_width);
 }
 inline auto members(Maturing& s) {
-  auto& [direction, anchor, steps, last_step] = s;
-  return std::tie(direction, anchor, steps, last_step);
+  auto& [direction, anchor, steps, last_step, held] = s;
+  return std::tie(direction, anchor, steps, last_step, held);
 }
 inline auto members(Contracting& s) {
-  auto& [anchor, f_mat, bundle, falling] = s;
-  return std::tie(anchor, f_mat, bundle, falling);
+  auto& [anchor, f_mat, bundle, falling, held] = s;
+  return std::tie(anchor, f_mat, bundle, falling, held);
 }
 inline auto members(Finishing& s) {
   auto& [f_mat] = s;
