@@ -45,17 +45,18 @@ std::string conditions_csv(const std::vector<ReproducedRow>& rows, const study::
 
 /// The table that people read, a line a claim.
 std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
-  std::string text =
-      store::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"), View("verdict"),
-                       View("why_not"), View("verdict_in_larger_disc"), View("caveat")});
+  std::string text = store::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"),
+                                      View("verdict"), View("why_not"), View("verdict_in_larger_disc"),
+                                      View("verdict_second_edition"), View("caveat")});
   for (const ReproducedRow& row : rows) {
     const std::string kind = to_string(study::row_kind(row.id));
     const std::string verdict = to_string(row.finding.verdict);
     const std::string why = study::why_not(row.finding);
     const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
+    const std::string second = to_string(row.finding.second);
     const std::string caveat = claims_caveat(row.id, evidence);
     text += store::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
-                             View(verdict), View(why), View(larger), View(caveat)});
+                             View(verdict), View(why), View(larger), View(second), View(caveat)});
   }
   return text;
 }
@@ -76,9 +77,16 @@ std::vector<std::string> studies_of(View row, const study::Evidence& evidence) {
   return names;
 }
 
+/// "by the second edition of the rules: in direction; missed: ..."
+std::string second_edition(const study::Finding& finding) {
+  const std::string missed = finding.second_unmet.empty() ? "" : "; missed: " + joined(finding.second_unmet);
+  return fmt::format("by the second edition of the rules: {}{}", to_string(finding.second), missed);
+}
+
 report::Statement statement(const ReproducedRow& row, const study::Evidence& evidence,
                             const ReproducedFigures& figures) {
   std::vector<std::string> conditions = row.finding.conditions;
+  conditions.push_back(second_edition(row.finding));
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}",
                                      to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief));
@@ -165,6 +173,7 @@ std::string reproduction_text(const std::vector<ReproducedRow>& rows, const stud
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
+    text += fmt::format("    {}\n", second_edition(row.finding));
     if (row.in_larger_disc)
       text += fmt::format("    with runs that ended at the rim made again in a larger disc: {}\n      {}\n",
                           to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief);
@@ -175,14 +184,15 @@ std::string reproduction_text(const std::vector<ReproducedRow>& rows, const stud
 std::string reproduction_table(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
   std::string text;
   for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, ends_text(ensemble));
-  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "claim"}};
+  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "second edition", "claim"}};
   for (const ReproducedRow& row : rows) {
     const std::string caveat = claims_caveat(row.id, evidence);
     cells.push_back({row.id, to_string(study::row_kind(row.id)),
                      to_string(row.finding.verdict) + (caveat.empty() ? "" : fmt::format(" ({})", caveat)),
-                     row.sentence});
+                     to_string(row.finding.second), row.sentence});
   }
-  return fmt::format("{}\n{}{}.\n", text, aligned(cells, 4), study::bottom_line(rows));
+  return fmt::format("{}\n{}{}.\n{}.\n", text, aligned(cells, 5), study::bottom_line(rows),
+                     study::second_bottom_line(rows));
 }
 
 std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
@@ -200,7 +210,8 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const stud
                     {"kind", to_string(study::row_kind(row.id))},
                     {"brief", row.finding.brief},
                     {"why_not", study::why_not(row.finding)},
-                    {"verdict_in_larger_disc", row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : ""}});
+                    {"verdict_in_larger_disc", row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : ""},
+                    {"verdict_second_edition", to_string(row.finding.second)}});
   return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
                                                                                          Json::error_handler_t::replace)
          + "\n";

@@ -64,6 +64,9 @@ std::string why_not(const Finding& finding);
 /// "19 of 30 hold: 7 of 11 calibration, 9 of 15 predicted, 3 of 4 verification; 2 undecided"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
 
+/// "16 of 30 hold and 9 more are in direction by the second edition of the rules"
+std::string second_bottom_line(const std::vector<JudgedClaim>& claims);
+
 /// The table of a page of Markdown: a row a claim, with what was published, what came out, and the verdict.
 std::string markdown_table(const std::vector<JudgedClaim>& claims);
 

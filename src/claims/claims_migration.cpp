@@ -54,7 +54,10 @@ Finding a6(const Evidence& e) {
 Finding a7(const Evidence& e) {
   return Judge(e)
       .mean_above("stiffness", "share_2_or_3_protrusions", 0.5)
+      .only_first()
       .none_above("stiffness", "n_simultaneous_max", 3.0)
+      .only_second() // the Discussion: "in most simulations"
+      .mostly_up_to("stiffness", "n_simultaneous_max", 3.0, 0.5)
       .finding();
 }
 

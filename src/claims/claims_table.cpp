@@ -36,6 +36,14 @@ std::string why_not(const Finding& finding) {
                      fmt::join(finding.unmet, "; "));
 }
 
+std::string second_bottom_line(const std::vector<JudgedClaim>& claims) {
+  const auto count = [&](Verdict verdict) {
+    return std::ranges::count_if(claims, [&](const JudgedClaim& c) { return c.finding.second == verdict; });
+  };
+  return fmt::format("{} of {} hold and {} more are in direction by the second edition of the rules",
+                     count(Verdict::holds), claims.size(), count(Verdict::in_direction));
+}
+
 std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
   const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
@@ -63,11 +71,12 @@ std::string verdict_text(const JudgedClaim& c) {
 } // namespace
 
 std::string markdown_table(const std::vector<JudgedClaim>& claims) {
-  std::string text = "| row | kind | claim | published | ours: mean [95 % interval] | verdict | why not |\n"
-                     "|---|---|---|---|---|---|---|\n";
+  std::string text =
+      "| row | kind | claim | published | ours: mean [95 % interval] | verdict | second edition | why not |\n"
+      "|---|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
-    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} |\n", c.id, to_string(row_kind(c.id)), c.sentence,
-                        c.published, c.finding.brief, verdict_text(c), why_not(c.finding));
+    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, to_string(row_kind(c.id)), c.sentence,
+                        c.published, c.finding.brief, verdict_text(c), to_string(c.finding.second), why_not(c.finding));
   return text;
 }
 

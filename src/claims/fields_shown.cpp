@@ -89,7 +89,9 @@ Finding fields_shown(std::string_view csv, double t_end) {
   }
   finding.ours = brief;
   finding.brief = fmt::format("{}", fmt::join(brief, "; "));
-  finding.verdict = all.empty() ? Verdict::undecided : finding.unmet.empty() ? Verdict::holds : Verdict::does_not_hold;
+  finding.verdict = finding.second = all.empty()             ? Verdict::undecided
+                                     : finding.unmet.empty() ? Verdict::holds
+                                                             : Verdict::does_not_hold;
   return finding;
 }
 

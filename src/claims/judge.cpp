@@ -14,6 +14,7 @@ namespace matrigrate::study {
 namespace {
 
 constexpr double alpha = 0.05;
+constexpr double tenth = 0.1; // of a published mean: as near as it is read off a figure, whatever the scatter
 
 std::string_view word(Sign sign) { return sign == Sign::up ? "above" : "below"; }
 bool has(Sign sign, double value) { return sign == Sign::up ? value > 0.0 : value < 0.0; }
@@ -92,7 +93,9 @@ std::string Judge::brief() const {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-void Judge::condition(const std::string& wanted, const std::string& measured, bool defined, bool met) {
+void Judge::condition(const std::string& wanted, const std::string& measured, bool defined, bool met, Reading reading) {
+  if (m_second) m_again.push_back({shortened(fmt::format("{} ({})", wanted, measured)), defined, met, reading});
+  if (!m_first) return;
   m_defined = m_defined && defined;
   m_met = m_met && met;
   m_conditions.push_back(defined ? fmt::format("{} ({}): {}", wanted, measured, met ? "met" : "not met")
@@ -105,7 +108,8 @@ void Judge::condition(const std::string& wanted, const std::string& measured, bo
 }
 
 void Judge::compare(Group a, Group b, std::string_view readout, std::string_view wanted,
-                    const std::function<bool(double, double)>& met) {
+                    const std::function<bool(double, double)>& met,
+                    const std::function<Reading(double, double)>& reading) {
   const std::vector<double> x = values(a, readout);
   const std::vector<double> y = values(b, readout);
   const statistics::Interval d = statistics::mean_difference(x, y, alpha);
@@ -114,28 +118,36 @@ void Judge::compare(Group a, Group b, std::string_view readout, std::string_view
   condition(fmt::format("{} at {} {} that at {}", readout, label(b), wanted, label(a)),
             fmt::format("difference {:.3g} [{:.3g}, {:.3g}], p {:.2g}, g {:.2g} [{:.2g}, {:.2g}]", d.value, d.low,
                         d.high, p, g.value, g.low, g.high),
-            x.size() > 1 && y.size() > 1, met(d.value, p));
+            x.size() > 1 && y.size() > 1, met(d.value, p), reading(d.value, p));
 }
 
 Judge& Judge::differs(Group a, Group b, std::string_view readout, Sign sign) {
-  compare(a, b, readout, fmt::format("significantly {}", word(sign)),
-          [&](double d, double p) { return has(sign, d) && p < alpha; });
+  compare(
+      a, b, readout, fmt::format("significantly {}", word(sign)),
+      [&](double d, double p) { return has(sign, d) && p < alpha; },
+      [&](double d, double) { return Reading{.direction = has(sign, d)}; });
   return *this;
 }
 
 Judge& Judge::same(Group a, Group b, std::string_view readout) {
-  compare(a, b, readout, "not significantly different from", [](double, double p) { return !(p < alpha); });
+  compare(
+      a, b, readout, "not significantly different from", [](double, double p) { return !(p < alpha); },
+      [](double, double p) { return Reading{.family = Family::no_difference, .p = p}; });
   return *this;
 }
 
 Judge& Judge::leans(Group a, Group b, std::string_view readout, Sign sign) {
-  compare(a, b, readout, word(sign), [&](double d, double) { return has(sign, d); });
+  compare(
+      a, b, readout, word(sign), [&](double d, double) { return has(sign, d); },
+      [&](double d, double) { return Reading{.direction = has(sign, d)}; });
   return *this;
 }
 
 Judge& Judge::not_beyond(Group a, Group b, std::string_view readout, Sign sign) {
-  compare(a, b, readout, fmt::format("not significantly {}", word(sign)),
-          [&](double d, double p) { return !(has(sign, d) && p < alpha); });
+  compare(
+      a, b, readout, fmt::format("not significantly {}", word(sign)),
+      [&](double d, double p) { return !(has(sign, d) && p < alpha); },
+      [&](double d, double p) { return Reading{.family = Family::no_difference, .p = has(sign, d) ? p : 1.0}; });
   return *this;
 }
 
@@ -152,15 +164,17 @@ Judge& Judge::exceeds(Group g, std::string_view low, std::string_view high) {
   const statistics::Interval d = statistics::mean_interval(both, alpha);
   condition(fmt::format("{} above {} in the runs at {}", high, low, label(g)),
             fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, both.size()),
-            both.size() > 1, d.low > 0.0);
+            both.size() > 1, d.low > 0.0, {.direction = d.value > 0.0});
   return *this;
 }
 
 Judge& Judge::agrees(Group g, std::string_view readout, double published, double n_published) {
   const std::vector<double> x = values(g, readout);
+  const double mean = statistics::moments(x).mean;
   const double p = statistics::published_mean_test(x, published, n_published).p;
   condition(fmt::format("{} at {} agrees with {:.3g}", readout, label(g), published),
-            fmt::format("mean {:.3g}, p {:.2g}", statistics::moments(x).mean, p), x.size() > 1, p >= alpha);
+            fmt::format("mean {:.3g}, p {:.2g}", mean, p), x.size() > 1, p >= alpha,
+            {.family = Family::agreement, .p = p, .close = std::abs(mean - published) <= tenth * std::abs(published)});
   return *this;
 }
 
@@ -180,49 +194,54 @@ Judge& Judge::extreme_agrees(std::string_view study, std::size_t points, std::st
 Judge& Judge::within(Group g, std::string_view readout, double low, double high) {
   const double mean = statistics::moments(values(g, readout)).mean;
   condition(fmt::format("mean {} at {} is {:.3g} to {:.3g}", readout, label(g), low, high), fmt::format("{:.3g}", mean),
-            std::isfinite(mean), mean >= low && mean <= high);
+            std::isfinite(mean), mean >= low && mean <= high, {});
   return *this;
 }
 
 Judge& Judge::above(Group g, std::string_view readout, double bound) {
   const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
   condition(fmt::format("{} at {} lies above {:.3g} with its interval", readout, label(g), bound),
-            fmt::format("from {:.3g}", mean.low), std::isfinite(mean.low), mean.low > bound);
+            fmt::format("from {:.3g}", mean.low), std::isfinite(mean.low), mean.low > bound,
+            {.direction = mean.value > bound});
   return *this;
 }
 Judge& Judge::below(Group g, std::string_view readout, double bound) {
   const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
   condition(fmt::format("{} at {} lies below {:.3g} with its interval", readout, label(g), bound),
-            fmt::format("up to {:.3g}", mean.high), std::isfinite(mean.high), mean.high < bound);
+            fmt::format("up to {:.3g}", mean.high), std::isfinite(mean.high), mean.high < bound,
+            {.direction = mean.value < bound});
   return *this;
 }
 
 Judge& Judge::ratio_below(Group a, Group b, std::string_view readout, double bound) {
   const double ratio = statistics::moments(values(b, readout)).mean / statistics::moments(values(a, readout)).mean;
   condition(fmt::format("{} at {} over that at {} is below {:.3g}", readout, label(b), label(a), bound),
-            fmt::format("{:.3g}", ratio), std::isfinite(ratio), ratio < bound);
+            fmt::format("{:.3g}", ratio), std::isfinite(ratio), ratio < bound, {.direction = ratio < bound});
   return *this;
 }
 
 void Judge::correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,
-                      const std::function<bool(double, double)>& met) {
+                      const std::function<bool(double, double)>& met, const std::function<Reading(double)>& reading) {
   const statistics::Correlation c = statistics::pearson(column(study, x), column(study, y));
   if (std::isfinite(c.r)) {
     m_ours.push_back(fmt::format("r of {} and {} {:.2g} (n = {})", x, y, c.r, c.n));
     m_others.push_back(m_ours.back());
   }
   condition(fmt::format("{} and {} {} over the runs of {}", x, y, wanted, study),
-            fmt::format("r {:.2g}, p {:.2g}", c.r, c.p), std::isfinite(c.p), met(c.r, c.p));
+            fmt::format("r {:.2g}, p {:.2g}", c.r, c.p), std::isfinite(c.p), met(c.r, c.p), reading(c.r));
 }
 
 Judge& Judge::correlates(std::string_view study, std::string_view x, std::string_view y, Sign sign) {
-  correlate(study, x, y, sign == Sign::up ? "rise together" : "go against each other",
-            [&](double r, double p) { return has(sign, r) && p < alpha; });
+  correlate(
+      study, x, y, sign == Sign::up ? "rise together" : "go against each other",
+      [&](double r, double p) { return has(sign, r) && p < alpha; },
+      [&](double r) { return Reading{.direction = has(sign, r)}; });
   return *this;
 }
 
 Judge& Judge::uncorrelated(std::string_view study, std::string_view x, std::string_view y) {
-  correlate(study, x, y, "do not correlate", [](double, double p) { return p >= alpha; });
+  correlate(
+      study, x, y, "do not correlate", [](double, double p) { return p >= alpha; }, [](double) { return Reading{}; });
   return *this;
 }
 
@@ -234,7 +253,7 @@ Judge& Judge::mean_above(std::string_view study, std::string_view readout, doubl
     m_others.push_back(m_ours.back());
   }
   condition(fmt::format("mean {} over the runs of {} is above {:.3g}", readout, study, bound),
-            fmt::format("{:.3g}", mean), x.size() > 1, mean > bound);
+            fmt::format("{:.3g}", mean), x.size() > 1, mean > bound, {});
   return *this;
 }
 
@@ -246,19 +265,67 @@ Judge& Judge::none_above(std::string_view study, std::string_view readout, doubl
     m_others.push_back(m_ours.back());
   }
   condition(fmt::format("largest {} over the runs of {} is at most {:.3g}", readout, study, bound),
-            fmt::format("{:.3g}", most), x.size() > 1, most <= bound);
+            fmt::format("{:.3g}", most), x.size() > 1, most <= bound, {});
   return *this;
+}
+
+Judge& Judge::mostly_up_to(std::string_view study, std::string_view readout, double bound, double share) {
+  const std::vector<double> x = statistics::finite(column(study, readout));
+  const auto within = static_cast<double>(std::ranges::count_if(x, [&](double value) { return value <= bound; }));
+  const double found = within / static_cast<double>(x.size());
+  condition(
+      fmt::format("{} is at most {:.3g} in at least {:.0f} % of the runs of {}", readout, bound, 100.0 * share, study),
+      fmt::format("{:.0f} %", 100.0 * found), x.size() > 1, found >= share, {});
+  return *this;
+}
+
+/// The verdict of the second edition.
+void Judge::judge_again(Finding& finding) const {
+  std::map<Family, std::vector<double>> adjusted;
+  for (const Family family : {Family::no_difference, Family::agreement}) {
+    for (const Condition& c : m_again)
+      if (c.reading.family == family) adjusted[family].push_back(c.reading.p);
+    adjusted[family] = statistics::holm(adjusted[family]);
+  }
+  bool defined = !m_again.empty(), met = true, states_direction = false, direction = true;
+  std::map<Family, std::size_t> next;
+  for (const Condition& c : m_again) {
+    bool is_met = c.met;
+    if (c.reading.family != Family::none)
+      is_met = c.reading.close || !(adjusted[c.reading.family][next[c.reading.family]++] < alpha);
+    defined = defined && c.defined;
+    met = met && is_met;
+    states_direction = states_direction || c.reading.direction.has_value();
+    direction = direction && c.reading.direction.value_or(true);
+    if (!is_met) finding.second_unmet.push_back(c.text);
+  }
+  finding.second = !defined                        ? Verdict::undecided
+                   : met                           ? Verdict::holds
+                   : states_direction && direction ? Verdict::in_direction
+                                                   : Verdict::does_not_hold;
 }
 
 Finding Judge::finding() const {
   const Verdict verdict = !m_defined || m_conditions.empty() ? Verdict::undecided
                           : m_met                            ? Verdict::holds
                                                              : Verdict::does_not_hold;
-  return {verdict, m_ours, m_conditions, brief(), verdict == Verdict::holds ? std::vector<std::string>{} : m_unmet};
+  Finding finding{.verdict = verdict, .ours = m_ours, .conditions = m_conditions, .brief = brief()};
+  if (verdict != Verdict::holds) finding.unmet = m_unmet;
+  judge_again(finding);
+  return finding;
 }
 
 std::string to_string(Verdict verdict) {
-  return verdict == Verdict::holds ? "holds" : verdict == Verdict::does_not_hold ? "does not hold" : "undecided";
+  switch (verdict) {
+  case Verdict::holds:
+    return "holds";
+  case Verdict::in_direction:
+    return "in direction";
+  case Verdict::does_not_hold:
+    return "does not hold";
+  default:
+    return "undecided";
+  }
 }
 
 } // namespace matrigrate::study

@@ -6,6 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
 namespace matrigrate {
 
 namespace {
@@ -148,6 +153,18 @@ std::string to_toml(const Parameters& p) {
   return text + cell_tables(p);
 }
 
+namespace {
+
+/// What programs did that did not have these keys yet; left out of the fingerprint of a configuration, so that it is
+/// that of their runs.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> before_their_keys{
+    {{"adhesion.hold", "\"place\""},
+     {"adhesion.spread", "1"},
+     {"adhesion.handover_time", "\"0.4 s\""},
+     {"adhesion.handover_share", "0.9"}}};
+
+} // namespace
+
 std::string values_text(const Parameters& p) {
   std::string text;
   for (const Row& row : schema()) {
@@ -156,6 +173,8 @@ std::string values_text(const Parameters& p) {
     if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
     if (p.nucleus.radius == 0.0 && section_of(row) == "nucleus") continue;
     if (row.path.starts_with("cues.") && value == value_text(row, {})) continue;
+    if (std::ranges::find(before_their_keys, std::pair(row.path, std::string_view(value))) != before_their_keys.end())
+      continue;
     text += fmt::format("{} = {}\n", row.path, value);
   }
   return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));

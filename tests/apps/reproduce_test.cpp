@@ -27,7 +27,7 @@ TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
     EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
   EXPECT_FALSE(exists("reproduce/stiffness")) << "no study is run";
   EXPECT_TRUE(contains(file("reproduce/claims.csv"),
-                       "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,caveat\n"));
+                       "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,caveat\n"));
 }
 
 TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {

@@ -57,6 +57,59 @@ TEST(Judge, EachCondition) {
   EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up).same(a, b, f); })) << "all must be met";
 }
 
+// Three true nulls of which one has p = 0.033, and three of which one has p = 0.0005.
+TEST(SecondEdition, CorrectsWhatDoesNotDifferWithinAClaim) {
+  const std::vector<double> x{1.0, 1.1, 1.2, 1.3};
+  const auto with = [&](double shift) {
+    std::vector<double> y = x;
+    for (double& value : y) value += shift;
+    return y;
+  };
+  const auto judged_at = [&](double shift) {
+    const Evidence e = evidence(f, {x, with(0.01), with(0.02), with(shift)});
+    Judge judge(e);
+    for (const std::size_t i : {1, 2, 3}) judge.same({"s", 0}, {"s", i}, f);
+    return judge.finding();
+  };
+  EXPECT_EQ(judged_at(0.25).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(judged_at(0.25).second, Verdict::holds);
+  EXPECT_TRUE(judged_at(0.25).second_unmet.empty());
+  EXPECT_EQ(judged_at(0.6).second, Verdict::does_not_hold) << "no direction is stated, so none can come out";
+  EXPECT_EQ(judged_at(0.6).second_unmet.size(), 1U);
+}
+
+TEST(SecondEdition, TakesAMeanWithinATenthWhateverTheScatter) {
+  const Evidence e = evidence(f, {{2.14, 2.15, 2.15, 2.16}});
+  const auto judged = [&](double published) { return Judge(e).agrees({"s", 0}, f, published, 12).finding(); };
+  EXPECT_EQ(judged(2.34).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(judged(2.34).second, Verdict::holds); // 2.15 is 8 % below
+  EXPECT_EQ(judged(2.5).second, Verdict::does_not_hold);
+}
+
+TEST(SecondEdition, TellsWhatComesOutInDirectionAlone) {
+  const Evidence e = evidence(f, apart);
+  const Group a{"s", 0};
+  const Group b{"s", 1};
+  const Group c{"s", 2};
+  EXPECT_EQ(Judge(e).differs(b, c, f, Sign::up).finding().second, Verdict::in_direction) << "a significance is missed";
+  EXPECT_EQ(Judge(e).differs(b, c, f, Sign::down).finding().second, Verdict::does_not_hold);
+  EXPECT_EQ(Judge(e).leans(a, b, f, Sign::up).agrees(b, f, 5.0, 12).finding().second, Verdict::in_direction);
+  EXPECT_EQ(Judge(e).leans(b, a, f, Sign::up).agrees(b, f, 5.0, 12).finding().second, Verdict::does_not_hold);
+  EXPECT_EQ(Judge(e).below(b, f, 2.2).finding().second, Verdict::in_direction) << "the interval reaches over the bound";
+  EXPECT_EQ(Judge(e).finding().second, Verdict::undecided);
+  EXPECT_EQ(Judge(evidence(f, {{1.0}, {2.0}})).differs(a, b, f, Sign::up).finding().second, Verdict::undecided);
+}
+
+TEST(SecondEdition, AsksOfMostRunsWhatTheTextSaysOfMost) {
+  const Evidence e = evidence(f, {{1.0, 2.0, 3.0, 4.0}});
+  const auto most = [&](double share) {
+    return Judge(e).only_first().none_above("s", f, 3.0).only_second().mostly_up_to("s", f, 3.0, share).finding();
+  };
+  EXPECT_EQ(most(0.75).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(most(0.75).second, Verdict::holds);
+  EXPECT_EQ(most(0.8).second, Verdict::does_not_hold);
+}
+
 TEST(Judge, CorrelatesReadOutsOverRuns) {
   Evidence e = evidence(f, apart);
   const std::vector<std::string> names = all_readouts();
@@ -178,7 +231,10 @@ TEST(Claims, TableSaysWhyNot) {
   const std::string table = markdown_table({no, yes});
   EXPECT_NE(table.find("| A1 | calibration | f_mat rises and does not | 1 to 2 | f_mat 1.15"), std::string::npos)
       << table;
-  EXPECT_NE(table.find("| **holds** |  |\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("| **holds** | holds |  |\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("| **does not hold** | in direction | not met"), std::string::npos) << table;
+  EXPECT_EQ(second_bottom_line({no, yes}),
+            "1 of 2 hold and 1 more are in direction by the second edition of the rules");
 }
 
 } // namespace

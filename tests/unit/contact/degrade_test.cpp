@@ -42,6 +42,19 @@ TEST(DegradationRate, ReadsTheSolidsOwnPressure) {
   EXPECT_GT(degradation_rate(1.89, false, 1.001 * p.degradation.threshold, p), 0.0);
 }
 
+TEST(DegradationRate, AddsThePressuresWhereAsked) {
+  Parameters p;
+  p.degradation.pressure = DegradationPressure::sum;
+  const double distance = 1.36; // the contact gives 0.95 of the threshold
+  const double of_contact = contact_pressure(distance, p);
+  ASSERT_LT(of_contact, p.degradation.threshold);
+  const double rest = p.degradation.threshold - of_contact;
+  EXPECT_DOUBLE_EQ(degradation_pressure(distance, rest, p), p.degradation.threshold);
+  EXPECT_GT(degradation_rate(distance, true, 1.001 * rest, p), 0.0);
+  EXPECT_EQ(degradation_rate(distance, true, 0.999 * rest, p), 0.0);
+  EXPECT_EQ(degradation_rate(distance, true, -of_contact, p), 0.0) << "a solid under tension bears part of the contact";
+}
+
 TEST(Degrade, FollowsTheRateOfEachNearbyParticleAndLeavesTheRestAlone) {
   Scene s = touching_scene();
   const EcmState before = s.ecm;

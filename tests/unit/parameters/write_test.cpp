@@ -125,7 +125,9 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
   EXPECT_TRUE(text.starts_with("run.duration = \"6 h\"\n")) << text;
   for (const Row& row : schema()) { // what the paper does not have is left out where it is off: fingerprints stay
     const bool beyond = kind(row) == Kind::field || row.path.starts_with("contact.cells.")
-                        || row.path.starts_with("cues.") || row.path.starts_with("nucleus.");
+                        || row.path.starts_with("cues.") || row.path.starts_with("nucleus.")
+                        || row.path == "adhesion.hold" || row.path == "adhesion.spread"
+                        || row.path == "adhesion.handover_time" || row.path == "adhesion.handover_share";
     EXPECT_EQ(text.find(std::string(row.path) + " = " + value_text(row, {}) + "\n") == std::string::npos, beyond)
         << row.path;
   }
@@ -133,6 +135,9 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
   p.cues.chemotaxis = 2.0;
   p.cells = {{-20.0, 0.0}, {20.0, 0.0}};
   EXPECT_NE(values_text(p).find("cues.chemotaxis = 2\n"), std::string::npos);
+  EXPECT_EQ(text.find("adhesion.hold"), std::string::npos) << "as if there were no such key";
+  p.adhesion.hold = AdhesionHold::matter;
+  EXPECT_NE(values_text(p).find("adhesion.hold = \"matter\"\n"), std::string::npos);
   EXPECT_NE(values_text(p).find("contact.cells.adhesion = "), std::string::npos);
 }
 

@@ -148,3 +148,40 @@ TEST(Anchors, BelongToMaturingAndContractingProtrusions) {
   EXPECT_EQ(*anchor(Phase(Maturing{at, at, 0})), at);
   EXPECT_EQ(*anchor(Phase(Contracting{at, 0.3})), at);
 }
+
+// An adhesion that hangs on matter keeps its particles and their weights while the gel moves and strains under it.
+TEST(Hold, OnMatterKeepsItsWeightsAsTheGelMoves) {
+  Parameters p = small_matrix();
+  p.adhesion.hold = AdhesionHold::matter;
+  Scene s = cell_in_matrix(p);
+  const Vec2 point = s.cell.cortex.x[0] + Vec2(8.0, 0.3);
+  const PointWeights fresh = hold_weights(point, s.ecm, p);
+  add_protrusion(s, 0, Contracting{.anchor = point, .f_mat = 0.8, .held = reference_position(point, fresh, s.ecm)});
+  EXPECT_LT((reference_position(point, fresh, s.ecm) - point).norm(), 1e-12) << "nothing has moved yet";
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) s.ecm.x[i] += Vec2(3.0 + 0.4 * s.ecm.X[i].y(), 1.0);
+  const PointWeights by_matter = hold_weights(s.cell.protrusions[0].phase, s.ecm, p);
+  EXPECT_EQ(by_matter.index, fresh.index);
+  EXPECT_EQ(by_matter.weight, fresh.weight);
+  p.adhesion.hold = AdhesionHold::place;
+  EXPECT_NE(hold_weights(s.cell.protrusions[0].phase, s.ecm, p).index, fresh.index);
+}
+
+TEST(Hold, ReferencePositionUndoesALinearDisplacement) {
+  const Parameters p = small_matrix();
+  Scene s = cell_in_matrix(p);
+  const Vec2 X = s.cell.cortex.x[0] + Vec2(9.0, 0.2);
+  for (std::size_t i = 0; i < s.ecm.size(); ++i) s.ecm.x[i] = s.ecm.X[i] + Vec2(2.0, -1.0);
+  const Vec2 x = X + Vec2(2.0, -1.0);
+  EXPECT_LT((reference_position(x, hold_weights(x, s.ecm, p), s.ecm) - X).norm(), 1e-12);
+}
+
+TEST(Hold, SpreadsOverAWiderKernelWhereAsked) {
+  Parameters p = small_matrix();
+  const Scene s = cell_in_matrix(p);
+  const Vec2 point = s.cell.cortex.x[0] + Vec2(12.0, 0.3);
+  const std::size_t narrow = hold_weights(point, s.ecm, p).index.size();
+  p.adhesion.spread = 2.0;
+  const PointWeights wide = hold_weights(point, s.ecm, p);
+  EXPECT_GT(wide.index.size(), 3 * narrow);
+  for (const std::uint32_t i : wide.index) EXPECT_LT((s.ecm.x[i] - point).norm(), 4.0 * p.ecm.smoothing_length);
+}

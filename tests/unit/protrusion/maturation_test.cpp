@@ -86,9 +86,20 @@ TEST(Handover, WhatMaturationLoadedFallsOffFirst) {
   EXPECT_EQ(phase.falling, 0.0);
   EXPECT_EQ(phase.bundle, whole);
   EXPECT_LT(handed_over(phase, 0.28, p, a_step).bundle, whole); // now the cortex pulls
-  Contracting held = handover(Maturing{}, 0.5, 0.33, p);      // others pull: the load does not fall
+  Contracting held = handover(Maturing{}, 0.5, 0.33, p);        // others pull: the load does not fall
   held = handed_over(held, 0.34, p, a_step);
   EXPECT_LT(held.bundle, whole);
+}
+
+TEST(Handover, TakesItsShareAndItsTimeFromTheScenario) {
+  Parameters p;
+  p.adhesion.handover_share = 0.5;
+  p.adhesion.handover_time = 2.0;
+  const Contracting phase = handover(Maturing{.held = Vec2(3.0, 4.0)}, 0.5, 0.15, p);
+  EXPECT_DOUBLE_EQ(phase.bundle, 0.15);
+  EXPECT_EQ(phase.held, Vec2(3.0, 4.0));
+  const Contracting later = handed_over(handed_over(phase, 0.15, p, a_step), 0.2, p, a_step);
+  EXPECT_DOUBLE_EQ(later.bundle, 0.15 + std::expm1(-a_step / 2.0) * 0.05);
 }
 
 TEST(Maturation, PullsTheCentreBackAndPinsTheBase) {
