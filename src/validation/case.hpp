@@ -28,7 +28,8 @@ struct Check {
 /// Everything that a case found; nothing of it is written yet.
 struct Result {
   std::vector<Check> checks; ///< whether the program does what its equations say
-  std::vector<Check> claims; ///< what the paper says of it (rows V1 to V3), by rules on the quantity that it names
+  std::vector<Check>
+      claims; ///< what the paper says of it, by rules on the quantity that it names; rows V1 to V3 are judged by them
   std::vector<std::string> claim_notes; ///< what has to be known beside the claims
   std::vector<std::string> remarks;     ///< what is off, and why
   store::Table table;                   ///< the measured curves, written as NAME.csv

@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace matrigrate::validation {
 
@@ -88,14 +90,16 @@ Result fibre_maturation(const Parameters& p) {
     q.ecm.poissons_ratio = nu;
     report::Series series{
         .label = fmt::format("Poisson's ratio {}, {}", nu, pushed ? "after half an hour of pushing" : "fresh")};
-    std::string slack;
-    for (const double angle : {0.0, 30.0, 60.0, 90.0}) {
+    std::string found_text;
+    for (const double angle : nu == 0.45 ? std::vector{0.0, 30.0, 60.0, 90.0} : std::vector{0.0, 90.0}) {
       const Matured found = mature(q, angle, pushed);
       series.x.push_back(angle);
       series.y.push_back(found.f_mat);
-      slack += fmt::format("{}{:.0f} %", slack.empty() ? "" : ", ", 100.0 * found.slack);
+      found_text += fmt::format("{}f_mat {:.2f} at {:.0f} degrees, where {:.0f} % of the fibres ahead are slack",
+                                found_text.empty() ? "" : "; ", found.f_mat, angle, 100.0 * found.slack);
       result.table.add({nu, pushed ? 1.0 : 0.0, angle, found.f_mat, found.slack});
     }
+    found_text += ".";
     const double contrast = series.y.front() / series.y.back();
     if (nu == 0.45 && !pushed)
       result.checks.push_back(
@@ -103,9 +107,7 @@ Result fibre_maturation(const Parameters& p) {
            "three steps of maturation: the gel is five times as stiff along its fibres", Sense::at_least});
     result.claims.push_back({"f_mat along over across the fibres, " + series.label + " [-]", contrast, 3.0, 0.0,
                              "protrusions across the fibres are the weak ones (Fig 13)", Sense::at_least});
-    result.remarks.push_back(fmt::format("{}: f_mat {:.2f}, {:.2f}, {:.2f}, {:.2f} at 0, 30, 60 and 90 degrees; of the "
-                                         "fibres around the site of adhesion {} are slack.",
-                                         series.label, series.y[0], series.y[1], series.y[2], series.y[3], slack));
+    result.remarks.push_back(series.label + ": " + found_text);
     plot.series.push_back(std::move(series));
   }
   result.add("fibre-maturation", "A protrusion along the fibres meets a stiff matrix, one across them a soft one.",
