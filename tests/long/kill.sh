@@ -92,6 +92,7 @@ scenario cues "$fields" "$attractant" "$cues"
 scenario cells "$cells"
 scenario nucleus "$nucleus"
 scenario all "$fields" "$stiffness" "$obstacle" "$attractant" "$fibres" "$cues" "$nucleus" "$cells"
+sed -i 's/^radius = "60 um"/radius = "75 um"/' cells.toml all.toml # else one of the cells reaches the rim
 
 failed=0 runs=0 broken_off=0 compared=0
 for scenario in plain fibres obstacle formula file cues cells nucleus all; do
