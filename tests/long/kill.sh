@@ -116,7 +116,7 @@ for scenario in plain fibres obstacle formula file cues cells nucleus all; do
     done
   done
   rm -rf whole
-  echo "$scenario: $(($times * ${#signals[@]})) runs of $wall ms"
+  echo "$scenario: $((times * ${#signals[@]})) runs of $wall ms"
 done
 echo "$runs runs, $broken_off of them broken off; $compared files compared; $failed runs differ"
 [ $failed = 0 ]
