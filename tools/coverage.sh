@@ -13,9 +13,7 @@ if [ "${1:-}" != --counted ]; then
   # shellcheck disable=SC2086
   cmake --build --preset coverage --target $tests test_apps
   find $build -name '*.gcda' -delete # what the build itself has run
-  export build
-  printf '%s\n' test_apps $tests | xargs -P "$(nproc)" -I {} bash -c \
-    '"$build/bin/{}" --gtest_brief=1 >"$build/{}.log" 2>&1 || { echo "{} fails:"; tail -n 30 "$build/{}.log"; exit 1; }'
+  ctest --test-dir $build -L '^(unit|end-to-end)$' -E '^readers' -j "$(nproc)" --output-on-failure
 fi
 mkdir -p $build/lines
 gcovr --root . --filter src/ $build -j "$(nproc)" --json-summary $build/lines.json --html-details $build/lines/index.html
