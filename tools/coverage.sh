@@ -7,13 +7,14 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=build/coverage
+failed=0
 tests=$(find tests/unit -mindepth 1 -maxdepth 1 -type d -printf "test_%f\n" | sort)
 if [ "${1:-}" != --counted ]; then
   cmake --preset coverage -DMATRIGRATE_TESTS=ON >/dev/null
   # shellcheck disable=SC2086
   cmake --build --preset coverage --target $tests test_apps
   find $build -name '*.gcda' -delete # what the build itself has run
-  ctest --test-dir $build -L '^(unit|end-to-end)$' -E '^readers' -j "$(nproc)" --output-on-failure
+  ctest --test-dir $build -L '^(unit|end-to-end)$' -E '^readers' -j "$(nproc)" --output-on-failure || failed=1 # counted all the same
 fi
 mkdir -p $build/lines
 gcovr --root . --filter src/ $build -j "$(nproc)" --json-summary $build/lines.json --html-details $build/lines/index.html
@@ -34,3 +35,4 @@ for name, (ran, all_lines) in folders.items():
     print(f"| `{name}` | {all_lines} | {100 * ran / all_lines:.1f} % |")
 print("\nLess than 80 %:", *(sources or ["none"]), sep="\n")
 END
+exit $failed
