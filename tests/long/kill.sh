@@ -92,6 +92,7 @@ scenario cues "$fields" "$attractant" "$cues"
 scenario cells "$cells"
 scenario nucleus "$nucleus"
 scenario all "$fields" "$stiffness" "$obstacle" "$attractant" "$fibres" "$cues" "$nucleus" "$cells"
+sed -i 's/^radius = "60 um"/radius = "75 um"/' cells.toml all.toml # else one of the cells reaches the rim
 
 failed=0 runs=0 broken_off=0 compared=0
 for scenario in plain fibres obstacle formula file cues cells nucleus all; do
@@ -115,7 +116,7 @@ for scenario in plain fibres obstacle formula file cues cells nucleus all; do
     done
   done
   rm -rf whole
-  echo "$scenario: $(($times * ${#signals[@]})) runs of $wall ms"
+  echo "$scenario: $((times * ${#signals[@]})) runs of $wall ms"
 done
 echo "$runs runs, $broken_off of them broken off; $compared files compared; $failed runs differ"
 [ $failed = 0 ]

@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# Are the tests strong enough? Puts an error into one law of the model after the other, in a copy of the tree, and runs the
-# unit tests of its folder: each error must be caught.
-#   tests/long/mutations.sh [FOLDER]      FOLDER keeps copy and build for the next time (default: a temporary one)
-# Exit code 1 if an error is not caught.
+# Are the tests strong enough? Puts one error after the other into a copy of the tree, and runs the unit tests of its
+# folder: each error must be caught.
+#   tests/long/mutations.sh [laws|files] [FOLDER]
+# laws: in the laws of the model. files: in fields, and in what is stored, run and studied. Without either: both lists.
+# FOLDER keeps copy and build for the next time (default: a temporary one).
+# Exit code 1 if an error is not caught; 2 if the tests fail without an error, or a place is not there any more.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+list=both
+case ${1:-} in laws | files) list=$1 && shift ;; esac
 if [ $# -gt 0 ]; then
   mkdir -p "$1"
   work=$(realpath "$1")
@@ -13,8 +17,8 @@ else
   trap 'rm -rf "$work"' EXIT
 fi
 
-# file | what stands there | what is put in its place | test program | law
-mutations='
+# file | what stands there | what is put in its place | test program | what is wrong then
+laws='
 src/ecm/law/material.hpp|K * (rho - 1.0)|K * (rho * rho - 1.0)|ecm|equation of state
 src/ecm/law/material.hpp|turn * (S.yy - S.xx)|turn * (S.xx - S.yy)|ecm|Jaumann rate
 src/ecm/law/fluid.hpp|(1.0 - f) * max|f * max|ecm|pressure of the fluid
@@ -28,14 +32,37 @@ src/protrusion/adhesion.cpp|-p.zeta_diss * F / f_mat|-p.zeta_diss * F * f_mat|pr
 src/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|maturation, Eq. 8
 src/protrusion/growth.cpp|? 1.0 / area : 1.0|? 2.0 - area : 1.0|protrusion|area limit, Eq. 10
 '
+files='
+src/store/trajectory_hash.cpp|update(state.get(), cell.nucleus.x)|update(state.get(), cell.cortex.x)|store|the hash of a trajectory does not see nuclei
+src/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
+src/store/track_files.cpp|own[1].t - own[0].t|own.back().t - own[0].t|store|the interval of TrackMate is the whole time
+src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
+src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
+src/run/run_record.cpp|q.run.threads = RunParameters{}.threads|q.run.threads = p.run.threads|run|the configuration hash depends on the number of threads
+src/study/plan.cpp|without_folder(value) + value.substr(hash)|value|study|seeds depend on the folder of a file
+src/study/discrepancy.cpp|values, m.sd / std::sqrt(static_cast<double>(m.n)),|values, m.sd,|study|the draws of a discrepancy take the deviation for the standard error
+src/study/comparison.cpp|how.test != TestKind::welch|how.test == TestKind::welch|study|the interval of a difference pools variances with the wrong test
+src/fields/grids.cpp|kept.version == version|kept.version.has_value() == version.has_value()|fields|a file that has changed is not read again
+src/fields/samples.cpp|relative_slack = 1e-6|relative_slack = 1e-1|fields|nodes off the grid are moved onto it
+src/fields/tiff.cpp|orientation == ORIENTATION_TOPRIGHT|orientation == ORIENTATION_LEFTTOP|fields|a picture stored from right to left is mirrored
+'
+[ "$list" != laws ] || files=
+[ "$list" != files ] || laws=
 mkdir -p "$work/tree"
-git ls-files -z | tar --null --files-from=- -c | tar -x -C "$work/tree"
-cmake -S "$work/tree" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DMATRIGRATE_TESTS=ON \
-  -DMATRIGRATE_BENCHMARKS=OFF >/dev/null
-build() { cmake --build "$work/build" --target "test_$1" >"$work/log" 2>&1 || { tail -n 30 "$work/log"; exit 2; }; }
+while IFS= read -r -d '' file; do # a file that is copied becomes new, and is compiled again
+  cmp -s "$file" "$work/tree/$file" || cp --parents "$file" "$work/tree"
+done < <(git ls-files -z)
+(cd "$work/tree" && cmake --preset release -DMATRIGRATE_TESTS=ON -DMATRIGRATE_BENCHMARKS=OFF) >/dev/null
+built=$work/tree/build/release
+build() { cmake --build "$built" --target "test_$1" >"$work/log" 2>&1 || { tail -n 30 "$work/log"; exit 2; }; }
+passes() { timeout 120 "$built/bin/test_$1" >"$work/log" 2>&1; } # some errors make a loop endless
 
+for program in $(cut -d '|' -f 4 <<<"$laws$files" | sort -u); do # each error is the only reason to fail
+  build "$program"
+  passes "$program" || { tail -n 30 "$work/log"; exit 2; }
+done
 missed=0
-while IFS='|' read -r file old new program law; do
+while IFS='|' read -r file old new program error; do
   [ -n "$file" ] || continue
   original=$(cat "$work/tree/$file"; printf x)
   text=${original%x}
@@ -45,12 +72,12 @@ while IFS='|' read -r file old new program law; do
   fi
   printf '%s' "${text/"$old"/"$new"}" >"$work/tree/$file"
   build "$program"
-  if timeout 120 "$work/build/bin/test_$program" >"$work/log" 2>&1; then # some errors make a loop endless
-    echo "NOT caught: $law ($file: $new)"
+  if passes "$program"; then
+    echo "NOT caught: $error ($file: $new)"
     missed=1
   else
-    echo "caught: $law, by $(grep -c '^\[  FAILED  \] [A-Z].*ms)$' "$work/log" || true) tests that ended"
+    echo "caught: $error, by $(grep -c '^\[  FAILED  \] [A-Z].*ms)$' "$work/log" || true) tests that ended"
   fi
   printf '%s' "$text" >"$work/tree/$file"
-done <<<"$mutations"
+done <<<"$laws$files"
 exit $missed

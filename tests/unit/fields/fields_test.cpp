@@ -80,6 +80,9 @@ TEST(Samples, RefuseWhatIsNoRegularGrid) {
   EXPECT_EQ(what("x_um,y_um,v\n0,0,1\n0,1,1\n"), "has one value of x_um only; a grid has two at least");
   EXPECT_NE(what("x_um,y_um,v\n0,0,1\n1,0,1\n3,0,1\n0,1,1\n1,1,1\n3,1,1\n").find("is no regular grid"),
             std::string::npos);
+  EXPECT_NE(what("x_um,y_um,v\n0,0,1\n1.01,0,1\n2,0,1\n0,1,1\n1.01,1,1\n2,1,1\n").find("is no regular grid: x_um is"),
+            std::string::npos);
+  EXPECT_EQ(what("x_um,y_um,v\n0,0,1\n1.0000001,0,1\n2,0,1\n0,1,1\n1.0000001,1,1\n2,1,1\n"), "") << "rounded";
   EXPECT_NE(what("x_um,y_um,v\n0,0,1\n1,0,1\n0,1,1\n").find("has no value for the node (1, 1) um"), std::string::npos);
   EXPECT_NE(what("x_um,y_um,v\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n1,1,2\n").find("the node (1, 1) um twice"),
             std::string::npos);

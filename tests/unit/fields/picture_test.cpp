@@ -212,6 +212,9 @@ TEST_F(Pictures, OfTiffAreReadHoweverTheyAreStored) {
   EXPECT_EQ(turned.samples, Numbers(expected.rbegin(), expected.rend()));
   const Picture mirrored = read({.width = 20, .height = 18, .orientation = ORIENTATION_BOTLEFT});
   EXPECT_EQ(mirrored.samples[0], expected[17 * 20]);
+  const Picture leftwards = read({.width = 20, .height = 18, .orientation = ORIENTATION_TOPRIGHT});
+  EXPECT_EQ(leftwards.samples[0], expected[19]);
+  EXPECT_EQ(leftwards.samples[20], expected[39]);
   const Picture inverse = read({.width = 20, .height = 18, .photometric = PHOTOMETRIC_MINISWHITE});
   EXPECT_EQ(*inverse.black, 255.0);
   EXPECT_EQ(*inverse.white, 0.0);

@@ -38,5 +38,14 @@ TEST(RunRecord, TellsTheStatusThatItHolds) {
   EXPECT_FALSE(status_of(nlohmann::ordered_json()));
 }
 
+TEST(ConfigurationHash, IsTheSameForAnyNumberOfThreadsOnly) {
+  Parameters p;
+  const std::string of_one = configuration_hash(p);
+  p.run.threads = 2;
+  EXPECT_EQ(configuration_hash(p), of_one);
+  ++p.run.seed;
+  EXPECT_NE(configuration_hash(p), of_one);
+}
+
 } // namespace
 } // namespace matrigrate::run

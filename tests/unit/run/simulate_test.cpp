@@ -1,5 +1,6 @@
 #include "run/simulate.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "run/branch.hpp"
 #include "run/resume.hpp"
@@ -128,6 +129,19 @@ TEST_F(Run, StopsWhenAskedAndResumesToTheSameBits) {
   EXPECT_EQ(outcome.record.at("lineage")[0].at("event"), "resumed");
   EXPECT_EQ(outcome.record.at("trajectory_hash"), whole_hash());
   EXPECT_EQ(read_file(m_root / "a" / "tracks.csv", 1U << 20U), read_file(m_root / "whole" / "tracks.csv", 1U << 20U));
+}
+
+TEST_F(Run, DoesNotGoOnFromTheCheckpointOfAnotherScenario) {
+  Notes first(5);
+  start(in("a"), first);
+  Parameters other = small();
+  other.ecm.youngs_modulus *= 2.0;
+  Notes second(5);
+  run({.s = initial_state(other), .p = other}, in("b"), second);
+  fs::copy_file(m_root / "b" / "checkpoint.h5", m_root / "a" / "checkpoint.h5", fs::copy_options::overwrite_existing);
+  Notes third;
+  EXPECT_THROW(resume(in("a"), ResumeOptions{}, third), InputOutputError);
+  EXPECT_EQ(third.steps, 0);
 }
 
 TEST_F(Run, StopsAtTheLimitOfWallTime) {

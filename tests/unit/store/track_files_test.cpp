@@ -11,8 +11,9 @@ namespace {
 
 TEST(TrackFiles, HoldThePath) {
   const std::vector<TrackRow> rows{{.t = 0.0, .centre = {1.5, -2.0}, .area = 3.141592653589793, .polarization = {}},
-                                   {.t = 60.0, .centre = {2.5, 0.25}, .polarization = {}}};
-  EXPECT_EQ(celltrackr_csv(rows), "id,t,x,y\n1,0,1.5,-2\n1,60,2.5,0.25\n");
+                                   {.t = 60.0, .centre = {2.5, 0.25}, .polarization = {}},
+                                   {.t = 120.0, .centre = {3.5, 0.5}, .polarization = {}}};
+  EXPECT_EQ(celltrackr_csv(rows), "id,t,x,y\n1,0,1.5,-2\n1,60,2.5,0.25\n1,120,3.5,0.5\n");
   EXPECT_EQ(occurrences(trackmate_csv(rows), "0,0,1.5,-2,0,0,0,1\n"), 1U);
   const std::string xml = trackmate_xml(rows);
   EXPECT_EQ(occurrences(xml, "frameInterval=\"60\""), 1U);

@@ -44,6 +44,15 @@ TEST(TrajectoryHash, SeesEveryCell) {
   EXPECT_NE(hash(s), both);
 }
 
+TEST(TrajectoryHash, SeesEveryNucleus) {
+  State s = state();
+  s.cells[0].nucleus.x = {{1, 1}, {2, 2}};
+  const std::string with = hash(s);
+  EXPECT_NE(with, hash(state()));
+  s.cells[0].nucleus.x[1].x() = std::nextafter(2.0, 3.0);
+  EXPECT_NE(hash(s), with);
+}
+
 TEST(TrajectoryHash, GoesOn) {
   TrajectoryHash h;
   h.add(state());

@@ -41,6 +41,19 @@ TEST(Comparison, DifferencesAndTheirCorrection) {
   EXPECT_NE(correlations_csv(s, results).find("\nf_mat,f_mat,9,1,0"), std::string::npos);
 }
 
+TEST(Comparison, TheIntervalOfADifferenceIsThatOfTheTest) {
+  const std::vector<double> a{0.1, 0.2, 0.3};
+  const std::vector<double> b{0.2, 0.5, 0.6, 0.9, 1.3};
+  for (const auto& [test, pooled] : {std::pair("t", true), std::pair("welch", false)}) {
+    const Study s = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n[statistics]\ntest = \""
+                         + std::string(test) + "\"\n");
+    const Comparison c = comparisons(s, results_of("f_mat", {a, b})).at(0);
+    const statistics::Interval expected = statistics::mean_difference(a, b, s.comparisons.alpha, pooled);
+    EXPECT_EQ(c.difference.low, expected.low) << test;
+    EXPECT_EQ(c.difference.high, expected.high) << test;
+  }
+}
+
 TEST(Comparison, TooFewRunsGiveEmptyFields) {
   const Study s = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
   const std::string csv = statistics_csv(s, comparisons(s, results_of("f_mat", {{0.1}, {}})));

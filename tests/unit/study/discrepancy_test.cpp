@@ -1,5 +1,6 @@
 #include "study/discrepancy.hpp"
 
+#include "statistics/bootstrap.hpp"
 #include "study/effects.hpp"
 #include "study/table_readouts.hpp"
 #include "unit/study/studies.hpp"
@@ -88,6 +89,18 @@ TEST(Discrepancy, ItsIntervalIsTheSameEachTimeAndDoesNotDependOnOtherSets) {
   EXPECT_EQ(together.draws(0), together.draws(1)) << "replicates stay together";
   const Study other = read("seed = 2\n" + two_values + target);
   EXPECT_NE(TargetJudge(other, both).draws(0), alone.draws(0));
+}
+
+TEST(Discrepancy, ADrawIsJudgedByTheStandardErrorOfTheSample) {
+  const std::vector<double> x{0.4, 0.55, 0.6, 0.75, 0.8};
+  const Study s = read(two_values + target);
+  const std::vector<double> draws = TargetJudge(s, results_of("f_mat", {x, x})).draws(0);
+  const double standard_error = statistics::moments(x).sd / std::sqrt(5.0);
+  const std::uint64_t key = run_seed(s.seed, s.points[0].settings, 0);
+  for (std::size_t draw = 0; draw < 20; ++draw) {
+    const auto drawn = statistics::picked(x, statistics::resampled(x.size(), key, draw));
+    EXPECT_NEAR(draws[draw], std::abs(statistics::moments(drawn).mean - 0.5) / std::hypot(0.1, standard_error), 1e-12);
+  }
 }
 
 TEST(Discrepancy, TableHasARowForEachSetFromTheBestOn) {

@@ -44,6 +44,12 @@ TEST(Plan, SeedsDifferAndFitIntoADouble) {
   EXPECT_EQ(run_seed(1, {{"a", "1"}, {"b", "2"}}, 1), run_seed(1, {{"b", "2"}, {"a", "1"}}, 1));
 }
 
+TEST(Plan, SeedsDoNotDependOnTheFolderOfAFile) {
+  const auto seed = [](const std::string& file) { return run_seed(1, {{"ecm.fields.youngs_modulus", file}}, 1); };
+  EXPECT_EQ(seed("\"/a/E.csv column=b hash=12\""), seed("\"/b/c/E.csv column=b hash=12\""));
+  EXPECT_NE(seed("\"/a/E.csv column=b hash=12\""), seed("\"/a/E.csv column=b hash=34\""));
+}
+
 TEST(Plan, CommonRandomNumbersAreTheSameAtEachPoint) {
   const Study s = read("common_random_numbers = true\n[sweep]\necm.youngs_modulus = [50, 100]\n");
   const auto runs = runs_of(s);
