@@ -77,10 +77,12 @@ std::string as_block(std::string_view content) {
   return bytes + stored;
 }
 
-/// Whether a block can have this head: deflated bytes are hardly longer than what they were made of.
+/// Whether a block can have this head: deflated bytes are hardly longer than what they were made of, and no byte of
+/// them stands for more than 1032.
 bool is_plausible(const BlockHead& head) {
+  constexpr std::uint64_t most_expanded = 1032;
   return head.size > 0 && head.size <= max_frame_bytes && head.stored > 0
-         && head.stored <= head.size + head.size / 64 + 64;
+         && head.stored <= head.size + head.size / 64 + 64 && head.size / most_expanded <= head.stored;
 }
 
 /// The content of the next block of a stream; none if it is not whole.

@@ -19,8 +19,17 @@ void require(herr_t status, std::string_view what) {
   if (status < 0) fail(what);
 }
 
+/// Starts HDF5, once: where it has got no memory for that, using it again would end the process. So would its work at
+/// exit, which files in memory do not need.
+herr_t start_library() {
+  H5dont_atexit();
+  if (H5open() < 0) return -1;
+  return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print its own errors; here they become exceptions
+}
+
 Handle access_in_memory() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // HDF5 would print its own errors; here they become exceptions
+  static const herr_t started = start_library();
+  require(started, "it could not be started");
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "no access list");
   require(H5Pset_fapl_core(access.id(), std::size_t{1} << 20U, 0), "no file in memory");
   H5AC_cache_config_t cache{}; // of what is in memory anyway; names of frames take twenty times their size in it
