@@ -215,6 +215,9 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   head.take_planes(m_head.obstacle);
   head.take_planes(m_head.youngs_modulus);
   head.take_planes(m_head.ligand);
+  const auto one_each = [this](const auto& field) { return field.empty() || field.size() == m_head.particles(); };
+  if (!one_each(m_head.obstacle) || !one_each(m_head.youngs_modulus) || !one_each(m_head.ligand))
+    throw InputOutputError("its arrays do not belong together");
 }
 
 std::optional<observe::Frame> FrameReader::next() {

@@ -13,7 +13,7 @@ namespace {
 /// Whether all arrays of all frames have the lengths that the others give them.
 bool belong_together(const matrigrate::observe::Film& film) {
   return std::ranges::all_of(film.frames, [&film](const matrigrate::observe::Frame& frame) {
-    return fits(frame, film.head, frame.matrix.fibre_von_mises.empty() ? 0 : film.head.particles());
+    return matrigrate::store::fits(frame, film.head, frame.matrix.fibre_von_mises.empty() ? 0 : film.head.particles());
   });
 }
 
