@@ -2,11 +2,12 @@
 # Makes the calls of a short run fail, one run for each of them: errors of files (EIO, ENOSPC, EDQUOT, short writes), then
 # memory that ends; once or from then on; until a run is done before its fault. Each must end with an exit code of the
 # table, and the run that goes on after it must have the files of an undisturbed one, and none besides.
-#   tests/long/faults.sh PROGRAM [STEP]      (every 3rd call of files by default, of memory ever fewer)
+#   tests/long/faults.sh PROGRAM [STEP] [io|malloc]      (every 5th call of files by default, of memory ever fewer; both)
 # Needs a C compiler.
 set -euo pipefail
 program=$(realpath "$1")
-step=${2:-3}
+step=${2:-5}
+only=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -55,6 +56,7 @@ again() {
 # inject LIBRARY KIND once|lasting FIRST STEP: faults until a run is done before its own. STEP 0: ever longer ones.
 inject() {
   local at=$4 code lasting=() before=$faults
+  [ -z "$only" ] || [ "$1" = "${only}_fault" ] || return 0
   [ "$3" = once ] || lasting=(FAULT_LASTS=1)
   while true; do
     rm -rf run told
