@@ -305,6 +305,8 @@ std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, 
   const Handle data = own_array(m_file, name);
   const Slab slab = slab_of(data, frame, 1);
   if (slab.size > max_numbers) fail(fmt::format("{} has another shape", name));
+  const Handle stored(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
+  require_whole_frame(data, name, frame, slab.size * H5Tget_size(stored.id()), m_size);
   std::vector<Number> values(slab.size);
   const Handle memory(H5Screate_simple(1, &slab.size, nullptr), H5Sclose, "no space");
   require(H5Dread(data.id(), type, memory.id(), slab.space.id(), H5P_DEFAULT, values.data()),
