@@ -120,8 +120,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   if (m_frame_cadence.due(s.t)) add_frame(s, w);
   const bool keep = m_kept_cadence.due(s.t);
   const bool due = m_checkpoint_cadence.due(s.t) || keep;
-  if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time);
-  if (keep && m_keeps_checkpoints) keep_checkpoint(s.t);
+  if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time, keep);
   if (snapshot) write_record(record);
 }
 
@@ -137,26 +136,23 @@ HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch&
   return row;
 }
 
-void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time) {
+void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep) {
   HealthWatch watch = m_memory.watch; // a copy: the next row still tells of the steps so far
   m_memory.last = health_row(s, w, watch);
   require_health(s, *m_memory.last);
   if (m_frames) m_frames->flush();
   m_memory.counts = w.health;
   m_memory.march_wall_time = march_wall_time;
-  store::write_checkpoint(m_folder, {.state = s,
-                                     .scenario = to_toml(m_p),
-                                     .configuration_hash = configuration_hash(m_p),
-                                     .program = version_line(),
-                                     .memory = store::to_text(m_memory)});
+  const std::filesystem::path checkpoints = m_folder / "checkpoints";
+  if (keep) make_output_folder(checkpoints, true);
+  store::write_checkpoint(m_folder,
+                          {.state = s,
+                           .scenario = to_toml(m_p),
+                           .configuration_hash = configuration_hash(m_p),
+                           .program = version_line(),
+                           .memory = store::to_text(m_memory)},
+                          keep ? std::optional(checkpoints / (time_name(s.t) + ".h5")) : std::nullopt);
   m_safe_until = s.t;
-}
-
-/// Keeps the checkpoint just written under its time.
-void RunFolder::keep_checkpoint(double t) const {
-  make_output_folder(m_folder / "checkpoints", true);
-  write_file(m_folder / "checkpoints" / (time_name(t) + ".h5"),
-             read_file(m_folder / store::checkpoint_name, std::size_t{1} << 40U));
 }
 
 void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {

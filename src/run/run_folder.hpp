@@ -41,8 +41,9 @@ public:
   void see(const State& s, const Workspace& w, const RunRecord& record);
 
   /// Writes checkpoint.h5, if the run may go on.
+  /// @param keep  under its time too
   /// @throws NumericalFailure if it may not; the checkpoint is then still the last good one
-  void write_checkpoint(const State& s, const Workspace& w, double march_wall_time);
+  void write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep = false);
 
   /// Takes away fields.part, which only a run that goes on needs. To be done when run.json says that it is done.
   void remove_log();
@@ -76,7 +77,6 @@ private:
   /// @throws NumericalFailure if the computation must not go on
   void require_health(const State& s, const HealthRow& row) const;
   HealthRow health_row(const State& s, const Workspace& w, HealthWatch& watch) const;
-  void keep_checkpoint(double t) const;
   void add_row(const State& s, const Workspace& w);
   void add_ended(const State& s);
   void add_snapshot(const State& s, const Workspace& w);

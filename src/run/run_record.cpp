@@ -5,6 +5,7 @@
 #include "base/time_text.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
+#include "store/naming.hpp"
 #include "store/state_json.hpp"
 #include "store/trajectory_hash.hpp"
 
@@ -68,18 +69,22 @@ Json record_of(const fs::path& folder) {
   return json.is_object() ? json : Json();
 }
 
-Json read_record(const fs::path& folder) {
-  const fs::path file = folder / "run.json";
-  Json record = store::read_json_object(file, max_record);
+Json parse_record(std::string_view text) {
+  Json record = store::parse_json_object(text);
   const auto require = [&](const char* key, bool right, const char* wanted) {
     if (record.contains(key) && !record.at(key).is_null() && !right)
-      throw InputOutputError(
-          fmt::format("{}: {} is of type {}; {} is expected", file.string(), key, record.at(key).type_name(), wanted));
+      throw InputOutputError(fmt::format("{} is of type {}; {} is expected", key, record.at(key).type_name(), wanted));
   };
   for (const char* key : {"status", "reason", "trajectory_hash", "configuration_hash", "scenario", "start", "end"})
     require(key, value_of(record, key).is_string(), "a text");
   for (const char* key : {"t_s", "wall_time_s", "steps"}) require(key, value_of(record, key).is_number(), "a number");
   return record;
+}
+
+Json read_record(const fs::path& folder) {
+  const fs::path file = folder / "run.json";
+  const std::string text = read_file(file, max_record);
+  return store::naming(file, [&text] { return parse_record(text); });
 }
 
 void RunRecord::note_end() {

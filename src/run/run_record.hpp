@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The record of a run, run.json. Test: tests/unit/run/run_record_test.cpp, tests/apps/run_test.cpp
@@ -50,6 +51,10 @@ struct RunRecord {
 
 /// run.json of a folder; null where there is none, or it cannot be read.
 nlohmann::ordered_json record_of(const std::filesystem::path& folder);
+
+/// The record in the text of a run.json.
+/// @throws InputOutputError if it is no JSON object, or has a value of another type
+nlohmann::ordered_json parse_record(std::string_view text);
 
 /// run.json of a folder, for those who show it.
 /// @throws InputOutputError naming the file, if it cannot be read, is no JSON object, or has a value of another type

@@ -157,10 +157,16 @@ private:
   std::string safe_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     std::error_code error;
-    if (!std::filesystem::exists(m_options.folder / store::checkpoint_name, error))
-      return "the checkpoint is gone as well";
-    return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
-                       time_text(*m_folder->safe_until()), store::checkpoint_name, m_options.folder.string());
+    const auto is_there = [&](std::string_view name) {
+      return std::filesystem::exists(m_options.folder / name, error);
+    };
+    if (is_there(store::checkpoint_name))
+      return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
+                         time_text(*m_folder->safe_until()), store::checkpoint_name, m_options.folder.string());
+    if (is_there(store::previous_checkpoint_name))
+      return fmt::format("there is only the checkpoint before, {}; go on with: matrigrate resume {}",
+                         store::previous_checkpoint_name, m_options.folder.string());
+    return "the checkpoint is gone as well";
   }
 
   std::string last_good_text() const {

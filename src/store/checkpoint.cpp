@@ -274,10 +274,13 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
   return parse_checkpoint(read_file(file, max_checkpoint_bytes), file.string());
 }
 
-void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
+void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint,
+                      const std::optional<std::filesystem::path>& kept) {
   const std::filesystem::path file = folder / checkpoint_name;
   const std::filesystem::path next = folder / "checkpoint_next.h5";
-  write_file(next, checkpoint_image(checkpoint));
+  const std::string image = checkpoint_image(checkpoint);
+  if (kept) write_file(*kept, image);
+  write_file(next, image);
   std::error_code error;
   if (std::filesystem::exists(file, error)) rename_file(file, folder / previous_checkpoint_name);
   rename_file(next, file);

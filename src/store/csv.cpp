@@ -99,4 +99,14 @@ std::vector<double> csv_column(std::string_view text, std::string_view column) {
   return values;
 }
 
+std::vector<std::vector<double>> csv_columns(std::string_view text, std::initializer_list<std::string_view> columns) {
+  std::vector<std::vector<double>> all;
+  std::size_t rows = 0;
+  for (const std::string_view column : columns)
+    rows = std::max(rows, all.emplace_back(csv_column(text, column)).size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].size() != rows) throw InputOutputError(fmt::format("has no column {}", columns.begin()[i]));
+  return all;
+}
+
 } // namespace matrigrate::store

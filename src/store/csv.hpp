@@ -3,6 +3,7 @@
 #include "store/table.hpp"
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,10 @@ double csv_number(std::string_view field);
 /// Numbers of a column of a CSV text without quoted fields before it, NaN for empty fields; empty if there is no such
 /// column.
 std::vector<double> csv_column(std::string_view text, std::string_view column);
+
+/// Several columns, with as many numbers each.
+/// @throws InputOutputError naming one that is not there, if another is
+std::vector<std::vector<double>> csv_columns(std::string_view text, std::initializer_list<std::string_view> columns);
 
 /// A CSV text of numbers alone, as to_csv writes it.
 /// @throws InputOutputError as read_csv does

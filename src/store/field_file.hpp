@@ -69,6 +69,10 @@ std::string field_index(const observe::Frame* first, std::span<const double> tim
 /// @throws InputOutputError if it is none
 observe::Film read_field_file(std::string_view bytes);
 
+/// The frames of a fields.h5 that can be read.
+/// @throws InputOutputError if what all frames share cannot be read
+observe::Film whole_frames_of(std::string_view bytes);
+
 /// The frames of the field file of a run's folder; none if it has none.
 /// @throws InputOutputError naming the file, if it cannot be read
 observe::Film read_field_film(const std::filesystem::path& folder);

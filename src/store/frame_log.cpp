@@ -77,10 +77,12 @@ std::string as_block(std::string_view content) {
   return bytes + stored;
 }
 
-/// Whether a block can have this head: deflated bytes are hardly longer than what they were made of.
+/// Whether a block can have this head: deflated bytes are hardly longer than what they were made of, and no byte of
+/// them stands for more than 1032.
 bool is_plausible(const BlockHead& head) {
+  constexpr std::uint64_t most_expanded = 1032;
   return head.size > 0 && head.size <= max_frame_bytes && head.stored > 0
-         && head.stored <= head.size + head.size / 64 + 64;
+         && head.stored <= head.size + head.size / 64 + 64 && head.size / most_expanded <= head.stored;
 }
 
 /// The content of the next block of a stream; none if it is not whole.
@@ -213,6 +215,9 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   head.take_planes(m_head.obstacle);
   head.take_planes(m_head.youngs_modulus);
   head.take_planes(m_head.ligand);
+  const auto one_each = [this](const auto& field) { return field.empty() || field.size() == m_head.particles(); };
+  if (!one_each(m_head.obstacle) || !one_each(m_head.youngs_modulus) || !one_each(m_head.ligand))
+    throw InputOutputError("its arrays do not belong together");
 }
 
 std::optional<observe::Frame> FrameReader::next() {

@@ -1,10 +1,14 @@
 #include "store/own_array.hpp"
 
 #include "base/failure.hpp"
+#include "store/deflate.hpp"
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace matrigrate::store {
 
@@ -43,6 +47,44 @@ void require_stored(const Handle& data, const std::string& name, hsize_t numbers
   if (stored > file_size) refuse_array(fmt::format("{} is longer than the file", name));
   if (numbers > most_expanded * stored / bytes)
     refuse_array(fmt::format("{} is not written: it holds too few bytes", name));
+}
+
+std::string frame_bytes(const Handle& frames, const std::string& name, std::size_t frame, std::size_t number,
+                        std::size_t bytes, std::size_t file_size) {
+  const Handle creation(H5Dget_create_plist(frames.id()), H5Pclose, fmt::format("{} has no layout", name));
+  const Handle space(H5Dget_space(frames.id()), H5Sclose, fmt::format("{} has no shape", name));
+  std::vector<hsize_t> offset(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.id())), 0);
+  offset[0] = frame;
+  constexpr std::size_t most_expanded = 1032; // by a byte of deflate
+  hsize_t size = 0;
+  if (H5Dget_chunk_storage_size(frames.id(), offset.data(), &size) < 0 || size == 0 || size > file_size
+      || bytes / most_expanded > size)
+    refuse_array(fmt::format("{} is not written", name));
+  std::string stored(size, '\0');
+  std::uint32_t skipped = 0; // filters that were not used
+  if (H5Dread_chunk(frames.id(), H5P_DEFAULT, offset.data(), &skipped, stored.data()) < 0 || skipped != 0)
+    refuse_array(fmt::format("{} not read", name));
+  bool shuffled = false;
+  bool deflated = false;
+  const int filters = H5Pget_nfilters(creation.id());
+  for (int i = 0; i < filters; ++i) {
+    unsigned flags = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter =
+        H5Pget_filter2(creation.id(), static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
+    bool& used = filter == H5Z_FILTER_SHUFFLE ? shuffled : deflated;
+    if (deflated || used || (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE))
+      refuse_array(fmt::format("{} is compressed in another way", name));
+    used = true;
+  }
+  const std::string numbers = deflated ? inflated(stored, bytes) : stored;
+  if (numbers.size() != bytes) refuse_array(fmt::format("{} is shorter than it says", name));
+  if (!shuffled) return numbers;
+  std::string ordered(bytes, '\0');
+  const std::size_t n = bytes / number;
+  for (std::size_t plane = 0; plane < number; ++plane)
+    for (std::size_t i = 0; i < n; ++i) ordered[i * number + plane] = numbers[plane * n + i];
+  return ordered;
 }
 
 bool MemoryFile::has(const std::string& name) const {

@@ -114,6 +114,15 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
   return film;
 }
 
+observe::Film whole_film_in(const MemoryFile& file) {
+  std::vector<bool> whole;
+  observe::Film film = film_in(file, &whole);
+  observe::Film found{.head = film.head, .frames = {}};
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    if (whole[k]) found.frames.push_back(std::move(film.frames[k]));
+  return found;
+}
+
 bool is_there(const std::filesystem::path& file) {
   std::error_code error;
   return std::filesystem::exists(file, error);
@@ -140,16 +149,9 @@ observe::Film read_field_film(const std::filesystem::path& folder) {
   return read_in(folder, [](const MemoryFile& file) { return film_in(file); });
 }
 
-observe::Film read_whole_frames(const std::filesystem::path& folder) {
-  return read_in(folder, [](const MemoryFile& file) {
-    std::vector<bool> whole;
-    observe::Film film = film_in(file, &whole);
-    observe::Film found{.head = film.head, .frames = {}};
-    for (std::size_t k = 0; k < whole.size(); ++k)
-      if (whole[k]) found.frames.push_back(std::move(film.frames[k]));
-    return found;
-  });
-}
+observe::Film whole_frames_of(std::string_view bytes) { return whole_film_in(MemoryFile(bytes)); }
+
+observe::Film read_whole_frames(const std::filesystem::path& folder) { return read_in(folder, whole_film_in); }
 
 observe::Film read_film(const std::filesystem::path& folder, const std::function<void(observe::Frame&)>& each) {
   const std::filesystem::path path = folder / frame_log_name;

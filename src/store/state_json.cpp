@@ -151,15 +151,17 @@ Json parse_json(std::string_view text) {
   return Json::parse(text, nullptr, false);
 }
 
+Json parse_json_object(std::string_view text) {
+  require_shallow(text);
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw InputOutputError("is no JSON");
+  if (!json.is_object()) throw InputOutputError(fmt::format("is no JSON object, but of type {}", json.type_name()));
+  return json;
+}
+
 Json read_json_object(const std::filesystem::path& file, std::size_t max_bytes) {
   const std::string text = read_file(file, max_bytes);
-  return naming(file, [&text] {
-    require_shallow(text);
-    Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw InputOutputError("is no JSON");
-    if (!json.is_object()) throw InputOutputError(fmt::format("is no JSON object, but of type {}", json.type_name()));
-    return json;
-  });
+  return naming(file, [&text] { return parse_json_object(text); });
 }
 
 } // namespace matrigrate::store

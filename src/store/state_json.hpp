@@ -31,6 +31,10 @@ void require_shallow(std::string_view json);
 /// What a JSON text holds; discarded (Json::is_discarded) where it is no JSON or has too many levels.
 Json parse_json(std::string_view text);
 
+/// The JSON object that a text holds.
+/// @throws InputOutputError if it is no JSON, no object, or has too many levels
+Json parse_json_object(std::string_view text);
+
 /// The JSON object of a file.
 /// @throws InputOutputError naming the file, if it cannot be read, is no JSON, no object, or has too many levels
 Json read_json_object(const std::filesystem::path& file, std::size_t max_bytes);

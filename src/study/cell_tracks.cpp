@@ -2,17 +2,18 @@
 
 #include "base/file.hpp"
 #include "store/csv.hpp"
+#include "store/naming.hpp"
 
 #include <algorithm>
 
 namespace matrigrate::study {
 
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder) {
-  const std::string table = read_file(run_folder / "tracks.csv", std::size_t{1} << 28);
+  const std::filesystem::path file = run_folder / "tracks.csv";
+  const std::string table = read_file(file, std::size_t{1} << 28);
   const std::vector<double> cell = store::csv_column(table, "track");
-  const std::vector<double> t = store::csv_column(table, "t_s");
-  const std::vector<double> x = store::csv_column(table, "x_um");
-  const std::vector<double> y = store::csv_column(table, "y_um");
+  const auto columns = store::naming(file, [&] { return store::csv_columns(table, {"t_s", "x_um", "y_um"}); });
+  const std::vector<double>&t = columns[0], &x = columns[1], &y = columns[2];
   std::vector<CellTrack> tracks;
   for (std::size_t i = 0; i < t.size(); ++i) {
     const double number = cell.empty() ? 1.0 : cell[i];

@@ -16,7 +16,7 @@ struct CellTrack {
 
 /// @param run_folder  with tracks.csv
 /// @return  a track for each cell, in the order in which they first occur
-/// @throws InputOutputError if tracks.csv cannot be read
+/// @throws InputOutputError if tracks.csv cannot be read, or has no times or places
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder);
 
 } // namespace matrigrate::study

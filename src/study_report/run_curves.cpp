@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "statistics/sample.hpp"
 #include "store/csv.hpp"
+#include "store/naming.hpp"
 #include "store/table.hpp"
 #include "study/cell_tracks.hpp"
 
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace matrigrate::study {
@@ -29,12 +32,19 @@ void each_done(const Study& study, const std::vector<Result>& results, const std
       if (r.run.point == point && r.standing.done()) use(r, run_folder(folder, r.run));
 }
 
+/// Columns of a table of a run.
+std::vector<std::vector<double>> columns_of(const std::filesystem::path& file,
+                                            std::initializer_list<std::string_view> names) {
+  return store::naming(file, [&] { return store::csv_columns(read_file(file, largest_table), names); });
+}
+
 /// Lags of msd.csv, and the mean over the cells at each.
-std::pair<std::vector<double>, std::vector<double>> msd_of(std::string_view table) {
-  const std::vector<double> lag = store::csv_column(table, "lag_s");
-  const std::vector<double> msd = store::csv_column(table, "msd_um2");
+std::pair<std::vector<double>, std::vector<double>> msd_of(const std::filesystem::path& file) {
+  const auto columns = columns_of(file, {"lag_s", "msd_um2"});
+  const std::vector<double>&lag = columns[0], &msd = columns[1];
   std::map<double, std::vector<double>> at;
-  for (std::size_t k = 0; k < lag.size(); ++k) at[lag[k]].push_back(msd[k]);
+  for (std::size_t k = 0; k < lag.size(); ++k)
+    if (!std::isnan(lag[k])) at[lag[k]].push_back(msd[k]);
   std::pair<std::vector<double>, std::vector<double>> means;
   for (const auto& [l, values] : at) {
     means.first.push_back(l);
@@ -51,8 +61,7 @@ std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t po
   std::vector<std::vector<double>> runs;
   for (const Result& result : results) {
     if (result.run.point != point || !result.standing.done()) continue;
-    const std::string table = read_file(run_folder(study_folder, result.run) / "msd.csv", largest_table);
-    const auto [here, msd] = msd_of(table);
+    const auto [here, msd] = msd_of(run_folder(study_folder, result.run) / "msd.csv");
     if (runs.empty() || here.size() < lags.size()) lags = here;
     runs.push_back(msd);
   }
@@ -96,10 +105,8 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
                           const std::filesystem::path& study_folder) {
   std::string csv = "replicate,length_um,f_mat,f_adh_rel,point\n";
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
-    const std::string table = read_file(folder / "protrusions.csv", largest_table);
-    const std::vector<double> length = store::csv_column(table, "length_um");
-    const std::vector<double> f_mat = store::csv_column(table, "f_mat");
-    const std::vector<double> force = store::csv_column(table, "f_adh_rel");
+    const auto columns = columns_of(folder / "protrusions.csv", {"length_um", "f_mat", "f_adh_rel"});
+    const std::vector<double>&length = columns[0], &f_mat = columns[1], &force = columns[2];
     for (std::size_t k = 0; k < force.size(); ++k)
       if (std::isfinite(force[k]))
         csv += fmt::format("{},{:.2f},{:.3f},{:.3f},{}\n", r.run.replicate, length[k], f_mat[k], force[k],

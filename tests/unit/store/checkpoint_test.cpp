@@ -226,6 +226,18 @@ TEST(Checkpoint, KeepsTheOneBefore) {
   EXPECT_THROW(store::write_checkpoint(folder, checkpoint), InputOutputError);
 }
 
+TEST(Checkpoint, IsKeptBeforeItIsTheLast) {
+  std::string name = (std::filesystem::temp_directory_path() / "matrigrate-checkpoint-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const std::filesystem::path folder = name;
+  const std::filesystem::path last = folder / store::checkpoint_name;
+  EXPECT_THROW(store::write_checkpoint(folder, example(), folder / "missing" / "kept.h5"), InputOutputError);
+  EXPECT_FALSE(std::filesystem::exists(last)) << "a resumed run would not keep it";
+  store::write_checkpoint(folder, example(), folder / "kept.h5");
+  EXPECT_EQ(read_file(folder / "kept.h5", 1U << 24U), read_file(last, 1U << 24U));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(MemoryFile, SaysWhatIsNotThere) {
   store::MemoryFile file;
   file.write("/a/x", std::vector<double>{1.0, 2.0}, "um");

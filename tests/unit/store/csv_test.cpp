@@ -43,6 +43,15 @@ TEST(Csv, TablesOfNumbersAreReadBackAndGroupedByTheirFirstColumn) {
   EXPECT_EQ(groups[1].first, 0.0);
 }
 
+TEST(Csv, ColumnsOfOneTableHaveAsManyNumbers) {
+  const auto columns = csv_columns("t_s,x_um\n0,1\n5,\n", {"x_um", "t_s"});
+  ASSERT_EQ(columns.size(), 2U);
+  EXPECT_EQ(columns[1], (std::vector<double>{0.0, 5.0}));
+  EXPECT_EQ(columns[0].size(), 2U);
+  EXPECT_THROW(csv_columns("t_s,x_um\n0,1\n", {"t_s", "y_um"}), InputOutputError);
+  EXPECT_TRUE(csv_columns("", {"t_s", "y_um"})[1].empty());
+}
+
 TEST(Csv, RefusesWhatIsNoTable) {
   const auto message = [](std::string_view text) {
     try {

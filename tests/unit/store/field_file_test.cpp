@@ -13,6 +13,8 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 
 namespace matrigrate::store {
@@ -227,6 +229,25 @@ TEST(FieldFile, RefusesArraysThatDoNotBelongTogether) {
   for (observe::Frame& frame : film.frames)
     frame.matrix.displacement.insert(frame.matrix.displacement.end(), {0.0F, 0.0F});
   EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
+}
+
+TEST(FieldFile, RefusesAFrameThatIsShorterThanItSays) {
+  const observe::Film film = SmallRun().film();
+  const auto path = std::filesystem::temp_directory_path() / ("short_" + std::to_string(::getpid()) + ".h5");
+  for (const std::uint32_t skipped : {0U, 3U}) { // filters
+    write_file(path, field_file(film));
+    {
+      const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "no file");
+      const Handle data(H5Dopen2(file.id(), "/matrix/pressure", H5P_DEFAULT), H5Dclose, "no array");
+      const std::string bytes = deflated_fast("short");
+      const std::array<hsize_t, 2> second{1, 0};
+      ASSERT_GE(H5Dwrite_chunk(data.id(), H5P_DEFAULT, skipped, second.data(), bytes.size(), bytes.data()), 0);
+    }
+    const std::string image = read_file(path, std::size_t{1} << 30U);
+    EXPECT_THROW(read_field_file(image), InputOutputError);
+    EXPECT_EQ(whole_frames_of(image).frames.size(), film.frames.size() - 1);
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(FieldIndex, NamesGridsTimesAndArrays) {

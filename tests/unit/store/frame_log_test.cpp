@@ -33,6 +33,17 @@ TEST(FrameLog, HoldsWhatVariesFromPlaceToPlace) {
   EXPECT_TRUE(read.head.youngs_modulus.empty());
 }
 
+TEST(FrameLog, RefusesAHeadWhoseArraysDoNotBelongTogether) {
+  for (const auto wrong : {&observe::FrameHead::youngs_modulus, &observe::FrameHead::ligand}) {
+    observe::Film film = SmallRun().film();
+    (film.head.*wrong).assign(film.head.particles() - 1, 1.0F);
+    EXPECT_THROW(read_log(log_bytes(film)), InputOutputError);
+  }
+  observe::Film film = SmallRun().film();
+  film.head.obstacle.assign(film.head.particles() + 1, 0);
+  EXPECT_THROW(read_log(log_bytes(film)), InputOutputError);
+}
+
 TEST(FrameLog, HoldsNuclei) {
   for (observe::Film film : {SmallRun().film(), TwoCells().film()}) {
     for (observe::Frame& frame : film.frames) frame.nucleus = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F};

@@ -1,5 +1,6 @@
 #include "study/table_readouts.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 
 #include <gtest/gtest.h>
@@ -39,6 +40,11 @@ TEST(TableReadouts, TheMigrationIndexIsTheWayAlongXOverThePath) {
   EXPECT_DOUBLE_EQ(of_tracks("t_s,x_um,y_um,n_simultaneous\n0,0,0,1\n300,-9,9,1\n600,3,4,1\n1200,3,0,1\n")[2],
                    3.0 / 9.0);
   EXPECT_TRUE(std::isnan(of_tracks("t_s,x_um,y_um,n_simultaneous\n0,1,1,1\n600,1,1,1\n")[2])) << "nothing moved";
+}
+
+TEST(TableReadouts, NeedTimesAndPlaces) {
+  EXPECT_THROW(of_tracks("t_s,x_um,n_simultaneous\n0,0,1\n600,3,1\n"), InputOutputError);
+  EXPECT_THROW(of_tracks("x_um,y_um,n_simultaneous\n0,0,1\n3,1,1\n"), InputOutputError);
 }
 
 TEST(TableReadouts, OfASingleCellThereIsNoGroup) {

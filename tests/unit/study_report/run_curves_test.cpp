@@ -1,5 +1,6 @@
 #include "study_report/run_curves.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "unit/study/studies.hpp"
 
@@ -62,6 +63,14 @@ TEST_F(RunCurves, MeanSquareDisplacementsAreMeansOverRuns) {
   const std::string csv = msd_csv(study, results, folder);
   EXPECT_TRUE(csv.starts_with("lag_s,msd_um2,sem_um2,n_runs,point\n600,1.5,0.5,2,\"soft")) << csv;
   EXPECT_NE(csv.find("\n600,11,,1,stiff\n"), std::string::npos) << csv;
+}
+
+TEST_F(RunCurves, ATableWithoutANeededColumnIsRefused) {
+  const std::filesystem::path run = run_folder(folder, results[0].run);
+  write_file(run / "msd.csv", "lag_s,samples\n600,2\n");
+  EXPECT_THROW(mean_msd(results, 0, folder), InputOutputError);
+  write_file(run / "protrusions.csv", "id,f_mat,f_adh_rel\n1,0.7,0.5\n");
+  EXPECT_THROW(adhesions_csv(study, results, folder), InputOutputError);
 }
 
 TEST_F(RunCurves, OfSeveralCellsEachHasAPathAndARunCountsOnce) {
