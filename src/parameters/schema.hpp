@@ -12,7 +12,7 @@
 
 /// The one table of parameters. Reader, checks, scenario files, documentation and editor schema are made from it; a new
 /// parameter is one member in parameters.hpp and one row in schema.cpp (of a nucleus or of [[cells]]:
-/// schema_cells.cpp). Test: tests/unit/parameters/schema_test.cpp
+/// schema_cells.cpp, sections in schema_sections.cpp). Test: tests/unit/parameters/schema_test.cpp
 namespace matrigrate {
 
 /// Allowed values, in the unit of the row.
