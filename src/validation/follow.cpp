@@ -146,8 +146,7 @@ Result follow(const Parameters& p) {
     path.series.push_back(std::move(one.path));
     pull.series.push_back(std::move(one.pull));
   }
-  result.add("follow", "An adhesion that never lets go: the body follows until it or the gel bears the pull.",
-             path);
+  result.add("follow", "An adhesion that never lets go: the body follows until it or the gel bears the pull.", path);
   result.add("follow-force", "What the adhesion bears; what it does not, the gel at the front does.", pull);
   return result;
 }

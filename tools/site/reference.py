@@ -9,7 +9,7 @@ import textwrap
 # The Python package.
 
 _groups = [
-    ("Runs", ["run", "load", "Run", "Readouts", "meaning"]),
+    ("Runs", ["run", "load", "Run", "Readouts", "ReadoutsOfCells", "meaning"]),
     ("Steps", ["Simulation", "Cell", "Matrix"]),
     ("Fields", ["Fields", "Field"]),
     ("Studies", ["run_study", "load_study", "Study", "Runs"]),
