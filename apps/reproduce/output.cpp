@@ -1,6 +1,7 @@
 #include "apps/reproduce/output.hpp"
 
 #include "apps/reproduce/evidence.hpp"
+#include "apps/reproduce/parts.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/terminal/text_table.hpp"
@@ -140,6 +141,14 @@ void require_own_files(const ReproduceOptions& options, const std::vector<const 
     const std::filesystem::path file = std::filesystem::path(options.folder) / own.name;
     if (std::filesystem::exists(file) && read_file(file, largest).find(own.mark) == std::string::npos)
       foreign.push_back(own.name);
+  }
+  for (const PartRow& row : part_rows()) { // a folder of `validate` has its results.json
+    const std::string name = fmt::format("validate-{}", row.verification);
+    const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
+    if (row.verification.empty() || !options.chooses(row.id) || !std::filesystem::exists(folder)) continue;
+    const bool own = std::filesystem::is_directory(folder)
+                     && (std::filesystem::is_empty(folder) || std::filesystem::exists(folder / "results.json"));
+    if (!own) foreign.push_back(name);
   }
   if (!foreign.empty())
     throw InputOutputError(fmt::format("{}: {} would be replaced, and {} not written by this program; choose another "

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_listed = 20;
 
 std::string bare(std::string text) {
-  std::erase(text, '"');
+  std::erase_if(text, [](char c) { return c == '"' || c == '\\'; });
   return text;
 }
 
