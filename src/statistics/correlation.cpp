@@ -33,9 +33,8 @@ std::vector<double> deviations(const std::vector<double>& x) {
   return all;
 }
 
-} // namespace
-
-Correlation pearson(Values x, Values y) {
+/// The pairs of which both values are finite.
+std::pair<std::vector<double>, std::vector<double>> finite_pairs(Values x, Values y) {
   if (x.size() != y.size()) throw std::invalid_argument("a correlation of samples of different length");
   std::vector<double> u;
   std::vector<double> v;
@@ -44,6 +43,13 @@ Correlation pearson(Values x, Values y) {
     u.push_back(x[i]);
     v.push_back(y[i]);
   }
+  return {u, v};
+}
+
+} // namespace
+
+Correlation pearson(Values x, Values y) {
+  const auto [u, v] = finite_pairs(x, y);
   const double x_mean = moments(u).mean;
   const double y_mean = moments(v).mean;
   double xx = 0.0;
@@ -65,14 +71,7 @@ Correlation pearson(Values x, Values y) {
 }
 
 Correlation spearman(Values x, Values y) {
-  if (x.size() != y.size()) throw std::invalid_argument("a correlation of samples of different length");
-  std::vector<double> u;
-  std::vector<double> v;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
-    u.push_back(x[i]);
-    v.push_back(y[i]);
-  }
+  const auto [u, v] = finite_pairs(x, y);
   return pearson(ranks(u), ranks(v));
 }
 
