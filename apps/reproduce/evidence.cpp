@@ -8,6 +8,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/shipped_studies.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/write.hpp"
 #include "run/folder_lock.hpp"
 #include "simulation/start_rules.hpp"
@@ -106,9 +107,15 @@ void require_own_study_folders(const std::vector<const study::Claim*>& claims, c
 
 study::Study shipped(std::string_view name, const ReproduceOptions& options) {
   study::Changes changes{options.overrides, options.replicates, start_rules()};
+  if (options.closures == "first") {
+    const std::vector<std::string> first = first_closures();
+    changes.overrides.insert(changes.overrides.begin(), first.begin(), first.end());
+  }
   changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
   const auto all = shipped_studies();
-  const auto found = std::ranges::find(all, name, &ShippedStudy::name);
+  // with the first set F_am was varied strand by strand
+  const bool by_strand = options.closures == "first" && name == "contraction";
+  const auto found = std::ranges::find(all, by_strand ? "contraction-strand" : name, &ShippedStudy::name);
   return study::parse_study(found->text, fmt::format("studies/{}.toml", name), ".", changes);
 }
 

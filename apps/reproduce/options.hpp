@@ -15,6 +15,7 @@ struct ReproduceOptions {
   std::string from; ///< folder of kept tables to judge by; empty: run what is missing
   std::optional<std::size_t> replicates;
   std::string integrator = "adaptive";
+  std::string closures = "second"; ///< set of closures that is judged: "first" or "second"
   std::vector<std::string> overrides;
   int jobs = 0;
   bool json = false;

@@ -50,6 +50,7 @@ std::string setting_text(const ReproduceOptions& options) {
                                        "throughout: --integrator reference).",
                                        usual_time_step(Integrator::adaptive))
                          : "Integrator: reference, 0.4 s throughout, as in the paper.";
+  if (options.closures == "first") text += " Closures: the first set.";
   if (options.replicates) text += fmt::format(" Replicates: {}.", *options.replicates);
   if (!options.overrides.empty()) text += fmt::format(" Changed: {}.", fmt::join(options.overrides, ", "));
   if (!as_published(options)) text += " Not run as the paper ran it, so these are no verdicts on the paper.";
@@ -149,6 +150,8 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       ->check(CLI::Range(1, 4096));
   verb->add_option("--integrator", options->integrator, "adaptive (default) or reference")
       ->check(CLI::IsMember({"adaptive", "reference"}));
+  verb->add_option("--closures", options->closures, "Set of closures: second (default) or first (MODEL.md)")
+      ->check(CLI::IsMember({"first", "second"}));
   verb->add_option("--set", options->overrides, "key=value, over all studies; may be repeated")
       ->allow_extra_args(false);
   CLI::Option* from = verb->add_option("--from", options->from,

@@ -48,6 +48,11 @@ Vec2 centroid(const CortexState& c) {
   return c.x[0] + sum / twice_area;
 }
 
+Vec2 centre_of_mass(const CortexState& c, CentreOfMass which) {
+  if (which == CentreOfMass::area) return centroid(c);
+  return std::accumulate(c.x.begin(), c.x.end(), Vec2(0.0, 0.0)) / static_cast<double>(c.size());
+}
+
 Vec2 normal(const CortexState& c, std::size_t i) { return area_gradient(c, i).normalized(); }
 
 std::vector<Vec2> normals(const CortexState& c) {

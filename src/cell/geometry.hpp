@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "parameters/parameters.hpp"
 #include "state/cortex.hpp"
 
 #include <cstdint>
@@ -21,6 +22,9 @@ double perimeter(const CortexState& c);
 
 /// Centre of mass of the area inside the ring [um].
 Vec2 centroid(const CortexState& c);
+
+/// Centre of mass of the cell: the centroid of its area, or the mean of its cortex particles (MODEL.md, D41) [um].
+Vec2 centre_of_mass(const CortexState& c, CentreOfMass which);
 
 /// Outward unit normal at particle i, perpendicular to the chord of its neighbours.
 Vec2 normal(const CortexState& c, std::size_t i);

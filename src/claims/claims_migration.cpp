@@ -6,7 +6,8 @@ namespace {
 
 using namespace readout;
 
-/// Points of studies/stiffness.toml: 50, 100, 200, 300, 400 Pa; of contraction.toml: 0.4, 0.8, 1.2, 1.6, 2 nN.
+/// Points of studies/stiffness.toml: 50, 100, 200, 300, 400 Pa; of contraction.toml: 0.4, 0.8, 1.2, 1.6, 2 nN in both
+/// strands.
 Group E(std::size_t point) { return {"stiffness", point}; }
 Group F(std::size_t point) { return {"contraction", point}; }
 

@@ -1,6 +1,7 @@
 #include "observe/readouts.hpp"
 
 #include "observe/displacement_statistics.hpp"
+#include "protrusion/adhesion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ bool matured(const ProtrusionRecord& r) { return !std::isnan(r.t_mature); }
 bool still_adheres(const ProtrusionRecord& r) { return matured(r) && r.cause == EndCause::none; }
 bool unadhered(const ProtrusionRecord& r) { return r.cause == EndCause::unadhered; }
 
-void add_protrusions(ReadOuts& out, std::span<const ProtrusionRecord> records, const ActomyosinParameters& p) {
+void add_protrusions(ReadOuts& out, std::span<const ProtrusionRecord> records, const Parameters& p) {
   out.n_protrusions = records.size();
   out.n_unadhered = count(records, unadhered);
   out.n_censored = count(records, still_adheres);
@@ -62,9 +63,7 @@ OrientedProtrusions oriented(std::span<const ProtrusionRecord> records, double f
 
 } // namespace
 
-double relative_force(const ProtrusionRecord& r, const ActomyosinParameters& p) {
-  return r.force / (r.f_mat * p.force);
-}
+double relative_force(const ProtrusionRecord& r, const Parameters& p) { return r.force / mature_pull(r.f_mat, p); }
 
 double path_length(std::span<const TrackRow> rows, double interval) {
   const double tolerance = 1e-6 * interval; // times are multiples of the step
@@ -84,7 +83,7 @@ double path_length(std::span<const TrackRow> rows, double interval) {
 
 ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records, const Parameters& p) {
   ReadOuts out;
-  add_protrusions(out, records, p.actomyosin);
+  add_protrusions(out, records, p);
   const double fibres = p.fibres.direction_deg * std::numbers::pi / 180.0;
   const bool uniaxial = p.fibres.arrangement == FibreArrangement::uniaxial && p.fibres.field.direction_deg.empty();
   if (uniaxial) {

@@ -46,8 +46,9 @@ struct ReadOuts {
   OrientedProtrusions across;    ///< uniaxial fibres
 };
 
-/// f_adh_rel of one protrusion, Eq. (9); NaN if its adhesion has not matured or not ended [-].
-double relative_force(const ProtrusionRecord& r, const ActomyosinParameters& p);
+/// f_adh_rel of one protrusion, Eq. (9): its force over mature_pull(); NaN if its adhesion has not matured or not ended
+/// [-].
+double relative_force(const ProtrusionRecord& r, const Parameters& p);
 
 /// Length of the path of the centre of mass, sampled at multiples of an interval and at the last row; NaN if the rows
 /// lie further apart than the interval, or span less than it [um].

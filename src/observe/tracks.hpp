@@ -27,7 +27,7 @@ struct TrackRow {
   double t = 0.0; ///< [s]
   std::uint64_t step = 0;
   std::uint32_t cell = 0;             ///< its id
-  Vec2 centre = Vec2::Zero();         ///< centre of mass: centroid of the area inside the cortex [um]
+  Vec2 centre = Vec2::Zero();         ///< centre of mass, centre_of_mass() [um]
   double area = 0.0;                  ///< [um^2]
   double perimeter = 0.0;             ///< [um]
   std::optional<double> polarization; ///< angle of d_pol [rad]; none before the first protrusion
@@ -38,10 +38,10 @@ struct TrackRow {
   std::uint32_t alive() const; ///< protrusions of all phases
 };
 
-TrackRow track_row(const Cell& cell, const Instant& now);
+TrackRow track_row(const Cell& cell, const Instant& now, CentreOfMass which);
 
 /// Rows of all cells, in their order.
-std::vector<TrackRow> track_rows(const State& s);
+std::vector<TrackRow> track_rows(const State& s, CentreOfMass which);
 
 /// The rows of one cell.
 std::vector<TrackRow> rows_of(std::span<const TrackRow> rows, std::uint32_t cell);

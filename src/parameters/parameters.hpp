@@ -111,10 +111,14 @@ enum class AdhesionHold { place, matter };
 /// How the drag system of a step is solved.
 enum class SolverMethod { multigrid, conjugate_gradient };
 
+/// What the centre of mass of a cell is: that of the area inside the cortex, or the mean of the cortex particles.
+enum class CentreOfMass { area, particles };
+
 struct CellParameters {
-  double radius = 15.0;             ///< R [um]
-  double start_x = 0.0;             ///< centre at the start [um]
-  double start_y = 0.0;             ///< centre at the start [um]
+  double radius = 15.0; ///< R [um]
+  double start_x = 0.0; ///< centre at the start [um]
+  double start_y = 0.0; ///< centre at the start [um]
+  CentreOfMass centre_of_mass = CentreOfMass::particles;
   int particles = 235;              ///< particles of the cortex
   double spring_stiffness = 2.8;    ///< k_s [nN/um]
   double crowding = 0.5;            ///< share of its initial length below which a segment resists compression [-]
@@ -137,7 +141,7 @@ struct CellContactParameters {
 struct ContactParameters {
   double range = 1.4;          ///< d_c [um]
   double sample_spacing = 0.8; ///< points of the viscous coupling on a segment are no further apart [um]
-  double fluid_share = 0.1;    ///< of the viscous coupling to solid, with the fluid outside the cell [-]
+  double fluid_share = 0.15;   ///< of the viscous coupling to solid, with the fluid outside the cell [-]
   double deepest_solid = 0.3;  ///< a solid particle deeper inside the cell becomes fluid at once [um]
   CellContactParameters cells;
 };
@@ -162,7 +166,7 @@ struct ActomyosinParameters {
   double f_mat_body = 0.05;         ///< f_mat of the cell's body [-]
   double curvature_optimum = -0.15; ///< kappa_0 [1/um], convex positive
   double curvature_width = 0.25;    ///< kappa_w [1/um]
-  CurvatureProfile curvature_profile = CurvatureProfile::triangle;
+  CurvatureProfile curvature_profile = CurvatureProfile::half_gaussian;
 };
 
 struct ProtrusionParameters {
@@ -187,11 +191,12 @@ struct ProtrusionParameters {
 struct AdhesionParameters {
   double stiffness = 2.0;   ///< k_ad [nN/um]
   double rest_length = 5.0; ///< l_0,adh [um]
-  AdhesionHold hold = AdhesionHold::place;
+  AdhesionHold hold = AdhesionHold::matter;
   double spread = 1.0;            ///< smoothing length of its kernel over that of the matrix [-]
   double least_support = 0.02;    ///< share of solid around the anchor below which the adhesion is lost [-]
   double maturation_time = 600.0; ///< T_mat [s]
   double step_threshold = 0.98;   ///< share of a step's force at which the next one begins [-]
+  double rest_speed = 0.004;      ///< of the tip, below which the first step may be done [um/s]; 0: at any speed
   double base_drag = 1000.0;      ///< drag of each pinned base particle while maturing [nN s/um]
   Handover handover = Handover::bundle;
   double handover_time = 0.4;  ///< in which the bundle gives way [s]
@@ -201,7 +206,7 @@ struct AdhesionParameters {
   double zeta_diss = 20.0;     ///< [1/nN]
   bool rupture = false;        ///< whether an adhesion breaks at rupture_ratio
   double rupture_ratio = 1.0;  ///< f_rupt [-]
-  int rupture_strands = 1;     ///< strands of actomyosin whose full pull f_rupt counts
+  int rupture_strands = 2;     ///< strands of actomyosin whose full pull f_rupt counts
 };
 
 struct PolarizationParameters {
@@ -216,7 +221,7 @@ struct DegradationParameters {
   double protrusion_distance = 1.4; ///< [um]
   double body_rate = 0.033;         ///< [1/s]
   double body_distance = 1.9;       ///< reach of degradation around the cell's body [um]
-  DegradationPressure pressure = DegradationPressure::solid;
+  DegradationPressure pressure = DegradationPressure::sum;
   double threshold = 0.02; ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
 };
 

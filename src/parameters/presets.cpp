@@ -1,11 +1,21 @@
 #include "parameters/presets.hpp"
 
+#include "parameters/earlier.hpp"
 #include "parameters/read.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
 namespace matrigrate {
+
+std::vector<std::string> first_closures() {
+  std::vector<std::string> overrides{"actomyosin.curvature_profile=triangle", "adhesion.rupture_strands=1",
+                                     "degradation.pressure=solid", "contact.fluid_share=0.1"};
+  for (const auto& [key, value] : before_their_keys) overrides.push_back(fmt::format("{}={}", key, value));
+  return overrides;
+}
 
 std::span<const Preset> presets() {
   const std::vector<std::string> uniaxial{"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial",
@@ -20,8 +30,12 @@ std::span<const Preset> presets() {
       {"baseline", "The paper's baseline: a matrix of 200 Pa (Figs 5 to 7)", {}},
       {"soft", "The paper's softest matrix: 50 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=50 Pa"}},
       {"stiff", "The paper's stiffest matrix: 400 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=400 Pa"}},
-      {"weak-contraction", "The paper's weakest actomyosin force: 0.4 nN (Fig 7)", {"actomyosin.force=0.4 nN"}},
-      {"strong-contraction", "The paper's strongest actomyosin force: 2 nN (Fig 7)", {"actomyosin.force=2 nN"}},
+      {"weak-contraction",
+       "The paper's weakest actomyosin force: 0.4 nN in both strands (Fig 7)",
+       {"actomyosin.force=0.2 nN"}},
+      {"strong-contraction",
+       "The paper's strongest actomyosin force: 2 nN in both strands (Fig 7)",
+       {"actomyosin.force=1 nN"}},
       {"frequent-protrusions",
        "The paper's highest rate of initiation (Fig 8)",
        {"protrusion.initiation_rate=1e-4 1/s"}},
@@ -80,6 +94,8 @@ std::span<const Preset> presets() {
        "Fibres on circles around the centre of the matrix (contact guidance)",
        {"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial", "fibres.stiffness=10 kPa",
         "fibres.field.direction_deg=atan2(x, -y)*180/_pi"}},
+      {"first-closures", "The baseline with the first set of closures, frozen on 22 November 2026 (MODEL.md)",
+       first_closures()},
       {"two-cells",
        "Two cells that begin 2 um apart (off the paper)",
        {"cells=[{x=\"-16 um\", y=\"0 um\"}, {x=\"16 um\", y=\"0 um\"}]"}},

@@ -3,6 +3,7 @@
 #include "fields/field.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
+#include "parameters/earlier.hpp"
 #include "parameters/fault_list.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
@@ -58,6 +59,7 @@ public:
     auto document = parse_document(text, m_faults.file());
     if (auto* fault = std::get_if<Fault>(&document)) return refuse(std::move(*fault));
     const auto& table = std::get<toml::table>(document);
+    m_resolved = text.starts_with(resolved_head);
     if (is_study(table))
       return refuse({m_faults.file(), 0, 0, "",
                      fmt::format("is a study of many runs, and not a scenario; matrigrate study plan {0} tells what it "
@@ -89,6 +91,7 @@ public:
   /// @throws ConfigurationError if there was any fault
   Parameters finish(std::span<const Rule> more) {
     if (!m_refused) {
+      follow_earlier_version();
       follow_integrator();
       check_cells();
       check_rules(rules());
@@ -99,6 +102,14 @@ public:
   }
 
 private:
+  /// A resolved file without a key was written when there was no such key.
+  void follow_earlier_version() {
+    if (!m_resolved) return;
+    for (const auto& [path, value] : before_their_keys)
+      if (!m_given.contains(path))
+        take(std::string(path), *toml::parse(fmt::format("value = {}", value)).get("value"), {m_faults.file()});
+  }
+
   /// A usual step that nobody has named becomes that of the integrator.
   void follow_integrator() {
     const bool usual = m_start.time_step == usual_time_step(m_start.integrator);
@@ -210,6 +221,7 @@ private:
   RunParameters m_start; ///< before anything was given
   FaultList m_faults;
   bool m_refused = false;
+  bool m_resolved = false; ///< the file holds every parameter of the version that wrote it
   std::map<std::string, Place, std::less<>> m_given;
   std::vector<Place> m_cell_places;            ///< of the cells that were given
   std::set<std::string, std::less<>> m_blamed; ///< keys with a fault of their own

@@ -40,6 +40,7 @@ constexpr std::array<std::string_view, 3> curvature_profiles{"gaussian", "half_g
 constexpr std::array<std::string_view, 2> growing_bases{"free", "tied"};
 constexpr std::array<std::string_view, 2> handovers{"immediate", "bundle"};
 constexpr std::array<std::string_view, 3> degradation_pressures{"larger", "solid", "sum"};
+constexpr std::array<std::string_view, 2> centres_of_mass{"area", "particles"};
 constexpr std::array<std::string_view, 2> adhesion_holds{"place", "matter"};
 constexpr std::array<std::string_view, 2> turnings{"proportional", "constant"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
@@ -134,6 +135,8 @@ constexpr std::array rows{
 
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),
         "R", table_1, "Radius of the cell at the start"},
+    Row{"cell.centre_of_mass", choice([](Parameters& p) -> CentreOfMass& { return p.cell.centre_of_mass; }, centres_of_mass), "", none,
+        "x_cm", "MODEL.md, D41", "Whether the centre of mass is that of the area inside the cortex or the mean of the cortex particles"},
     Row{"cell.start_x", [](Parameters& p) -> double& { return p.cell.start_x; }, "um", closed(-2000, 2000),
         "", chosen, "Centre of the cell at the start"},
     Row{"cell.start_y", [](Parameters& p) -> double& { return p.cell.start_y; }, "um", closed(-2000, 2000),
@@ -239,6 +242,8 @@ constexpr std::array rows{
         "", "MODEL.md, D28", "Strands of actomyosin whose full pull f_rupt counts", numerical},
     Row{"adhesion.step_threshold", [](Parameters& p) -> double& { return p.adhesion.step_threshold; }, "1", above(0, 1),
         "", methods, "Share of the force of a maturation step at which the next one begins", numerical},
+    Row{"adhesion.rest_speed", [](Parameters& p) -> double& { return p.adhesion.rest_speed; }, "nm/s", closed(0, 1000),
+        "", "MODEL.md, D19", "Speed of the tip towards its base below which the recoil of growth is over and maturation steps begin to count; 0: they count at any speed", numerical},
     Row{"adhesion.handover", choice([](Parameters& p) -> Handover& { return p.adhesion.handover; }, handovers), "", none,
         "", "MODEL.md, D20", "How the pull of maturation gives way to contraction: at once, or as the cortex takes over the load", numerical},
     Row{"adhesion.handover_time", [](Parameters& p) -> double& { return p.adhesion.handover_time; }, "s", above(0, 1e4),

@@ -1,5 +1,6 @@
 #include "parameters/write.hpp"
 
+#include "parameters/earlier.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
@@ -147,23 +148,11 @@ std::string cell(std::string_view text) {
 } // namespace
 
 std::string to_toml(const Parameters& p) {
-  std::string text = "# Every parameter of a simulation. Running this file again gives the same bits.\n";
+  std::string text(resolved_head);
   for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
                    [&](const Row& row) { text += comment(row) + assignment(row, p); });
   return text + cell_tables(p);
 }
-
-namespace {
-
-/// What programs did that did not have these keys yet; left out of the fingerprint of a configuration, so that it is
-/// that of their runs.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> before_their_keys{
-    {{"adhesion.hold", "\"place\""},
-     {"adhesion.spread", "1"},
-     {"adhesion.handover_time", "\"0.4 s\""},
-     {"adhesion.handover_share", "0.9"}}};
-
-} // namespace
 
 std::string values_text(const Parameters& p) {
   std::string text;

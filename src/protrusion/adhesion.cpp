@@ -19,9 +19,12 @@ double disassembly_rate(double F, double f_mat, const AdhesionParameters& p) {
   return p.r_off_min + p.r_off_0 * std::exp(-p.zeta_diss * F / f_mat);
 }
 
+double mature_pull(double f_mat, const Parameters& p) {
+  return p.adhesion.rupture_strands * f_mat * p.actomyosin.force;
+}
+
 bool ruptures(double F, double f_mat, const Parameters& p) {
-  const double pull = p.adhesion.rupture_strands * f_mat * p.actomyosin.force;
-  return p.adhesion.rupture && F >= p.adhesion.rupture_ratio * pull;
+  return p.adhesion.rupture && F >= p.adhesion.rupture_ratio * mature_pull(f_mat, p);
 }
 
 const Vec2* anchor(const Phase& phase) {

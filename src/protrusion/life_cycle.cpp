@@ -37,7 +37,7 @@ struct Table {
   Transition operator()(const Maturing& phase) const {
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::lost);
     if (now.age >= p.adhesion.maturation_time) return to(contracting(phase));
-    if (phase.steps < max_maturation_steps && now.force >= step_force(phase.steps, p)) {
+    if (step_done(phase.steps, now.force, now.recoil, p)) {
       Maturing next = phase;
       ++next.steps;
       next.last_step = now.age;
@@ -105,6 +105,8 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
                       .ahead = adhesion_site(cell.cortex, protrusion, p.adhesion),
                       .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id, cell.id)};
   const bool growing = std::holds_alternative<Growing>(protrusion.phase);
+  if (const auto* maturing = std::get_if<Maturing>(&protrusion.phase))
+    found.recoil = -cell.cortex.v[protrusion.centre].dot(maturing->direction);
   if (growing && found.age >= p.protrusion.growth_time) {
     const PointWeights weights = hold_weights(found.ahead, ecm, p);
     found.support = weights.support;

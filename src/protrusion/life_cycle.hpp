@@ -11,6 +11,7 @@ namespace matrigrate {
 struct Circumstances {
   double age = 0.0;          ///< time in the present phase [s]
   double force = 0.0;        ///< of the adhesion [nN]
+  double recoil = 0.0;       ///< speed of the tip of a maturing protrusion towards its base [um/s]
   double support = 0.0;      ///< share of solid around the anchor; when growth ends, around the point to adhere to [-]
   Vec2 ahead = Vec2::Zero(); ///< the point to adhere to, l_0,adh ahead of the tip [um]
   Vec2 held = Vec2::Zero();  ///< that point in the reference configuration, when growth ends [um]
@@ -30,7 +31,7 @@ struct Transition {
 ///   Growing      age >= T_prot, none                 -> Finishing (unadhered), f_mat of the body
 ///   Maturing     anchor's support gone               -> Finishing (lost)
 ///   Maturing     age >= T_mat                        -> Contracting with final_f_mat()
-///   Maturing     force >= step_force()               -> Maturing, one step on
+///   Maturing     force >= step_force(), at rest      -> Maturing, one step on
 ///   Contracting  anchor's support gone               -> Finishing (lost)
 ///   Contracting  ruptures(), bundle has given way    -> Finishing (rupture)
 ///   Contracting  draw < 1 - exp(-r_off dt)           -> Finishing (disassembly)

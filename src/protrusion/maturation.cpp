@@ -41,6 +41,11 @@ double step_force(int steps, const Parameters& p) {
   return maturation_step * (steps + p.adhesion.step_threshold) * p.actomyosin.force;
 }
 
+bool step_done(int steps, double F, double recoil, const Parameters& p) {
+  if (steps >= max_maturation_steps || F < step_force(steps, p)) return false;
+  return steps > 0 || p.adhesion.rest_speed <= 0.0 || recoil <= p.adhesion.rest_speed;
+}
+
 double final_f_mat(int steps, double last_step, double F, const Parameters& p) {
   const double part = steps > 0 ? std::clamp((p.adhesion.maturation_time - last_step) * steps / last_step, 0.0, 1.0)
                                 : std::clamp(F / step_force(0, p), 0.0, 1.0);

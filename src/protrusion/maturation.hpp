@@ -20,6 +20,12 @@ double maturing_f_mat(int steps);
 /// Force of the adhesion at which the running step is done: (f_mat - 0.1) F_am + 0.98 x 0.1 F_am [nN].
 double step_force(int steps, const Parameters& p);
 
+/// Whether the running step is done: the adhesion bears its force, and, if it is the first one, the recoil of growth is
+/// over. While the matrix springs back, it carries the tip along, so that the adhesion bears F_mat although nothing
+/// resists (MODEL.md, D19).
+/// @param F  force of the adhesion [nN]   @param recoil  speed of the tip towards its base [um/s]
+bool step_done(int steps, double F, double recoil, const Parameters& p);
+
 /// f_mat at the end of maturation: 0.1 (steps done + the part of the running one), at least that of the body, at most 1
 /// [-]. The part of the running step is the time since the last one over the mean time of those done, at most 1, so
 /// that this is the paper's 0.1 T_mat over the mean time of a step where steps come evenly; without a step, the part of

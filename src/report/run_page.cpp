@@ -43,7 +43,7 @@ Json protrusions_json(const RunReport& report) {
   const std::vector<std::string_view> columns = store::protrusion_columns();
   for (const CellResult& cell : report.cells)
     for (const ProtrusionRecord& record : cell.records) {
-      const std::vector<store::Field> row = store::fields(record, report.p.actomyosin);
+      const std::vector<store::Field> row = store::fields(record, report.p);
       Json json;
       if (report.cells.size() > 1) json["cell"] = number_of(cell.cell);
       for (std::size_t i = 0; i < columns.size(); ++i) json[std::string(columns[i])] = json_of(row[i]);

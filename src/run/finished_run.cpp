@@ -87,7 +87,8 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   run.t = checkpoint.state.t;
   run.memory = store::parse_memory(checkpoint.memory);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
-    std::ranges::copy(track_rows(checkpoint.state), std::back_inserter(run.memory.rows)); // as at the end of a run
+    std::ranges::copy(track_rows(checkpoint.state, run.p.cell.centre_of_mass),
+                      std::back_inserter(run.memory.rows)); // as at the end of a run
   run.cells = cell_results(checkpoint.state, run.memory.rows, run.p);
   run.frame_times = run.memory.frames;
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))

@@ -50,7 +50,7 @@ std::vector<std::vector<store::Field>> fields_of(const std::vector<Row>& rows) {
 /// A row of protrusions.csv, which tells the cell where there are several.
 std::vector<store::Field> fields_of(const State& s, const Cell& cell, const ProtrusionRecord& record,
                                     const Parameters& p) {
-  std::vector<store::Field> fields = store::fields(record, p.actomyosin);
+  std::vector<store::Field> fields = store::fields(record, p);
   return s.cells.size() > 1 ? store::with_cell(cell.id, std::move(fields)) : fields;
 }
 
@@ -168,7 +168,7 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed, c
   if (m_frames) store::write_field_files(m_folder, m_frame_times.size(), field_origin(m_p, trajectory_hash()));
   write_pictures(s, failed);
   m_results = cell_results(s, m_memory.rows, m_p);
-  write_file(m_folder / "protrusions.csv", store::protrusions_csv(m_results, m_p.actomyosin)); // with those still alive
+  write_file(m_folder / "protrusions.csv", store::protrusions_csv(m_results, m_p)); // with those still alive
   write_file(m_folder / "msd.csv", store::msd_csv(m_results, 600.0));
   write_file(m_folder / "summary.csv", store::summary_csv(m_results));
   write_file(m_folder / "summary.json", store::summary_json(m_results));
@@ -217,7 +217,7 @@ void RunFolder::add_row(const State& s, const Workspace& w) {
     m_memory.group.push_back(group_row(s, m_memory.rows, m_p));
     m_group->add(store::fields(m_memory.group.back()));
   }
-  for (const TrackRow& row : track_rows(s)) {
+  for (const TrackRow& row : track_rows(s, m_p.cell.centre_of_mass)) {
     m_tracks->add(store::fields(row));
     m_memory.rows.push_back(row);
   }
@@ -239,7 +239,8 @@ void RunFolder::add_snapshot(const State& s, const Workspace& w) {
     std::vector<Vec2>& path = paths.emplace_back();
     for (const TrackRow& row : m_memory.rows)
       if (row.cell == cell.id) path.push_back(row.centre);
-    if (m_memory.rows.empty() || m_memory.rows.back().step != s.step) path.push_back(centroid(cell.cortex));
+    if (m_memory.rows.empty() || m_memory.rows.back().step != s.step)
+      path.push_back(centre_of_mass(cell.cortex, m_p.cell.centre_of_mass));
   }
   observe::CellScene scene = observe::cell_scene(s, m_p, std::move(paths));
   const std::filesystem::path file = m_folder / "snapshots" / time_name(s.t);

@@ -25,12 +25,14 @@ bool good(double df) { return std::isfinite(df) && df > 0.0; }
 
 double t_cdf(double t, double df, double noncentrality) { return bm::cdf(NoncentralT(df, noncentrality), t); }
 
+constexpr double largest_noncentrality = 1e4; // beyond it the distribution is computed from squares that overflow
+
 /// Where a function that falls from above 0 to below 0 crosses it, looked for from `start` outwards.
 template <class Function>
 double crossing(const Function& f, double start) {
   double reach = 1.0;
-  while (reach < 1e4 && !(f(start - reach) >= 0.0 && f(start + reach) <= 0.0)) reach *= 2.0;
-  if (reach >= 1e4) return undefined;
+  while (reach < largest_noncentrality && !(f(start - reach) >= 0.0 && f(start + reach) <= 0.0)) reach *= 2.0;
+  if (reach >= largest_noncentrality) return undefined;
   std::uintmax_t steps = 200;
   const auto near = [](double a, double b) { return std::abs(b - a) <= 1e-12 * (1.0 + std::abs(a)); };
   const auto [low, high] = bm::tools::bisect(f, start - reach, start + reach, near, steps);
@@ -54,7 +56,7 @@ double t_quantile(double probability, double df) {
 }
 
 double t_noncentrality(double t, double df, double probability) {
-  if (!std::isfinite(t) || !good(df)) return undefined;
+  if (std::isnan(t) || std::abs(t) > largest_noncentrality || !good(df)) return undefined;
   return crossing([&](double delta) { return t_cdf(t, df, delta) - probability; }, t);
 }
 

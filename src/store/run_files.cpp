@@ -106,7 +106,7 @@ std::vector<std::string_view> protrusion_columns() {
           "cause"};
 }
 
-std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters& p) {
+std::vector<Field> fields(const ProtrusionRecord& r, const Parameters& p) {
   return {count(r.id),  count(r.centre), r.t_initiation,
           r.t_adhesion, r.t_mature,      r.t_disassembly,
           r.t_end,      r.length,        r.direction * 180.0 / std::numbers::pi,
@@ -145,7 +145,7 @@ private:
 
 } // namespace
 
-std::string protrusions_csv(std::span<const CellResult> cells, const ActomyosinParameters& p) {
+std::string protrusions_csv(std::span<const CellResult> cells, const Parameters& p) {
   CellTable table(cells, protrusion_columns());
   for (const CellResult& cell : cells)
     for (const ProtrusionRecord& r : cell.records) table.add(cell.cell, fields(r, p));

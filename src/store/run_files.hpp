@@ -33,14 +33,14 @@ std::vector<Field> fields(const GroupRow& row);
 /// protrusions.csv of a single cell. That of several has the column `cell`, its number, before the others; so have
 /// msd.csv and summary.csv.
 std::vector<std::string_view> protrusion_columns();
-std::vector<Field> fields(const ProtrusionRecord& r, const ActomyosinParameters& p);
+std::vector<Field> fields(const ProtrusionRecord& r, const Parameters& p);
 
 /// A row, or the columns, of a table of several cells.
 std::vector<Field> with_cell(std::uint32_t cell, std::vector<Field> fields);
 std::vector<std::string_view> with_cell(std::vector<std::string_view> columns);
 
 /// The whole of protrusions.csv, cell after cell.
-std::string protrusions_csv(std::span<const CellResult> cells, const ActomyosinParameters& p);
+std::string protrusions_csv(std::span<const CellResult> cells, const Parameters& p);
 
 /// msd.csv, cell after cell, at multiples of an interval [s].
 std::string msd_csv(std::span<const CellResult> cells, double interval);

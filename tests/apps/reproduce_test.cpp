@@ -19,7 +19,7 @@ protected:
 };
 
 TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
-  const Ended ended = run("reproduce A --from '" + kept.string() + "'");
+  const Ended ended = run("reproduce A --closures first --from '" + kept.string() + "'");
   EXPECT_TRUE(contains(ended.out, "A5   calibration  holds ")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "stiffness: 60 of 60 runs done; 0 ended at the rim, 0 by crossing themselves"))
       << ended.out;
@@ -35,13 +35,13 @@ TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
   EXPECT_EQ(run("reproduce A --from nowhere").code, 5);
   std::filesystem::create_directory(folder / "kept");
   write("kept/stiffness-results.csv", "a,b\n");
-  const Ended ended = run("reproduce A5 --from kept");
+  const Ended ended = run("reproduce A5 --closures first --from kept");
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "stiffness-results.csv: has no column run")) << ended.err;
-  EXPECT_EQ(run("reproduce D1 --from kept").code, 4) << "undecided: no results of that study are kept";
-  EXPECT_EQ(run("reproduce V1 --from kept").code, 4) << "nor of that case";
+  EXPECT_EQ(run("reproduce D1 --closures first --from kept").code, 4) << "undecided: no results of that study are kept";
+  EXPECT_EQ(run("reproduce V1 --closures first --from kept").code, 4) << "nor of that case";
   for (const char* of_runs : {"--replicates 3", "--set ecm.radius=40", "--integrator reference", "--jobs 2"})
-    EXPECT_EQ(run(std::string("reproduce A5 --from kept ") + of_runs).code, 2) << of_runs;
+    EXPECT_EQ(run(std::string("reproduce A5 --closures first --from kept ") + of_runs).code, 2) << of_runs;
   EXPECT_EQ(run("reproduce A5 --json --markdown").code, 2);
 }
 
@@ -50,7 +50,7 @@ TEST_F(Reproduce, RefusesResultsOfOtherParameters) {
   std::string results = text_of(kept / "stiffness-results.csv");
   results.replace(results.find('\n') + 1, 16, "0123456789abcdef");
   write("kept/stiffness-results.csv", results);
-  const Ended ended = run("reproduce A5 --from kept");
+  const Ended ended = run("reproduce A5 --closures first --from kept");
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "run 0123456789abcdef is not one of the study")) << ended.err;
 }
@@ -70,11 +70,12 @@ TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {
 }
 
 TEST_F(Reproduce, PagesSayWhatTheKeptResultsGive) {
-  const std::string table = run("reproduce all --markdown --from '" + kept.string() + "'").out;
+  const std::string table = run("reproduce all --markdown --closures first --from '" + kept.string() + "'").out;
   const std::string validation = text_of(root / "docs/validation.md");
   ASSERT_GT(table.size(), 1000U);
   EXPECT_NE(validation.find(table.substr(0, table.find("\n\n"))), std::string::npos)
-      << "write the table of docs/validation.md again: matrigrate reproduce all --markdown --from docs/validation\n"
+      << "write the table of docs/validation.md again: matrigrate reproduce all --closures first --markdown --from "
+         "docs/validation\n"
       << table;
   const std::string bottom = table.substr(table.find("\n\n") + 2);
   const std::string line = bottom.substr(0, bottom.find_last_not_of(".\n") + 1);
@@ -83,7 +84,7 @@ TEST_F(Reproduce, PagesSayWhatTheKeptResultsGive) {
 }
 
 TEST_F(Reproduce, KeptVerdictsFollowFromKeptTables) {
-  run("reproduce all -o again --from '" + kept.string() + "'");
+  run("reproduce all -o again --closures first --from '" + kept.string() + "'");
   EXPECT_EQ(file("again/claims.csv"), text_of(kept / "claims.csv")) << "write it again, with tools/keep_results.sh";
   EXPECT_EQ(file("again/claims-all.csv"), text_of(kept / "conditions.csv"));
   EXPECT_EQ(file("again/fibre-stress.svg"), text_of(kept / "fibre-stress.svg"));
@@ -103,7 +104,7 @@ TEST_F(Reproduce, KeptVerdictsFollowFromKeptTables) {
 }
 
 TEST_F(Reproduce, DrawsOnlyWhatBelongsToTheChosenRows) {
-  run("reproduce A5 -o one --from '" + kept.string() + "'");
+  run("reproduce A5 -o one --closures first --from '" + kept.string() + "'");
   const json page = json::parse(page_data("one/report-A5.html"));
   ASSERT_EQ(page.at("statements").size(), 1U);
   EXPECT_EQ(page.at("statements").at(0).at("studies").dump(), "[\"stiffness\"]");
@@ -113,7 +114,7 @@ TEST_F(Reproduce, DrawsOnlyWhatBelongsToTheChosenRows) {
 }
 
 TEST_F(Reproduce, FiguresOfVerificationCasesStandBesideTheirRows) {
-  run("reproduce V -o parts --from '" + kept.string() + "'");
+  run("reproduce V -o parts --closures first --from '" + kept.string() + "'");
   for (const json& row : json::parse(page_data("parts/report-V.html")).at("statements")) {
     ASSERT_EQ(row.at("plots").size(), 1U) << row.at("id");
     EXPECT_TRUE(row.at("plots").at(0).at("name").get<std::string>().starts_with("validate-"));

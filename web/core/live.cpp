@@ -51,7 +51,7 @@ void Simulation::keep_track() {
   const double interval = m_p.output.track_interval;
   if (m_s.t < m_next_track - 1e-6) return;
   m_next_track = interval * (std::floor(m_s.t / interval + 1e-6) + 1.0);
-  for (const TrackRow& row : track_rows(m_s)) m_tracks.push_back(row);
+  for (const TrackRow& row : track_rows(m_s, m_p.cell.centre_of_mass)) m_tracks.push_back(row);
 }
 
 } // namespace matrigrate::live

@@ -17,7 +17,7 @@ std::vector<double> uneven_maturation(const CortexState& c) {
 }
 
 CortexForce actomyosin(const std::function<std::vector<double>(const CortexState&)>& f_mat,
-                       CurvatureProfile profile = CurvatureProfile::triangle) {
+                       CurvatureProfile profile = ActomyosinParameters{}.curvature_profile) {
   return [f_mat, profile](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
     ActomyosinParameters p;
     p.curvature_profile = profile;
@@ -45,7 +45,7 @@ TEST(CurvatureFactor, IsOneAtTheOptimumAndSymmetricAroundIt) {
 
 TEST(CurvatureFactor, ProfilesDifferInTheirValueAtOneWidth) {
   ActomyosinParameters p;
-  EXPECT_EQ(p.curvature_profile, CurvatureProfile::triangle);
+  EXPECT_EQ(p.curvature_profile, CurvatureProfile::half_gaussian);
   p.curvature_profile = CurvatureProfile::gaussian;
   EXPECT_NEAR(curvature_factor(0.10, p), std::exp(-1.0), 1e-12);
   EXPECT_NEAR(curvature_factor(-0.025, p), std::exp(-0.25), 1e-12);
@@ -58,8 +58,8 @@ TEST(CurvatureFactor, ProfilesDifferInTheirValueAtOneWidth) {
 
 TEST(CurvatureFactor, OfTheRoundBodyIsSmallerThanOfAConcaveFlank) {
   const ActomyosinParameters p;
-  EXPECT_NEAR(curvature_factor(1.0 / 15.0, p), 0.133, 1e-3);
-  EXPECT_NEAR(curvature_factor(-0.1, p), 0.8, 1e-12);
+  EXPECT_NEAR(curvature_factor(1.0 / 15.0, p), std::exp(-0.5 * std::pow((1.0 / 15.0 + 0.15) / 0.25, 2)), 1e-12); // 0.69
+  EXPECT_NEAR(curvature_factor(-0.1, p), std::exp(-0.02), 1e-12);
 }
 
 TEST(Eq6, TakesTheLesserMaturationOfBothEnds) {

@@ -62,6 +62,12 @@ TEST(Geometry, CentroidDoesNotDependOnTheSpacingOfParticles) {
   EXPECT_LT((centroid(c) - centroid(coarse)).norm(), 1e-15);
 }
 
+TEST(Geometry, TheCentreOfMassIsThatOfTheAreaOrOfTheParticles) {
+  const CortexState c = letter_l();
+  EXPECT_EQ(centre_of_mass(c, CentreOfMass::area), centroid(c));
+  EXPECT_LT((centre_of_mass(c, CentreOfMass::particles) - Vec2(1.0, 1.0)).norm(), 1e-15);
+}
+
 TEST(Geometry, AreaGradientIsTheDerivative) {
   CortexState c = wavy_cortex(small_cell());
   std::vector<Vec2> minus_gradient;

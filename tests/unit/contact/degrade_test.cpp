@@ -36,15 +36,15 @@ TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContactWhereAsked) {
   EXPECT_EQ(degradation_rate(d + 1e-6, false, -1.0, p), 0.0);
 }
 
-TEST(DegradationRate, ReadsTheSolidsOwnPressure) {
-  const Parameters p;
+TEST(DegradationRate, ReadsTheSolidsOwnPressureWhereAsked) {
+  Parameters p;
+  p.degradation.pressure = DegradationPressure::solid;
   EXPECT_EQ(degradation_rate(0.1, false, 0.0, p), 0.0); // however hard the contact presses
   EXPECT_GT(degradation_rate(1.89, false, 1.001 * p.degradation.threshold, p), 0.0);
 }
 
-TEST(DegradationRate, AddsThePressuresWhereAsked) {
-  Parameters p;
-  p.degradation.pressure = DegradationPressure::sum;
+TEST(DegradationRate, AddsThePressuresOfSolidAndContact) {
+  const Parameters p;
   const double distance = 1.36; // the contact gives 0.95 of the threshold
   const double of_contact = contact_pressure(distance, p);
   ASSERT_LT(of_contact, p.degradation.threshold);

@@ -82,7 +82,7 @@ TEST(ReadOuts, GiveSpeedsInMicrometresAnHour) {
 
 TEST(ReadOuts, AverageTheProtrusionsForWhichAValueIsDefined) {
   Parameters p;
-  p.actomyosin.force = 0.5;
+  p.actomyosin.force = 0.25; // 0.5 in both strands
   ProtrusionRecord unadhered;
   unadhered.id = 4;
   unadhered.length = 9.0;

@@ -14,7 +14,7 @@ namespace {
 Scene pulling(const Parameters& p) {
   Scene s = cell_in_matrix(p);
   const Vec2 anchor = s.cell.cortex.x[0] + 5.3 * Vec2(std::cos(0.4), std::sin(0.4));
-  add_protrusion(s, 0, Contracting{anchor, 0.8});
+  add_protrusion(s, 0, Contracting{.anchor = anchor, .f_mat = 0.8, .held = anchor}); // the matrix is at rest
   return s;
 }
 
@@ -62,11 +62,11 @@ TEST(Rupture, HappensAtItsShareOfTheMatureForceWhereSwitchedOn) {
   Parameters p;
   EXPECT_FALSE(ruptures(10.0, 0.5, p));
   p.adhesion.rupture = true;
-  EXPECT_FALSE(ruptures(0.299, 0.5, p)); // 0.5 x 0.6 nN
-  EXPECT_TRUE(ruptures(0.301, 0.5, p));
-  p.adhesion.rupture_strands = 2;
-  EXPECT_FALSE(ruptures(0.599, 0.5, p));
+  EXPECT_FALSE(ruptures(0.599, 0.5, p)); // 0.5 x 0.6 nN in each of two strands
   EXPECT_TRUE(ruptures(0.601, 0.5, p));
+  p.adhesion.rupture_strands = 1;
+  EXPECT_FALSE(ruptures(0.299, 0.5, p));
+  EXPECT_TRUE(ruptures(0.301, 0.5, p));
 }
 
 TEST(Lifetimes, OfAdhesionsUnderConstantForceAreExponential) {

@@ -61,6 +61,15 @@ TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
   EXPECT_FALSE(transition(Maturing{d, site, max_maturation_steps}, now, p, time_step).changes);
 }
 
+TEST(Transition, TheSpeedOfRecoilIsThatOfTheTipTowardsItsBase) {
+  const Parameters p = small_matrix();
+  Scene s = cell_in_matrix(p);
+  add_protrusion(s, 50, Maturing{.direction = outward(s, 50), .anchor = 1.2 * s.cell.cortex.x[50]});
+  s.cell.cortex.v[50] = -0.02 * outward(s, 50) + 0.5 * perpendicular(outward(s, 50));
+  const Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, {.step = 1, .t = 0.4}, p, time_step);
+  EXPECT_NEAR(now.recoil, 0.02, 1e-15);
+}
+
 TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
   Parameters p;
   p.adhesion.handover = Handover::immediate;
@@ -111,7 +120,7 @@ TEST(Transition, RuptureIsCertainAboveItsForce) {
   Parameters p;
   p.adhesion.rupture = true;
   Circumstances now = quiet(10.0);
-  now.force = 0.43; // 0.7 x 0.6 nN is 0.42
+  now.force = 0.85; // 0.7 x 0.6 nN in each of two strands is 0.84
   expect_to<Finishing>(transition(Contracting{site, 0.7}, now, p, time_step), EndCause::rupture);
   // while the bundle still pulls, it gives way instead
   EXPECT_LT(expect_to<Contracting>(transition(Contracting{site, 0.7, 0.1}, now, p, time_step)).bundle, 0.1);

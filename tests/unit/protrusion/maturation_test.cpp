@@ -25,6 +25,18 @@ TEST(Maturation, AStepIsDoneAtNinetyEightPercentOfItsForce) {
   EXPECT_DOUBLE_EQ(step_force(4, p), 0.4 * 0.6 + 0.98 * 0.06);
 }
 
+TEST(Maturation, TheFirstStepWaitsUntilTheRecoilOfGrowthIsOver) {
+  Parameters p;
+  p.adhesion.rest_speed = 0.004;
+  EXPECT_FALSE(step_done(0, 0.06, 0.0041, p)) << "tip and matrix still spring back together";
+  EXPECT_TRUE(step_done(0, 0.06, 0.0039, p));
+  EXPECT_FALSE(step_done(0, 0.05, 0.0, p)) << "the adhesion does not bear the step yet";
+  EXPECT_TRUE(step_done(1, 0.12, 0.1, p)) << "later steps count by their force alone";
+  EXPECT_FALSE(step_done(max_maturation_steps, 1.0, 0.0, p));
+  p.adhesion.rest_speed = 0.0;
+  EXPECT_TRUE(step_done(0, 0.06, 10.0, p)) << "at any speed";
+}
+
 TEST(Maturation, EndsAtTheStepsDoneAndTheShareOfTheRunningOneByTime) {
   const Parameters p;                                   // T_mat = 600 s
   EXPECT_DOUBLE_EQ(final_f_mat(3, 450.0, 0.0, p), 0.4); // 150 s a step: the paper's 0.1 x 600/150

@@ -77,6 +77,15 @@ TEST(Compare, WhatIsNotDefinedIsNaN) {
   EXPECT_TRUE(holm({}).empty());
 }
 
+TEST(Compare, AnEffectFarBeyondTheScatterHasNoInterval) { // one rounding apart: t is about 1e16
+  const std::vector<double> a{1.0, 1.0 + 2.3e-16, 1.0};
+  const std::vector<double> b{2.0, 2.0, 2.0};
+  const Interval g = hedges_g(a, b, 0.05);
+  EXPECT_GT(std::abs(g.value), 1e12);
+  EXPECT_TRUE(std::isnan(g.low));
+  EXPECT_TRUE(std::isnan(g.high));
+}
+
 TEST(Compare, EffectSize) {
   // d = t sqrt(1/10 + 1/10) = 0.832181; J(18) = 1 - 3/(4 18 - 1) to three digits (Hedges 1981)
   const Interval g = hedges_g(sleep_1, sleep_2, 0.05);

@@ -87,15 +87,15 @@ TEST(RunFiles, ProtrusionsHaveTheTimesOfTheirTransitions) {
   r.length = 25.5;
   r.direction = std::numbers::pi / 2.0;
   r.f_mat = 0.5;
-  r.force = 0.15;
+  r.force = 0.3;
   r.cause = EndCause::rupture;
   std::vector<CellResult> cells{{.records = {r}}};
   const std::string columns = "id,centre_particle,t_initiation_s,t_adhesion_s,t_mature_s,t_disassembly_s,t_end_s,"
                               "length_um,direction_deg,f_mat,force_nN,f_adh_rel,cause\n";
-  const std::string row = "3,17,100,500,1100,2000,,25.5,90,0.5,0.15,0.5,rupture\n";
-  EXPECT_EQ(protrusions_csv(cells, {.force = 0.6}), columns + row);
+  const std::string row = "3,17,100,500,1100,2000,,25.5,90,0.5,0.3,0.5,rupture\n"; // of both strands: 2 x 0.5 x 0.6 nN
+  EXPECT_EQ(protrusions_csv(cells, {}), columns + row);
   cells.push_back({.cell = 1, .records = {r}});
-  EXPECT_EQ(protrusions_csv(cells, {.force = 0.6}), "cell," + columns + "1," + row + "2," + row);
+  EXPECT_EQ(protrusions_csv(cells, {}), "cell," + columns + "1," + row + "2," + row);
 }
 
 TEST(Summary, IsTheSameInBothFormats) {
