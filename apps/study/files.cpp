@@ -75,10 +75,10 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
 std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
   if (comparisons.empty()) return {};
   const bool few = std::ranges::any_of(comparisons, few_runs);
-  return fmt::format("Holm's p is corrected over all pairs of a read-out; detectable: the smallest difference that as "
-                     "many runs find with {:.0f} % power.\n{}",
+  return fmt::format("Holm's p is corrected over all pairs of a read-out; detectable: the smallest\n"
+                     "difference that as many runs find with {:.0f} % power.\n{}",
                      100.0 * study::wanted_power,
-                     few ? fmt::format("A p needs at least {} runs at each point; below that \"-\" is printed "
+                     few ? fmt::format("A p needs at least {} runs at each point; below that \"-\" is printed\n"
                                        "(statistics.csv holds all p).\n",
                                        study::least_runs)
                          : "");
