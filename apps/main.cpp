@@ -1,3 +1,4 @@
+#include "apps/terminal/sudden_end.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/terminal/usage.hpp"
 #include "apps/verbs.hpp"
@@ -114,6 +115,7 @@ int main(int argc, char** argv) {
   ::mallopt(M_TRIM_THRESHOLD, 8 << 20); // what each step takes and gives back stays
   std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end
   std::set_terminate(end_by_terminate);
+  give_sudden_ends_an_exit_code();
   try {
     return run_program(argc, argv);
   } catch (const UsageError& error) {

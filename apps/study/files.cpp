@@ -17,7 +17,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-constexpr std::size_t most = 30; // points or pairs that a person reads
+constexpr std::size_t most_shown = 30; // points or pairs that a person reads
 
 std::string groups_text(const StudyFolder& study, const std::vector<study::ReadOutSample>& samples,
                         const std::string& readout) {
@@ -48,7 +48,7 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
   std::size_t left_out = 0;
   for (const study::Comparison& c : comparisons) {
     if (c.readout != readout || std::isnan(c.difference.value)) continue;
-    if (rows.size() > most) {
+    if (rows.size() > most_shown) {
       ++left_out;
       continue;
     }
@@ -75,10 +75,10 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
 std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
   if (comparisons.empty()) return {};
   const bool few = std::ranges::any_of(comparisons, few_runs);
-  return fmt::format("Holm's p is corrected over all pairs of a read-out; detectable: the smallest difference that as "
-                     "many runs find with {:.0f} % power.\n{}",
+  return fmt::format("Holm's p is corrected over all pairs of a read-out; detectable: the smallest\n"
+                     "difference that as many runs find with {:.0f} % power.\n{}",
                      100.0 * study::wanted_power,
-                     few ? fmt::format("A p needs at least {} runs at each point; below that \"-\" is printed "
+                     few ? fmt::format("A p needs at least {} runs at each point; below that \"-\" is printed\n"
                                        "(statistics.csv holds all p).\n",
                                        study::least_runs)
                          : "");
@@ -111,7 +111,7 @@ std::string collected_text(const StudyFolder& study, const Collected& collected)
         samples, [&](const study::ReadOutSample& s) { return s.readout == readout && s.moments.n > 0; });
     text += readout + (defined ? "\n" : ": no run has a value yet\n");
     if (!defined) continue;
-    if (study.study.points.size() <= most) text += groups_text(study, samples, readout);
+    if (study.study.points.size() <= most_shown) text += groups_text(study, samples, readout);
     text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
   return text + remarks_text(collected.comparisons) + screening_text(study.study, collected.screening);

@@ -14,7 +14,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-constexpr std::size_t most = 10; // rows that a person reads
+constexpr std::size_t most_rows = 10; // rows that a person reads
 
 std::string percent(const study::Study& study) {
   return fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.comparisons.alpha));
@@ -24,13 +24,13 @@ std::string sets_text(const study::Study& study, const std::vector<study::Discre
   const std::size_t targets = study::terms(study).size();
   std::vector<std::vector<std::string>> rows{{"factors", "discrepancy", percent(study), "targets"}};
   for (const std::size_t i : study::ranking(all)) {
-    if (rows.size() > most) break;
+    if (rows.size() > most_rows) break;
     rows.push_back({set_text(study, all[i].set), number_text(all[i].value.value),
                     study.replicates < study::least_runs ? "-" : interval_text(all[i].value),
                     fmt::format("{} of {}", all[i].judged, targets)});
   }
   std::string text = "discrepancy from the targets\n" + aligned(rows, 1);
-  if (all.size() > most) text += fmt::format("  and {} more in discrepancy.csv\n", all.size() - most);
+  if (all.size() > most_rows) text += fmt::format("  and {} more in discrepancy.csv\n", all.size() - most_rows);
   const auto partly = std::ranges::count_if(all, [&](const auto& d) { return d.judged < targets; });
   if (partly > 0)
     text += fmt::format("  {} of {} could not be judged by all targets: a target needs 2 runs with a value.\n", partly,
@@ -79,12 +79,13 @@ std::string effects_text(const study::Study& study, std::span<const study::Effec
   }
   std::ranges::stable_sort(lines, std::greater(), &Line::size);
   std::vector<std::vector<std::string>> rows{head};
-  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_rows, lines.size()); ++i) {
     rows.push_back({lines[i].title});
     rows.back().insert(rows.back().end(), lines[i].cells.begin(), lines[i].cells.end());
   }
   return what + "\n" + aligned(rows, 1)
-         + (lines.size() > most ? fmt::format("  and {} more in effects.csv\n", lines.size() - most) : "") + "\n";
+         + (lines.size() > most_rows ? fmt::format("  and {} more in effects.csv\n", lines.size() - most_rows) : "")
+         + "\n";
 }
 
 } // namespace

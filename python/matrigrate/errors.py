@@ -51,7 +51,7 @@ class _OfFolder(MatrigrateError):
 
 
 class NumericalError(_OfFolder):
-    """The run failed numerically, or a run of a study did (exit code 4)."""
+    """The run failed numerically, or a run of a study did; or memory ran out, or the program crashed (exit code 4)."""
 
 
 class InputOutputError(_OfFolder, OSError):

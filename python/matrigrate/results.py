@@ -1,9 +1,10 @@
 """Folders of runs."""
 from __future__ import annotations
 
+import math
 import os
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
@@ -53,6 +54,14 @@ _meanings = {
     "nearest_um": "distance of the nearest other cell at the end",
     "order": "length of the mean unit vector of displacements over 10 min, mean over time",
 }
+
+_of_uniaxial_fibres = frozenset(("path_angle_deg", "f_mat_along", "f_mat_across", "share_ruptured_along",
+                                 "share_ruptured_across"))
+
+
+def _is_shown(name: str, values: Iterable[float]) -> bool:
+    """Whether a read-out is printed: those that only uniaxial fibres have are not where no cell has a value."""
+    return name not in _of_uniaxial_fibres or not all(math.isnan(value) for value in values)
 
 
 def meaning(readout: str) -> str:
@@ -108,7 +117,7 @@ class Readouts(Mapping[str, float]):
 
     def __repr__(self) -> str:
         return "\n".join(f"{name:<26}{value:>12.4g} {unit_of(name) if unit_of(name) != '1' else '':<6} {meaning(name)}"
-                         for name, value in self._values.items())
+                         for name, value in self._values.items() if _is_shown(name, [value]))
 
 
 class ReadoutsOfCells(Mapping[int, Readouts]):
@@ -168,6 +177,8 @@ class ReadoutsOfCells(Mapping[int, Readouts]):
     def __repr__(self) -> str:
         rows = [" " * 26 + "".join(f"{f'cell {number}':>12}" for number in self._cells)]
         for name in self.names:
+            if not _is_shown(name, self[name]):
+                continue
             unit = unit_of(name) if unit_of(name) != "1" else ""
             rows.append(f"{name:<26}{''.join(f'{value:>12.4g}' for value in self[name])} {unit:<6} {meaning(name)}")
         return "\n".join(rows)

@@ -16,9 +16,9 @@ struct Field::Source {
   std::variant<Formula, std::shared_ptr<const Grid>> of;
 };
 
-Field::Field(const std::string& text, const std::filesystem::path& folder) : m_text(text) {
+Field::Field(const std::string& text, const std::filesystem::path& folder, Grids* grids) : m_text(text) {
   if (const auto words = file_words(text)) {
-    NamedGrid named = grid_of(*words, folder);
+    NamedGrid named = grids != nullptr ? grids->of(*words, folder) : Grids().of(*words, folder);
     m_text = std::move(named.text);
     m_source = std::make_unique<Source>(Source{std::move(named.grid)});
   } else {

@@ -9,6 +9,8 @@
 /// Numbers over the plane, as a scenario gives them. Test: tests/unit/fields/fields_test.cpp
 namespace matrigrate::fields {
 
+class Grids;
+
 /// A field that a scenario names by one text:
 ///
 ///   "200 + 50*tanh(x/20)"                      a formula in x, y and r [um] (Formula)
@@ -21,9 +23,10 @@ namespace matrigrate::fields {
 class Field {
 public:
   /// @param folder  that relative names of files count from
+  /// @param grids   those that were read already, and then this one as well; null: a file is read
   /// @throws std::invalid_argument saying what is wrong with the text or the file
   /// @throws InputOutputError if a file cannot be read
-  Field(const std::string& text, const std::filesystem::path& folder);
+  Field(const std::string& text, const std::filesystem::path& folder, Grids* grids = nullptr);
   Field(Field&&) noexcept;
   ~Field();
 

@@ -40,43 +40,6 @@ struct Kept {
   NamedGrid of;
 };
 
-class Keeper {
-public:
-  /// The fingerprint of a file, if it is still as it was read.
-  std::string hash_of(const std::filesystem::path& file, const std::optional<Version>& version) {
-    const std::scoped_lock lock(m_mutex);
-    const auto found = std::ranges::find_if(
-        m_kept, [&](const Kept& kept) { return kept.file == file && kept.version && kept.version == version; });
-    return found == m_kept.end() ? "" : found->hash;
-  }
-
-  std::shared_ptr<const Grid> grid_of(const std::string& text) {
-    const std::scoped_lock lock(m_mutex);
-    const auto found = std::ranges::find_if(m_kept, [&](const Kept& kept) { return kept.of.text == text; });
-    return found == m_kept.end() ? nullptr : found->of.grid;
-  }
-
-  void keep(Kept kept) {
-    const std::scoped_lock lock(m_mutex);
-    std::erase_if(m_kept, [&](const Kept& other) { return other.of.text == kept.of.text; });
-    m_kept.insert(m_kept.begin(), std::move(kept));
-    std::size_t number = 0, values = 0;
-    while (number < std::min(m_kept.size(), kept_grids) && values <= kept_values)
-      values += m_kept[number++].of.grid->samples.values.size();
-    if (values > kept_values && number > 1) --number;
-    m_kept.resize(number);
-  }
-
-private:
-  std::mutex m_mutex;
-  std::vector<Kept> m_kept; ///< the last one first
-};
-
-Keeper& keeper() {
-  static Keeper all;
-  return all;
-}
-
 void require(const FileWords& words, std::initializer_list<const char*> keys) {
   for (const char* needed : keys)
     if (!words.options.contains(needed))
@@ -123,10 +86,45 @@ Grid read_grid(const FileWords& words, std::string_view bytes) {
 
 } // namespace
 
-NamedGrid grid_of(const FileWords& words, const std::filesystem::path& folder) {
+class Grids::Keeper {
+public:
+  /// The fingerprint of a file, if it is still as it was read.
+  std::string hash_of(const std::filesystem::path& file, const std::optional<Version>& version) {
+    const std::scoped_lock lock(m_mutex);
+    const auto found = std::ranges::find_if(
+        m_kept, [&](const Kept& kept) { return kept.file == file && kept.version && kept.version == version; });
+    return found == m_kept.end() ? "" : found->hash;
+  }
+
+  std::shared_ptr<const Grid> grid_of(const std::string& text) {
+    const std::scoped_lock lock(m_mutex);
+    const auto found = std::ranges::find_if(m_kept, [&](const Kept& kept) { return kept.of.text == text; });
+    return found == m_kept.end() ? nullptr : found->of.grid;
+  }
+
+  void keep(Kept kept) {
+    const std::scoped_lock lock(m_mutex);
+    std::erase_if(m_kept, [&](const Kept& other) { return other.of.text == kept.of.text; });
+    m_kept.insert(m_kept.begin(), std::move(kept));
+    std::size_t number = 0, values = 0;
+    while (number < std::min(m_kept.size(), kept_grids) && values <= kept_values)
+      values += m_kept[number++].of.grid->samples.values.size();
+    if (values > kept_values && number > 1) --number;
+    m_kept.resize(number);
+  }
+
+private:
+  std::mutex m_mutex;
+  std::vector<Kept> m_kept; ///< the last one first
+};
+
+Grids::Grids() : m_keeper(std::make_unique<Keeper>()) {}
+Grids::~Grids() = default;
+
+NamedGrid Grids::of(const FileWords& words, const std::filesystem::path& folder) {
   const std::filesystem::path file = std::filesystem::absolute(folder / words.name).lexically_normal();
   const std::optional<Version> version = version_of(file);
-  std::string hash = keeper().hash_of(file, version), bytes;
+  std::string hash = m_keeper->hash_of(file, version), bytes;
   const auto read = [&] {
     bytes = read_file(file, max_file_bytes);
     hash = fmt::format("{:016x}", XXH3_64bits(bytes.data(), bytes.size()));
@@ -135,11 +133,11 @@ NamedGrid grid_of(const FileWords& words, const std::filesystem::path& folder) {
   if (const std::string given = words.word("hash"); !given.empty() && given != hash)
     throw std::invalid_argument(
         fmt::format("{} has changed: its fingerprint is {}, and was {}", file.string(), hash, given));
-  NamedGrid named{keeper().grid_of(words.text(file, hash)), words.text(file, hash)};
+  NamedGrid named{m_keeper->grid_of(words.text(file, hash)), words.text(file, hash)};
   if (named.grid) return named;
   if (bytes.empty()) read();
   named = {std::make_shared<const Grid>(read_grid(words, bytes)), words.text(file, hash)};
-  keeper().keep({file, version, hash, named});
+  m_keeper->keep({file, version, hash, named});
   return named;
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-/// Grids from files, each of which is read once. Test: tests/unit/fields/fields_test.cpp
+/// Grids from files. Test: tests/unit/fields/fields_test.cpp
 namespace matrigrate::fields {
 
 struct FileWords;
@@ -26,10 +26,25 @@ struct NamedGrid {
   std::string text;
 };
 
-/// The grid that a text names. A file that has not changed since it was read by this process is not read again, as long
-/// as its grid is among the last ones: eight, or 256 MB of values. Fingerprint and values are of the same bytes.
-/// @throws std::invalid_argument if the file is not what the text says, or has another fingerprint
-/// @throws InputOutputError if it cannot be read
-NamedGrid grid_of(const FileWords& words, const std::filesystem::path& folder);
+/// The grids of a scenario or a study, so that each file is read once: the last eight of them, or 256 MB of values.
+/// Threads may share it. What it keeps changes no result, since a text names a file together with its fingerprint.
+class Grids {
+public:
+  Grids();
+  Grids(const Grids&) = delete;
+  Grids& operator=(const Grids&) = delete;
+  ~Grids();
+
+  /// The grid that a text names. A file that has not changed since it was read is not read again, as long as its grid
+  /// is kept. Fingerprint and values are of the same bytes.
+  /// @param folder  that a relative name counts from
+  /// @throws std::invalid_argument if the file is not what the text says, or has another fingerprint
+  /// @throws InputOutputError if it cannot be read
+  NamedGrid of(const FileWords& words, const std::filesystem::path& folder);
+
+private:
+  class Keeper;
+  std::unique_ptr<Keeper> m_keeper;
+};
 
 } // namespace matrigrate::fields

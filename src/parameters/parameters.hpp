@@ -1,8 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+namespace matrigrate::fields {
+class Grids;
+}
 
 /// Every parameter of a simulation, in internal units: um, s, nN; stress in kPa, viscosity in nN s/um^2 = 1000 Pa s.
 /// Defaults are Table 1 of Heck et al. 2020 and the interpretations of MODEL.md. Their names, units, ranges and sources
@@ -276,6 +281,10 @@ struct Parameters {
   OutputParameters output;
   SolverParameters solver;
   std::vector<CellStart> cells; ///< of several cells; empty: one, which starts at (cell.start_x, cell.start_y)
+
+  /// No parameter: what was read of the files that fields name, kept by readers and shared by copies
+  /// (fields/grids.hpp).
+  std::shared_ptr<fields::Grids> grids;
 };
 
 /// Where the cells start, in the order of their ids: Parameters::cells, or the one at cell.start_x, cell.start_y.

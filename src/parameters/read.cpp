@@ -1,6 +1,7 @@
 #include "parameters/read.hpp"
 
 #include "fields/field.hpp"
+#include "fields/grids.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/earlier.hpp"
@@ -53,7 +54,9 @@ class Reader {
 public:
   /// @param file  as it stands in faults
   Reader(const Parameters& defaults, std::string file)
-      : m_parameters(defaults), m_start(defaults.run), m_faults(std::move(file)) {}
+      : m_parameters(defaults), m_start(defaults.run), m_faults(std::move(file)) {
+    if (!m_parameters.grids) m_parameters.grids = std::make_shared<fields::Grids>();
+  }
 
   void read_text(std::string_view text) {
     auto document = parse_document(text, m_faults.file());
@@ -160,7 +163,8 @@ private:
     std::string fault = assign(*row, given_by(node), m_parameters);
     if (fault.empty() && kind(*row) == Kind::field)
       fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),
-                             place.file == command_line ? "" : std::filesystem::path(place.file).parent_path());
+                             place.file == command_line ? "" : std::filesystem::path(place.file).parent_path(),
+                             *m_parameters.grids);
     if (!fault.empty()) complain(place, path, fault);
   }
 
@@ -229,10 +233,10 @@ private:
 
 } // namespace
 
-std::string complete_field(std::string& text, const std::filesystem::path& folder) {
+std::string complete_field(std::string& text, const std::filesystem::path& folder, fields::Grids& grids) {
   if (text.empty() || fields::names_one_file(text)) return {};
   try {
-    text = fields::Field(text, folder).text();
+    text = fields::Field(text, folder, &grids).text();
   } catch (const std::invalid_argument& error) {
     return excerpt(error.what(), 300);
   } catch (const InputOutputError& error) {

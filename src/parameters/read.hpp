@@ -31,8 +31,9 @@ Parameters parse_parameters(std::string_view text, const std::string& name,
 /// Makes the text of a field the same from any folder: the whole path of its file, with a fingerprint of the content. A
 /// text with a fingerprint is so already; its file is read when its values are needed.
 /// @param folder  that names of files count from
+/// @param grids   keeps what is read
 /// @return what is wrong; empty if nothing is
-std::string complete_field(std::string& text, const std::filesystem::path& folder);
+std::string complete_field(std::string& text, const std::filesystem::path& folder, fields::Grids& grids);
 
 /// @throws ConfigurationError with all faults, those of the file "--set"
 Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides,

@@ -30,7 +30,7 @@ std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_v
   const std::string text = text_of(p, row);
   if (text.empty()) return nullptr;
   try {
-    return std::make_shared<const fields::Field>(text, "");
+    return std::make_shared<const fields::Field>(text, "", p.grids.get());
   } catch (const std::invalid_argument& error) {
     throw ConfigurationError({{"", 0, 0, std::string(path), error.what()}});
   } catch (const InputOutputError& error) {

@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t block = 512; // HDF5 looks for its beginning at 0, 512, 1024, ...
 constexpr std::string_view checkpoint_magic = "matrigrate checkpoint ";
+constexpr const char* other_length = "is cut short, or its first line has been changed";
 constexpr std::size_t max_checkpoint_bytes = std::size_t{4} << 30U;
 
 std::string fingerprint(std::string_view bytes) {
@@ -49,6 +50,11 @@ int version_in(std::string_view start, const std::string& name) {
   return version;
 }
 
+/// How a checkpoint begins that has so many bytes behind its first line.
+std::string promise_of(int version, std::uintmax_t bytes) {
+  return fmt::format("{}{} bytes {} ", checkpoint_magic, version, bytes);
+}
+
 /// The HDF5 file behind a user block that promises it. @throws InputOutputError with the reason
 std::string_view checked_content(std::string_view image, const std::string& name) {
   const auto refuse = [&name](std::string_view why) { throw InputOutputError(fmt::format("{}: {}", name, why)); };
@@ -56,9 +62,8 @@ std::string_view checked_content(std::string_view image, const std::string& name
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
   if (image.substr(0, block) == first_line(version, content)) return content;
-  const std::string promised = fmt::format("{}{} bytes {} ", checkpoint_magic, version, content.size());
-  refuse(image.starts_with(promised) ? "has been changed: its fingerprint is another"
-                                     : "is cut short, or its first line has been changed");
+  refuse(image.starts_with(promise_of(version, content.size())) ? "has been changed: its fingerprint is another"
+                                                                : other_length);
   return {};
 }
 
@@ -270,7 +275,12 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
-  version_in(read_start(file, block), file.string()); // before all of a large file is read
+  const std::string start = read_start(file, block); // before all of a large file is read
+  const int version = version_in(start, file.string());
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size >= block && !start.starts_with(promise_of(version, size - block)))
+    throw InputOutputError(fmt::format("{}: {}", file.string(), other_length));
   return parse_checkpoint(read_file(file, max_checkpoint_bytes), file.string());
 }
 

@@ -1,5 +1,6 @@
 #include "study/read_study.hpp"
 
+#include "fields/grids.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
@@ -58,7 +59,6 @@ public:
     }
     m_table = std::move(std::get<toml::table>(document));
     check_keys();
-    complete_fields_of_sections();
     read_head();
     read_base();
     read_points();
@@ -99,13 +99,16 @@ private:
     }
   }
 
+  /// Of the base and of all points, with what was read of their files.
   void complete_fields_of_sections() {
+    if (!m_study.base.grids) m_study.base.grids = std::make_shared<fields::Grids>();
+    const auto complete = [&](toml::table& table) { complete_fields(table, m_folder, *m_study.base.grids, m_faults); };
     for (const char* key : {"set", "sweep", "one_at_a_time", "morris"})
-      if (toml::table* table = m_table[key].as_table()) complete_fields(*table, m_folder, m_faults);
+      if (toml::table* table = m_table[key].as_table()) complete(*table);
     for (const char* key : {"points", "conditions"})
       if (toml::array* list = m_table[key].as_array())
         for (toml::node& node : *list)
-          if (toml::table* table = node.as_table()) complete_fields(*table, m_folder, m_faults);
+          if (toml::table* table = node.as_table()) complete(*table);
   }
 
   void read_head() {
@@ -150,6 +153,7 @@ private:
     } catch (const ConfigurationError& error) {
       m_faults.add(error.faults());
     }
+    complete_fields_of_sections();
     fix_parameters();
     try {
       if (m_faults.empty() && !m_changes.overrides.empty())

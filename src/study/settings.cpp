@@ -42,17 +42,17 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
 }
 
 void complete_fields_in(toml::table& table, const std::string& prefix, const std::filesystem::path& folder,
-                        FaultList& faults) {
+                        fields::Grids& grids, FaultList& faults) {
   for (auto&& [name, node] : table) {
     const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
     const auto complete = [&](toml::node& one) {
       if (toml::value<std::string>* text = one.as_string())
-        if (std::string fault = complete_field(text->get(), folder); !fault.empty())
+        if (std::string fault = complete_field(text->get(), folder, grids); !fault.empty())
           faults.add(place_of(one), path, std::move(fault));
     };
     const Row* row = find_row(path);
     if (row == nullptr && node.is_table() && is_section(path))
-      complete_fields_in(*node.as_table(), path, folder, faults);
+      complete_fields_in(*node.as_table(), path, folder, grids, faults);
     if (row == nullptr || kind(*row) != Kind::field) continue;
     complete(node);
     if (toml::array* list = node.as_array())
@@ -62,8 +62,8 @@ void complete_fields_in(toml::table& table, const std::string& prefix, const std
 
 } // namespace
 
-void complete_fields(toml::table& table, const std::filesystem::path& folder, FaultList& faults) {
-  complete_fields_in(table, "", folder, faults);
+void complete_fields(toml::table& table, const std::filesystem::path& folder, fields::Grids& grids, FaultList& faults) {
+  complete_fields_in(table, "", folder, grids, faults);
 }
 
 std::string without_folder(const std::string& value) {

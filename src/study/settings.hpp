@@ -32,7 +32,8 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
 
 /// Completes each field that a table names (complete_field), be it one text or a list of them, so that its file counts
 /// from the folder of the study and its content decides on the runs.
-void complete_fields(toml::table& table, const std::filesystem::path& folder, FaultList& faults);
+/// @param grids  keeps what is read
+void complete_fields(toml::table& table, const std::filesystem::path& folder, fields::Grids& grids, FaultList& faults);
 
 /// The value of a setting as people read it: of a field from a file without folder and fingerprint; others as they are.
 std::string without_folder(const std::string& value);

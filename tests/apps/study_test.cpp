@@ -396,6 +396,8 @@ TEST_F(Study, CollectPrintsNoPOfTwoRuns) {
     const std::string text = run("study collect e-study").out;
     const std::string pair = "  youngs_modulus 50 Pa  youngs_modulus 100 Pa ";
     EXPECT_EQ(contains(text, "A p needs at least 3 runs at each point"), replicates < 3) << text;
+    std::istringstream remarks(text.substr(std::min(text.find("Holm's p is corrected"), text.size())));
+    for (std::string line; std::getline(remarks, line);) EXPECT_LE(line.size(), 80U) << "wider than a terminal";
     const std::size_t begin = text.find(pair);
     if (begin == std::string::npos) return text;
     return text.substr(begin + pair.size(), text.find('\n', begin) - begin - pair.size());

@@ -2,7 +2,9 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "fields/file_words.hpp"
 #include "fields/formula.hpp"
+#include "fields/grids.hpp"
 #include "fields/samples.hpp"
 
 #include <gtest/gtest.h>
@@ -205,6 +207,19 @@ TEST_F(FieldFiles, TheTextOfAFileHoldsItsPathAndFingerprint) {
   EXPECT_NE(what("E.csv column=c").find("has no column c"), std::string::npos);
   EXPECT_THROW(Field("none.csv", folder), InputOutputError);
   EXPECT_EQ(Field("1 + x", folder).text(), "1 + x");
+}
+
+TEST_F(FieldFiles, AreReadOnceByThoseWhoShareGrids) {
+  write_file(folder / "E.csv", "x_um,y_um,a,b\n0,0,1,5\n1,0,1,5\n0,1,1,5\n1,1,1,5\n");
+  Grids grids, others;
+  const FileWords a = *file_words("E.csv column=a"), b = *file_words("E.csv column=b");
+  const NamedGrid first = grids.of(a, folder);
+  EXPECT_EQ(grids.of(a, folder).grid, first.grid);
+  EXPECT_EQ(grids.of(*file_words(first.text), "/nowhere").grid, first.grid) << "by its whole path";
+  EXPECT_NE(grids.of(b, folder).grid, first.grid) << "another column";
+  EXPECT_NE(others.of(a, folder).grid, first.grid) << "nothing is shared by the whole program";
+  write_file(folder / "E.csv", "x_um,y_um,a,b\n0,0,1,5\n1,0,1,5\n0,1,1,5\n1,1,2,5\n");
+  EXPECT_EQ(grids.of(a, folder).grid->at({1.0, 1.0}), 2.0) << "a file that has changed";
 }
 
 } // namespace

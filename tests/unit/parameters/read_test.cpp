@@ -1,7 +1,13 @@
+#include "base/file.hpp"
 #include "faults.hpp"
+#include "fields/file_words.hpp"
+#include "fields/grids.hpp"
 #include "parameters/schema.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 namespace matrigrate {
 namespace {
@@ -10,6 +16,19 @@ TEST(Read, AnEmptyTextIsAllDefaults) {
   EXPECT_TRUE(same(parse_parameters("", "f.toml"), Parameters{}));
   EXPECT_TRUE(same(parse_parameters("# nothing\n\n[ecm]\n[run]\n", "f.toml"), Parameters{}));
   EXPECT_TRUE(same(parse_parameters("\xef\xbb\xbf", "f.toml"), Parameters{}));
+}
+
+TEST(Read, KeepsTheGridsThatFieldsName) {
+  const auto file = std::filesystem::temp_directory_path() / ("E_" + std::to_string(::getpid()) + ".csv");
+  write_file(file, "x_um,y_um,E\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n");
+  const std::string text = "[ecm.fields]\nyoungs_modulus = \"" + file.string() + "\"\n";
+  const Parameters p = parse_parameters(text, "f.toml"), other = parse_parameters(text, "f.toml");
+  const auto grid = [](const Parameters& of) {
+    return of.grids->of(*fields::file_words(of.ecm.fields.youngs_modulus), "").grid;
+  };
+  EXPECT_EQ(grid(apply_overrides(p, {"run.seed=2"})), grid(p)) << "the one that was read first";
+  EXPECT_NE(grid(other), grid(p)) << "nothing is shared by the whole program";
+  std::filesystem::remove(file);
 }
 
 TEST(Read, EveryKindIsRead) {

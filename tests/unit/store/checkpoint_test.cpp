@@ -69,14 +69,18 @@ std::string refusal(std::string_view image) {
 
 TEST(Checkpoint, IsKnownByItsFirstBytes) {
   const auto file = std::filesystem::temp_directory_path() / ("junk_" + std::to_string(::getpid()) + ".h5");
-  write_file(file, "junk");
-  std::filesystem::resize_file(file, std::uintmax_t{8} << 30U); // more than is ever read
-  try {
-    store::read_checkpoint(file);
-    ADD_FAILURE() << "accepted";
-  } catch (const InputOutputError& error) {
-    EXPECT_EQ(error.what(), file.string() + ": is no checkpoint of matrigrate");
-  }
+  const auto expect_refused = [&file](const std::string& start, const std::string& why) {
+    write_file(file, start);
+    std::filesystem::resize_file(file, std::uintmax_t{8} << 30U); // more than is ever read
+    try {
+      store::read_checkpoint(file);
+      ADD_FAILURE() << "accepted";
+    } catch (const InputOutputError& error) {
+      EXPECT_EQ(error.what(), file.string() + why);
+    }
+  };
+  expect_refused("junk", ": is no checkpoint of matrigrate");
+  expect_refused(store::checkpoint_image(example()), ": is cut short, or its first line has been changed");
   std::filesystem::remove(file);
 }
 
