@@ -36,7 +36,7 @@ complete -c matrigrate -n '__matrigrate_at' -l version -d 'Display program versi
 
 complete -c matrigrate -n '__matrigrate_at new' -F
 complete -c matrigrate -n '__matrigrate_at new' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres two-cells' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON schema that the first line names for editors, seen from FILE (default: scenario.schema.json, which is then written beside FILE)'
 
 complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
@@ -80,7 +80,7 @@ complete -c matrigrate -n '__matrigrate_at resume' -l quiet -d 'Show no progress
 
 complete -c matrigrate -n '__matrigrate_at demo' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: matrigrate-demo, or -2, -3, ...)'
-complete -c matrigrate -n '__matrigrate_at demo' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres two-cells' -d 'What is simulated: see `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at demo' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What is simulated: see `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at demo' -l hours -x -d 'Simulated time in hours (default: 3)'
 complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the page'
 
@@ -181,6 +181,7 @@ complete -c matrigrate -n '__matrigrate_at reproduce' -s o -l output -x -a '(__f
 complete -c matrigrate -n '__matrigrate_at reproduce' -l replicates -x -d 'Runs at each point (default: as many as the paper)'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l integrator -x -a 'adaptive reference' -d 'adaptive (default) or reference'
+complete -c matrigrate -n '__matrigrate_at reproduce' -l closures -x -d 'Set of closures: second (default) or first (MODEL.md)'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l set -x -d 'key=value, over all studies; may be repeated'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l from -x -a '(__fish_complete_directories)' -d 'Folder with kept tables (<study>-results.csv) to judge by; nothing is run'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l markdown -d ''

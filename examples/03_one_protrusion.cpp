@@ -25,11 +25,12 @@ int main(int argc, char** argv) {
   p.run.integrator = Integrator::adaptive;
   p.run.time_step = usual_time_step(p.run.integrator);
 
-  // Particle 0 stands at angle 0: the protrusion grows along x, away from the centre of mass.
+  // Particle 15 stands at 23 degrees: the protrusion grows away from the centre of mass, off the axes of the lattice,
+  // along which protrusions are a little shorter.
   State s = initial_state(p);
-  constexpr std::size_t centre = 0;
+  constexpr std::size_t centre = 15;
   Cell& cell = s.cells.front();
-  begin_protrusion(cell, centre, centroid(cell.cortex), s.t, p.protrusion);
+  begin_protrusion(cell, centre, centre_of_mass(cell.cortex, p.cell.centre_of_mass), s.t, p.protrusion);
   Workspace w(s, p);
 
   fmt::print("time [s]  length [um]\n");

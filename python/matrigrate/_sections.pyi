@@ -122,6 +122,8 @@ class Cell(Section):
     """The cell."""
     radius: _Quantity
     """Radius of the cell at the start (R); > 0 and <= 500 um. A bare number is in um. Default: "15 um" (Heck et al. 2020, Table 1)."""
+    centre_of_mass: Literal["area", "particles"]
+    """Whether the centre of mass is that of the area inside the cortex or the mean of the cortex particles (x_cm); "area" or "particles". Default: "particles" (MODEL.md, D41)."""
     start_x: _Quantity
     """Centre of the cell at the start; >= -2000 and <= 2000 um. A bare number is in um. Default: "0 um" (this program)."""
     start_y: _Quantity
@@ -153,7 +155,7 @@ class Contact(Section):
     range: _Quantity
     """Range of the elastic contact with solid matrix (d_c); > 0 and <= 20 um. A bare number is in um. Default: "1.4 um" (MODEL.md, D13)."""
     fluid_share: float
-    """Viscous coupling to fluid outside the cell, over that to solid; >= 0 and <= 1. Default: 0.1 (MODEL.md, D12)."""
+    """Viscous coupling to fluid outside the cell, over that to solid; >= 0 and <= 1. Default: 0.15 (MODEL.md, D12)."""
     sample_spacing: _Quantity
     """Points of the viscous coupling on a segment are no further apart; >= 0.02 and <= 20 um. A bare number is in um. Default: "0.8 um" (MODEL.md, D12)."""
     deepest_solid: _Quantity
@@ -206,7 +208,7 @@ class Actomyosin(Section):
     curvature_width: _Quantity
     """Width of the curvature factor (kappa_w); > 0 and <= 100 1/um. A bare number is in 1/um. Default: "0.25 1/um" (Heck et al. 2020, Table 1)."""
     curvature_profile: Literal["gaussian", "half_gaussian", "triangle"]
-    """Profile of the curvature factor: exp(-q^2), exp(-q^2/2), or max(0, 1 - |q|); "gaussian" or "half_gaussian" or "triangle". Default: "triangle" (MODEL.md, D14)."""
+    """Profile of the curvature factor: exp(-q^2), exp(-q^2/2), or max(0, 1 - |q|); "gaussian" or "half_gaussian" or "triangle". Default: "half_gaussian" (MODEL.md, D14)."""
 
 class Protrusion(Section):
     """Initiation and growth of protrusions."""
@@ -262,9 +264,11 @@ class Adhesion(Section):
     rupture_ratio: float
     """Force over f_mat F_am at which an adhesion breaks (f_rupt); > 0 and <= 1e6. Default: 1 (Heck et al. 2020, Table 1)."""
     rupture_strands: int
-    """Strands of actomyosin whose full pull f_rupt counts; >= 1 and <= 2. Default: 1 (MODEL.md, D28)."""
+    """Strands of actomyosin whose full pull f_rupt counts; >= 1 and <= 2. Default: 2 (MODEL.md, D28)."""
     step_threshold: float
     """Share of the force of a maturation step at which the next one begins; > 0 and <= 1. Default: 0.98 (Heck et al. 2020, Methods)."""
+    rest_speed: _Quantity
+    """Speed of the tip towards its base below which the recoil of growth is over and maturation steps begin to count; 0: they count at any speed; >= 0 and <= 1000 nm/s. A bare number is in nm/s. Default: "4 nm/s" (MODEL.md, D19)."""
     handover: Literal["immediate", "bundle"]
     """How the pull of maturation gives way to contraction: at once, or as the cortex takes over the load; "immediate" or "bundle". Default: "bundle" (MODEL.md, D20)."""
     handover_time: _Quantity
@@ -274,7 +278,7 @@ class Adhesion(Section):
     base_drag: _Quantity
     """Drag of each of six base particles while a protrusion matures; >= 0 and <= 1000 N s/m. A bare number is in N s/m. Default: "1 N s/m" (MODEL.md, D19)."""
     hold: Literal["place", "matter"]
-    """Whether an adhesion hangs on the matrix that is near its anchor at a time, or on the matter that was there when it formed; "place" or "matter". Default: "place" (MODEL.md, D18)."""
+    """Whether an adhesion hangs on the matrix that is near its anchor at a time, or on the matter that was there when it formed; "place" or "matter". Default: "matter" (MODEL.md, D18)."""
     spread: float
     """Smoothing length of the kernel that spreads an adhesion over the matrix, over that of the matrix; >= 0.8 and <= 4. Default: 1 (MODEL.md, D18)."""
     least_support: float
@@ -304,7 +308,7 @@ class Degradation(Section):
     threshold: _Quantity
     """Pressure above which protrusion and body degrade the matrix (p_th,degr); >= 0 and <= 1e6 Pa. A bare number is in Pa. Default: "20 Pa" (Heck et al. 2020, Table 1)."""
     pressure: Literal["larger", "solid", "sum"]
-    """Whether the larger of solid and contact pressure is compared with the threshold, that of the solid, or their sum; "larger" or "solid" or "sum". Default: "solid" (MODEL.md, D15)."""
+    """Whether the larger of solid and contact pressure is compared with the threshold, that of the solid, or their sum; "larger" or "solid" or "sum". Default: "sum" (MODEL.md, D15)."""
 
 class Cues(Section):
     """What tells the cell where to begin protrusions; off in the paper."""

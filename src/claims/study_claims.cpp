@@ -2,8 +2,10 @@
 
 #include "base/failure.hpp"
 #include "claims/shipped_studies.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/write.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +51,11 @@ bool decides_on_results(const Row& row) {
   return !row.path.starts_with("output.") && row.path != "run.seed" && row.path != "run.threads";
 }
 
+/// Whether the parameters are those of the first set of closures.
+bool has_first_closures(const Parameters& p) {
+  return values_text(apply_overrides(p, first_closures())) == values_text(p);
+}
+
 /// In what a study is not the shipped one.
 struct Deviations {
   std::vector<std::string> sentences;
@@ -59,6 +66,7 @@ Deviations deviations(const study::Study& study) {
   const ShippedStudy* shipped = shipped_study(study);
   if (shipped == nullptr) return {};
   study::Study published = parsed(*shipped);
+  if (has_first_closures(study.base)) published.base = apply_overrides(published.base, first_closures());
   published.base = apply_overrides(published.base, {"run.integrator=reference"}); // the paper's
   Deviations found;
   if (study.replicates != published.replicates)

@@ -49,7 +49,7 @@ Front front(const State& s, const Parameters& p) {
 
 struct Followed {
   double f_mat = 0.0;  // [-]
-  double force = 1.0;  // of the adhesion over f_mat F_am, at `judged` [-]
+  double force = 1.0;  // of the adhesion over mature_pull(), at `judged` [-]
   double length = 0.0; // of the protrusion then [um]
   double moved = 0.0;  // of the centroid since the end of growth, in the end [um]
   double last = 0.0;   // of it in the last ten minutes [um]
@@ -69,7 +69,7 @@ Followed follow_one(const Parameters& p, store::Table& table) {
   const auto* contracting = std::get_if<Contracting>(&one.protrusion().phase);
   if (contracting == nullptr) return found; // the adhesion was lost
   found.f_mat = contracting->f_mat;
-  const double full = found.f_mat * q.actomyosin.force;
+  const double full = mature_pull(found.f_mat, q);
   for (double t = 0.0; t < follow_time; t += interval) {
     one.march_for(interval);
     const double F = adhesion_force(one.cell().cortex, one.protrusion(), q.adhesion);

@@ -23,7 +23,7 @@ struct Life {
   report::Series relative; // force over f_mat F_am, against the time since the end of maturation [s]
   double f_mat = 0.0;      // [-]
   double length = 0.0;     // l_prot [um]
-  double peak = std::numeric_limits<double>::infinity(); // of the relative force; so if the adhesion is lost
+  double peak = std::numeric_limits<double>::infinity(); // of the force over mature_pull(); so if the adhesion is lost
   double lowest_early = 0.0;                             // of the relative force within `early`
   double ended_early = 1.0;                              // share of adhesions that Eq. 7 ends within `early`
   double mean_life = 0.0;                                // integral of the survival, as if the last rate went on [s]
@@ -61,7 +61,7 @@ Life follow(const Parameters& p, store::Table& table) {
     life.mean_life += survival * (s.t - before);
     survival *= std::exp(-rate * (s.t - before));
     before = s.t;
-    life.peak = std::max(life.peak, F / pull);
+    life.peak = std::max(life.peak, F / mature_pull(life.f_mat, p));
     if (t <= early) {
       life.lowest_early = std::min(life.lowest_early, F / pull);
       life.ended_early = 1.0 - survival;
@@ -101,13 +101,13 @@ Result handover(const Parameters& p) {
     result.checks.push_back({fmt::format("least force over f_mat F_am within {:.0f} s at {:.0f} Pa [-]", early, E),
                              life.lowest_early, 0.5, 0.0, "F_mat is replaced, not taken away", Sense::at_least});
     if (E <= stiffest_with_rupture)
-      result.checks.push_back({fmt::format("largest force over f_mat F_am at {:.0f} Pa [-]", E), life.peak, 1.0, 0.0,
-                               "its own pull ruptures an adhesion only occasionally", Sense::at_most});
-    result.remarks.push_back(fmt::format("{:.0f} Pa: f_mat {:.3f}, slack of the flanks {:.2f}; force over f_mat F_am "
-                                         "at least {:.2f} within {:.0f} s, at most {:.2f} in all; mean life "
-                                         "{:.1f} min.",
-                                         E, life.f_mat, life.slack, life.lowest_early, early, life.peak,
-                                         life.mean_life / 60.0));
+      result.checks.push_back({fmt::format("largest force over that of rupture at {:.0f} Pa [-]", E), life.peak, 1.0,
+                               0.0, "its own pull ruptures an adhesion only occasionally", Sense::at_most});
+    result.remarks.push_back(
+        fmt::format("{:.0f} Pa: f_mat {:.3f}, slack of the flanks {:.2f}; force over f_mat F_am "
+                    "at least {:.2f} within {:.0f} s, at most {:.2f} times that of rupture in all; mean life "
+                    "{:.1f} min.",
+                    E, life.f_mat, life.slack, life.lowest_early, early, life.peak, life.mean_life / 60.0));
   }
   result.add("handover", "F_mat is replaced by the contraction of the cortex; then the body follows.", plot);
   return result;
