@@ -50,7 +50,7 @@ std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evid
                                       View("verdict"), View("why_not"), View("verdict_in_larger_disc"),
                                       View("verdict_second_edition"), View("caveat")});
   for (const ReproducedRow& row : rows) {
-    const std::string kind = to_string(study::row_kind(row.id));
+    const std::string kind = to_string(row.kind);
     const std::string verdict = to_string(row.finding.verdict);
     const std::string why = study::why_not(row.finding);
     const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
@@ -92,7 +92,7 @@ report::Statement statement(const ReproducedRow& row, const study::Evidence& evi
     conditions.push_back(fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}",
                                      to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief));
   return {.id = row.id,
-          .kind = to_string(study::row_kind(row.id)),
+          .kind = to_string(row.kind),
           .sentence = row.sentence,
           .verdict = study::verdict_word(row.finding.verdict),
           .caveat = claims_caveat(row.id, evidence),
@@ -196,7 +196,7 @@ std::string reproduction_table(const std::vector<ReproducedRow>& rows, const stu
   std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "second edition", "claim"}};
   for (const ReproducedRow& row : rows) {
     const std::string caveat = claims_caveat(row.id, evidence);
-    cells.push_back({row.id, to_string(study::row_kind(row.id)),
+    cells.push_back({row.id, to_string(row.kind),
                      to_string(row.finding.verdict) + (caveat.empty() ? "" : fmt::format(" ({})", caveat)),
                      to_string(row.finding.second), row.sentence});
   }
@@ -216,7 +216,7 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const stud
                     {"statistic", row.finding.conditions},
                     {"verdict", to_string(row.finding.verdict)},
                     {"caveat", claims_caveat(row.id, evidence)},
-                    {"kind", to_string(study::row_kind(row.id))},
+                    {"kind", to_string(row.kind)},
                     {"brief", row.finding.brief},
                     {"why_not", study::why_not(row.finding)},
                     {"verdict_in_larger_disc", row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : ""},

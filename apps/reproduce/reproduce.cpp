@@ -73,6 +73,8 @@ std::vector<ReproducedRow> judged_rows(const std::vector<const study::Claim*>& c
   for (const PartRow& row : part_rows())
     if (row.verification.empty() && options.chooses(row.id))
       rows.push_back(judged_by_fields(row, all.evidence, options));
+  const study::ClosureSet set = options.closures == "first" ? study::ClosureSet::first : study::ClosureSet::second;
+  for (ReproducedRow& row : rows) row.kind = study::row_kind(row.id, set);
   return rows;
 }
 

@@ -25,8 +25,12 @@ namespace matrigrate::study {
 /// go beyond the paper.
 enum class RowKind { calibration, predicted, verification, experiment };
 
-/// Of a row by its id: A1 to A7 and D are for calibration, V and F for verification, X are experiments.
-RowKind row_kind(std::string_view id);
+/// The sets of closures (MODEL.md, "The choice of the closures").
+enum class ClosureSet { first, second };
+
+/// Of a row by its id: A1 to A7 and D are for calibration, and E with the second set, whose choice they served; V and F
+/// are for verification, X are experiments.
+RowKind row_kind(std::string_view id, ClosureSet set = ClosureSet::second);
 std::string to_string(RowKind kind);
 
 struct Claim {
@@ -54,6 +58,7 @@ struct JudgedClaim {
   std::string published;
   Finding finding;
   std::optional<Finding> in_larger_disc{}; ///< with runs that ended at the rim made again in a larger disc
+  RowKind kind = row_kind(id);
 };
 
 JudgedClaim judged(const Claim& claim, const Evidence& evidence);

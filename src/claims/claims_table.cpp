@@ -6,9 +6,10 @@
 
 namespace matrigrate::study {
 
-RowKind row_kind(std::string_view id) {
+RowKind row_kind(std::string_view id, ClosureSet set) {
   if (id.starts_with('X')) return RowKind::experiment;
   if (id.starts_with('V') || id.starts_with('F')) return RowKind::verification;
+  if (id.starts_with('E')) return set == ClosureSet::second ? RowKind::calibration : RowKind::predicted;
   return id.starts_with('D') || (id.starts_with('A') && id != "A8") ? RowKind::calibration : RowKind::predicted;
 }
 
@@ -49,7 +50,7 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
   std::vector<std::string> parts;
   for (const RowKind kind : {RowKind::calibration, RowKind::predicted, RowKind::verification, RowKind::experiment}) {
-    const auto of_kind = [&](const JudgedClaim& c) { return row_kind(c.id) == kind; };
+    const auto of_kind = [&](const JudgedClaim& c) { return c.kind == kind; };
     if (const auto all = count(of_kind); all > 0)
       parts.push_back(fmt::format("{} of {} {}", count([&](const JudgedClaim& c) { return of_kind(c) && holds(c); }),
                                   all, to_string(kind)));
@@ -75,7 +76,7 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims) {
       "| row | kind | claim | published | ours: mean [95 % interval] | verdict | second edition | why not |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
-    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, to_string(row_kind(c.id)), c.sentence,
+    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, to_string(c.kind), c.sentence,
                         c.published, c.finding.brief, verdict_text(c), to_string(c.finding.second), why_not(c.finding));
   return text;
 }
