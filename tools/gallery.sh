@@ -16,7 +16,7 @@ done
 {
   echo '<!doctype html><style>body{margin:0;display:flex;background:#fff;font:17px/1.3 sans-serif;color:#1f2328}'
   echo 'figure{margin:4px;width:312px}div{width:312px;height:300px;overflow:hidden;position:relative}'
-  echo 'img{position:absolute;width:480px;left:-84px;top:-107px}figcaption{text-align:center}</style>'
+  echo 'img{position:absolute;width:380px;left:-34px;top:-53px}figcaption{text-align:center}</style>'
   while IFS='|' read -r run caption; do
     echo "<figure><div><img src=\"$run/snapshots/t_21600s.svg\"></div><figcaption>$caption</figcaption></figure>"
   done <<END
