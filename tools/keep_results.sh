@@ -2,10 +2,11 @@
 # Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, then writes
 # claims.csv from these copies and saves the figures of the pages made of them (tools/figures.mjs, which needs chromium).
 # Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
-#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
+#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE [first|second]    of which set of closures: all that is kept must be of one
 set -euo pipefail
 program=$(realpath "$1")
 from=$(realpath "$2")
+closures=${3:-second}
 cd "$(dirname "$0")/.."
 to=docs/validation
 for folder in "$from"/*/; do
@@ -29,10 +30,10 @@ for table in fields fibre-stress; do
 done
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
-"$program" reproduce all --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ] # some claims do not hold
+"$program" reproduce all --closures "$closures" --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ] # some claims do not hold
 cp "$drawn"/*.svg "$drawn/claims.csv" "$to/"
 node tools/figures.mjs "$drawn/report-all.html" "$to" >/dev/null
 cp "$drawn/claims-all.csv" "$to/conditions.csv"
-"$program" reproduce X --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ]
+"$program" reproduce X --closures "$closures" --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ]
 node tools/figures.mjs "$drawn/report-X.html" "$to" >/dev/null
-"$program" reproduce all --from "$to" --markdown || [ $? -eq 4 ]
+"$program" reproduce all --closures "$closures" --from "$to" --markdown || [ $? -eq 4 ]

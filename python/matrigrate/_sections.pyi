@@ -264,7 +264,7 @@ class Adhesion(Section):
     rupture_ratio: float
     """Force over f_mat F_am at which an adhesion breaks (f_rupt); > 0 and <= 1e6. Default: 1 (Heck et al. 2020, Table 1)."""
     rupture_strands: int
-    """Strands of actomyosin whose full pull f_rupt counts; >= 1 and <= 2. Default: 2 (MODEL.md, D28)."""
+    """Strands of actomyosin whose full pull is the F_am of rupture and of f_adh_rel; >= 1 and <= 2. Default: 2 (MODEL.md, D28)."""
     step_threshold: float
     """Share of the force of a maturation step at which the next one begins; > 0 and <= 1. Default: 0.98 (Heck et al. 2020, Methods)."""
     rest_speed: _Quantity

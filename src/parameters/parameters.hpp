@@ -211,7 +211,7 @@ struct AdhesionParameters {
   double zeta_diss = 20.0;     ///< [1/nN]
   bool rupture = false;        ///< whether an adhesion breaks at rupture_ratio
   double rupture_ratio = 1.0;  ///< f_rupt [-]
-  int rupture_strands = 2;     ///< strands of actomyosin whose full pull f_rupt counts
+  int rupture_strands = 2;     ///< strands of actomyosin whose full pull is the F_am of rupture and f_adh_rel
 };
 
 struct PolarizationParameters {

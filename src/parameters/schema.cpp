@@ -239,7 +239,7 @@ constexpr std::array rows{
     Row{"adhesion.rupture_ratio", [](Parameters& p) -> double& { return p.adhesion.rupture_ratio; }, "1", above(0, 1e6),
         "f_rupt", table_1, "Force over f_mat F_am at which an adhesion breaks"},
     Row{"adhesion.rupture_strands", [](Parameters& p) -> int& { return p.adhesion.rupture_strands; }, "1", closed(1, 2),
-        "", "MODEL.md, D28", "Strands of actomyosin whose full pull f_rupt counts", numerical},
+        "", "MODEL.md, D28", "Strands of actomyosin whose full pull is the F_am of rupture and of f_adh_rel", numerical},
     Row{"adhesion.step_threshold", [](Parameters& p) -> double& { return p.adhesion.step_threshold; }, "1", above(0, 1),
         "", methods, "Share of the force of a maturation step at which the next one begins", numerical},
     Row{"adhesion.rest_speed", [](Parameters& p) -> double& { return p.adhesion.rest_speed; }, "nm/s", closed(0, 1000),
