@@ -6,7 +6,7 @@
 
 #include <span>
 
-/// Weak conservation of the cell's area, Heck et al. 2020, Eq. (1), term F^A (MODEL.md, D11).
+/// Weak conservation of the cell's area, Heck et al. 2020, Eq. (1), term F^A (MODEL.md, I11).
 /// Test: tests/unit/cell/area_test.cpp
 namespace matrigrate {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-/// Weak bending resistance of the cortex, Heck et al. 2020, Eq. (1), term F^b (MODEL.md, D11).
+/// Weak bending resistance of the cortex, Heck et al. 2020, Eq. (1), term F^b (MODEL.md, I11).
 /// Test: tests/unit/cell/bending_test.cpp
 namespace matrigrate {
 

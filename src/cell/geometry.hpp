@@ -23,7 +23,7 @@ double perimeter(const CortexState& c);
 /// Centre of mass of the area inside the ring [um].
 Vec2 centroid(const CortexState& c);
 
-/// Centre of mass of the cell: the centroid of its area, or the mean of its cortex particles (MODEL.md, D41) [um].
+/// Centre of mass of the cell: the centroid of its area, or the mean of its cortex particles (MODEL.md, I41) [um].
 Vec2 centre_of_mass(const CortexState& c, CentreOfMass which);
 
 /// Outward unit normal at particle i, perpendicular to the chord of its neighbours.
@@ -33,7 +33,7 @@ Vec2 normal(const CortexState& c, std::size_t i);
 std::vector<Vec2> normals(const CortexState& c);
 
 /// Signed curvature of the circle through particle i and those three further to either side, convex positive (MODEL.md,
-/// D14) [1/um].
+/// I14) [1/um].
 double curvature(const CortexState& c, std::size_t i);
 
 /// Point of a segment that is closest to p.

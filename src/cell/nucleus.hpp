@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// The nucleus of a cell: a ring like the cortex, the lamina, filled with chromatin (MODEL.md, D40). Not part of Heck
+/// The nucleus of a cell: a ring like the cortex, the lamina, filled with chromatin (MODEL.md, I40). Not part of Heck
 /// et al. 2020. What joins it to the cortex is in contact/nucleus.hpp. Test: tests/unit/cell/nucleus_test.cpp
 namespace matrigrate {
 

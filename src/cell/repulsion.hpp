@@ -11,7 +11,7 @@
 namespace matrigrate {
 
 /// k_rep (d_rep - d)^1.5 for d < d_rep, Hertz-like; closer than d_w = d_rep/2 also k_rep d_w^1.5 (d_w/d - 1), which has
-/// no bound (MODEL.md, D31) [nN].   @param d  distance [um], > 0
+/// no bound (MODEL.md, I31) [nN].   @param d  distance [um], > 0
 double repulsion(double d, const CellParameters& p);
 
 /// Sum over touching particles of the work against repulsion() [nN um].

@@ -14,7 +14,7 @@ namespace matrigrate {
 inline double spring_tension(double k, double l, double l0) { return k * (l - l0); }
 
 /// Resistance of a crowded segment, one shorter than l_c = crowding x l_0,init: -k_s l_c (l_c/l - 1), never positive;
-/// it keeps segments from collapsing under any load (MODEL.md, D10) [nN].
+/// it keeps segments from collapsing under any load (MODEL.md, I10) [nN].
 double crowding_tension(double l, const CellParameters& p);
 
 /// Its energy over all segments, sum of k_s l_c (l - l_c - l_c ln(l/l_c)) [nN um].
@@ -25,7 +25,7 @@ double crowding_energy(const CortexState& c, const CellParameters& p);
 double spring_energy(const CortexState& c, std::span<const double> k);
 
 /// Adds the forces of springs and crowding, and the dashpots eta_c dl/dt. Treated linearly implicitly: the drag along a
-/// segment is eta_c + dt (slope of the tension), and across it dt (tension)/l where it pulls (MODEL.md, D10).
+/// segment is eta_c + dt (slope of the tension), and across it dt (tension)/l where it pulls (MODEL.md, I10).
 /// @param k      stiffness of each segment [nN/um]
 /// @param first  node of particle 0
 /// @param force  of all nodes [nN]

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Contact of cells with each other: repulsion and adhesion (MODEL.md, D38 and D39). Not part of Heck et al. 2020, who
+/// Contact of cells with each other: repulsion and adhesion (MODEL.md, I38 and I39). Not part of Heck et al. 2020, who
 /// have one cell. Test: tests/unit/contact/cells_test.cpp
 namespace matrigrate {
 

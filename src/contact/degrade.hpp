@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-/// The cell degrades the solid around it (Heck et al. 2020, section "Degradation"; MODEL.md, D15).
+/// The cell degrades the solid around it (Heck et al. 2020, section "Degradation"; MODEL.md, I15).
 /// Test: tests/unit/contact/degrade_test.cpp
 namespace matrigrate {
 

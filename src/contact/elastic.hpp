@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-/// Elastic contact of cell and solid matrix, Heck et al. 2020, Eq. (1), term F^sigma (MODEL.md, D13).
+/// Elastic contact of cell and solid matrix, Heck et al. 2020, Eq. (1), term F^sigma (MODEL.md, I13).
 /// Test: tests/unit/contact/elastic_test.cpp
 namespace matrigrate {
 
@@ -15,7 +15,7 @@ namespace matrigrate {
 double contact_pressure(double distance, const Parameters& p);
 
 /// How many times as stiff as uniform matrix an obstacle resists the cell. A single particle then bears F_prot when the
-/// tip is 1.2 % of contact.range nearer than where contact begins (200 Pa; 5 % at 50 Pa; MODEL.md, D33).
+/// tip is 1.2 % of contact.range nearer than where contact begins (200 Pa; 5 % at 50 Pa; MODEL.md, I33).
 inline constexpr double obstacle_contact = 20.0;
 
 /// Adds f_degr (E_k/E) p_c dp t_z along the normal to the particle and its reaction to the ends of the segment,

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What joins the nucleus of a cell to its cortex: contact from inside, and the filaments that hold it in the middle
-/// (MODEL.md, D40). Forces on the two sum to zero. Test: tests/unit/contact/nucleus_test.cpp
+/// (MODEL.md, I40). Forces on the two sum to zero. Test: tests/unit/contact/nucleus_test.cpp
 namespace matrigrate {
 
 /// A particle of the nucleus near the cortex, or one of the cortex near the nucleus.

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// Viscous coupling of cell and matrix, Heck et al. 2020, Eqs. (1) and (2), Gamma_ik (MODEL.md, D12).
+/// Viscous coupling of cell and matrix, Heck et al. 2020, Eqs. (1) and (2), Gamma_ik (MODEL.md, I12).
 /// Test: tests/unit/contact/viscous_test.cpp
 namespace matrigrate {
 

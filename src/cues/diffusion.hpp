@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-/// Diffusion of a chemoattractant in the matrix (MODEL.md, D34). Test: tests/unit/cues/diffusion_test.cpp
+/// Diffusion of a chemoattractant in the matrix (MODEL.md, I34). Test: tests/unit/cues/diffusion_test.cpp
 namespace matrigrate {
 
 /// dc/dt = D laplace c - loss c + source on the lattice of the reference positions, by backward Euler and conjugate

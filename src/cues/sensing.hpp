@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/// What a cell senses of the matrix around it, and where it therefore begins protrusions (MODEL.md, D34 to D36). The
+/// What a cell senses of the matrix around it, and where it therefore begins protrusions (MODEL.md, I34 to I36). The
 /// paper has no cue: all are off by default. Test: tests/unit/cues/sensing_test.cpp
 namespace matrigrate {
 

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-/// Fluidization of the matrix through f_degr (Heck et al. 2020, section "Degradation"; MODEL.md, D6).
+/// Fluidization of the matrix through f_degr (Heck et al. 2020, section "Degradation"; MODEL.md, I6).
 /// Test: tests/unit/ecm/degradation_test.cpp
 namespace matrigrate {
 

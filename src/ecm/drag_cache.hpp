@@ -11,7 +11,7 @@
 namespace matrigrate {
 
 /// Tiles of the reference lattice, eight by eight particles, whose drag coefficients are refreshed together: refreshing
-/// particle by particle would touch nearly all coefficients in every step (MODEL.md, D30).
+/// particle by particle would touch nearly all coefficients in every step (MODEL.md, I30).
 /// Test: tests/unit/ecm/drag_cache_test.cpp
 class DragTiles {
 public:

@@ -24,7 +24,7 @@ enum class Formulation { total_lagrangian, updated_lagrangian };
 enum class Integrator { reference, adaptive };
 
 /// The time step of a scenario that names none: the paper's, or the longest one of the adaptive integrator, which
-/// divides a minute (MODEL.md, D29) [s].
+/// divides a minute (MODEL.md, I29) [s].
 constexpr double usual_time_step(Integrator integrator) { return integrator == Integrator::reference ? 0.4 : 5.0; }
 
 struct RunParameters {
@@ -135,7 +135,7 @@ struct CellParameters {
   double liquid_drag = 0.04;        ///< gamma_liquid [nN s/um^2]; times t_z a particle's drag
 };
 
-/// Contact of cells with each other (MODEL.md, D38, D39).
+/// Contact of cells with each other (MODEL.md, I38, I39).
 struct CellContactParameters {
   double repulsion = 0.5;       ///< pressure at which two cortices touch [kPa]
   double repulsion_range = 1.0; ///< gap below which they repel each other [um]
@@ -151,7 +151,7 @@ struct ContactParameters {
   CellContactParameters cells;
 };
 
-/// The nucleus of each cell (MODEL.md, D40); the paper has none.
+/// The nucleus of each cell (MODEL.md, I40); the paper has none.
 struct NucleusParameters {
   double radius = 0.0;              ///< at the start; 0: no nucleus [um]
   double shear_modulus = 0.1;       ///< G of the chromatin [kPa]

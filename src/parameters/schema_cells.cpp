@@ -7,7 +7,7 @@ namespace matrigrate {
 namespace {
 
 constexpr std::string_view by_us = "this program";
-constexpr std::string_view d40 = "MODEL.md, D40";
+constexpr std::string_view d40 = "MODEL.md, I40";
 constexpr auto aside = Audience::optional;
 
 constexpr Range from(double low, double high) { return {low, high, true, true}; }

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Adhesion of a protrusion's tip to a point of the continuum (Heck et al. 2020, sections "Adhesion" and "Protrusion
-/// retraction"; MODEL.md, D18). Test: tests/unit/protrusion/adhesion_test.cpp
+/// retraction"; MODEL.md, I18). Test: tests/unit/protrusion/adhesion_test.cpp
 namespace matrigrate {
 
 /// Force of an adhesion spring, tension only: k_ad max(0, L - l_0,adh) [nN].   @param length  L [um]
@@ -25,7 +25,7 @@ double adhesion_force(double length, const AdhesionParameters& p);
 /// Limits: F -> 0 gives r_off_min + r_off_0; falls with F towards r_off_min.
 double disassembly_rate(double F, double f_mat, const AdhesionParameters& p);
 
-/// f_mat F_am of Eqs. (7) and (9): the full pull of as many strands as rupture_strands says (MODEL.md, D28) [nN].
+/// f_mat F_am of Eqs. (7) and (9): the full pull of as many strands as rupture_strands says (MODEL.md, I28) [nN].
 double mature_pull(double f_mat, const Parameters& p);
 
 /// Whether the force breaks the adhesion, second case of Eq. (7): F >= f_rupt mature_pull(), where ruptures are on.
@@ -36,7 +36,7 @@ const Vec2* anchor(const Phase& phase);
 Vec2* anchor(Phase& phase);
 
 /// How a point of the solid that an adhesion is to hold, or a phase's adhesion, hangs in the solid: with the kernel of
-/// adhesions, around the point as it is now, or around where it was in the reference configuration (MODEL.md, D18).
+/// adhesions, around the point as it is now, or around where it was in the reference configuration (MODEL.md, I18).
 /// Empty for a phase without adhesion.
 PointWeights hold_weights(const Vec2& point, const EcmState& ecm, const Parameters& p);
 PointWeights hold_weights(const Phase& phase, const EcmState& ecm, const Parameters& p);

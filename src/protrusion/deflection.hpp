@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-/// Growth turns towards degraded matrix (Heck et al. 2020, section "Protrusion growth"; MODEL.md, D17).
+/// Growth turns towards degraded matrix (Heck et al. 2020, section "Protrusion growth"; MODEL.md, I17).
 /// Test: tests/unit/protrusion/deflection_test.cpp
 namespace matrigrate {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Growth of a protrusion (Heck et al. 2020, section "Protrusion growth"; MODEL.md, D16).
+/// Growth of a protrusion (Heck et al. 2020, section "Protrusion growth"; MODEL.md, I16).
 /// Test: tests/unit/protrusion/growth_test.cpp
 namespace matrigrate {
 

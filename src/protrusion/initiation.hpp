@@ -38,7 +38,7 @@ void begin_protrusion(Cell& cell, std::size_t i, const Vec2& centre, double t, c
 /// With an enforced number (protrusion.number > 0) instead one candidate in each candidate_interval of model time,
 /// whatever the step, is drawn among all particles, each as likely as its propensity, rear ones rear_share times as
 /// likely; it initiates if it has room and faces its direction, fewer than that number live, and the cell's area is no
-/// more than area_limit A_0 (Heck et al. 2020, section on the number of protrusions; MODEL.md, D27).
+/// more than area_limit A_0 (Heck et al. 2020, section on the number of protrusions; MODEL.md, I27).
 /// @param now  the end of the step of dt
 void initiate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline);
 

@@ -3,7 +3,7 @@
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 
-/// The phases of a protrusion and what leads from one to the next (Heck et al. 2020, Fig 3; MODEL.md, D20).
+/// The phases of a protrusion and what leads from one to the next (Heck et al. 2020, Fig 3; MODEL.md, I20).
 /// Test: tests/unit/protrusion/life_cycle_test.cpp
 namespace matrigrate {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-/// Maturation by mechanosensing (Heck et al. 2020, section "Protrusion maturation"; MODEL.md, D19).
+/// Maturation by mechanosensing (Heck et al. 2020, section "Protrusion maturation"; MODEL.md, I19).
 /// Test: tests/unit/protrusion/maturation_test.cpp
 namespace matrigrate {
 
@@ -22,7 +22,7 @@ double step_force(int steps, const Parameters& p);
 
 /// Whether the running step is done: the adhesion bears its force, and, if it is the first one, the recoil of growth is
 /// over. While the matrix springs back, it carries the tip along, so that the adhesion bears F_mat although nothing
-/// resists (MODEL.md, D19).
+/// resists (MODEL.md, I19).
 /// @param F  force of the adhesion [nN]   @param recoil  speed of the tip towards its base [um/s]
 bool step_done(int steps, double F, double recoil, const Parameters& p);
 
@@ -41,12 +41,12 @@ double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
                     DragSystem& A);
 
-/// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, D20): the
+/// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, I20): the
 /// bundle takes over nine tenths of f_mat F_am.
 Contracting handover(const Maturing& maturing, double f_mat, double F, const Parameters& p);
 
 /// The same after dt with a load F. What the last step of maturation loaded beyond f_mat F_am falls off first;
-/// from then on the bundle gives way by what F exceeds 0.9 f_mat F_am, with a time constant of 0.4 s (MODEL.md, D20).
+/// from then on the bundle gives way by what F exceeds 0.9 f_mat F_am, with a time constant of 0.4 s (MODEL.md, I20).
 /// @param F  force of the adhesion [nN]
 Contracting handed_over(Contracting phase, double F, const Parameters& p, double dt);
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-/// Polarization of the cell (Heck et al. 2020, section "Polarization"; MODEL.md, D21).
+/// Polarization of the cell (Heck et al. 2020, section "Polarization"; MODEL.md, I21).
 /// Test: tests/unit/protrusion/polarization_test.cpp
 namespace matrigrate {
 

@@ -2,7 +2,7 @@
 
 #include "simulation/equations.hpp"
 
-/// The adaptive integrator: steps of run.time_step, halved where a particle would move too far (MODEL.md, D29).
+/// The adaptive integrator: steps of run.time_step, halved where a particle would move too far (MODEL.md, I29).
 /// Test: tests/unit/simulation/adaptive_test.cpp, tests/physics/march_test.cpp
 namespace matrigrate {
 

@@ -33,7 +33,7 @@ namespace {
 double of_step(const Workspace& w) { return 1.0 / (1.0 + w.theta); }
 
 /// The cortex a quarter of the step on, if it goes on as in the last one; by no more than half of what a step may move
-/// it. Lengths of protrusions depend least on the step so (MODEL.md, D12).
+/// it. Lengths of protrusions depend least on the step so (MODEL.md, I12).
 CortexState after_a_quarter_step(CortexState c, const Parameters& p, double dt) {
   const double max_move = 0.5 * usual_move * p.ecm.particle_spacing;
   for (std::size_t i = 0; i < c.size(); ++i) {

@@ -19,7 +19,7 @@ void update_neighbours(const State& s, Workspace& w);
 void describe_cells(const State& s, const Parameters& p, Workspace& w);
 
 /// Eqs. (1) and (2), left side: viscous drag of all pairs of the matrix (ecm/loop/viscosity; evaluated with a lag,
-/// MODEL.md, D30), of the cells in the liquid, and between cells and matrix (contact/viscous).
+/// MODEL.md, I30), of the cells in the liquid, and between cells and matrix (contact/viscous).
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w);
 
 /// Eq. (2), right side: stress (ecm/loop/stress or ecm/loop/updated_lagrangian), fibres (ecm/loop/fibres) and pressure

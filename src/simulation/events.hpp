@@ -10,7 +10,7 @@ namespace matrigrate {
 
 /// Degradation around tips, protrusions and body of each cell, among the particles near it at the start of the step;
 /// where several cells degrade a particle, their rates add. Solid particles deep inside a cell become fluid
-/// (contact/degrade). Tips act from their positions in the middle of the step (MODEL.md, D15).
+/// (contact/degrade). Tips act from their positions in the middle of the step (MODEL.md, I15).
 void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w);
 
 /// Diffusion, decay and uptake of the chemoattractant (cues), where it diffuses.
@@ -24,7 +24,7 @@ void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w);
 void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
                          std::span<const double> given = {});
 
-/// @throws NumericalFailure if a cell is too near the rim of the matrix (MODEL.md, D22)
+/// @throws NumericalFailure if a cell is too near the rim of the matrix (MODEL.md, I22)
 void require_inside(const State& s, const Parameters& p);
 
 } // namespace matrigrate

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// Fields that a scenario gives (MODEL.md, D32), on the particles of its matrix. Test:
+/// Fields that a scenario gives (MODEL.md, I32), on the particles of its matrix. Test:
 /// tests/unit/simulation/start_fields_test.cpp
 namespace matrigrate {
 

@@ -36,7 +36,7 @@ StepLimits step_limits(const Parameters& p, const EcmState& ecm);
 /// steps are stable. A mode of rate lambda then obeys
 ///   (1 + theta) z^2 - (1 + 2 theta - dt lambda) z + theta = 0,
 /// which is stable for dt lambda < 2 + 4 theta. The term is of first order in dt, like the step itself, and vanishes at
-/// constant velocity (MODEL.md, D29).
+/// constant velocity (MODEL.md, I29).
 /// @return theta = max(0, dt/(2 dt_0) - 0.4) with 1/dt_0 = 1/elastic_s + 1/fluid_s, 0.1 more than stability requires; 0
 ///         for the reference integrator
 double relaxation_theta(const Parameters& p, double dt, const StepLimits& limits);
@@ -47,11 +47,11 @@ inline constexpr double usual_move = 0.2;
 
 /// Relative residual at which a step's system counts as solved [-]: solver.tolerance, or 100 solver.tolerance for the
 /// adaptive integrator with multigrid, whose error is then still a hundred times below that of the steps (MODEL.md,
-/// D29).
+/// I29).
 double solver_tolerance(const Parameters& p);
 
 /// Displacement after which drag coefficients are recomputed [um]: ecm.drag_lag, with the adaptive integrator times
-/// dt / 0.4 s for steps longer than the paper's 0.4 s (MODEL.md, D30).
+/// dt / 0.4 s for steps longer than the paper's 0.4 s (MODEL.md, I30).
 double drag_lag(const Parameters& p, double dt);
 
 /// Maximum number of halvings of a step by the adaptive integrator.

@@ -17,7 +17,7 @@ template <class Real>
   return a * a * a;
 }
 
-/// Wendland C2 kernel of the plane (Wendland 1995; MODEL.md, D2):
+/// Wendland C2 kernel of the plane (Wendland 1995; MODEL.md, I2):
 ///   W(r) = 7/(4 pi h^2) (1 - q/2)^4 (2q + 1),  q = r/h < 2, and 0 beyond.
 /// Its gradient at particle i is grad_i W_ij = W_slope(|x_ij|) x_ij. Test: tests/unit/sph/kernel_test.cpp
 class Kernel {

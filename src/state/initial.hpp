@@ -47,7 +47,7 @@ struct MatrixFields {
 };
 
 /// Gives the particles of a matrix at rest their properties; clamped ones stay solid, those of obstacles become clamped
-/// and solid (MODEL.md, D33).
+/// and solid (MODEL.md, I33).
 /// @throws std::invalid_argument naming the place of a value that is out of range or not finite
 void apply(const MatrixFields& fields, EcmState& ecm);
 

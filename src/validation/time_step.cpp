@@ -36,7 +36,7 @@ Tips follow(Parameters p, Integrator integrator, double dt) {
 }
 
 /// Largest distance along the direction of growth over the times [um]. Across it the deflection of growth makes much of
-/// small differences (MODEL.md, D17).
+/// small differences (MODEL.md, I17).
 double distance(const Tips& a, const Tips& b) {
   const Vec2 along(std::cos(angle), std::sin(angle));
   double largest = 0.0;

@@ -128,10 +128,10 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
 
 
 def _with_links_to_interpretations(text: str, name: str) -> str:
-    """MODEL.md, D12 in the text becomes a link to that interpretation."""
+    """MODEL.md, I12 in the text becomes a link to that interpretation."""
     model = os.path.relpath("model.md", os.path.dirname(name) or ".")
     return outside_code(text, lambda part: re.sub(
-        r"(?<!\[)\bMODEL\.md, D(\d+)\b", lambda match: f"[{match[0]}]({model}#d{match[1]})", part))
+        r"(?<!\[)\bMODEL\.md, I(\d+)\b", lambda match: f"[{match[0]}]({model}#i{match[1]})", part))
 
 
 def _with_links_to_headers(text: str, name: str, root: pathlib.Path) -> str:
@@ -190,8 +190,8 @@ def _model(text: str) -> str:
         raise SystemExit("tools/site/equations.toml has equations that MODEL.md does not have:\n" + "\n".join(missing))
     text = before + "\n".join(blocks) + after
     text = outside_code(text, lambda part: re.sub(r"\b(u?m)\^([23])\b", r"\1<sup>\2</sup>", part))
-    text = re.sub(r"^\*\*(D\d+)\. (.*?)\*\*",
+    text = re.sub(r"^\*\*(I\d+)\. (.*?)\*\*",
                   lambda match: f"### {match[1]}. {match[2].rstrip('.')} {{: #{match[1].lower()} }}\n\n", text,
                   flags=re.MULTILINE | re.DOTALL)
     return outside_code(text, lambda part: re.sub(
-        r"(?<![\w#/])D(\d+)\b(?!\. )", lambda match: f"[D{match[1]}](#d{match[1]})", part))
+        r"(?<![\w#/])I(\d+)\b(?!\. )", lambda match: f"[I{match[1]}](#i{match[1]})", part))

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Laws of one strain-stiffening fibre, Heck et al. 2020, Eqs. (3) and (5) (MODEL.md, D23-D26). For scalars only: few
+/// Laws of one strain-stiffening fibre, Heck et al. 2020, Eqs. (3) and (5) (MODEL.md, I23-I26). For scalars only: few
 /// fibres are taut, and there is no SIMD exponential. Test: tests/unit/ecm/loop/fibres_test.cpp
 namespace matrigrate {
 

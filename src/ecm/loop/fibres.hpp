@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Strain-stiffening fibres of the matrix: springs between reference neighbours, Heck et al. 2020, Eqs. (3)-(5), and
-/// their stress, Eq. (11) (MODEL.md, D23-D26). Test: tests/unit/ecm/loop/fibres_test.cpp
+/// their stress, Eq. (11) (MODEL.md, I23-I26). Test: tests/unit/ecm/loop/fibres_test.cpp
 namespace matrigrate {
 
 /// Whether a fibre joins reference neighbours with separation X: always, or in a uniaxial matrix if X is within
@@ -25,7 +25,7 @@ double fibre_direction(const EcmState& ecm, const FibreParameters& p, std::size_
 /// Pairs of reference neighbours that are permanently joined by a fibre. Weights, Eq. (4): w_ij = (W_ij/S_i +
 /// W_ij/S_j)/2, S_i the sum of W over i itself and all its neighbours [-]. Where the stiffness of fibres differs from
 /// place to place, w_ij also contains the mean, over i and j, of the local stiffness over fibres.stiffness; every fibre
-/// law is proportional to k_0 (D32).
+/// law is proportional to k_0 (I32).
 class FibreNetwork {
 public:
   FibreNetwork() = default; ///< no fibres

@@ -4,7 +4,7 @@
 
 /// The elastic forces of a matrix whose Young's modulus varies from particle to particle (EcmState::E_ratio): those of
 /// ecm/loop/stress.hpp with K_i, G_i in proportion to E_i, and with the mean of E_i and E_j in the hourglass penalty of
-/// a pair, so that pair terms stay antisymmetric (MODEL.md, D5). Test: tests/unit/ecm/loop/graded_test.cpp
+/// a pair, so that pair terms stay antisymmetric (MODEL.md, I5). Test: tests/unit/ecm/loop/graded_test.cpp
 namespace matrigrate {
 
 /// (E_i + E_j)/2 over ecm.youngs_modulus [-].

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2),
-/// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, D4 and D5). Test:
+/// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, I4 and I5). Test:
 /// tests/unit/ecm/loop/stress_test.cpp
 namespace matrigrate {
 
