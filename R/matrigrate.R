@@ -46,7 +46,7 @@
 read_results <- function(study, table = "results.csv") {
   if (!.matrigrate_is_study(study)) stop(study, ": is no folder of a study", call. = FALSE)
   .matrigrate_table(file.path(study, table), c(
-    "run", "label", "status", "reason", "trajectory_hash", "point", "point_a", "point_b", "readout", "set", "condition"
+    "run", "label", "status", "reason", "cause", "trajectory_hash", "point", "point_a", "point_b", "readout", "set", "condition"
   ))
 }
 

@@ -23,8 +23,8 @@ namespace matrigrate::apps {
 
 namespace {
 
-bool ended_at_rim(const study::Result& r) { return r.standing.reason.find("clamped rim") != std::string::npos; }
-bool crossed_itself(const study::Result& r) { return r.standing.reason.find("cross") != std::string::npos; }
+bool ended_at_rim(const study::Result& r) { return r.standing.cause == FailureCause::rim; }
+bool crossed_itself(const study::Result& r) { return r.standing.cause == FailureCause::crossing; }
 
 /// Computes those of the given runs that are missing.
 /// @throws Stopped, InputOutputError

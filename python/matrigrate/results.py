@@ -218,6 +218,13 @@ class Run:
         return str(self.record.get("reason", ""))
 
     @property
+    def cause(self) -> str | None:
+        """Why the computation could not continue: "solver", "step_limit", "rim", "crossing", "nucleus_outside",
+        "collapse", "solid_inside", "not_finite" or "imbalance"; None if it did not end so."""
+        cause = self.record.get("cause")
+        return str(cause) if cause is not None else None
+
+    @property
     def seed(self) -> int:
         return int(self.record.get("seed", 0))
 

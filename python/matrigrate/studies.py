@@ -15,7 +15,7 @@ from .results import Run, load
 if TYPE_CHECKING:
     import pandas
 
-_texts = ("run", "label", "status", "reason", "trajectory_hash", "point", "point_a", "point_b", "readout", "set",
+_texts = ("run", "label", "status", "reason", "cause", "trajectory_hash", "point", "point_a", "point_b", "readout", "set",
           "condition", "test")
 
 

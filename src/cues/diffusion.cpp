@@ -72,7 +72,8 @@ void Diffusion::advance(EcmState& ecm, double D, std::span<const double> loss, d
   double rr = dot(m_r, m_r);
   for (int k = 0; rr > tolerance * tolerance * size; ++k) {
     if (k == max_iterations || !std::isfinite(rr))
-      throw NumericalFailure(fmt::format("the attractant's diffusion was not solved in {} iterations", k));
+      throw NumericalFailure(FailureCause::solver,
+                             fmt::format("the attractant's diffusion was not solved in {} iterations", k));
     multiply(ecm, m_diagonal, coupling, m_p, m_q);
     const double alpha = rr / dot(m_p, m_q);
     for (std::size_t i = 0; i < n; ++i) {

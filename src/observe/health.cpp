@@ -109,28 +109,40 @@ HealthRow HealthWatch::row(const State& s, const Parameters& p, const StepHealth
   return row;
 }
 
-std::string alarm(const State& s, const Parameters& p, const HealthRow& row) {
+std::optional<Alarm> alarm(const State& s, const Parameters& p, const HealthRow& row) {
+  using Cause = FailureCause;
   for (std::size_t i = 0; i < s.ecm.size(); ++i)
     if (!s.ecm.x[i].allFinite() || !s.ecm.S[i].allFinite() || !std::isfinite(s.ecm.rho[i]))
-      return fmt::format("matrix particle {}, at the start at ({:.4g}, {:.4g}) um, has a value that is not finite", i,
-                         s.ecm.X[i].x(), s.ecm.X[i].y());
+      return Alarm{
+          not_finite,
+          fmt::format("matrix particle {}, at the start at ({:.4g}, {:.4g}) um, has a value that is not finite", i,
+                      s.ecm.X[i].x(), s.ecm.X[i].y())};
   if (s.cells.empty()) return {};
   for (const Cell& cell : s.cells)
     for (const CortexState* ring : {&cell.cortex, &cell.nucleus})
       for (const Vec2& x : ring->x)
-        if (!x.allFinite()) return "a particle of the cortex or of the nucleus has a position that is not finite";
-  if (row.area_ratio < least_area) return fmt::format("{} has {:.2g} of its area left", place(s, area), row.area_ratio);
+        if (!x.allFinite())
+          return Alarm{Cause::not_finite,
+                       "a particle of the cortex or of the nucleus has a position that is not finite"};
+  if (row.area_ratio < least_area)
+    return Alarm{Cause::collapse, fmt::format("{} has {:.2g} of its area left", place(s, area), row.area_ratio)};
   if (row.crosses_itself)
-    return fmt::format("{} crosses itself", place(s, [](const CortexState& c) { return crosses_itself(c) ? 0 : 1; }));
+    return Alarm{Cause::crossing, fmt::format("{} crosses itself", place(s, [](const CortexState& c) {
+                                                return crosses_itself(c) ? 0 : 1;
+                                              }))};
   if (const auto found = std::ranges::find_if(s.cells, nucleus_outside); found != s.cells.end()) {
     const Vec2 centre = centroid(found->nucleus);
-    return fmt::format("the nucleus at ({:.4g}, {:.4g}) um has passed through the cortex", centre.x(), centre.y());
+    return Alarm{
+        FailureCause::nucleus_outside,
+        fmt::format("the nucleus at ({:.4g}, {:.4g}) um has passed through the cortex", centre.x(), centre.y())};
   }
   if (row.deepest_solid > p.ecm.particle_spacing)
-    return fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid,
-                       place(s, [&](const CortexState& c) { return -solid_inside(s.ecm, c).deepest; }));
+    return Alarm{Cause::solid_inside,
+                 fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid,
+                             place(s, [&](const CortexState& c) { return -solid_inside(s.ecm, c).deepest; }))};
   if (row.force_imbalance > max_imbalance)
-    return fmt::format("inner forces do not balance: their sum is {:.2g} of their magnitudes", row.force_imbalance);
+    return Alarm{Cause::imbalance, fmt::format("inner forces do not balance: their sum is {:.2g} of their magnitudes",
+                                               row.force_imbalance)};
   return {};
 }
 

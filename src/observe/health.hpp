@@ -1,10 +1,12 @@
 #pragma once
 
+#include "base/failure.hpp"
 #include "simulation/workspace.hpp"
 #include "state/state.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 /// Signs that a computation goes well or badly. Read-only. Test: tests/unit/observe/health_test.cpp
@@ -42,9 +44,15 @@ SolidInside solid_inside(const EcmState& ecm, const CortexState& c);
 /// step.
 double force_imbalance(const Workspace& w);
 
-/// Why a computation must not go on: something is not finite, a cell has turned inside out, collapsed or crossed
-/// itself, solid matrix lies deep inside it, inner forces do not balance. Says what and where; empty if all is well.
-std::string alarm(const State& s, const Parameters& p, const HealthRow& row);
+/// Why a computation must not go on, with what and where in words.
+struct Alarm {
+  FailureCause cause;
+  std::string text;
+};
+
+/// The first of these that is found, if any: something is not finite, a cell has turned inside out, collapsed or
+/// crossed itself, solid matrix lies deep inside it, inner forces do not balance.
+std::optional<Alarm> alarm(const State& s, const Parameters& p, const HealthRow& row);
 
 /// Gathers the extremes of the steps between two rows.
 struct HealthWatch {

@@ -125,8 +125,8 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
 }
 
 void RunFolder::require_health(const State& s, const HealthRow& row) const {
-  if (const std::string why = alarm(s, m_p, row); !why.empty())
-    throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, why));
+  if (const auto found = alarm(s, m_p, row))
+    throw NumericalFailure(found->cause, fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, found->text));
 }
 
 HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch& watch) const {

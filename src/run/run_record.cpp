@@ -75,7 +75,8 @@ Json parse_record(std::string_view text) {
     if (record.contains(key) && !record.at(key).is_null() && !right)
       throw InputOutputError(fmt::format("{} is of type {}; {} is expected", key, record.at(key).type_name(), wanted));
   };
-  for (const char* key : {"status", "reason", "trajectory_hash", "configuration_hash", "scenario", "start", "end"})
+  for (const char* key :
+       {"status", "reason", "cause", "trajectory_hash", "configuration_hash", "scenario", "start", "end"})
     require(key, value_of(record, key).is_string(), "a text");
   for (const char* key : {"t_s", "wall_time_s", "steps"}) require(key, value_of(record, key).is_number(), "a number");
   return record;
@@ -186,6 +187,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
   Json json{{"status", to_string(record.status())},
             {"exit_code", record.ended ? Json(exit_code(*record.ended)) : Json()},
             {"reason", record.reason},
+            {"cause", record.cause ? Json(to_string(*record.cause)) : Json()},
             {"seed", p.run.seed},
             {"steps", record.steps},
             {"t_s", record.t},

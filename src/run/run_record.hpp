@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/failure.hpp"
 #include "parameters/parameters.hpp"
 #include "report/run_page.hpp"
 #include "run/status.hpp"
@@ -24,8 +25,9 @@ inline constexpr std::size_t max_record = std::size_t{64} << 20U; ///< bytes of 
 
 /// How a run stands or ended: what run.json holds.
 struct RunRecord {
-  std::optional<RunEnd> ended; ///< none while it runs
-  std::string reason;          ///< why it ended early; empty if it did not
+  std::optional<RunEnd> ended;       ///< none while it runs
+  std::string reason;                ///< why it ended early; empty if it did not
+  std::optional<FailureCause> cause; ///< of a numerical failure
   std::uint64_t steps = 0;
   double t = 0.0;                 ///< simulated time reached [s]
   double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
@@ -101,7 +103,8 @@ std::string run_title(const Parameters& p, const std::string& scenario);
 std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record,
                                     const std::string& scenario);
 
-/// {status, exit_code, reason, seed, steps, t_s, duration_s, wall_time_s, ms_per_step, trajectory_hash,
+/// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
+/// ms_per_step, trajectory_hash,
 ///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start,
 ///  end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);

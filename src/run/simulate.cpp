@@ -123,6 +123,7 @@ private:
     } catch (const NumericalFailure& failure) {
       note_time();
       m_record.ended = RunEnd::numerical_failure;
+      m_record.cause = failure.cause();
       m_record.reason = fmt::format("{}; {}", failure.what(), last_good_text());
     }
     m_record.trajectory_hash = m_folder->trajectory_hash();

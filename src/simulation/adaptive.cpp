@@ -62,7 +62,7 @@ void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads
         s, p, dt, w, loads,
         {.max_move = (last ? 0.5 : usual_move) * p.ecm.particle_spacing, .may_cross = last, .tried_once = tried_once});
     if (!refused) return;
-    if (last) throw NumericalFailure(refused->reason);
+    if (last) throw NumericalFailure(FailureCause::step_limit, refused->reason);
   }
 }
 

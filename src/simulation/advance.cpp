@@ -49,7 +49,7 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
 
 void advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
   const auto refused = advance(s, p, dt, w, loads, {.max_move = 0.5 * p.ecm.particle_spacing});
-  if (refused) throw NumericalFailure(refused->reason);
+  if (refused) throw NumericalFailure(FailureCause::step_limit, refused->reason);
 }
 
 } // namespace matrigrate

@@ -78,6 +78,7 @@ void require_inside(const State& s, const Parameters& p) {
     for (const Vec2& x : cell.cortex.x)
       if (x.norm() > room)
         throw NumericalFailure(
+            FailureCause::rim,
             fmt::format("step {} (t = {:.6g} s): the cell has reached the clamped rim of the matrix at "
                         "({:.4g}, {:.4g}) um; take a larger ecm.radius",
                         s.step, s.t, x.x(), x.y()));

@@ -171,7 +171,8 @@ std::string fault_of_step(const Parameters& p, const StepLimits& limits) {
 }
 
 void require_stable_step(const Parameters& p, const StepLimits& limits) {
-  if (const std::string fault = fault_of_step(p, limits); !fault.empty()) throw NumericalFailure(fault);
+  if (const std::string fault = fault_of_step(p, limits); !fault.empty())
+    throw NumericalFailure(FailureCause::step_limit, fault);
 }
 
 void require_stable_step(const Parameters& p) { require_stable_step(p, step_limits(p)); }

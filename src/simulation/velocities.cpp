@@ -32,7 +32,8 @@ void extrapolate(const State& s, std::vector<Vec2>& v) {
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
   if (solve.converged) return;
-  throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): the drag system was not solved: relative residual "
+  throw NumericalFailure(FailureCause::solver,
+                         fmt::format("step {} (t = {:.6g} s): the drag system was not solved: relative residual "
                                      "{:.3g} after {} iterations, wanted {:.3g}",
                                      s.step + 1, s.t, solve.residual, solve.iterations, solver_tolerance(p)));
 }

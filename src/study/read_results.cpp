@@ -38,6 +38,7 @@ std::vector<Result> results_of(const Study& study, const store::CsvTable& table)
   const std::size_t seed = column("seed");
   const std::size_t status = column("status");
   const std::size_t reason = column("reason");
+  const auto cause = table.column("cause"); // version 0.1.0 has none
   const std::size_t hash = column("trajectory_hash");
   const std::vector<std::string> names = all_readouts();
   std::vector<Result> results;
@@ -51,6 +52,7 @@ std::vector<Result> results_of(const Study& study, const store::CsvTable& table)
              .hash = row[run]};
     r.standing.status = state_of(row[status]);
     r.standing.reason = row[reason];
+    if (cause) r.standing.cause = parse_failure_cause(row[*cause]);
     r.standing.trajectory_hash = row[hash];
     for (const std::string& name : names) {
       const auto at = table.column(name);

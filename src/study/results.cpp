@@ -136,6 +136,7 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   s.status = state_of(run::parse_run_status(value_or(record, "status", std::string())));
   if (const int code = value_or(record, "exit_code", -1); code >= 0) s.exit_code = code;
   s.reason = value_or(record, "reason", std::string());
+  s.cause = parse_failure_cause(value_or(record, "cause", std::string()));
   s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
   s.end = value_or(record, "end", std::string());
   if (const std::string version = value_or(record, "version", std::string()); !version.empty())
@@ -199,7 +200,8 @@ std::vector<std::string> swept_values(const Study& study, const Point& point) {
 std::string results_csv(const Study& study, const std::vector<Result>& results) {
   std::vector<std::string> names{"run", "label"};
   for (const std::string& name : swept_columns(study)) names.push_back(name);
-  for (const char* name : {"replicate", "seed", "status", "reason", "trajectory_hash"}) names.emplace_back(name);
+  for (const char* name : {"replicate", "seed", "status", "reason", "cause", "trajectory_hash"})
+    names.emplace_back(name);
   std::vector<std::string> columns = all_readouts();
   columns.resize(columns_of(study));
   names.insert(names.end(), columns.begin(), columns.end());
@@ -210,7 +212,9 @@ std::string results_csv(const Study& study, const std::vector<Result>& results) 
     std::vector<store::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
     for (const std::string& value : swept) row.emplace_back(std::string_view(value));
     row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, to_string(r.standing.status),
-                           std::string_view(r.standing.reason), std::string_view(r.standing.trajectory_hash)});
+                           std::string_view(r.standing.reason),
+                           r.standing.cause ? to_string(*r.standing.cause) : std::string_view(),
+                           std::string_view(r.standing.trajectory_hash)});
     for (std::size_t k = 0; k < columns.size(); ++k) row.emplace_back(r.readouts[k]);
     text += store::csv_line(row);
   }

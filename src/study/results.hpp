@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/failure.hpp"
 #include "run/status.hpp"
 #include "study/plan.hpp"
 #include "study/study.hpp"
@@ -28,7 +29,8 @@ std::string_view to_string(RunState state);
 struct Standing {
   RunState status = RunState::missing; ///< running is for those who know of processes
   std::optional<int> exit_code;
-  std::string reason; ///< why it is not done
+  std::string reason;                ///< why it is not done
+  std::optional<FailureCause> cause; ///< of a numerical failure; none in records of version 0.1.0
   std::string trajectory_hash;
   std::string program;    ///< that computed it: "0.1.0 (1234abcd)"
   std::string end;        ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not
@@ -36,10 +38,9 @@ struct Standing {
   double steps_done = 0.0;
 
   bool done() const { return status == RunState::done; }
-  /// It would fail again: a numerical failure is the same on every machine.
-  bool failed_for_good() const {
-    return status == RunState::failed && exit_code == run::exit_code(run::RunEnd::numerical_failure);
-  }
+  /// It would fail again: a numerical failure is the same on every machine. One whose cause is not recorded is computed
+  /// again to learn it.
+  bool failed_for_good() const { return status == RunState::failed && cause.has_value(); }
 };
 
 Standing standing(const std::filesystem::path& study_folder, const Run& run);

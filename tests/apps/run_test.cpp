@@ -169,6 +169,7 @@ TEST_F(Run, KeepsWhatItHasWhenItFails) {
   EXPECT_TRUE(contains(ended.out, "Failed after 0 s of 36 s: ")) << ended.out;
   EXPECT_EQ(record("here").at("status"), "failed");
   EXPECT_EQ(record("here").at("exit_code"), 4);
+  EXPECT_EQ(record("here").at("cause"), "solver");
   EXPECT_TRUE(contains(record("here").at("reason"), "was not solved")) << record("here").at("reason");
   for (const char* file : {"here/tracks.csv", "here/summary.json", "here/snapshots/t_00000s.svg", "here/report.html"})
     EXPECT_TRUE(exists(file)) << file;

@@ -131,9 +131,11 @@ TEST(NucleusOfACell, IsMissedByTheAlarmOnlyWhileItIsInside) {
   march(s, p, w, 5.0);
   HealthRow row;
   row.area_ratio = 1.0;
-  EXPECT_EQ(alarm(s, p, row), "");
+  EXPECT_FALSE(alarm(s, p, row));
   for (Vec2& x : s.cells[0].nucleus.x) x.x() += 12.0;
-  EXPECT_NE(alarm(s, p, row).find("has passed through the cortex"), std::string::npos);
+  const std::optional<Alarm> found = alarm(s, p, row);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(to_string(found->cause), "nucleus_outside") << found->text;
 }
 
 } // namespace nucleus_test

@@ -81,6 +81,7 @@ class Runs(unittest.TestCase):
         failed = matrigrate.load(common.runs / "failed")
         self.assertEqual(failed.status, "failed")
         self.assertIn("clamped rim", failed.reason)
+        self.assertEqual(failed.cause, "rim")
         self.assertGreater(len(failed.tracks), 0)
         self.assertGreater(len(failed.fields.times), 0)
 

@@ -64,16 +64,22 @@ TEST(Alarm, SaysWhatIsWrongAndWhere) {
     if (std::isnan(row.area_ratio)) row.area_ratio = 1.0;
     return alarm(s, p, row);
   };
-  EXPECT_EQ(alarm_of({}), "");
-  EXPECT_NE(alarm_of({.crosses_itself = true}).find("crosses itself"), std::string::npos);
-  EXPECT_NE(alarm_of({.area_ratio = -1.0}).find("of its area left"), std::string::npos);
-  EXPECT_NE(alarm_of({.deepest_solid = 5.0}).find("5 um deep"), std::string::npos);
-  EXPECT_NE(alarm_of({.force_imbalance = 0.1}).find("do not balance"), std::string::npos);
+  const auto expect = [&](const HealthRow& row, FailureCause cause, const std::string& words) {
+    const std::optional<Alarm> found = alarm_of(row);
+    ASSERT_TRUE(found) << words;
+    EXPECT_EQ(to_string(found->cause), to_string(cause)) << found->text;
+    EXPECT_NE(found->text.find(words), std::string::npos) << found->text;
+  };
+  EXPECT_FALSE(alarm_of({}));
+  expect({.crosses_itself = true}, FailureCause::crossing, "crosses itself");
+  expect({.area_ratio = -1.0}, FailureCause::collapse, "of its area left");
+  expect({.deepest_solid = 5.0}, FailureCause::solid_inside, "5 um deep");
+  expect({.force_imbalance = 0.1}, FailureCause::imbalance, "do not balance");
   s.ecm.x[1].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(alarm_of({}).find("matrix particle 1"), std::string::npos);
+  expect({}, FailureCause::not_finite, "matrix particle 1");
   s.ecm.x[1] = {30, 0};
   s.cells[0].cortex.x[1].x() = std::numeric_limits<double>::infinity();
-  EXPECT_NE(alarm_of({}).find("cortex"), std::string::npos);
+  expect({}, FailureCause::not_finite, "cortex");
 }
 
 TEST(HealthWatch, GathersTheStepsSinceTheLastRow) {

@@ -18,6 +18,7 @@ std::vector<Result> made(const Study& study) {
   all[1].run.seed = 9007199254740991; // the largest there is
   all[1].standing.trajectory_hash = "0123456789abcdef";
   all.back().standing.status = RunState::failed;
+  all.back().standing.cause = FailureCause::rim;
   all.back().standing.reason = "the cell has reached the clamped rim, at (1, 2) um";
   all.back().readouts.assign(all.back().readouts.size(), NAN);
   EXPECT_EQ(all.size(), study.runs());
@@ -33,6 +34,8 @@ TEST(ReadResults, GivesBackWhatWasWritten) {
   EXPECT_EQ(again[1].run.seed, all[1].run.seed);
   EXPECT_EQ(again[1].standing.trajectory_hash, "0123456789abcdef");
   EXPECT_EQ(again[5].standing.reason, all[5].standing.reason);
+  EXPECT_EQ(again[5].standing.cause, FailureCause::rim);
+  EXPECT_FALSE(again[1].standing.cause);
   EXPECT_EQ(sample(again, 1, "f_mat"), (std::vector<double>{0.4, 0.5}));
 }
 
