@@ -114,7 +114,7 @@ std::optional<Alarm> alarm(const State& s, const Parameters& p, const HealthRow&
   for (std::size_t i = 0; i < s.ecm.size(); ++i)
     if (!s.ecm.x[i].allFinite() || !s.ecm.S[i].allFinite() || !std::isfinite(s.ecm.rho[i]))
       return Alarm{
-          not_finite,
+          Cause::not_finite,
           fmt::format("matrix particle {}, at the start at ({:.4g}, {:.4g}) um, has a value that is not finite", i,
                       s.ecm.X[i].x(), s.ecm.X[i].y())};
   if (s.cells.empty()) return {};
