@@ -84,7 +84,8 @@ TEST_F(StudyFolders, HaveRunsThatAreNotComputedAgain) {
     fs::create_directories(run_folder(study.folder, run));
     const bool first = run.hash == study.runs.front().hash;
     write_file(run_folder(study.folder, run) / "run.json",
-               first ? R"({"status": "failed", "exit_code": 4, "reason": "why", "cause": "rim"})" : R"({"status": "done"})");
+               first ? R"({"status": "failed", "exit_code": 4, "reason": "why", "cause": "rim"})"
+                     : R"({"status": "done"})");
     write_file(run_log(study.folder, run), "");
   }
   Stopping observer;
