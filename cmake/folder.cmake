@@ -55,13 +55,21 @@ function(matrigrate_prelude target kind)
   target_precompile_headers(${target} REUSE_FROM matrigrate_prelude_${kind})
 endfunction()
 
-# matrigrate_folder(NAME [LIGHT] DEPENDS target...) makes the library matrigrate_NAME of all sources in the current folder;
-# LIGHT if no step of the simulation runs them.
+# matrigrate_folder(NAME [LIGHT] DEPENDS target...) makes the library matrigrate_NAME of all sources in the current folder
+# and in those of its subfolders that are no libraries of their own; LIGHT if no step of the simulation runs them.
+# Headers are included by their path from the folder above: "ecm/loop/stress.hpp" is src/model/ecm/loop/stress.hpp.
 # The folders named in DEPENDS are the only ones whose headers it may include (tests/structure checks it).
 function(matrigrate_folder name)
   cmake_parse_arguments(arg "LIGHT" "" "DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp */*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS *.hpp */*.hpp)
+  file(GLOB libraries RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} */CMakeLists.txt)
+  foreach(library ${libraries})
+    cmake_path(GET library PARENT_PATH library)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${library}/")
+    list(FILTER headers EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${library}/")
+  endforeach()
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR PARENT_PATH above)
   set(target matrigrate_${name})
   set(scope PUBLIC)
   if(sources)
@@ -70,7 +78,7 @@ function(matrigrate_folder name)
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${above} FILES ${headers})
   target_link_libraries(${target} ${scope} $<BUILD_INTERFACE:matrigrate_options> ${arg_DEPENDS})
   target_compile_features(${target} ${scope} cxx_std_20) # for targets of other projects: cmake/install.cmake
   target_compile_options(${target} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>) # laws stand in headers, too

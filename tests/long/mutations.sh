@@ -19,23 +19,23 @@ fi
 
 # file | what stands there | what is put in its place | test program | what is wrong then
 laws='
-src/ecm/law/material.hpp|K * (rho - 1.0)|K * (rho * rho - 1.0)|ecm|equation of state
-src/ecm/law/material.hpp|turn * (S.yy - S.xx)|turn * (S.xx - S.yy)|ecm|Jaumann rate
-src/ecm/law/fluid.hpp|(1.0 - f) * max|f * max|ecm|pressure of the fluid
-src/ecm/law/viscosity.hpp|t_z * V * V * 2.0 * mu|t_z * V * V * mu|ecm|pair drag, Eq. 2
-src/ecm/law/fibres.hpp|std::exp((strain - p.onset)|std::exp((strain)|ecm|stiffening of fibres, Eq. 5
-src/ecm/degradation.cpp|f - rate * dt|f * (1.0 - rate * dt)|ecm|degradation
-src/sph/kernel.hpp|(2.0 * q + 1.0)|(2.0 * q + 1.01)|sph|kernel
-src/cell/actomyosin.cpp|std::min(f_mat_i, f_mat_j)|std::max(f_mat_i, f_mat_j)|cell|actomyosin, Eq. 6
-src/cell/area.cpp|std::max(0.0, initial_area(p) - area(c))|initial_area(p) - area(c)|cell|area
-src/protrusion/adhesion.cpp|-p.zeta_diss * F / f_mat|-p.zeta_diss * F * f_mat|protrusion|disassembly, Eq. 7
-src/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|maturation, Eq. 8
-src/protrusion/growth.cpp|? 1.0 / area : 1.0|? 2.0 - area : 1.0|protrusion|area limit, Eq. 10
+src/model/ecm/law/material.hpp|K * (rho - 1.0)|K * (rho * rho - 1.0)|ecm|equation of state
+src/model/ecm/law/material.hpp|turn * (S.yy - S.xx)|turn * (S.xx - S.yy)|ecm|Jaumann rate
+src/model/ecm/law/fluid.hpp|(1.0 - f) * max|f * max|ecm|pressure of the fluid
+src/model/ecm/law/viscosity.hpp|t_z * V * V * 2.0 * mu|t_z * V * V * mu|ecm|pair drag, Eq. 2
+src/model/ecm/law/fibres.hpp|std::exp((strain - p.onset)|std::exp((strain)|ecm|stiffening of fibres, Eq. 5
+src/model/ecm/degradation.cpp|f - rate * dt|f * (1.0 - rate * dt)|ecm|degradation
+src/model/sph/kernel.hpp|(2.0 * q + 1.0)|(2.0 * q + 1.01)|sph|kernel
+src/model/cell/actomyosin.cpp|std::min(f_mat_i, f_mat_j)|std::max(f_mat_i, f_mat_j)|cell|actomyosin, Eq. 6
+src/model/cell/area.cpp|std::max(0.0, initial_area(p) - area(c))|initial_area(p) - area(c)|cell|area
+src/model/protrusion/adhesion.cpp|-p.zeta_diss * F / f_mat|-p.zeta_diss * F * f_mat|protrusion|disassembly, Eq. 7
+src/model/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|maturation, Eq. 8
+src/model/protrusion/growth.cpp|? 1.0 / area : 1.0|? 2.0 - area : 1.0|protrusion|area limit, Eq. 10
 '
 files='
-src/store/trajectory_hash.cpp|update(state.get(), cell.nucleus.x)|update(state.get(), cell.cortex.x)|store|the hash of a trajectory does not see nuclei
-src/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
-src/store/track_files.cpp|own[1].t - own[0].t|own.back().t - own[0].t|store|the interval of TrackMate is the whole time
+src/run/store/trajectory_hash.cpp|update(state.get(), cell.nucleus.x)|update(state.get(), cell.cortex.x)|store|the hash of a trajectory does not see nuclei
+src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
+src/run/store/track_files.cpp|own[1].t - own[0].t|own.back().t - own[0].t|store|the interval of TrackMate is the whole time
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
 src/run/run_record.cpp|q.run.threads = RunParameters{}.threads|q.run.threads = p.run.threads|run|the configuration hash depends on the number of threads

@@ -73,9 +73,9 @@ std::vector<std::string> missing(const std::string& line, const std::string& own
     const bool is_source = std::regex_match(path, source);
     if (path.starts_with('/') || (!is_source && !std::regex_match(path, ours)) || written.contains(path)) return;
     const bool named = path.find('/') == std::string::npos && is_name_of_a_file(path, tree);
-    const bool there =
-        std::ranges::any_of(std::vector<std::string>{"", "src/", own_folder, folder_of(own_folder)},
-                            [&](const std::string& folder) { return exists(normal(folder + path), tree); });
+    const bool there = std::ranges::any_of(
+        std::vector<std::string>{"", "src/", "src/model/", "src/run/", "src/study/", own_folder, folder_of(own_folder)},
+        [&](const std::string& folder) { return exists(normal(folder + path), tree); });
     if (!named && !there) found.push_back(path);
   });
   return found;

@@ -27,7 +27,7 @@ void each_line(const std::string& text, const Visit& visit) {
 }
 
 std::string at(const Source& source, int line, const std::string& message) {
-  return source.path + ':' + std::to_string(line) + ": " + message;
+  return (source.wing.empty() ? "" : source.wing + '/') + source.path + ':' + std::to_string(line) + ": " + message;
 }
 
 /// Length of the comment or literal at the start of `text`, 0 if there is none there.
@@ -50,11 +50,36 @@ std::size_t skipped_length(std::string_view text) {
 
 } // namespace
 
+std::map<std::string, std::filesystem::path> libraries(const std::filesystem::path& src) {
+  std::map<std::string, std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(src)) {
+    if (entry.path().filename() != "CMakeLists.txt") continue;
+    const std::filesystem::path folder = entry.path().parent_path();
+    const std::string name = declared_folder(read(entry.path())).first;
+    if (name.empty()) continue;
+    if (name != folder.filename())
+      throw std::runtime_error(entry.path().string() + " declares the folder '" + name + "'");
+    found.emplace(name, folder);
+  }
+  return found;
+}
+
 std::vector<Source> sources(const std::filesystem::path& src) {
+  const auto known = libraries(src);
   std::vector<Source> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(src))
-    if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
-      found.push_back({std::filesystem::relative(entry.path(), src).generic_string(), read(entry.path())});
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(src)) {
+    if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+    std::filesystem::path library = entry.path().parent_path();
+    const auto is_library = [&](const std::filesystem::path& folder) {
+      const auto named = known.find(folder.filename());
+      return named != known.end() && named->second == folder;
+    };
+    while (library != src && !is_library(library)) library = library.parent_path();
+    const std::filesystem::path root = library == src ? src : library.parent_path();
+    const std::string wing = std::filesystem::relative(entry.path(), src).begin()->string();
+    found.push_back(
+        {std::filesystem::relative(entry.path(), root).generic_string(), read(entry.path()), root == src ? "" : wing});
+  }
   std::sort(found.begin(), found.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
   return found;
 }
@@ -73,14 +98,17 @@ std::pair<std::string, std::set<std::string>> declared_folder(std::string_view c
 
 Graph declared_edges(const std::filesystem::path& src) {
   Graph edges;
-  for (const auto& entry : std::filesystem::directory_iterator(src)) {
-    if (!entry.is_directory()) continue;
-    auto [name, named] = declared_folder(read(entry.path() / "CMakeLists.txt"));
-    if (name != entry.path().filename())
-      throw std::runtime_error(entry.path().string() + "/CMakeLists.txt declares the folder '" + name + "'");
-    edges.emplace(std::move(name), std::move(named));
-  }
+  for (const auto& [name, folder] : libraries(src)) edges.emplace(declared_folder(read(folder / "CMakeLists.txt")));
   return edges;
+}
+
+std::vector<std::string> wings(const std::filesystem::path& src) {
+  const std::string text = read(src / "CMakeLists.txt");
+  const std::regex call(R"(add_subdirectory\((\w+)\))");
+  std::vector<std::string> found;
+  for (auto i = std::sregex_iterator(text.begin(), text.end(), call); i != std::sregex_iterator(); ++i)
+    found.push_back((*i)[1]);
+  return found;
 }
 
 Graph closure(const Graph& edges) {
@@ -121,7 +149,8 @@ Findings forbidden_includes(const Source& source, const Graph& allowed) {
     if (!match[1].matched) {
       // build_info.hpp is written by the build.
       if (match[2] != "build_info.hpp")
-        findings.push_back(at(source, number, "name the header by its path from src/: " + line));
+        findings.push_back(
+            at(source, number, "name the header by the path from the folder above its library: " + line));
       return;
     }
     const auto own = allowed.find(source.folder());

@@ -12,20 +12,28 @@ namespace matrigrate::structure {
 
 /// A file of src/.
 struct Source {
-  std::string path; ///< relative to src/: "draw/svg.hpp"
+  std::string path; ///< as it is included: "draw/svg.hpp"
   std::string text;
+  std::string wing{}; ///< the folder of src/ that holds the library, "run", or nothing where that is src/ itself
   std::string folder() const { return path.substr(0, path.find('/')); }
 };
 
 /// For each folder the folders that it names, or that it may include.
 using Graph = std::map<std::string, std::set<std::string>>;
 
-/// All .hpp and .cpp files below `src`, in alphabetical order. @throws std::runtime_error if one cannot be read
+/// The folders that are libraries, with the CMakeLists.txt in each: src/base, src/model/ecm, ...
+/// @throws std::runtime_error if one names itself otherwise
+std::map<std::string, std::filesystem::path> libraries(const std::filesystem::path& src);
+
+/// All .hpp and .cpp files below `src`, in alphabetical order; below a library, paths begin with its name.
+/// @throws std::runtime_error if one cannot be read
 std::vector<Source> sources(const std::filesystem::path& src);
 
-/// The edges declared by matrigrate_folder(NAME DEPENDS matrigrate_OTHER ...) in src/*/CMakeLists.txt.
-/// @throws std::runtime_error if a folder has no such line or names itself otherwise
+/// The edges declared by matrigrate_folder(NAME DEPENDS matrigrate_OTHER ...) in the libraries' CMakeLists.txt.
 Graph declared_edges(const std::filesystem::path& src);
+
+/// The folders of src/ in the order of its CMakeLists.txt.
+std::vector<std::string> wings(const std::filesystem::path& src);
 
 /// The folder of a CMakeLists.txt and those that it names; an empty name if it declares none.
 std::pair<std::string, std::set<std::string>> declared_folder(std::string_view cmake);

@@ -32,6 +32,25 @@ TEST(Structure, FoldersNameOnlyFoldersThatExist) {
       }
 }
 
+TEST(Structure, WingsAreFewAndDependOneWay) {
+  const std::vector<std::string> order = wings(src);
+  std::set<std::string> there;
+  for (const auto& entry : std::filesystem::directory_iterator(src))
+    if (entry.is_directory()) there.insert(entry.path().filename());
+  EXPECT_EQ(std::set<std::string>(order.begin(), order.end()), there);
+  EXPECT_LE(order.size(), 8U) << "doors of src/";
+  const auto known = libraries(src);
+  const auto place = [&](const std::string& library) {
+    const std::string wing = std::filesystem::relative(known.at(library), src).begin()->string();
+    return std::ranges::find(order, wing) - order.begin();
+  };
+  for (const auto& [library, named] : declared_edges(src))
+    for (const std::string& other : named)
+      if (known.contains(other)) {
+        EXPECT_LE(place(other), place(library)) << library << " depends on " << other << ", which is in a later wing";
+      }
+}
+
 TEST(Structure, IncludesFollowTheDeclaredEdges) {
   const Graph allowed = closure(declared_edges(src));
   expect_none([&](const Source& file) { return forbidden_includes(file, allowed); });

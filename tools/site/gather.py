@@ -94,7 +94,7 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
             path = f"{path}/README.md"
         if path in by_source:
             return by_source[path] + anchor
-        header = re.fullmatch(r"src/(\w+)/(.+\.hpp)", path)
+        header = re.fullmatch(r"src/(?:model/|run/(?=(?:observe|store|draw|report)/)|study/(?=(?:study_runs|claims|study_report)/))?(\w+)/(.+\.hpp)", path)
         if header:
             return f"reference/cpp/{header[1]}.md#{slug(header[2])}"
         origin = root / path
@@ -141,12 +141,12 @@ def _with_links_to_headers(text: str, name: str, root: pathlib.Path) -> str:
     here = os.path.dirname(name) or "."
 
     def change(match: re.Match[str]) -> str:
-        if not (root / "src" / match[1] / match[2]).is_file():
+        if not any((root / "src" / wing / match[1] / match[2]).is_file() for wing in ("", "model", "run", "study")):
             return match[0]
         return f"[{match[0]}]({os.path.relpath(f'reference/cpp/{match[1]}.md', here)}#{slug(match[2])})"
 
     def line(text: str) -> str:
-        return text if text.startswith("#") else re.sub(r"(?<!\[)`(?:src/)?(\w+)/([\w/]+\.hpp)`(?!\])", change, text)
+        return text if text.startswith("#") else re.sub(r"(?<!\[)`(?:src/(?:model/|run/(?=(?:observe|store|draw|report)/)|study/(?=(?:study_runs|claims|study_report)/))?)?(\w+)/([\w/]+\.hpp)`(?!\])", change, text)
 
     return outside_code(text, lambda part: "\n".join(map(line, part.split("\n"))), spans=False)
 

@@ -133,23 +133,25 @@ def _code_spans(text: str) -> str:
 
 
 def cpp_pages(root: pathlib.Path) -> dict[str, str]:
-    """A page for each folder of src/: its headers with their comments and declarations."""
-    what = dict(re.findall(r"^\| `src/(\w+)/` \| (.*?) \|", (root / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE))
+    """A page for each library, a folder of src/ or of one of its wings: its headers with their comments and declarations."""
+    what = dict(re.findall(r"^\| `src/(?:\w+/)?(\w+)/` \| (.*?) \|", (root / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE))
     pages, rows = {}, []
-    folders = sorted({path.relative_to(root / "src").parts[0] for path in (root / "src").rglob("*.hpp")})
-    for folder in folders:
-        headers = sorted((root / "src" / folder).rglob("*.hpp"))
+    libraries = {path.parent.name: path.parent for path in (root / "src").rglob("CMakeLists.txt")
+                 if "matrigrate_folder(" in path.read_text(encoding="utf-8")}
+    for folder, place in sorted(libraries.items()):
+        headers = sorted(path for path in place.rglob("*.hpp")
+                         if not any(other in path.parents for other in libraries.values() if place in other.parents))
         text = [f"# {folder}\n", _sentence(what.get(folder, "")) + "\n",
-                f"CMake target `Matrigrate::{folder}`; an include reads as `#include \"{headers[0].relative_to(root / 'src')}\"`. "
+                f"CMake target `Matrigrate::{folder}`; an include reads as `#include \"{headers[0].relative_to(place.parent)}\"`. "
                 "The functions and types are in the namespace `matrigrate` unless stated otherwise.\n"]
         for header in headers:
-            text.append(f"## {header.relative_to(root / 'src' / folder).as_posix()}\n")
+            text.append(f"## {header.relative_to(place).as_posix()}\n")
             text.append(_cpp_header(header.read_text(encoding="utf-8")))
         pages[f"reference/cpp/{folder}.md"] = "\n".join(text)
         names = ", ".join(f"`{header.stem}`" for header in headers)
         rows.append(f"| [{folder}]({folder}.md) | {what.get(folder, '')} | {names} |")
     pages["reference/cpp/index.md"] = (
-        "# The C++ libraries\n\nEach folder of `src/` is a library and a CMake target, `Matrigrate::FOLDER`. These pages are made from "
+        "# The C++ libraries\n\nEach folder of `src/`, or of its wings `model`, `run` and `study`, is a library and a CMake target, `Matrigrate::FOLDER`. These pages are made from "
         "the comments of the headers. [Examples](../../examples.md) show how the parts work together; "
         "[the model](../../model.md) leads from each equation to its function.\n\n"
         "| library | holds | headers |\n|---|---|---|\n" + "\n".join(rows) + "\n")

@@ -30,7 +30,7 @@ const several: CellColours[] = [
 ];
 /** Of the nucleus of any cell. */
 export const nucleusColour = "#27406b";
-/** Number of colours for several cells, the same as in src/draw/cell_colours.cpp; they repeat beyond, and numbers tell those apart. */
+/** Number of colours for several cells, the same as in src/run/draw/cell_colours.cpp; they repeat beyond, and numbers tell those apart. */
 export const cellColourCount = several.length;
 /** @param cell  from 0   @param cells  how many there are; a single one has colours of its own */
 export const cellColours = (cell: number, cells: number): CellColours =>

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// The state as bytes, in the order of the members, for the same build of the program to read. (The checkpoint of
-/// src/store needs HDF5.) Test: web/tests/core.mjs
+/// src/run/store needs HDF5.) Test: web/tests/core.mjs
 namespace matrigrate::live {
 
 std::string image_of(const State& s);
