@@ -12,6 +12,21 @@ if (!file || !folder) throw new Error("node tools/figures.mjs PAGE FOLDER");
 const build = resolve(process.env.BUILD ?? join(dirname(fileURLToPath(import.meta.url)), "../build/release"));
 const { chromium } = createRequire(join(build, "viewer/package.json"))("playwright-core");
 
+/** A smaller document that looks the same: each style stands once, points of no size and names that nothing uses are gone. */
+function smaller(svg) {
+  const styles = new Map();
+  const styled = svg
+    .replace(/<path(?=[^>]* d="M0,0A0,0 )[^>]*\/>/g, "")
+    .replace(/ (class|data-[\w-]+)="[^"]*"/g, "")
+    .replace(/ style="([^"]*)"/g, (_, style) => {
+      if (style === "") return "";
+      if (!styles.has(style)) styles.set(style, `s${styles.size}`);
+      return ` class="${styles.get(style)}"`;
+    });
+  const rules = [...styles].map(([style, name]) => `.${name}{${style.replaceAll("&quot;", '"')}}`).join("\n");
+  return styled.replace(">\n", `>\n<style>\n${rules.replaceAll("&", "&amp;").replaceAll("<", "&lt;")}\n</style>\n`);
+}
+
 /** In the page: the figures below an element as one SVG document, as they lie on the page. */
 async function drawn(group) {
   const margin = 12;
@@ -90,7 +105,7 @@ await page.goto(pathToFileURL(resolve(file)).href);
 await page.waitForSelector("html[data-ready=true]");
 for (const group of await page.$$("[data-figure]")) {
   const name = await group.getAttribute("data-figure");
-  writeFileSync(join(folder, `${name}.svg`), await group.evaluate(drawn));
+  writeFileSync(join(folder, `${name}.svg`), smaller(await group.evaluate(drawn)));
   console.log(join(folder, `${name}.svg`));
 }
 await browser.close();

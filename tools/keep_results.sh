@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, then writes
-# claims.csv from these copies and saves the figures of the pages made of them (tools/figures.mjs, which needs chromium).
+# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, judges these copies, saves
+# the figures of the pages made of them (tools/figures.mjs, which needs chromium), and writes the pages of verdicts anew.
 # Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
-#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE [first|second]    of which set of closures: all that is kept must be of one
+#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
 set -euo pipefail
 program=$(realpath "$1")
 from=$(realpath "$2")
-closures=${3:-second}
 cd "$(dirname "$0")/.."
 to=docs/validation
 for folder in "$from"/*/; do
@@ -30,10 +29,25 @@ for table in fields fibre-stress; do
 done
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
-"$program" reproduce all --closures "$closures" --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ] # some claims do not hold
-cp "$drawn"/*.svg "$drawn/claims.csv" "$to/"
-node tools/figures.mjs "$drawn/report-all.html" "$to" >/dev/null
+# judge ROWS: the verdicts of the kept tables, and their page; some claims do not hold
+judge() {
+  "$program" reproduce "$1" --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ]
+  node tools/figures.mjs "$drawn/report-$1.html" "$drawn/figures" >/dev/null
+}
+judge all
+cp "$drawn/claims.csv" "$to/"
 cp "$drawn/claims-all.csv" "$to/conditions.csv"
-"$program" reproduce X --closures "$closures" --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ]
-node tools/figures.mjs "$drawn/report-X.html" "$to" >/dev/null
-"$program" reproduce all --closures "$closures" --from "$to" --markdown || [ $? -eq 4 ]
+cp "$drawn"/*.svg "$to/" # Fig 13's field
+if compgen -G "$to/durotaxis-results.csv" >/dev/null; then
+  judge X
+  cp "$drawn/claims.csv" "$to/experiments.csv"
+fi
+for study in stiffness kept-protrusions kept-protrusions-fibres; do # the paper's main figures: 5 and 7, 11, 12
+  for kind in "" -paths -shapes -msd; do
+    [ ! -e "$drawn/figures/$study$kind.svg" ] || cp "$drawn/figures/$study$kind.svg" "$to/"
+  done
+done
+for study in stiffness sensitive-adhesions insensitive-adhesions; do # Fig 9
+  [ ! -e "$drawn/figures/$study-adhesions.svg" ] || cp "$drawn/figures/$study-adhesions.svg" "$to/"
+done
+tools/validation_page.py

@@ -1,5 +1,5 @@
 /**
- * The page that `reproduce all --closures first --from docs/validation` makes, and the files that tools/figures.mjs saves from it; only
+ * The page that `reproduce all --from docs/validation` makes, and the files that tools/figures.mjs saves from it; only
  * where MATRIGRATE_PROGRAM and MATRIGRATE_SOURCE name the program and its source.
  */
 import assert from "node:assert/strict";
@@ -27,7 +27,7 @@ after(() => rmSync(folder, { recursive: true }));
 /** The page of some rows. Claims that do not hold are no failure. */
 function reproduced(rows: string): string {
   const out = join(folder, rows);
-  const ended = spawnSync(program!, ["reproduce", rows, "--closures", "first", "--from", join(source!, "docs/validation"), "-o", out]);
+  const ended = spawnSync(program!, ["reproduce", rows, "--from", join(source!, "docs/validation"), "-o", out]);
   assert.ok(ended.status === 0 || ended.status === 4, String(ended.stderr));
   return join(out, `report-${rows}.html`);
 }
@@ -86,7 +86,8 @@ test("every figure of the kept results is drawn, with all its points", options, 
     await page.close();
   }
   const kept = readdirSync(join(source!, "docs/validation")).filter((name) => name.endsWith(".svg"));
-  assert.deepEqual([...names].sort(), kept.sort(), "the names of the kept figures");
+  assert.ok(kept.length > 0);
+  assert.deepEqual(kept.filter((name) => !names.has(name)), [], "kept figures that no page draws");
   await browser.close();
 });
 
@@ -99,7 +100,7 @@ test("figures are saved as files", options, () => {
   const files = readdirSync(to).sort();
   assert.deepEqual(files, ["stiffness-adhesions.svg", "stiffness-msd.svg", "stiffness-paths.svg", "stiffness-shapes.svg", "stiffness.svg"]);
   const text = Object.fromEntries(files.map((file) => [file, readFileSync(join(to, file), "utf8")]));
-  assert.equal(text["stiffness-paths.svg"].split('class="main-svg"').length - 1, 5);
+  assert.equal(text["stiffness-paths.svg"].split("<svg x=").length - 1, 5);
   assert.equal(text["stiffness-shapes.svg"].split("<polygon").length - 1, 15);
   for (const caption of ["E 50 Pa, n = 12", "Paths from a common origin"])
     assert.ok(text["stiffness-paths.svg"].replace(/\u00a0/g, " ").includes(`>${caption}<`), caption);

@@ -1,0 +1,277 @@
+#!/usr/bin/env python3
+"""Writes the generated parts of docs/validation.md and docs/performance.md from the tables in docs/validation.
+
+    tools/validation_page.py [--check]    # with --check: writes nothing; exit code 1 and a diff if a page is stale
+
+A generated part stands between the lines `<!-- generated: NAME -->` and `<!-- end -->`. The tables of runs
+(<study>-results.csv) and of verdicts (claims.csv, experiments.csv; those of the first set of closures in first/) are
+copied there by tools/keep_results.sh.
+"""
+import argparse
+import csv
+import difflib
+import math
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+KEPT = ROOT / "docs/validation"
+PAGES = ["docs/validation.md", "docs/performance.md"]
+HAND_WRITTEN = 20_000  # characters of docs/validation.md outside of its generated parts, at most
+
+READOUTS = [  # column, name, digits
+    ("v_migr_abs_um_per_h", "v_migr_abs, um/h", 1),
+    ("v_migr_path_60s_um_per_h", "v_migr_path, 60 s, um/h", 1),
+    ("v_migr_path_600s_um_per_h", "v_migr_path, 600 s, um/h", 1),
+    ("n_protrusions", "n_protrusions", 1),
+    ("n_unadhered", "of them unadhered", 1),
+    ("tau_prot_min", "tau_prot, min", 0),
+    ("l_prot_um", "l_prot, um", 1),
+    ("f_mat", "f_mat", 2),
+    ("f_adh_rel", "f_adh_rel", 2),
+    ("n_simultaneous_mean", "protrusions at a time", 1),
+    ("msd_slope", "slope of the MSD", 2),
+]
+STUDIES = [  # name, what varies
+    ("stiffness", "A1 to A7: Young's modulus"),
+    ("contraction", "A8: F_am of a strand"),
+    ("initiation-rate", "B1, B2: rate of initiation"),
+    ("disassembly-rate", "B3: r_off_min"),
+    ("growth-time", "B4: time of growth"),
+    ("sensitive-adhesions", "C: zeta_diss = 80 /nN, by Young's modulus"),
+    ("insensitive-adhesions", "C: one rate of disassembly, by Young's modulus"),
+    ("kept-protrusions", "D: protrusions kept up"),
+    ("kept-protrusions-fibres", "E: protrusions kept up, among uniaxial fibres"),
+]
+NEW_SEEDS = [("50 Pa: all", "50 Pa"), ("200 Pa: all", "200 Pa"), ("400 Pa: all", "400 Pa"), ("one: all", "n_prot 1"),
+             ("three: all", "3"), ("four: all", "4"), ("fibres one: all", "fibres, n_prot 1"), ("fibres two: all", "2")]
+
+
+def rows_of(path: pathlib.Path) -> list[dict[str, str]]:
+    """The rows of a table; none if it is not kept."""
+    if not path.exists():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def table(head: list[str], rows: list[list[str]]) -> str:
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def numbers(rows: list[dict[str, str]], label: str, column: str) -> list[float]:
+    return [float(row[column]) for row in rows if row["label"] == label and row.get(column)]
+
+
+def mean_and_sd(values: list[float]) -> tuple[float, float]:
+    mean = sum(values) / len(values)
+    return mean, math.sqrt(sum((v - mean) ** 2 for v in values) / (len(values) - 1))
+
+
+def cell(values: list[float], digits: int) -> str:
+    if len(values) < 2:
+        return ""
+    mean, sd = mean_and_sd(values)
+    return f"{mean:.{digits}f} +- {sd:.{digits}f}"
+
+
+def means(rows: list[dict[str, str]], points: list[tuple[str, str]]) -> str:
+    """Means and standard deviations of runs, by point."""
+    made = []
+    for column, name, digits in READOUTS:
+        cells = [cell(numbers(rows, label, column), digits) for label, _ in points]
+        if any(cells):
+            made.append([name, *cells])
+    return table(["read-out", *(name for _, name in points)], made)
+
+
+# The verdicts.
+
+
+def without_verification(rows: list[dict[str, str]]) -> list[dict[str, str]]:
+    return [row for row in rows if row["kind"] != "verification"]
+
+
+def count(rows: list[dict[str, str]], verdict: str, column: str = "verdict_second_edition") -> int:
+    return sum(row[column] == verdict for row in rows)
+
+
+def bottom_line(_page: str) -> str:
+    rows, first = rows_of(KEPT / "claims.csv"), rows_of(KEPT / "first/claims.csv")
+    predicted = [row for row in rows if row["kind"] == "predicted"]
+    open_rows = [row["id"] for row in rows if row["verdict_second_edition"] == "undecided"]
+    lines = [f"**Of the {len(rows)} claims {count(rows, 'holds')} hold, {count(rows, 'in direction')} come out in direction, and "
+             f"{count(rows, 'does not hold')} do not hold**"
+             + (f"; {len(open_rows)} are still to be judged ({', '.join(open_rows)}), since their runs are not made yet." if open_rows else "."),
+             f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {count(predicted, 'in direction')} are in direction, "
+             f"{count(predicted, 'does not hold')} do not hold"
+             + (f", and {count(predicted, 'undecided')} are to be judged." if open_rows else "."),
+             f"The first set of closures: {count(first, 'holds')} hold, {count(first, 'in direction')} in direction, "
+             f"{count(first, 'does not hold')} do not hold. All by the second edition of the rules."]
+    return "\n".join(lines)
+
+
+def shortened(text: str, parts: int = 2) -> str:
+    """The first parts of a list that semicolons separate, and how many more there are."""
+    found = [part for part in text.split("; ") if part]
+    more = len(found) - parts
+    return "; ".join(found[:parts]) + (f"; and {more} more ([conditions](validation/conditions.csv))" if more > 0 else "")
+
+
+def plain(text: str) -> str:
+    return re.sub(r"\bstiffness: |\bcontraction: |\bkept-protrusions: ", "", text).replace("|", "\\|")
+
+
+def claims(_page: str) -> str:
+    first = {row["id"]: row for row in rows_of(KEPT / "first/claims.csv")}
+    made = []
+    for row in rows_of(KEPT / "claims.csv"):
+        before = first[row["id"]]
+        kind = row["kind"] + ("*" if row["kind"] == "predicted" else "")
+        made.append([row["id"], kind, row["claim"], row["published"], plain(shortened(row["ours"], 5)), f"**{row['verdict_second_edition']}**",
+                     f"{before['verdict']} / {before['verdict_second_edition']}",
+                     plain(shortened(row["why_not"].removeprefix("not met: ")))])
+    return table(["row", "kind", "claim", "published", "ours: mean [95 % interval]", "verdict", "first set: first / second edition",
+                  "not met, by the first edition"], made)
+
+
+def experiments(_page: str) -> str:
+    kept = KEPT / "experiments.csv"
+    rows = rows_of(kept) or rows_of(KEPT / "first/experiments.csv")
+    of = "" if kept.exists() else "These are the runs of the first set of closures; those of the second are still to be made.\n\n"
+    return of + table(["row", "published", "ours: mean [95 % interval]", "verdict", "not met"],
+                      [[row["id"], row["claim"], plain(shortened(row["ours"], 5)), f"**{row['verdict_second_edition']}**",
+                        plain(shortened(row["why_not"].removeprefix("not met: ")))] for row in rows])
+
+
+def study_means(_page: str) -> str:
+    parts = []
+    for name, varies in STUDIES:
+        rows = rows_of(KEPT / f"{name}-results.csv")
+        if not rows:
+            parts.append(f"**{varies}**: the runs of the second set are still to be made.")
+            continue
+        labels = list(dict.fromkeys(row["label"] for row in rows))
+        runs = sum(row["label"] == labels[0] for row in rows)
+        ended = [row for row in rows if row["status"] != "done"]
+        causes = sorted({row.get("cause") or row["status"] for row in ended})
+        by_cause = ", ".join(f"{sum((row.get('cause') or row['status']) == cause for row in ended)} by {cause}" for cause in causes)
+        parts.append(f"**{varies}**, {runs} runs a point; of {len(rows)} runs {len(ended)} ended early"
+                     + (f": {by_cause}" if ended else "") + ".\n\n"
+                     + means(rows, [(label, label.replace("youngs_modulus ", "").replace("force ", "")) for label in labels]))
+        figures = [(f"{name}{kind}.svg", what) for kind, what in
+                   (("", "box plots"), ("-paths", "paths"), ("-shapes", "shapes"), ("-msd", "mean square displacements"),
+                    ("-adhesions", "forces at which adhesions ended")) if (KEPT / f"{name}{kind}.svg").exists()]
+        if figures:
+            parts.append("Drawn from the tables beside them: " + ", ".join(f"[{what}](validation/{file})" for file, what in figures) + ".")
+    return "\n\n".join(parts)
+
+
+def new_seeds(_page: str) -> str:
+    return means(rows_of(KEPT / "second-set-results.csv"), NEW_SEEDS)
+
+
+def sensitivity(_page: str) -> str:
+    rows = rows_of(KEPT / "sensitivity-second-results.csv")
+    if not rows:
+        return "The runs are still to be made ([validation/sensitivity-second.toml](validation/sensitivity-second.toml))."
+    labels = list(dict.fromkeys(row["label"] for row in rows))
+    chosen = [entry for entry in READOUTS if entry[0] in ("v_migr_abs_um_per_h", "v_migr_path_60s_um_per_h", "n_protrusions",
+                                                          "tau_prot_min", "f_mat", "msd_slope")]
+    return table(["point", *(name for _, name, _ in chosen)],
+                 [[label, *(cell(numbers(rows, label, column), digits) for column, _, digits in chosen)] for label in labels])
+
+
+# Both integrators: Welch's t-test.
+
+
+def two_sided(t: float, df: float) -> float:
+    """p of Student's t, by the continued fraction of the incomplete beta function."""
+    x, a, b = df / (df + t * t), 0.5 * df, 0.5
+    if x > (a + 1.0) / (a + b + 2.0):
+        return 1.0 - beta_share(b, a, 1.0 - x)
+    return beta_share(a, b, x)
+
+
+def beta_share(a: float, b: float, x: float) -> float:
+    if x <= 0.0:
+        return 0.0
+    front = math.exp(math.lgamma(a + b) - math.lgamma(a) - math.lgamma(b) + a * math.log(x) + b * math.log1p(-x)) / a
+    c, d = 1.0, 1.0 / (1.0 - (a + b) * x / (a + 1.0))
+    h = d
+    for m in range(1, 300):
+        for term in (m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)), -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1))):
+            d = 1.0 / (1.0 + term * d)
+            c = 1.0 + term / c
+            h *= d * c
+    return front * h
+
+
+def quantile(df: float) -> float:
+    """t with two_sided(t, df) = 0.05."""
+    low, high = 1.0, 20.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if two_sided(middle, df) > 0.05 else (low, middle)
+    return low
+
+
+def integrators(_page: str) -> str:
+    rows = rows_of(KEPT / "integrators-results.csv")
+    made = []
+    for column, name, digits in READOUTS:
+        a, b = (numbers(rows, label, column) for label in ("adaptive", "reference"))
+        if column in ("f_adh_rel", "n_unadhered"):
+            continue
+        digits = {"n_simultaneous_mean": 2, "tau_prot_min": 1}.get(column, digits)
+        (mean_a, sd_a), (mean_b, sd_b) = mean_and_sd(a), mean_and_sd(b)
+        share_a, share_b = sd_a**2 / len(a), sd_b**2 / len(b)
+        error = math.sqrt(share_a + share_b)
+        df = error**4 / (share_a**2 / (len(a) - 1) + share_b**2 / (len(b) - 1))
+        difference, half, p = mean_a - mean_b, quantile(df) * error, two_sided((mean_a - mean_b) / error, df)
+        made.append([name, cell(a, digits), cell(b, digits),
+                     f"{difference:.{digits}f} ({difference - half:.{digits}f} to {difference + half:.{digits}f})",
+                     f"{p:.2f}" if p >= 0.01 else f"{p:.3f}"])
+    return table(["read-out", "adaptive, up to 5 s", "reference", "difference, 95 % interval", "p"], made)
+
+
+PARTS = {"bottom line": bottom_line, "claims": claims, "experiments": experiments, "means": study_means,
+         "new seeds": new_seeds, "sensitivity": sensitivity, "integrators": integrators}
+PART = re.compile(r"(<!-- generated: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def written(page: str) -> str:
+    text = (ROOT / page).read_text(encoding="utf-8")
+    unknown = [name for _, name, _ in PART.findall(text) if name not in PARTS]
+    if unknown:
+        sys.exit(f"{page}: unknown generated part '{unknown[0]}'; there are {', '.join(PARTS)}")
+    return PART.sub(lambda part: f"{part[1]}{PARTS[part[2]](page)}\n{part[3]}", text)
+
+
+def main() -> int:
+    assert abs(two_sided(2.0, 10.0) - 0.07339) < 1e-4 and abs(quantile(46.0) - 2.0129) < 1e-3
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if a page is stale")
+    check = parser.parse_args().check
+    code = 0
+    for page in PAGES:
+        made = written(page)
+        path = ROOT / page
+        if not check:
+            path.write_text(made, encoding="utf-8")
+        else:
+            diff = list(difflib.unified_diff(path.read_text(encoding="utf-8").splitlines(), made.splitlines(), page,
+                                             f"{page}, written by tools/validation_page.py", lineterm="", n=0))
+            print("\n".join(diff), end="\n" if diff else "")
+            code = 1 if diff else code
+    by_hand = len(PART.sub("", (ROOT / PAGES[0]).read_text(encoding="utf-8")))
+    if by_hand > HAND_WRITTEN:
+        print(f"{PAGES[0]}: {by_hand} characters are written by hand, {HAND_WRITTEN} at most are wanted")
+        code = 1
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())
