@@ -6,6 +6,7 @@
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
 #include "state/dof.hpp"
+#include "store/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

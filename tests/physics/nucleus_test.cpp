@@ -9,6 +9,7 @@
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 #include "state/dof.hpp"
+#include "store/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
+#include "store/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "same_bits.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/start.hpp"
+#include "store/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

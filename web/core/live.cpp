@@ -1,12 +1,12 @@
 #include "core/live.hpp"
 
 #include "base/failure.hpp"
-#include "core/image.hpp"
 #include "parameters/read.hpp"
 #include "simulation/march.hpp"
 #include "simulation/same_start.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
+#include "state/image.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,18 +10,12 @@
 
 /// The exact state of a run as one file, checkpoint.h5. It is an HDF5 file with a user block of 512 bytes in front, a
 /// line of text that names format, version, length and fingerprint of what follows: HDF5's own tools open the file as
-/// it is, and a file that is cut short, or of which one bit has changed, is refused before anything of it is read. A
-/// single cell in a uniform matrix is written in the format of version 5: its arrays in /cortex/, all else of it in
-/// /state.json. In version 6 the arrays of cell k are in /cells/k/, /state.json has a list of cells, and fields of the
-/// matrix are in /ecm/E_ratio, /ecm/fibre_direction, /ecm/fibre_ratio, /ecm/obstacle, /ecm/ligand,
-/// /ecm/attractant and /ecm/attractant_source. In version 7 cells have nuclei as well, in /cells/k/nucleus/. Test:
-/// tests/unit/store/checkpoint_test.cpp
+/// it is, and a file that is cut short, or of which one bit has changed, is refused before anything of it is read.
+/// Arrays have the names of state/members.hpp: /ecm/x, /cells/0/cortex/x. /state.json has all other members, likewise.
+/// Test: tests/unit/store/checkpoint_test.cpp
 namespace matrigrate::store {
 
-inline constexpr int checkpoint_version = 7;
-inline constexpr int cells_version = 6; ///< of the format without nuclei, which older programs read as well
-inline constexpr int one_cell_version =
-    5; ///< of the format of a single cell in a uniform matrix, which older programs read as well
+inline constexpr int checkpoint_version = 8;
 inline constexpr std::string_view checkpoint_name = "checkpoint.h5";
 inline constexpr std::string_view previous_checkpoint_name = "checkpoint_prev.h5";
 

@@ -55,10 +55,4 @@ Json to_json(const Vec2& x);     ///< [x, y]
 Json to_json(const std::vector<Vec2>& points);
 std::vector<Vec2> vectors(const Json& json);
 
-Json to_json(const ProtrusionRecord& record);
-ProtrusionRecord record_of(const Json& json);
-
-Json to_json(const Protrusion& protrusion);
-Protrusion protrusion_of(const Json& json);
-
 } // namespace matrigrate::store

@@ -106,14 +106,11 @@ TEST(Checkpoint, GivesTheSameBitsBack) {
   EXPECT_TRUE(std::isnan(after.state.cells[0].ended[0].t_adhesion));
 }
 
-TEST(Checkpoint, OfASingleCellHasTheFormatOfBefore) {
-  EXPECT_TRUE(store::checkpoint_image(example()).starts_with("matrigrate checkpoint 5 bytes "));
+TEST(Checkpoint, HoldsTheMatrixAlone) {
   Checkpoint matrix = example();
   matrix.state.cells.clear();
   matrix.state.solver_memory.v_before.clear();
-  const std::string image = store::checkpoint_image(matrix);
-  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 5 bytes "));
-  EXPECT_TRUE(store::parse_checkpoint(image, "c.h5").state.cells.empty());
+  EXPECT_TRUE(store::parse_checkpoint(store::checkpoint_image(matrix), "c.h5").state.cells.empty());
 }
 
 TEST(Checkpoint, HoldsSeveralCells) {
@@ -126,7 +123,6 @@ TEST(Checkpoint, HoldsSeveralCells) {
   s.cells[1].cortex.x[3] = {1.0 / 3.0, -7.0};
   s.solver_memory.v_before.resize(node_count(s), Vec2(0.1, 0.2));
   const std::string image = store::checkpoint_image(before);
-  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
   const Checkpoint after = store::parse_checkpoint(image, "c.h5");
   EXPECT_EQ(store::checkpoint_image(after), image) << "every array and number";
   ASSERT_EQ(after.state.cells.size(), 2U);
@@ -145,7 +141,6 @@ TEST(Checkpoint, HoldsNuclei) {
   cell.nucleus.x[3] = {1.0 / 3.0, -7.0};
   before.state.solver_memory.v_before.resize(node_count(before.state), Vec2(0.1, 0.2));
   const std::string image = store::checkpoint_image(before);
-  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 7 bytes ")) << "older programs would lose the nucleus";
   const Checkpoint after = store::parse_checkpoint(image, "c.h5");
   EXPECT_EQ(store::checkpoint_image(after), image);
   EXPECT_EQ(after.state.cells[0].nucleus.x, cell.nucleus.x);
@@ -167,7 +162,6 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
     ecm.attractant_source.push_back(0.01 * static_cast<double>(i % 2));
   }
   const std::string image = store::checkpoint_image(before);
-  EXPECT_TRUE(image.starts_with("matrigrate checkpoint 6 bytes "));
   const Checkpoint after = store::parse_checkpoint(image, "c.h5");
   EXPECT_EQ(store::checkpoint_image(after), image) << "every array and number";
   EXPECT_EQ(after.state.ecm.E_ratio, ecm.E_ratio);
@@ -189,8 +183,10 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   EXPECT_TRUE(refusal("matrigrate checkpoint ").ends_with("is no checkpoint of matrigrate"));
   EXPECT_TRUE(refusal(image.substr(512)).ends_with("is no checkpoint of matrigrate")) << "plain HDF5";
   std::string other = image;
-  other[22] = '1';
-  EXPECT_TRUE(refusal(other).ends_with("is a checkpoint of format 1; this program reads formats 5 to 7"));
+  other[22] = '7';
+  EXPECT_EQ(refusal(other),
+            "c.h5: is a checkpoint of format 7; this program reads format 8: go on with the version that "
+            "wrote it, or start the run again from its scenario");
   for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
     EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;
   EXPECT_NE(refusal(image + "x").find("cut short"), std::string::npos);

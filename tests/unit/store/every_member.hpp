@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -178,6 +180,62 @@ public:
 private:
   int m_count = 0;
   int m_phase = 0;
+};
+
+/// Changes one number of a struct by its last bits, a phase to the next one, or takes an optional number away.
+class Changer {
+public:
+  /// @param at  which of them, from 0, in the order of the members
+  explicit Changer(std::size_t at) : m_left(at) {}
+
+  bool done() const { return m_done; }
+
+  template <class T>
+  void change(T& value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      if (here()) value = std::nextafter(value, 0.0);
+    } else if constexpr (std::is_integral_v<T>) {
+      if (here()) value = static_cast<T>(value > 0 ? value - 1 : 1);
+    } else if constexpr (std::is_enum_v<T>) {
+      if (here()) value = static_cast<T>(static_cast<int>(value) - 1);
+    } else {
+      std::apply([this](auto&... member) { (change(member), ...); }, members(value));
+    }
+  }
+  void change(Vec2& value) {
+    change(value.x());
+    change(value.y());
+  }
+  void change(Mat2& value) {
+    for (double& number : value.reshaped()) change(number);
+  }
+  void change(Phase& phase) {
+    if (here())
+      phase = std::holds_alternative<Finishing>(phase) ? Phase(Growing()) : Phase(Finishing());
+    else
+      std::visit([this](auto& one) { change(one); }, phase);
+  }
+  void change(std::optional<double>& value) {
+    if (here())
+      value.reset();
+    else if (value)
+      change(*value);
+  }
+  template <class T>
+  void change(std::vector<T>& list) {
+    for (T& one : list) change(one);
+  }
+
+private:
+  bool here() {
+    const bool now = !m_done && m_left == 0;
+    m_done = m_done || now;
+    if (!m_done) --m_left;
+    return now;
+  }
+
+  std::size_t m_left;
+  bool m_done = false;
 };
 
 /// All that a value holds, as text, a number with all its digits.

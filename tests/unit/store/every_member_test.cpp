@@ -1,12 +1,18 @@
 #include "unit/store/every_member.hpp"
 
 #include "observe/frame.hpp"
+#include "physics/same_bits.hpp"
 #include "state/dof.hpp"
+#include "state/image.hpp"
+#include "state/members.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace matrigrate {
 namespace {
@@ -39,27 +45,75 @@ RunMemory full_memory() {
 }
 
 TEST(EveryMember, OfACheckpointComesBack) {
-  const auto single = [](Checkpoint& c) { // as older programs read it
-    c.state.cells.resize(1);
-    c.state.cells[0].id = 0;
-    c.state.cells[0].nucleus = {};
-    EcmState& m = c.state.ecm;
-    m.E_ratio = m.fibre_direction = m.fibre_ratio = m.ligand = m.attractant = m.attractant_source = {};
-    m.obstacle = {};
-  };
-  const auto no_nuclei = [](Checkpoint& c) {
-    for (Cell& cell : c.state.cells) cell.nucleus = {};
-  };
-  const auto whole = [](Checkpoint&) {};
-  for (const std::function<void(Checkpoint&)>& leave_out :
-       {std::function<void(Checkpoint&)>(whole), std::function<void(Checkpoint&)>(no_nuclei),
-        std::function<void(Checkpoint&)>(single)}) {
-    Checkpoint before = full_checkpoint();
-    leave_out(before);
-    before.state.solver_memory.v_before.resize(node_count(before.state));
-    Checkpoint after = store::parse_checkpoint(store::checkpoint_image(before), "c.h5");
-    EXPECT_EQ(listed(after), listed(before));
+  Checkpoint before = full_checkpoint();
+  Checkpoint after = store::parse_checkpoint(store::checkpoint_image(before), "c.h5");
+  EXPECT_EQ(listed(after), listed(before));
+}
+
+TEST(EveryMember, OfAnImageComesBack) {
+  State before = full_checkpoint().state;
+  State after = state_of(image_of(before));
+  EXPECT_EQ(listed(after), listed(before));
+  const std::string image = image_of(before);
+  EXPECT_THROW(state_of(image.substr(0, image.size() - 1)), std::invalid_argument);
+  EXPECT_THROW(state_of(image + "x"), std::invalid_argument);
+  EXPECT_THROW(state_of("x" + image), std::invalid_argument);
+}
+
+/// The list of members names each member that the struct has, once.
+template <class T>
+void expect_all_listed() {
+  T s;
+  std::vector<const void*> there;
+  std::vector<const void*> named;
+  std::apply([&there](const auto&... member) { (there.push_back(&member), ...); }, every_member::members(s));
+  std::vector<std::string> names;
+  each_member(s, [&](const Member& member, const auto& value) {
+    named.push_back(&value);
+    names.emplace_back(member.name);
+  });
+  std::ranges::sort(there);
+  std::ranges::sort(named);
+  EXPECT_EQ(named, there);
+  std::ranges::sort(names);
+  EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << "two members of one name";
+}
+
+TEST(EveryMember, OfTheStateIsListed) {
+  expect_all_listed<Growing>();
+  expect_all_listed<Maturing>();
+  expect_all_listed<Contracting>();
+  expect_all_listed<Finishing>();
+  expect_all_listed<ProtrusionRecord>();
+  expect_all_listed<Protrusion>();
+  expect_all_listed<CortexState>();
+  expect_all_listed<Cell>();
+  expect_all_listed<EcmState>();
+  expect_all_listed<SolverMemory>();
+  expect_all_listed<State>();
+}
+
+/// A change of any one number is seen by the comparison of bits, and comes back from checkpoint and image.
+TEST(EveryMember, OfTheStateIsSeenWhenItChanges) {
+  Checkpoint before = full_checkpoint();
+  before.state.cells.resize(1);
+  before.state.solver_memory.v_before.resize(node_count(before.state));
+  const std::string unchanged = listed(before.state);
+  std::size_t changes = 0;
+  for (;; ++changes) {
+    Checkpoint changed = before;
+    every_member::Changer changer(changes);
+    changer.change(changed.state);
+    if (!changer.done()) break;
+    const std::string expected = listed(changed.state);
+    ASSERT_NE(expected, unchanged) << "change " << changes;
+    EXPECT_FALSE(same_bits(changed.state, before.state)) << "change " << changes;
+    State of_image = state_of(image_of(changed.state));
+    EXPECT_EQ(listed(of_image), expected) << "change " << changes;
+    State of_checkpoint = store::parse_checkpoint(store::checkpoint_image(changed), "c.h5").state;
+    EXPECT_EQ(listed(of_checkpoint), expected) << "change " << changes;
   }
+  EXPECT_GT(changes, 200U);
 }
 
 TEST(EveryMember, OfWhatARunHasWrittenComesBack) {
