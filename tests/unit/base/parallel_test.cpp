@@ -1,6 +1,6 @@
 #include "base/parallel.hpp"
-#include "base/threads.hpp"
 
+#include "base/threads.hpp"
 #include "base/vector.hpp"
 
 #include <gtest/gtest.h>

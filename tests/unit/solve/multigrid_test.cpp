@@ -1,6 +1,6 @@
-#include "base/threads.hpp"
 #include "solve/multigrid.hpp"
 
+#include "base/threads.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "synthetic.hpp"
 
