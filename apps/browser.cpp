@@ -1,21 +1,21 @@
 #include "apps/browser.hpp"
 
 #include "base/failure.hpp"
+#include "base/process.hpp"
 
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
+#include <chrono>
 #include <cstdlib>
-#include <string>
+#include <thread>
 
 namespace matrigrate::apps {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
 
 fs::path page_of(const fs::path& folder) {
   std::error_code error;
@@ -35,17 +35,11 @@ fs::path page_of(const fs::path& folder) {
 
 bool open_in_browser(const fs::path& page) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
-  std::string command = "xdg-open", argument = fs::absolute(page).string();
-  const std::array<char*, 3> words{command.data(), argument.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) // what browsers print is of no interest
-    ::posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", O_RDWR, 0);
-  pid_t process = -1;
-  const bool started = ::posix_spawnp(&process, words[0], &actions, nullptr, words.data(), environ) == 0;
-  ::posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  return started && ::waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); // what browsers print is of no interest
+  Child opener({"xdg-open", fs::absolute(page).string()}, nowhere);
+  ::close(nowhere);
+  while (!opener.ended()) std::this_thread::sleep_for(20ms);
+  return opener.ended() == 0;
 }
 
 } // namespace matrigrate::apps

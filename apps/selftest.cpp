@@ -1,6 +1,8 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "base/process.hpp"
+#include "base/threads.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
@@ -8,14 +10,10 @@
 #include "simulation/start.hpp"
 #include "store/checkpoint.hpp"
 #include "store/trajectory_hash.hpp"
-#include "study_runs/child.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <chrono>
@@ -58,8 +56,8 @@ void go(State& s, const Parameters& p, double t_end, store::TrajectoryHash& hash
   });
 }
 
-std::string hash_with_threads(const Parameters& p, std::size_t threads) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+std::string hash_with_threads(const Parameters& p, int threads) {
+  const ThreadLimit limit(threads);
   State s = initial_state(p);
   store::TrajectoryHash hash;
   go(s, p, p.run.duration, hash);
@@ -83,9 +81,9 @@ std::string hash_with_break(const Parameters& p) {
 Json found_by(const std::string& program) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(std::tmpfile(), &std::fclose);
   if (!output) throw InputOutputError("no temporary file can be made");
-  study::Child child({program, "selftest", "--json"}, ::fileno(output.get()));
+  Child child({program, "selftest", "--json"}, ::fileno(output.get()));
   while (!child.ended()) std::this_thread::sleep_for(20ms);
-  if (child.ended() == study::no_such_program) throw InputOutputError(program + ": there is no such program");
+  if (child.ended() == no_such_program) throw InputOutputError(program + ": there is no such program");
   std::string text(largest_answer, '\0');
   std::rewind(output.get());
   text.resize(std::fread(text.data(), 1, text.size(), output.get()));
@@ -108,7 +106,7 @@ struct SelftestArguments {
 int selftest(const SelftestArguments& options) {
   std::vector<Check> checks;
   std::vector<std::string> hashes;
-  const auto most = static_cast<std::size_t>(std::max(4, tbb::info::default_concurrency()));
+  const int most = std::max(4, hardware_threads());
   for (const Integrator integrator : {Integrator::reference, Integrator::adaptive}) {
     const Parameters p = short_migration(integrator);
     const std::string name = integrator == Integrator::reference ? "reference integrator" : "adaptive integrator";

@@ -4,6 +4,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/threads.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
 #include "parameters/write.hpp"
@@ -12,9 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <chrono>
@@ -93,8 +91,7 @@ int validate(ValidateArguments options) {
   if (options.folder.empty()) options.folder = "validate-" + options.name;
   make_output_folder(options.folder, options.force);
   write_file(std::filesystem::path(options.folder) / "scenario.resolved.toml", to_toml(p));
-  const auto threads = static_cast<std::size_t>(p.run.threads > 0 ? p.run.threads : tbb::info::default_concurrency());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const ThreadLimit limit(p.run.threads);
 
   std::vector<Outcome> outcomes;
   for (const validation::Case* c : chosen) {

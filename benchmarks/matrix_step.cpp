@@ -1,6 +1,7 @@
 // One step of the matrix alone and its parts, on the disc of the paper (17,665 particles without a hole at 150 um)
 // while a kernel-distributed force of 0.06 nN pulls at its centre: warm starts and displacements as they are in use.
 
+#include "base/threads.hpp"
 #include "ecm/loop/fluid.hpp"
 #include "ecm/loop/stress.hpp"
 #include "ecm/loop/viscosity.hpp"
@@ -9,7 +10,6 @@
 #include "state/initial.hpp"
 
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <memory>
 
@@ -39,7 +39,7 @@ void count(benchmark::State& state, const Pulled& a) {
   state.counters["particles"] = static_cast<double>(particles);
 }
 
-const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+const ThreadLimit one_thread(1);
 
 void neighbours(benchmark::State& state) {
   const Pulled a(static_cast<double>(state.range(0)));

@@ -2,18 +2,18 @@
 // matrix alone and with a cell of three protrusions; all in place or stirred; from zero and from nearby.
 // Arguments: digits of the tolerance, start from nearby, cell, stirred.
 
+#include "base/threads.hpp"
 #include "solve/multigrid.hpp"
 #include "synthetic.hpp"
 
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 namespace {
 
 using namespace matrigrate;
 
 void multigrid(benchmark::State& state) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const ThreadLimit one_thread(1);
   const synthetic::Body reference = synthetic::disc(150.0);
   synthetic::Body now = synthetic::disc(150.0);
   if (state.range(3) != 0) synthetic::stir(now, 20.0, 6.0, 0.5);

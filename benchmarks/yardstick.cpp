@@ -4,6 +4,7 @@
 // Plainly it is solved twice: to the same residual, and to a hundredth of it, which is about what the same error takes.
 //   matrigrate_yardstick [key=value...]
 
+#include "base/threads.hpp"
 #include "ecm/drag_cache.hpp"
 #include "ecm/law/material.hpp"
 #include "ecm/loop/deformation.hpp"
@@ -16,7 +17,6 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/LU>
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <chrono>
 
@@ -195,7 +195,7 @@ void compare(const Parameters& p, State s) {
 } // namespace
 
 int main(int argc, char** argv) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const ThreadLimit one_thread(1);
   const Parameters p = apply_overrides({}, std::vector<std::string>(argv + 1, argv + argc));
   Parameters quick = p; // from one time to the next
   quick.run.integrator = Integrator::adaptive;

@@ -38,9 +38,9 @@ std::vector<std::string> command(const std::string& program, const std::filesyst
   return words;
 }
 
-study::Child started(const std::vector<std::string>& words, const std::filesystem::path& log) {
+Child started(const std::vector<std::string>& words, const std::filesystem::path& log) {
   const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  study::Child child(words, output >= 0 ? output : STDERR_FILENO);
+  Child child(words, output >= 0 ? output : STDERR_FILENO);
   if (output >= 0) ::close(output);
   return child;
 }

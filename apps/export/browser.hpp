@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/export/named_pipe.hpp"
-#include "study_runs/child.hpp"
+#include "base/process.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -54,7 +54,7 @@ private:
 
   std::filesystem::path m_log;
   NamedPipe m_to, m_from;
-  study::Child m_child;
+  Child m_child;
   std::string m_text; ///< received and not yet read
   int m_sent = 0;
   std::map<int, nlohmann::json> m_answers; ///< received and not yet asked for

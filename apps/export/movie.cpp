@@ -80,7 +80,7 @@ public:
 
 private:
   NamedPipe m_pipe;
-  study::Child m_child;
+  Child m_child;
 };
 
 /// The times of the pictures: from the first frame to the last [s].

@@ -47,7 +47,7 @@ void NamedPipe::close() {
   if (m_descriptor >= 0) ::close(std::exchange(m_descriptor, -1));
 }
 
-bool NamedPipe::finish(study::Child& child) {
+bool NamedPipe::finish(Child& child) {
   for (int left = 0; ::ioctl(m_descriptor, FIONREAD, &left) == 0 && left > 0;) {
     if (child.ended()) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -56,7 +56,7 @@ bool NamedPipe::finish(study::Child& child) {
   return true;
 }
 
-bool NamedPipe::write(std::string_view bytes, study::Child& child) {
+bool NamedPipe::write(std::string_view bytes, Child& child) {
   while (!bytes.empty()) {
     if (!is_ready(m_descriptor, POLLOUT)) {
       if (child.ended()) return false;
@@ -68,7 +68,7 @@ bool NamedPipe::write(std::string_view bytes, study::Child& child) {
   return true;
 }
 
-bool NamedPipe::read(std::string& append_to, study::Child& child) {
+bool NamedPipe::read(std::string& append_to, Child& child) {
   std::array<char, 1 << 16> piece{};
   while (true) {
     const bool over = child.ended().has_value(); // what it wrote before is read first

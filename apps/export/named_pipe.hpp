@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study_runs/child.hpp"
+#include "base/process.hpp"
 
 #include <filesystem>
 #include <string>
@@ -20,14 +20,14 @@ public:
   const std::filesystem::path& path() const { return m_path; }
 
   /// Waits until the child has room for all of it.   @return false if the child has ended
-  bool write(std::string_view bytes, study::Child& child);
+  bool write(std::string_view bytes, Child& child);
 
   /// Waits for text of the child.   @return false if the child has ended and nothing is left
-  bool read(std::string& append_to, study::Child& child);
+  bool read(std::string& append_to, Child& child);
 
   /// Waits until the child has read all of it, then lets it see the end. A child that starts slowly opens the pipe only
   /// after that, and a pipe that nobody holds open forgets what is in it.   @return false if the child has ended before
-  bool finish(study::Child& child);
+  bool finish(Child& child);
 
 private:
   void close();

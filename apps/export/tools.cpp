@@ -1,7 +1,7 @@
 #include "apps/export/tools.hpp"
 
 #include "base/failure.hpp"
-#include "study_runs/child.hpp"
+#include "base/process.hpp"
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ void require_tool(const std::string& program, const std::string& purpose, const 
 }
 
 void call(const std::vector<std::string>& command) {
-  study::Child child(command, STDERR_FILENO);
+  Child child(command, STDERR_FILENO);
   std::optional<int> code;
   while (!(code = child.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (*code != 0) throw InputOutputError(fmt::format("{} ended with exit code {}", command.front(), *code));

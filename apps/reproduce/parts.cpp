@@ -5,9 +5,9 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "claims/fields_shown.hpp"
 #include "run/finished_run.hpp"
-#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,10 +5,10 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "base/process.hpp"
 #include "parameters/nearest.hpp"
 #include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
-#include "study_runs/child.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "run/folder_lock.hpp"
 #include "store/trajectory_hash.hpp"
-#include "study_runs/child.hpp"
 #include "study_runs/slurm_job.hpp"
 
 #include <CLI/StringTools.hpp>
@@ -60,7 +60,7 @@ std::string submitted(const study::SlurmOptions& options, const std::filesystem:
   while (!(code = sbatch.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::string said = read_file(log, largest_list);
   while (!said.empty() && said.back() == '\n') said.pop_back();
-  if (*code == study::no_such_program)
+  if (*code == no_such_program)
     throw InputOutputError(fmt::format("sbatch was not found, so this machine does not belong to a Slurm cluster; the "
                                        "job script is {}. On a machine with Slurm, submit it by `{}`. To compute the "
                                        "study on this machine: `matrigrate study run`",

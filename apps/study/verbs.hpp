@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/study/pool_output.hpp"
+#include "base/process.hpp"
 #include "claims/shipped_studies.hpp"
-#include "study_runs/child.hpp"
 #include "study_runs/slurm_job.hpp"
 #include "study_runs/study_folder.hpp"
 
@@ -13,14 +13,12 @@
 /// The verbs of `matrigrate study`, and what `matrigrate reproduce` shares with them.
 namespace matrigrate::apps {
 
-using study::Child;
 using study::make_study_folder;
 using study::planned;
 using study::PoolOutcome;
 using study::shipped_studies;
 using study::ShippedStudy;
 using study::StudyFolder;
-using study::this_program;
 
 struct StudyOptions {
   std::string file;   ///< of the study

@@ -19,13 +19,13 @@ Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutor
 from . import plot
 from ._schema import Parameter
 from ._version import __version__
-from .errors import (ConfigurationError, Fault, InputOutputError, InternalError, KeyboardStop, MatrigrateError,
-                     NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError)
+from .errors import (ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop,
+                     MatrigrateError, NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError)
 from .fields import Field, Fields
 from .results import Readouts, ReadoutsOfCells, Run, load, meaning
 from .scenario import Scenario, Section
 from .simulate import run, run_study
-from .simulation import Cell, CoreNotFound, Matrix, Simulation
+from .simulation import Cell, Matrix, Simulation
 from .studies import Runs, Study, load_study
 
 __all__ = [

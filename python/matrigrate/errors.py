@@ -83,3 +83,7 @@ class KeyboardStop(KeyboardInterrupt):
     def __init__(self, folder: Path) -> None:
         super().__init__(f"stopped; what there is, with a checkpoint, is in {folder}: the same call goes on")
         self.folder = folder
+
+
+class CoreNotFound(MatrigrateError, ImportError):
+    """The compiled module of this package is not there."""

@@ -1,8 +1,12 @@
 #include "base/parallel.hpp"
 
+#include "base/threads.hpp"
+
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/version.h>
 
 // Of ThreadSanitizer; null where the program is built without it.
 extern "C" {
@@ -38,6 +42,20 @@ private:
 };
 
 } // namespace
+
+int hardware_threads() { return tbb::info::default_concurrency(); }
+
+struct ThreadLimit::Limit {
+  tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : m_limit(new Limit{{tbb::global_control::max_allowed_parallelism,
+                         static_cast<std::size_t>(threads > 0 ? threads : hardware_threads())}}) {}
+
+ThreadLimit::~ThreadLimit() = default;
+
+std::string threading_version() { return TBB_runtime_version(); }
 
 bool alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1; }
 

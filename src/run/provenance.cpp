@@ -1,5 +1,7 @@
 #include "run/provenance.hpp"
 
+#include "base/threads.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <build_info.hpp>
@@ -10,7 +12,6 @@
 #include <xxhash.h>
 
 #include <boost/version.hpp>
-#include <tbb/version.h>
 #include <toml++/toml.h>
 
 #include <array>
@@ -38,7 +39,7 @@ Json libraries() {
       {"Eigen", joined(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"fmt", joined(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"nlohmann-json", joined(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
-      {"oneTBB", TBB_runtime_version()},
+      {"oneTBB", threading_version()},
       {"toml++", joined(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
       {"xxHash",
        joined(static_cast<int>(XXH_versionNumber() / 10000), static_cast<int>(XXH_versionNumber() / 100 % 100),

@@ -1,14 +1,13 @@
 #include "run/simulate.hpp"
 
 #include "base/failure.hpp"
+#include "base/threads.hpp"
 #include "base/time_text.hpp"
 #include "run/run_folder.hpp"
 #include "simulation/march.hpp"
 #include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <malloc.h>
 
@@ -215,9 +214,7 @@ private:
 } // namespace
 
 RunOutcome run(RunStart start, const RunOptions& options, RunObserver& observer) {
-  const int asked = start.p.run.threads;
-  const auto threads = static_cast<std::size_t>(asked > 0 ? asked : tbb::info::default_concurrency());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const ThreadLimit limit(start.p.run.threads);
   observer.begin();
   return Simulation(std::move(start), options, observer).compute();
 }

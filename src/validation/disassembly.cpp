@@ -1,7 +1,7 @@
-#include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/life_cycle.hpp"
+#include "statistics/kolmogorov_smirnov.hpp"
 #include "validation/cases.hpp"
 
 #include <fmt/format.h>

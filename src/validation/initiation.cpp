@@ -1,7 +1,7 @@
 #include "protrusion/initiation.hpp"
-#include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
 #include "cell/geometry.hpp"
+#include "statistics/kolmogorov_smirnov.hpp"
 #include "validation/cases.hpp"
 
 #include <fmt/format.h>

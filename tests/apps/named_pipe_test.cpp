@@ -1,7 +1,7 @@
 #include "apps/export/named_pipe.hpp"
 
 #include "base/file.hpp"
-#include "study_runs/child.hpp"
+#include "base/process.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,14 +23,14 @@ std::filesystem::path fresh_folder(const std::string& name) {
   return folder;
 }
 
-void wait_for(study::Child& child) {
+void wait_for(Child& child) {
   while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 TEST(NamedPipe, AChildThatOpensItLateReadsAllOfIt) {
   const std::filesystem::path folder = fresh_folder("late");
   NamedPipe pipe(folder / "pipe");
-  study::Child child({"sh", "-c", "sleep 0.3; cat \"$1\" > \"$2\"", "sh", pipe.path(), folder / "copy"}, STDERR_FILENO);
+  Child child({"sh", "-c", "sleep 0.3; cat \"$1\" > \"$2\"", "sh", pipe.path(), folder / "copy"}, STDERR_FILENO);
   const std::string text(1000, 'x');
   ASSERT_TRUE(pipe.write(text, child));
   ASSERT_TRUE(pipe.finish(child));
@@ -42,7 +42,7 @@ TEST(NamedPipe, AChildThatOpensItLateReadsAllOfIt) {
 TEST(NamedPipe, AChildThatEndsEarlyIsNoticed) {
   const std::filesystem::path folder = fresh_folder("early");
   NamedPipe pipe(folder / "pipe");
-  study::Child child({"sh", "-c", "sleep 0.1"}, STDERR_FILENO);
+  Child child({"sh", "-c", "sleep 0.1"}, STDERR_FILENO);
   ASSERT_TRUE(pipe.write("x", child));
   EXPECT_FALSE(pipe.finish(child));
   std::filesystem::remove_all(folder);

@@ -1,3 +1,4 @@
+#include "base/threads.hpp"
 #include "simulation/advance.hpp"
 
 #include "base/failure.hpp"
@@ -11,7 +12,6 @@
 #include "state/dof.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +52,8 @@ TEST(Advance, AGelAtRestStaysAtRest) {
 
 TEST(Advance, GivesTheSameBitsForAnyNumberOfThreads) {
   const Parameters p = small();
-  const auto with_threads = [&](std::size_t n) {
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, n);
+  const auto with_threads = [&](int n) {
+    const ThreadLimit limit(n);
     return pulled(p, 40);
   };
   const State one = with_threads(1);

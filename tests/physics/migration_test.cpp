@@ -1,4 +1,5 @@
 #include "base/failure.hpp"
+#include "base/threads.hpp"
 #include "cell/geometry.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"
@@ -9,7 +10,6 @@
 #include "state/dof.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <memory>
@@ -73,8 +73,8 @@ TEST(Migration, PassesThroughEveryPhase) {
 }
 
 TEST(Migration, GivesTheSameBitsForAnyNumberOfThreads) {
-  const auto with_threads = [](std::size_t n) {
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, n);
+  const auto with_threads = [](int n) {
+    const ThreadLimit limit(n);
     return migrated(hasty(), 200);
   };
   const State one = with_threads(1);

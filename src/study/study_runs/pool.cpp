@@ -2,8 +2,8 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "run/stopped_run.hpp"
-#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 

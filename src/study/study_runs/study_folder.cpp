@@ -2,12 +2,12 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "parameters/write.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
 #include "study/design/sweep.hpp"
-#include "study_runs/child.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "base/parallel.hpp"
 
+#include "base/threads.hpp"
 #include "base/vector.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <atomic>
@@ -26,7 +26,7 @@ double rough(std::size_t i) {
 
 template <class F>
 auto with_threads(int threads, const F& f) {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const ThreadLimit limit(threads);
   tbb::task_arena arena(threads);
   return arena.execute(f);
 }

@@ -1,6 +1,6 @@
 #include "base/random.hpp"
 
-#include "base/kolmogorov_smirnov.hpp"
+#include "statistics/kolmogorov_smirnov.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "protrusion/adhesion.hpp"
 
-#include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
 #include "scene.hpp"
+#include "statistics/kolmogorov_smirnov.hpp"
 
 #include <gtest/gtest.h>
 

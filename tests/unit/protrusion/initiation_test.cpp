@@ -1,10 +1,10 @@
 #include "protrusion/initiation.hpp"
 
-#include "base/kolmogorov_smirnov.hpp"
 #include "base/random.hpp"
 #include "cell/geometry.hpp"
 #include "protrusion/membership.hpp"
 #include "scene.hpp"
+#include "statistics/kolmogorov_smirnov.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "base/kolmogorov_smirnov.hpp"
 #include "cell/geometry.hpp"
 #include "protrusion/initiation.hpp"
 #include "scene.hpp"
+#include "statistics/kolmogorov_smirnov.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "solve/multigrid.hpp"
 
+#include "base/threads.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "synthetic.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 
@@ -94,8 +94,8 @@ TEST_P(MultigridOn, KnowsItsResidualWhereItIsNotComputedAnew) {
 
 TEST_P(MultigridOn, HasTheSameBitsForAnyNumberOfThreads) {
   std::vector<std::vector<Vec2>> v;
-  for (const std::size_t threads : {1, 2, 4}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
     Multigrid multigrid(reference.A, 2.0, 1e-6, 200);
     v.push_back(solution(now.A, multigrid));
   }

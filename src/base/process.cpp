@@ -1,4 +1,4 @@
-#include "study_runs/child.hpp"
+#include "base/process.hpp"
 
 #include "base/failure.hpp"
 
@@ -14,7 +14,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace matrigrate::study {
+namespace matrigrate {
 
 namespace {
 
@@ -87,4 +87,4 @@ void Child::pass_on(int signal) {
   m_told = ::sigqueue(m_id, signal, {}) == 0;
 }
 
-} // namespace matrigrate::study
+} // namespace matrigrate

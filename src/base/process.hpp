@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace matrigrate::study {
+namespace matrigrate {
 
 /// A command that is run beside this program. It is asked to terminate when this program ends, however that happens;
 /// files that are open here without O_CLOEXEC stay open in it.
@@ -37,4 +37,4 @@ std::string this_program();
 /// Exit code of a Child whose program is not there.
 inline constexpr int no_such_program = 127;
 
-} // namespace matrigrate::study
+} // namespace matrigrate
