@@ -1,15 +1,10 @@
 """A simulation that is stepped from Python, with forces of one's own."""
 from __future__ import annotations
 
-import importlib.machinery
-import importlib.util
 import math
 import os
-import sys
 import weakref
 from collections.abc import Callable, Mapping
-from pathlib import Path
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,8 +12,9 @@ from numpy.typing import NDArray
 
 from . import _arguments
 from ._files import read_text
+from ._judge import CoreNotFound as CoreNotFound
+from ._judge import core
 from ._schema import toml_text
-from .errors import MatrigrateError
 from .scenario import Scenario
 
 if TYPE_CHECKING:
@@ -238,30 +234,6 @@ class Simulation:
         _arguments.function("progress", progress)
         end = self.t + 3600.0 * hours if hours is not None else until if until is not None else self.duration
         self._core.march_to(float(end), None if progress is None else lambda _: progress(self))
-
-
-class CoreNotFound(MatrigrateError, ImportError):
-    """The compiled module of this package is not there."""
-
-
-def core() -> ModuleType:
-    """The compiled module: beside this file, or where the environment variable MATRIGRATE_CORE says."""
-    name = "matrigrate._core"
-    if name in sys.modules:
-        return sys.modules[name]
-    places = [os.environ.get("MATRIGRATE_CORE", ""), *map(str, Path(__file__).parent.glob("_core*.so"))]
-    found = next((place for place in places if place and Path(place).is_file()), None)
-    if found is None:
-        raise CoreNotFound("this package was installed without its compiled module, so it cannot step a simulation "
-                           "(matrigrate.run does); on Debian 12, in a clone of Matrigrate, python/install.sh builds the "
-                           "module and installs the package with it into a virtual environment")
-    spec = importlib.util.spec_from_file_location(name, found,
-                                                  loader=importlib.machinery.ExtensionFileLoader(name, found))
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    sys.modules[name] = module
-    return module
 
 
 def _alive(me: weakref.ref[Simulation]) -> Simulation:
