@@ -1,6 +1,8 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/judge.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "simulation/start_rules.hpp"
@@ -20,9 +22,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t largest_list = std::size_t{1} << 24;
+
 struct CheckArguments {
   std::vector<std::string> files;
   bool json = false;
+  bool values = false;
 };
 
 /// What a file is, and what is wrong with it.
@@ -72,6 +77,11 @@ void print_finding(const Finding& found) {
   if (!found.cost.empty()) print(fmt::format("{}: {}\n", found.file, found.cost));
 }
 
+int judge_values(const std::vector<std::string>& files) {
+  for (const std::string& file : files) print(judged(read_file(file, largest_list)) + "\n");
+  return done;
+}
+
 int check_files(const CheckArguments& options) {
   int code = done;
   Json files = Json::array();
@@ -97,11 +107,19 @@ void add_check(CLI::App& app, Action& chosen) {
       "A fault is printed as file:line:column: key: what is wrong and what is allowed. Of a file that is not TOML the\n"
       "first error is printed.\n"
       "--json prints {good, files: [{file, kind, good, faults: [{line, column, key, message}]}]}; line and column are "
-      "0\nwhere there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.");
+      "0\nwhere there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.\n"
+      "--values reads JSON lists such as [{\"path\": \"ecm.radius\", \"value\": \"60 um\"}], and prints for each a "
+      "list of\n"
+      "{fault, number}: what is wrong with the value, and the value in the documented unit. Rules that "
+      "join\nparameters "
+      "are not tried. Exit code 0, whatever is found.");
   const auto options = std::make_shared<CheckArguments>();
   verb->add_option("FILE", options->files, "Scenario and study files")->required();
   verb->add_flag("--json", options->json, "Print the findings as JSON");
-  verb->callback([options, &chosen] { chosen = [options] { return check_files(*options); }; });
+  verb->add_flag("--values", options->values, "The files are JSON lists of single values");
+  verb->callback([options, &chosen] {
+    chosen = [options] { return options->values ? judge_values(options->files) : check_files(*options); };
+  });
 }
 
 } // namespace matrigrate::apps

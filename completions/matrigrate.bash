@@ -78,7 +78,7 @@ _matrigrate() {
   matrigrate_list)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_check)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json --values" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_explain)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json --pictures" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_run)

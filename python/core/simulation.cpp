@@ -2,6 +2,7 @@
 // (python/matrigrate/simulation.py); its words and checks are there.
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
+#include "parameters/judge.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"
 #include "simulation/march.hpp"
@@ -348,6 +349,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "A simulation that is stepped from Python; used by matrigrate.Simulation.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
+  module.def("judged", &judged);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const Simulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
     const std::vector<Cell>& cells = of(self).cells;

@@ -5,22 +5,18 @@ import datetime
 import functools
 import json
 import math
-import operator
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
-from fractions import Fraction
 from importlib import resources
 from typing import Any
 
-from ._names import did_you_mean, nearest, nearest_parameter
-from ._units import dimension_words, exact, number_text, parse_quantity, parse_unit
+from ._judge import Answer, ask
 
 Value = str | int | float | bool  #: of a parameter, as it is typed
 
 _description = re.compile(r"(?P<meaning>.*); (?P<allowed>[^;]*)\. Default: (?P<source>.*?)\."
                           r"(?: A bare number is in (?P<unit>[^;]*?)(?P<angle>;.*)?\.)?")
-_bounds = {"minimum": operator.ge, "exclusiveMinimum": operator.gt, "maximum": operator.le,
-           "exclusiveMaximum": operator.lt}
 
 
 @dataclass(frozen=True)
@@ -35,7 +31,6 @@ class Parameter:
     unit: str  #: of a bare number; "1" of ratios, empty of flags and choices
     default: Value
     source: str  #: where the default is from
-    bounds: dict[str, float]
     choices: tuple[str, ...]
 
     @property
@@ -51,90 +46,11 @@ class Parameter:
         """A value that is allowed, as a number in the documented unit; choices and flags as they are."""
         if self.kind not in ("quantity", "angle", "ratio"):
             return value
-        return float(self._real(value)[0])
+        return judge([(self.path, value)])[0].number if isinstance(value, str) else float(value)
 
     def fault(self, value: Any) -> str:
         """What is wrong with a value, in the words of the program; empty if nothing is."""
-        if self.kind == "boolean":
-            return "" if isinstance(value, bool) else f"is {type_words(value)}; write {self.allowed}, without quotes"
-        if self.kind == "choice":
-            return self._choice_fault(value)
-        if self.kind == "field":  # what stands in it, the program judges
-            return "" if isinstance(value, str) else f"is {type_words(value)}; write {self.allowed}, in quotes"
-        if self.kind == "integer":
-            return self._whole_fault(value)
-        try:
-            number, shown = self._real(value)
-        except ValueError as error:
-            return str(error)
-        return "" if self._within(number) else self._out_of_range(shown)
-
-    def _choice_fault(self, value: Any) -> str:
-        if not isinstance(value, str):
-            return f"is {type_words(value)}; write {self.allowed}"
-        if value in self.choices:
-            return ""
-        return f'"{excerpt(value)}" is not known; allowed is {self.allowed}{did_you_mean(nearest(value, self.choices))}'
-
-    def _whole_fault(self, value: Any) -> str:
-        if isinstance(value, float):
-            return f"has a decimal point or an exponent; write a whole number, such as {self.example}"
-        if isinstance(value, str):
-            return f"is a string; write a whole number without quotes, such as {self.example}"
-        if isinstance(value, bool) or not isinstance(value, int):
-            return self._wrong_type(value)
-        return "" if self._within(value) else self._out_of_range(str(value))
-
-    def _wrong_type(self, value: Any) -> str:
-        expected = "a number with its unit" if self.kind == "quantity" else "a number without quotes"
-        return f"is {type_words(value)}, but {expected} is expected, such as {self.example}"
-
-    def _out_of_range(self, shown: str) -> str:
-        return f"{shown} is out of range; allowed is {self.allowed}{' ' + self.unit if self.kind == 'angle' else ''}"
-
-    def _within(self, number: Fraction | float) -> bool:
-        return all(_bounds[name](number, Fraction(repr(bound))) for name, bound in self.bounds.items())
-
-    def _real(self, value: Any) -> tuple[Fraction | float, str]:
-        """In the documented unit, and as it was typed. ValueError says what is wrong with it."""
-        if isinstance(value, str):
-            return self._typed(value)
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise ValueError(self._wrong_type(value))
-        if not math.isfinite(value):
-            raise ValueError(f"{number_text(value)} is not a finite number")
-        text = number_text(value)
-        return Fraction(text), text if self.unit == "1" else f"{text} {self.unit}"
-
-    def _typed(self, text: str) -> tuple[Fraction | float, str]:
-        if self.kind == "ratio":
-            raise ValueError(f"is a string; write a bare number without quotes, such as {self.example}")
-        shown = f'"{excerpt(text)}"'
-        such = "write it like " + ('"30 deg"' if self.kind == "angle" else self.example)
-        try:
-            number, unit_text = parse_quantity(text)
-            unit = parse_unit(unit_text)
-        except ValueError as error:
-            what = str(error)
-            if what.startswith("has a comma"):
-                raise ValueError(f"{shown} {what}") from None
-            joint = ": " if what.startswith(('"', "the ")) else " "
-            advice = "" if what.endswith("?") else f"; {such}"  # it has its own
-            raise ValueError(f"{shown}{joint}{excerpt(what, 120)}{advice}") from None
-        if not unit_text:
-            raise ValueError(f"{shown} has no unit; {such}, or as a bare number in {self.unit}")
-        own = parse_unit(self.unit)
-        if unit.dimension != own.dimension:
-            raise ValueError(f"{shown} is {dimension_words(unit)}, but {dimension_words(own)} is expected; {such}")
-        if unit == own:
-            return exact(number), shown
-        ratio = unit.times(own, Fraction(-1)).scale()
-        return exact(number) * ratio, shown
-
-
-def excerpt(text: str, most: int = 60) -> str:
-    shown = "".join("?" if (ord(c) < 32 and c != "\t") or ord(c) == 127 else c for c in text[:most])
-    return shown + ("..." if len(text) > most else "")
+        return judge([(self.path, value)])[0].fault
 
 
 def type_words(value: Any) -> str:
@@ -156,7 +72,7 @@ def toml_text(value: Value) -> str:
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
-    return number_text(value) if isinstance(value, int) else repr(value)
+    return repr(value)
 
 
 def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
@@ -171,9 +87,8 @@ def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
             "angle" if text["angle"] else "quantity")
     symbol = re.search(r" \(([^()\s]+)\)$", text["meaning"])
     unit = text["unit"] or ("1" if kind in ("ratio", "integer") else "")
-    bounds = {name: number[name] for name in _bounds if name in number}
     return Parameter(path, kind, text["meaning"], symbol.group(1) if symbol else "", text["allowed"], unit,
-                     entry["default"], text["source"], bounds, tuple(entry.get("enum", ())))
+                     entry["default"], text["source"], tuple(entry.get("enum", ())))
 
 
 @functools.cache
@@ -216,8 +131,29 @@ def _document() -> dict[str, Any]:
     return document
 
 
+def judge(values: Iterable[tuple[str, Any]]) -> list[Answer]:
+    """What the program says of values of parameters; all that is not known yet is asked at once."""
+    return ask([*(_question(path, value) for path, value in values), *_defaults()])
+
+
+@functools.cache
+def _defaults() -> list[str]:
+    return [_question(p.path, p.default) for p in parameters().values()]
+
+
+def _question(path: str, value: Any) -> str:
+    question: dict[str, Any] = {"path": path}
+    if isinstance(value, str):
+        question["value"] = value.encode("utf-8", "replace").decode()
+    elif isinstance(value, float) and not math.isfinite(value):
+        question["real"] = str(value)
+    elif isinstance(value, (bool, float)) or (isinstance(value, int) and -2**63 <= value < 2**63):
+        question["value"] = value
+    else:
+        question["type"] = "a number beyond 64 bits" if isinstance(value, int) else type_words(value)
+    return json.dumps(question)
+
+
 def unknown_words(path: str, is_section: bool = False) -> str:
     """What is said of a name that nothing has."""
-    symbols = {name: parameter.symbol for name, parameter in parameters().items()}
-    kind = "section" if is_section else "parameter"
-    return f"there is no such {kind}{did_you_mean(nearest_parameter(path, symbols, sections()))}"
+    return ask([json.dumps({"path": path, "section": is_section})])[0].fault

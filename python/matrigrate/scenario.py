@@ -71,7 +71,10 @@ class Scenario(Sections, Mapping[str, Value]):
         self._given: dict[str, Value] = {}
         self._cells: list[dict[str, Value]] = []
         faults: list[Fault] = []
-        for path, value, nested in _flat(_arguments.mapping("values", values)):
+        flat = list(_flat(_arguments.mapping("values", values)))
+        _schema.judge((path, _plain(value)) for path, value, _ in flat
+                      if path in _schema.parameters())
+        for path, value, nested in flat:
             try:
                 if nested:
                     raise unknown(path, is_section=True)

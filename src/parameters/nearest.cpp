@@ -21,7 +21,7 @@ std::string_view last_part(std::string_view path) { return path.substr(path.rfin
 /// Slips that are forgiven in a name of this length.
 std::size_t allowance(std::size_t length) { return std::max<std::size_t>(1, length / 3); }
 
-/// Words that people try, and what they mean here. The Python package has the same (_names.py).
+/// Words that people try, and what they mean here.
 struct Alias {
   std::string_view word;     ///< alone or in one of the sections
   std::string_view sections; ///< in which it means this, each between spaces
