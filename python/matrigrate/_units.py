@@ -1,6 +1,6 @@
 """Numbers with units, as scenarios have them: "50 Pa", "6 h 30 min", "30 deg".
 
-The rules and the words are those of the program (src/parameters/units.cpp); tests/python/test_words.py compares them.
+The rules and the words are those of the program (src/parameters/units.cpp); tests/python/test_scenario.py compares them.
 """
 from __future__ import annotations
 
