@@ -7,9 +7,9 @@
 namespace matrigrate::apps {
 
 /// While it lives, the first SIGINT, SIGTERM, SIGUSR1 (which Slurm sends ahead of a time limit) or SIGHUP is noted
-/// instead of ending the program, and a second one ends it at once, if it comes more than a second later: `timeout`,
-/// batch systems and Child tell a process both by itself and with its group, which is one wish. A SIGHUP that is
-/// ignored stays so (`nohup`). One StopSignal at a time.
+/// instead of ending the program. A second signal more than a second later ends it at once. `timeout`, batch systems
+/// and Child signal both the process and its group, so two signals within a second count as one request. A SIGHUP that
+/// is ignored stays so (`nohup`). One StopSignal at a time.
 class StopSignal {
 public:
   StopSignal();

@@ -40,7 +40,7 @@ def mapping(name: str, value: Any, expected: str = "a dictionary of parameters")
 
 
 def one_of(name: str, value: Any, *types: type) -> Any:
-    """What is of one of some types. :raises TypeError: if it is of none"""
+    """The value, if it has one of the types. :raises TypeError: if it has none of them"""
     if not isinstance(value, types):
         raise wrong(name, value, " or ".join(f"a {one.__name__}" for one in types))
     return value

@@ -70,7 +70,7 @@ class Ecm(Section):
     verlet_skin: _Quantity
     """Neighbours are listed up to this distance beyond the support; never changes a result; > 0 and <= 50 um. A bare number is in um. Default: "0.5 um" (this program)."""
     drag_lag: _Quantity
-    """Drag is taken anew in patches of the matrix in which a particle has moved further than this; with the adaptive integrator further in proportion to its step; >= 0 and <= 0.1 um. A bare number is in um. Default: "0.001 um" (MODEL.md, I30)."""
+    """Displacement of a particle after which the drag coefficients of its tile are recomputed; scaled with the step by the adaptive integrator; >= 0 and <= 0.1 um. A bare number is in um. Default: "0.001 um" (MODEL.md, I30)."""
 
 class EcmFields(Section):
     """Fields of the matrix: values that differ from place to place."""
@@ -83,7 +83,7 @@ class EcmFields(Section):
     attractant: str
     """Concentration of chemoattractant, in units of one's own; with cues.diffusion at the start and at the rim; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1e6. Default: "" (MODEL.md, I34)."""
     attractant_source: str
-    """Release of chemoattractant, concentration a second; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1e6 1/s. Default: "" (MODEL.md, I34)."""
+    """Release of chemoattractant, concentration per second; a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1e6 1/s. Default: "" (MODEL.md, I34)."""
     obstacle: str
     """Rigid obstacles where it is 0.5 or more: they do not move and are never degraded (pillars, walls); a formula in x and y, or a file (.csv, .png, .tif), of values >= 0 and <= 1. Default: "" (MODEL.md, I33)."""
 
@@ -143,7 +143,7 @@ class Cell(Section):
     repulsion_distance: _Quantity
     """Range of the repulsion of the cortex from itself (d_rep); > 0 and <= 10 um. A bare number is in um. Default: "0.2 um" (Heck et al. 2020, Table 1)."""
     crowding: float
-    """Share of its initial length below which a segment resists compression ever more; > 0 and < 1. Default: 0.5 (MODEL.md, I10)."""
+    """Fraction of its initial length below which a segment stiffens in compression; > 0 and < 1. Default: 0.5 (MODEL.md, I10)."""
     particles: int
     """Particles of the cortex; >= 20 and <= 10000. Default: 235 (Heck et al. 2020, Table 1)."""
 
@@ -225,13 +225,13 @@ class Protrusion(Section):
     deflection_rate: _Quantity
     """Rate at which growth turns towards degraded matrix (r_defl); >= 0 and <= 10 1/s. A bare number is in 1/s. Default: "0.1 1/s" (Heck et al. 2020, Table 1)."""
     number: int
-    """Protrusions that are kept up at a time, 0 for initiation at initiation_rate (n_prot); >= 0 and <= 100. Default: 0 (Heck et al. 2020, Methods)."""
+    """Target number of simultaneous protrusions; 0: stochastic initiation at initiation_rate (n_prot); >= 0 and <= 100. Default: 0 (Heck et al. 2020, Methods)."""
     candidate_interval: _Quantity
-    """With a kept number: one candidate is drawn in each interval, whatever the time step; >= 0.01 and <= 10000 s. A bare number is in s. Default: "0.4 s" (Heck et al. 2020, Methods)."""
+    """With a target number: one candidate is drawn in each interval, whatever the time step; >= 0.01 and <= 10000 s. A bare number is in s. Default: "0.4 s" (Heck et al. 2020, Methods)."""
     rear_share: float
-    """With a kept number: chance of a rear particle over that of a front particle; >= 0 and <= 1. Default: 0.01 (Heck et al. 2020, Methods)."""
+    """With a target number: chance of a rear particle over that of a front particle; >= 0 and <= 1. Default: 0.01 (Heck et al. 2020, Methods)."""
     area_limit: float
-    """With a kept number: area over A_0 beyond which none is initiated; > 1 and <= 100. Default: 2 (Heck et al. 2020, Methods)."""
+    """With a target number: area over A_0 beyond which none is initiated; > 1 and <= 100. Default: 2 (Heck et al. 2020, Methods)."""
     least_facing: float
     """A protrusion begins where its tip would feel at least this share of the growth force; >= 0 and <= 1. Default: 0.8 (MODEL.md, I16)."""
     growing_base: Literal["free", "tied"]

@@ -185,7 +185,7 @@ struct ProtrusionParameters {
   double deflection_cone = 1.0471975511965976; ///< half opening of the cone that is looked at [rad]
   double spreading_rate = 0.5;                 ///< speed at which growing particles slide towards equal spacing [1/s]
   double finishing_time = 400.0;               ///< T_finish [s]
-  int number = 0;                  ///< n_prot, protrusions that are kept up at a time; 0: initiated at initiation_rate
+  int number = 0; ///< n_prot, target number of simultaneous protrusions; 0: initiated at initiation_rate
   double candidate_interval = 0.4; ///< with a kept number: one candidate is drawn in so much time [s]
   double rear_share = 0.01;  ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
   double least_facing = 0.8; ///< least mean of max(0, n . d_prot) of the pushing particles at initiation [-]

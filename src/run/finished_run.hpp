@@ -35,7 +35,7 @@ FinishedRun read_run(const std::filesystem::path& folder);
 /// Frames that the run has written up to its last checkpoint, and that are not in its film.
 store::LostFrames lost_frames(const FinishedRun& run);
 
-/// What the page of the run shows (viewer/README.md).
+/// What the page of the run shows (viewer/src/contract.ts).
 nlohmann::ordered_json page_data(const FinishedRun& run);
 
 /// The page of report.html.

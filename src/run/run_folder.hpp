@@ -45,7 +45,7 @@ public:
   /// @throws NumericalFailure if it may not; the checkpoint is then still the last good one
   void write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep = false);
 
-  /// Takes away fields.part, which only a run that goes on needs. To be done when run.json says that it is done.
+  /// Removes fields.part, which only resuming needs. Call it after run.json says that the run is done.
   void remove_log();
 
   /// Whether checkpoints are written at their intervals; they are, unless told otherwise.

@@ -51,16 +51,16 @@ TEST(Documents, HeadersNameTheirTestByItsPath) {
         EXPECT_TRUE((*i)[1].str().starts_with("tests/")) << folder << '/' << source.path << ": " << i->str();
 }
 
-TEST(Documents, ReadmeListsThePackagesThatAreInstalled) {
+TEST(Documents, LibrariesPageListsThePackagesThatAreInstalled) {
   const std::string setup = text_of("tools/setup.sh");
   std::set<std::string> installed = packages(setup, "packages_to_build");
   installed.merge(packages(setup, "packages_to_test"));
   installed.merge(packages(setup, "packages_for_site"));
   ASSERT_GT(installed.size(), 15U);
-  EXPECT_EQ(listed(text_of("README.md"), "### From Debian"), installed);
+  EXPECT_EQ(listed(text_of("docs/libraries.md"), "## From Debian"), installed);
 }
 
-TEST(Documents, ReadmeListsWhatNpmInstalls) {
+TEST(Documents, LibrariesPageListsWhatNpmInstalls) {
   const std::string package = text_of("viewer/package.json");
   const std::string wanted = package.substr(package.find("\"devDependencies\""));
   const std::regex name(R"re(\n    "([^"]+)":)re");
@@ -68,7 +68,7 @@ TEST(Documents, ReadmeListsWhatNpmInstalls) {
   for (auto i = std::sregex_iterator(wanted.begin(), wanted.end(), name); i != std::sregex_iterator(); ++i)
     installed.insert((*i)[1]);
   ASSERT_GT(installed.size(), 4U);
-  EXPECT_EQ(listed(text_of("README.md"), "### From npm"), installed);
+  EXPECT_EQ(listed(text_of("docs/libraries.md"), "## From npm"), installed);
 }
 
 TEST(Documents, GiveCommandsThatExist) {

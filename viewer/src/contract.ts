@@ -4,10 +4,10 @@
  *
  * Units are those of every file of the program: um, s, nN, radians; stress in Pa; speeds in um/h. A key says its unit
  * where it has one. A number that does not exist (not yet happened, not defined) is `null`, never NaN.
- * The same contract in words, with the exact layout of a packed array, is in README.md.
+ * Positions are interpolated linearly between frames; front, protrusions and anchors are those of the previous frame.
  */
 
-/** Quantised numbers, compressed. value = offset + scale * q. Layout: see `unpack.ts` and README.md. */
+/** Quantised numbers, compressed. value = offset + scale * q. Layout: `unpack.ts`. */
 export interface Packed {
   /** How one q is stored; int16 is signed. */
   type: "int16" | "uint8";

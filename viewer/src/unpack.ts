@@ -1,4 +1,15 @@
-/** Packed arrays back into numbers. The layout is stated in README.md; `sample/pack.ts` is its inverse. */
+/**
+ * Packed arrays back into numbers; `sample/pack.ts` is the inverse. The layout:
+ *
+ * value = offset + scale * q. A frame has N = per_frame * components numbers q, the components of an entry side by side
+ * (x0, y0, x1, y1, ...). The number of frames is the length of `times_s`; `reference` has one frame.
+ * 1. q = round((value - offset) / scale), clamped to the range of the type; a non-finite value is q = 0.
+ * 2. With `delta` each frame after the first stores d = q - q of the frame before, modulo 2^16 (int16) or 2^8 (uint8).
+ *    Otherwise d = q.
+ * 3. Bytes of a frame. uint8: d[0], ..., d[N-1]. int16: first the N low bytes, then the N high bytes, which compresses
+ *    better. Two entries 0x0201, 0x0403 of one component are the bytes 01 03 02 04.
+ * 4. All frames one after the other are one zlib stream (RFC 1950), then base64 with padding, without line breaks.
+ */
 import type { Packed } from "./contract";
 
 /** Frames of quantised numbers: value = offset + scale * q. Kept quantised, since that is what the graphics card gets. */

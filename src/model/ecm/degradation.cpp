@@ -18,7 +18,7 @@ namespace {
   return !((support >= min_support) | (f <= 0.0));
 }
 
-/// Whether a density is.
+/// Whether any density is at a bound.
 MATRIGRATE_SIMD
 bool any_at_bound(std::span<const double> rho, double low, double high) {
   std::uint64_t any = 0;
@@ -26,7 +26,7 @@ bool any_at_bound(std::span<const double> rho, double low, double high) {
   return any != 0;
 }
 
-/// Whether a particle is one.
+/// Whether any particle is an orphan.
 MATRIGRATE_SIMD
 bool any_orphan(const EcmState& ecm, const Reference& ref, double min_support) {
   const double* f = ecm.f.data();

@@ -225,8 +225,7 @@ std::vector<std::uint32_t> VerletList::moved(std::span<const Vec2> x) const {
   return moved;
 }
 
-/// Lists the moved particles where they are now: their rows are made anew, and they leave the rows of those whom they
-/// no longer meet, and enter those of whom they meet.
+/// Rebuilds the rows of the moved particles and updates the rows of their old and new neighbours.
 void VerletList::mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved) {
   m_changed.assign(x.size(), 0);
   for (const std::uint32_t i : moved) m_x_listed[i] = x[i];

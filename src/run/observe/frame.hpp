@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, protrusions alive. Numbers are
-/// 32 bits long, and hold no more digits than are meant: displacements 1/16384 um, velocities and stresses four of
-/// them. Test: tests/unit/observe/frame_test.cpp
+/// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, living protrusions. They
+/// are stored as float32, rounded to their meaningful precision: 1/16384 um for displacements, four digits for
+/// velocities and stresses. Test: tests/unit/observe/frame_test.cpp
 namespace matrigrate::observe {
 
 /// Numbers beside each other, those of an entry together: x0, y0, x1, y1, ...

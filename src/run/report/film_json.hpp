@@ -5,7 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-/// The frames of a run as the report's player takes them (viewer/README.md). Test: tests/unit/report/run_page_test.cpp
+/// The frames of a run as the report's player takes them (viewer/src/contract.ts). Test:
+/// tests/unit/report/run_page_test.cpp
 namespace matrigrate::report {
 
 /// Takes away what the player does not show, where memory counts.

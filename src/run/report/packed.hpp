@@ -6,7 +6,8 @@
 
 #include <functional>
 
-/// Numbers of many frames in few characters, as viewer/README.md describes it. Test: tests/unit/report/packed_test.cpp
+/// Numbers of many frames in few characters, as viewer/src/unpack.ts describes it. Test:
+/// tests/unit/report/packed_test.cpp
 namespace matrigrate::report {
 
 /// How numbers are stored: value = offset + scale q.

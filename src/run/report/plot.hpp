@@ -29,7 +29,7 @@ struct Plot {
   std::vector<Series> series = {};
 };
 
-/// As viewer/README.md describes it; colours are chosen.
+/// As viewer/src/verdicts/contract.ts describes it; colours are chosen.
 /// @throws std::invalid_argument if x and y of a series differ in length
 nlohmann::ordered_json plot_json(const Plot& plot);
 

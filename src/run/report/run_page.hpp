@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The report of a run: one HTML file that plays it and needs nothing else. Made of a template, which viewer/ builds,
-/// and of data, whose contract is in viewer/README.md. Test: tests/unit/report/run_page_test.cpp
+/// and of data, whose contract is in viewer/src/contract.ts. Test: tests/unit/report/run_page_test.cpp
 namespace matrigrate::report {
 
 /// Something about a run as a whole: "seed", "7".

@@ -19,8 +19,9 @@ struct RunMemory {
   std::vector<HealthRow> health; ///< of health.csv
   std::vector<GroupRow> group;   ///< of group.csv
   HealthWatch watch;             ///< since the last row
-  std::optional<HealthRow> last; ///< of the last checkpoint's state: a run that goes on from it has not made its step
-  StepHealth counts;             ///< since the start
+  std::optional<HealthRow>
+      last;          ///< of the checkpoint's state; resuming cannot recompute it, as it depends on the step before
+  StepHealth counts; ///< since the start
   std::vector<observe::CellScene> scenes; ///< of the contact sheet
   std::vector<double> frames;             ///< times of all frames so far, also of those that were lost since [s]
   std::uint64_t trajectory = 0;           ///< fingerprint of the rows so far

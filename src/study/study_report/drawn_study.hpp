@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// What pages draw of a study, as viewer/README.md describes it. Test: tests/unit/study_report/drawn_study_test.cpp
+/// What pages draw of a study, as viewer/src/study/contract.ts describes it. Test:
+/// tests/unit/study_report/drawn_study_test.cpp
 namespace matrigrate::study {
 
 /// The read-outs that a study compares: [{name, label, meaning, unit}].

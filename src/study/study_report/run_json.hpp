@@ -13,7 +13,8 @@ namespace matrigrate::study {
 /// @param place  of its point on the axes
 nlohmann::ordered_json readouts_of_run(const Study& study, const Result& result, const nlohmann::ordered_json& place);
 
-/// A run as the page of a study takes it (viewer/README.md): how it stands, its read-outs, path and outline at the end.
+/// A run as the page of a study takes it (viewer/src/study/contract.ts): how it stands, its read-outs, path and outline
+/// at the end.
 /// @param place  of its point on the axes
 /// @throws InputOutputError if a table of a run that is done cannot be read
 /// Test: tests/unit/study_report/study_data_test.cpp, tests/apps/study_test.cpp

@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// The part of a study's page on factors and targets, as viewer/README.md describes it.
+/// The part of a study's page on factors and targets, as viewer/src/study/contract.ts describes it.
 /// Test: tests/unit/study_report/study_data_test.cpp
 namespace matrigrate::study {
 

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-/// The data of a study's report, as viewer/README.md describes them. Test: tests/unit/study_report/study_data_test.cpp
+/// The data of a study's report, as viewer/src/study/contract.ts describes them. Test:
+/// tests/unit/study_report/study_data_test.cpp
 namespace matrigrate::study {
 
 /// A run that the page plays.

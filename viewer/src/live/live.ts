@@ -34,7 +34,7 @@ export class Live {
   film: LiveFilm | null = null;
   protrusions: ProtrusionRow[] = [];
   tracks = noTracks();
-  /** Pictures of the page in all, for whoever measures. */
+  /** Number of pictures drawn so far, for measurements. */
   painted = 0;
   private readonly engine: EngineWorker;
   private readonly times: number[] = [];
@@ -222,7 +222,7 @@ export class Live {
     if (play) this.play();
   }
 
-  /** Takes away all that shows the film; the next moment makes it again, as it was looked at. */
+  /** Disposes of the player; the next frame recreates it with the same view. */
   private lookAway(): void {
     this.gone.abort();
     if (this.shown) this.view = viewOf(this.shown.stage);

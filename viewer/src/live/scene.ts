@@ -2,7 +2,7 @@
 import type { ProtrusionRow, RunPage, Tracks } from "../contract";
 import { h, setText } from "../dom";
 import { timeText } from "../numbers";
-import { haunts } from "../run/frames";
+import { visitedBox } from "../run/frames";
 import { attachKeys, keyList } from "../run/keys";
 import { layers } from "../run/matrix/layers";
 import { panel } from "../run/panel";
@@ -105,7 +105,7 @@ export function scene(
   // Once it has a size: the cell with room to walk, or all cells.
   const show = () => {
     const { camera } = stage;
-    const { left, right, bottom, top } = haunts(film.film);
+    const { left, right, bottom, top } = visitedBox(film.film);
     const least = film.film.cells.length > 1 ? Math.max(firstView, right - left, top - bottom) : firstView;
     camera.scale = before?.scale ?? Math.min(camera.width, camera.height) / least;
     if (before) [camera.x, camera.y] = [before.x, before.y];

@@ -134,7 +134,7 @@ export function usualDisplacement(film: Film): number {
 }
 
 /** Where the cell is at any stored time, with a margin: the first view. */
-export function haunts(film: Film): Box {
+export function visitedBox(film: Film): Box {
   const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
   for (let frame = 0; frame < film.times.length; ++frame)
     for (let i = 0; i < film.outlinePoints; ++i) {

@@ -7,7 +7,7 @@ import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
 import type { Clock } from "./clock";
 import { edges, type Edge } from "./over/edge";
-import { haunts, outlineAt, placeAt, type Film, type Place } from "./frames";
+import { visitedBox, outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
 import type { Pen } from "./over/pen";
@@ -95,7 +95,7 @@ export class Stage {
     this.edge = edges(film)[0];
     const r = run.geometry.radius_um + run.geometry.spacing_um;
     this.camera = new Camera({ left: -r, right: r, bottom: -r, top: r });
-    this.home = haunts(film);
+    this.home = visitedBox(film);
     this.painter = particlePainter(bottom, film, run.geometry.spacing_um, () => {
       this.painter = plainInstead(this.painter.canvas, film, run.geometry.spacing_um);
       this.fit();

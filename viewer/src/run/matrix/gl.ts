@@ -28,7 +28,7 @@ export function program(gl: WebGL2RenderingContext, vertex: string, fragment: st
   return { used: made, uniforms: Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(made, name)])) };
 }
 
-/** Whether the processor plays the card. Some browsers do not count that as the caveat they are asked about. */
+/** Whether WebGL runs in software. `failIfMajorPerformanceCaveat` does not detect that in every browser. */
 export function isSoftware(gl: WebGL2RenderingContext): boolean {
   const info = gl.getExtension("WEBGL_debug_renderer_info");
   return info !== null && /swiftshader|llvmpipe|software/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)));

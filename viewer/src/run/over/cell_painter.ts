@@ -219,7 +219,7 @@ export function paintCell(c: Pen, scene: CellScene): void {
   part("protrusions");
   if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
   part("edge");
-  // Over the protrusions: whoever chose a colour for the edge wants to see it there above all.
+  // Drawn over the protrusions, so that a chosen colour of the edge stays visible there.
   if (shown.cell) paintEdge(c, camera, outline, film.cells, scene.edge, place);
   part("adhesions");
   if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
