@@ -1,0 +1,177 @@
+"""Read-outs of tracks on a grid of times: pure functions of arrays.
+
+A track is an array of shape (times, 2) [um] at equal intervals, with NaN where it has a gap. Only pairs of positions that
+are both there count: nothing is interpolated.
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+Track = np.ndarray[Any, np.dtype[np.float64]]
+
+meanings = {
+    "speed_um_per_h": "speed from position to position, mean of each track, mean over tracks",
+    "speed_median_um_per_h": "the same, median over tracks",
+    "speed_q25_um_per_h": "the same, lower quartile over tracks",
+    "speed_q75_um_per_h": "the same, upper quartile over tracks",
+    "net_speed_um_per_h": "speed from start to end, mean over tracks",
+    "straightness": "distance from start to end over the length of the path, mean over tracks",
+    "directionality_ratio": "the same over all windows of ten intervals, mean over tracks",
+    "directionality_time_min": "time from the start at which the mean of the ratio falls below one half",
+    "persistence_min": "persistence time of the persistent random walk fitted to the mean square displacement",
+    "msd_slope_short": "log-log slope of the mean square displacement, lags of one to four intervals",
+    "msd_slope_long": "the same, lags of an eighth to half of the longest track",
+    "anisotropy": "mean square step along over across the main axis of each track, median over tracks",
+    "turning_angle_deg": "angle between successive steps, without sign, mean of each track, mean over tracks",
+    "turning_cosine": "cosine of this angle, mean of each track, mean over tracks",
+}
+
+
+def readouts(tracks: Sequence[Track], interval: float, error: float = 0.0) -> dict[str, float]:
+    """All read-outs; NaN where the tracks do not define one.
+
+    :param interval: [s]
+    :param error: localisation error of a coordinate [um]; the mean square displacement is less by 4 error^2
+    """
+    speeds = np.array([_mean(_lengths(track)) for track in tracks]) * 3600.0 / interval
+    known = speeds[np.isfinite(speeds)]
+    quartiles = np.percentile(known, [25, 50, 75]) if known.size else [np.nan] * 3
+    square = msd(tracks) - 4.0 * error**2
+    longest = max(map(len, tracks), default=1) - 1
+    turns = [_turning(track) for track in tracks]
+    return {
+        "speed_um_per_h": _mean(speeds), "speed_median_um_per_h": float(quartiles[1]),
+        "speed_q25_um_per_h": float(quartiles[0]), "speed_q75_um_per_h": float(quartiles[2]),
+        "net_speed_um_per_h": _mean([_net(track, interval) for track in tracks]),
+        "straightness": _mean([_straightness(track) for track in tracks]),
+        "directionality_ratio": _mean([_windowed(track, 10) for track in tracks]),
+        "directionality_time_min": _directionality_time(tracks) * interval / 60.0,
+        "persistence_min": persistence(square[:max(3, longest // 3)], interval) / 60.0,
+        "msd_slope_short": _slope(square, 1, min(4, longest)),
+        "msd_slope_long": _slope(square, max(1, longest // 8), longest // 2),
+        "anisotropy": _median([_anisotropy(track) for track in tracks]),
+        "turning_angle_deg": _mean([_mean(np.degrees(np.abs(turn))) for turn in turns]),
+        "turning_cosine": _mean([_mean(np.cos(turn)) for turn in turns]),
+    }
+
+
+def msd(tracks: Sequence[Track]) -> Track:
+    """Mean square displacement [um^2] over lags of 1, 2, ... intervals: over all pairs of positions of all tracks."""
+    longest = max(map(len, tracks), default=1)
+    sums, counts = np.zeros(longest - 1), np.zeros(longest - 1)
+    for track in tracks:
+        for lag in range(1, len(track)):
+            squares = np.sum((track[lag:] - track[:-lag])**2, axis=1)
+            sums[lag - 1] += np.nansum(squares)
+            counts[lag - 1] += np.count_nonzero(np.isfinite(squares))
+    return np.divide(sums, counts, out=np.full(longest - 1, np.nan), where=counts > 0)
+
+
+def persistence(square: Track, interval: float) -> float:
+    """Persistence time P [s] of Fuerth's formula, MSD(t) = 2 S^2 P (t - P (1 - exp(-t/P))), by least relative squares;
+    NaN where the lags cannot tell it: P below half an interval (a diffusive path) or above the largest lag (a straight
+    one)."""
+    usable = np.isfinite(square) & (square > 0)
+    if np.count_nonzero(usable) < 3:
+        return float("nan")
+    t, y = interval * (np.flatnonzero(usable) + 1.0), square[usable]
+    candidates = np.geomspace(interval / 4, 4 * t[-1], 2000)
+
+    def misfit(P: float) -> float:
+        model = P * (t - P * -np.expm1(-t / P)) / y
+        return float(np.sum((model * np.sum(model) / np.sum(model**2) - 1)**2))
+
+    best = float(candidates[np.argmin([misfit(P) for P in candidates])])
+    return best if interval / 2 <= best <= t[-1] else float("nan")
+
+
+def _steps(track: Track) -> Track:
+    return track[1:] - track[:-1]
+
+
+def _lengths(track: Track) -> Track:
+    steps = _steps(track)
+    return np.hypot(steps[:, 0], steps[:, 1])
+
+
+def _ends(track: Track) -> Track:
+    return np.flatnonzero(np.isfinite(track[:, 0]))
+
+
+def _net(track: Track, interval: float) -> float:
+    there = _ends(track)
+    if len(there) < 2:
+        return float("nan")
+    return float(np.hypot(*(track[there[-1]] - track[there[0]])) / ((there[-1] - there[0]) * interval) * 3600.0)
+
+
+def _straightness(track: Track) -> float:
+    """A gap counts as a straight step."""
+    there = track[_ends(track)]
+    path = float(np.sum(_lengths(there)))
+    return float(np.hypot(*(there[-1] - there[0]))) / path if path > 0 else float("nan")
+
+
+def _windowed(track: Track, size: int) -> float:
+    """Over the windows without a gap."""
+    if len(track) <= size:
+        return float("nan")
+    path = np.convolve(_lengths(track), np.ones(size), "valid")
+    net = np.hypot(*(track[size:] - track[:-size]).T)
+    return _mean(np.divide(net, path, out=np.full(len(net), np.nan), where=path > 0))
+
+
+def _directionality_time(tracks: Sequence[Track]) -> float:
+    """In intervals, between two of them by interpolation; NaN if the ratio stays above one half."""
+    longest = max(map(len, tracks), default=1) - 1
+    ratios = np.full((len(tracks), longest), np.nan)
+    for row, track in zip(ratios, tracks, strict=True):
+        path = np.cumsum(_lengths(track))  # NaN from a gap on
+        net = np.hypot(*(track[1:] - track[0]).T)
+        row[:len(path)] = np.divide(net, path, out=np.full(len(path), np.nan), where=path > 0)
+    mean = np.array([_mean(column) for column in ratios.T])
+    below = np.flatnonzero(mean < 0.5)
+    if not below.size or below[0] == 0:
+        return float("nan")
+    k = below[0]
+    return float(k + (mean[k - 1] - 0.5) / (mean[k - 1] - mean[k]))
+
+
+def _slope(square: Track, first: int, last: int) -> float:
+    lags = np.arange(1, len(square) + 1)
+    usable = (lags >= first) & (lags <= last) & np.isfinite(square) & (square > 0)
+    if np.count_nonzero(usable) < 2:
+        return float("nan")
+    return float(np.polyfit(np.log(lags[usable]), np.log(square[usable]), 1)[0])
+
+
+def _anisotropy(track: Track) -> float:
+    steps = _steps(track)
+    steps = steps[np.isfinite(steps[:, 0])]
+    if len(steps) < 3:
+        return float("nan")
+    across, along = np.linalg.eigvalsh(steps.T @ steps)
+    return float(along / across) if across > 1e-12 * along else float("nan")
+
+
+def _turning(track: Track) -> Track:
+    """[rad]; without steps of length zero, which have no direction."""
+    steps = _steps(track)
+    steps = np.where((_lengths(track) > 0)[:, None], steps, np.nan)
+    a, b = steps[:-1], steps[1:]
+    return np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], np.sum(a * b, axis=1))
+
+
+def _mean(values: Any) -> float:
+    known = np.asarray(values, dtype=float)
+    known = known[np.isfinite(known)]
+    return float(known.mean()) if known.size else float("nan")
+
+
+def _median(values: Any) -> float:
+    known = np.asarray(values, dtype=float)
+    known = known[np.isfinite(known)]
+    return float(np.median(known)) if known.size else float("nan")
