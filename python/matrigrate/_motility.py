@@ -30,44 +30,59 @@ meanings = {
 }
 
 
-def readouts(tracks: Sequence[Track], interval: float, error: float = 0.0) -> dict[str, float]:
-    """All read-outs; NaN where the tracks do not define one.
+class Parts:
+    """What each track contributes, an entry or row a track: read-outs of a resampled set need no more."""
 
-    :param interval: [s]
-    :param error: localisation error of a coordinate [um]; the mean square displacement is less by 4 error^2
-    """
-    speeds = np.array([_mean(_lengths(track)) for track in tracks]) * 3600.0 / interval
-    known = speeds[np.isfinite(speeds)]
-    quartiles = np.percentile(known, [25, 50, 75]) if known.size else [np.nan] * 3
-    square = msd(tracks) - 4.0 * error**2
-    longest = max(map(len, tracks), default=1) - 1
-    turns = [_turning(track) for track in tracks]
-    return {
-        "speed_um_per_h": _mean(speeds), "speed_median_um_per_h": float(quartiles[1]),
-        "speed_q25_um_per_h": float(quartiles[0]), "speed_q75_um_per_h": float(quartiles[2]),
-        "net_speed_um_per_h": _mean([_net(track, interval) for track in tracks]),
-        "straightness": _mean([_straightness(track) for track in tracks]),
-        "directionality_ratio": _mean([_windowed(track, 10) for track in tracks]),
-        "directionality_time_min": _directionality_time(tracks) * interval / 60.0,
-        "persistence_min": persistence(square[:max(3, longest // 3)], interval) / 60.0,
-        "msd_slope_short": _slope(square, 1, min(4, longest)),
-        "msd_slope_long": _slope(square, max(1, longest // 8), longest // 2),
-        "anisotropy": _median([_anisotropy(track) for track in tracks]),
-        "turning_angle_deg": _mean([_mean(np.degrees(np.abs(turn))) for turn in turns]),
-        "turning_cosine": _mean([_mean(np.cos(turn)) for turn in turns]),
-    }
+    def __init__(self, tracks: Sequence[Track], interval: float) -> None:
+        self.interval = interval
+        longest = max(map(len, tracks), default=1) - 1
+        self.squares, self.pairs = np.zeros((len(tracks), longest)), np.zeros((len(tracks), longest))
+        self.ratios = np.full((len(tracks), longest), np.nan)
+        for k, track in enumerate(tracks):
+            for lag in range(1, len(track)):
+                squares = np.sum((track[lag:] - track[:-lag])**2, axis=1)
+                self.squares[k, lag - 1] = np.nansum(squares)
+                self.pairs[k, lag - 1] = np.count_nonzero(np.isfinite(squares))
+            path = np.cumsum(_lengths(track))  # NaN from a gap on
+            net = np.hypot(*(track[1:] - track[0]).T)
+            self.ratios[k, :len(path)] = np.divide(net, path, out=np.full(len(path), np.nan), where=path > 0)
+        self.lengths = np.array([len(track) - 1 for track in tracks])
+        self.speed = np.array([_mean(_lengths(track)) for track in tracks]) * 3600.0 / interval
+        self.net_speed = np.array([_net(track, interval) for track in tracks])
+        self.straightness = np.array([_straightness(track) for track in tracks])
+        self.windowed = np.array([_windowed(track, 10) for track in tracks])
+        self.anisotropy = np.array([_anisotropy(track) for track in tracks])
+        turns = [_turning(track) for track in tracks]
+        self.angle = np.array([_mean(np.degrees(np.abs(turn))) for turn in turns])
+        self.cosine = np.array([_mean(np.cos(turn)) for turn in turns])
 
+    def msd(self, which: Any = slice(None)) -> Track:
+        """[um^2] over lags of 1, 2, ... intervals: over all pairs of positions of the tracks."""
+        sums, counts = self.squares[which].sum(axis=0), self.pairs[which].sum(axis=0)
+        return np.divide(sums, counts, out=np.full(len(sums), np.nan), where=counts > 0)
 
-def msd(tracks: Sequence[Track]) -> Track:
-    """Mean square displacement [um^2] over lags of 1, 2, ... intervals: over all pairs of positions of all tracks."""
-    longest = max(map(len, tracks), default=1)
-    sums, counts = np.zeros(longest - 1), np.zeros(longest - 1)
-    for track in tracks:
-        for lag in range(1, len(track)):
-            squares = np.sum((track[lag:] - track[:-lag])**2, axis=1)
-            sums[lag - 1] += np.nansum(squares)
-            counts[lag - 1] += np.count_nonzero(np.isfinite(squares))
-    return np.divide(sums, counts, out=np.full(longest - 1, np.nan), where=counts > 0)
+    def readouts(self, which: Any = slice(None), error: float = 0.0) -> dict[str, float]:
+        """All read-outs of the tracks of these numbers; NaN where they do not define one.
+
+        :param error: localisation error of a coordinate [um]; the mean square displacement is less by 4 error^2
+        """
+        speeds = self.speed[which]
+        known = speeds[np.isfinite(speeds)]
+        quartiles = np.percentile(known, [25, 50, 75]) if known.size else [np.nan] * 3
+        square = self.msd(which) - 4.0 * error**2
+        longest = int(self.lengths[which].max(initial=0))
+        return {
+            "speed_um_per_h": _mean(speeds), "speed_median_um_per_h": float(quartiles[1]),
+            "speed_q25_um_per_h": float(quartiles[0]), "speed_q75_um_per_h": float(quartiles[2]),
+            "net_speed_um_per_h": _mean(self.net_speed[which]), "straightness": _mean(self.straightness[which]),
+            "directionality_ratio": _mean(self.windowed[which]),
+            "directionality_time_min": _directionality_time(self.ratios[which]) * self.interval / 60.0,
+            "persistence_min": persistence(square[:max(3, longest // 3)], self.interval) / 60.0,
+            "msd_slope_short": _slope(square, 1, min(4, longest)),
+            "msd_slope_long": _slope(square, max(1, longest // 8), longest // 2),
+            "anisotropy": _median(self.anisotropy[which]),
+            "turning_angle_deg": _mean(self.angle[which]), "turning_cosine": _mean(self.cosine[which]),
+        }
 
 
 def persistence(square: Track, interval: float) -> float:
@@ -78,13 +93,11 @@ def persistence(square: Track, interval: float) -> float:
     if np.count_nonzero(usable) < 3:
         return float("nan")
     t, y = interval * (np.flatnonzero(usable) + 1.0), square[usable]
-    candidates = np.geomspace(interval / 4, 4 * t[-1], 2000)
-
-    def misfit(P: float) -> float:
-        model = P * (t - P * -np.expm1(-t / P)) / y
-        return float(np.sum((model * np.sum(model) / np.sum(model**2) - 1)**2))
-
-    best = float(candidates[np.argmin([misfit(P) for P in candidates])])
+    candidates = np.geomspace(interval / 4, 4 * t[-1], 400)
+    P = candidates[:, None]
+    model = P * (t - P * -np.expm1(-t / P)) / y  # up to the factor 2 S^2, which is fitted as well
+    factor = model.sum(axis=1) / (model**2).sum(axis=1)
+    best = float(candidates[np.argmin(((model * factor[:, None] - 1)**2).sum(axis=1))])
     return best if interval / 2 <= best <= t[-1] else float("nan")
 
 
@@ -124,14 +137,8 @@ def _windowed(track: Track, size: int) -> float:
     return _mean(np.divide(net, path, out=np.full(len(net), np.nan), where=path > 0))
 
 
-def _directionality_time(tracks: Sequence[Track]) -> float:
+def _directionality_time(ratios: Track) -> float:
     """In intervals, between two of them by interpolation; NaN if the ratio stays above one half."""
-    longest = max(map(len, tracks), default=1) - 1
-    ratios = np.full((len(tracks), longest), np.nan)
-    for row, track in zip(ratios, tracks, strict=True):
-        path = np.cumsum(_lengths(track))  # NaN from a gap on
-        net = np.hypot(*(track[1:] - track[0]).T)
-        row[:len(path)] = np.divide(net, path, out=np.full(len(path), np.nan), where=path > 0)
     mean = np.array([_mean(column) for column in ratios.T])
     below = np.flatnonzero(mean < 0.5)
     if not below.size or below[0] == 0:

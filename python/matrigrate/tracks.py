@@ -118,12 +118,12 @@ class Tracks(Mapping[str, Any]):
             raise ConfigurationError(f"error: {error:g} um is no localisation error")
         tracks = list((self if interval is None else self.every(interval)).values())
         step = self.interval if interval is None else interval
-        values = _motility.readouts(tracks, step, error)
+        parts = _motility.Parts(tracks, step)
+        values = parts.readouts(error=error)
         errors = dict.fromkeys(values, float("nan"))
         if len(tracks) > 1 and resamples > 1:
             random = np.random.default_rng(1)
-            drawn = [_motility.readouts([tracks[k] for k in random.integers(len(tracks), size=len(tracks))], step, error)
-                     for _ in range(resamples)]
+            drawn = [parts.readouts(random.integers(len(tracks), size=len(tracks)), error) for _ in range(resamples)]
             for name in values:
                 known = [one[name] for one in drawn if math.isfinite(one[name])]
                 if math.isfinite(values[name]) and len(known) >= 0.9 * resamples:
@@ -133,7 +133,7 @@ class Tracks(Mapping[str, Any]):
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
-        square = _motility.msd(list(self.values()))
+        square = _motility.Parts(list(self.values()), self.interval).msd()
         return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
 
 
@@ -176,7 +176,7 @@ def of(result: Run | Study, interval: float | None = None) -> Tracks:
     if not isinstance(result, (Run, Study)):
         raise TypeError(f"result must be a run or a study, not {type(result).__name__}")
     table = result.tracks if isinstance(result, Run) else result.tracks()
-    keys = ["track"] if isinstance(result, Run) else ["run", "track"]
+    keys: Any = "track" if isinstance(result, Run) else ["run", "track"]
     positions, notes, last = [], list[str](), 0
     for key, rows in table.groupby(keys, sort=False):
         name = "/".join(map(str, key if isinstance(key, tuple) else (key,)))

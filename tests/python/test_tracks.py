@@ -189,7 +189,7 @@ class BothSides(common.InTemporaryFolder):
     def test_exported_and_own_tables_agree(self):
         for name in ("run", "pair"):
             out = self.folder / name
-            subprocess.run([common.program, "export", common.runs / name, "--tracks", "--out", out], check=True,
+            subprocess.run([common.program, "export", common.runs / name, "--tracks", "--output", out], check=True,
                            capture_output=True)
             own = tracks.of(matrigrate.load(common.runs / name), interval=120).readouts(resamples=0)["value"]
             self.assertTrue(math.isfinite(own["speed_um_per_h"]))
