@@ -1,5 +1,6 @@
 """Posteriors against a model whose parameters are known; what is refused and what is said."""
 import unittest
+import unittest.mock
 
 import common
 import matrigrate
@@ -64,6 +65,18 @@ class Recovery(unittest.TestCase):
 
 class OfAStudy(unittest.TestCase):
     study = matrigrate.load_study(common.runs / "study")
+
+    def test_cells_like_those_of_a_point_weigh_that_point_most(self):
+        done = self.study.results
+        with unittest.mock.patch.object(calibrate, "_least_sample", 1.0):
+            for k, label in enumerate(done["label"].unique()):
+                cells = {}
+                for name in done.loc[done["label"] == label, "run"]:
+                    cells[name] = next(iter(tracks.of(self.study.runs[name]).values()))
+                posterior = calibrate.by_tracks(self.study, tracks.Tracks(cells, 60.0, []), ["speed_um_per_h", "turning_cosine"])
+                self.assertEqual(int(np.argmax(posterior.weights)), k)
+                self.assertEqual(list(posterior.table.index), ["ecm.youngs_modulus_Pa"])
+                np.testing.assert_array_less(posterior.weights[1 - k], 0.5)
 
     def test_unknown_readouts_and_small_studies(self):
         cells = tracks.of(self.study)
