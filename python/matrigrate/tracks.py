@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 __all__ = ["Tracks", "meaning", "of", "read"]
 
 _off_grid = 0.01  # of an interval
+_longest = 10_000  # intervals of a track
 
 
 def meaning(readout: str) -> str:
@@ -225,6 +226,9 @@ def _on_grid(positions: list[Position], shortest: int, notes: list[str], faults:
         if round(smallest) > 1:
             faults.add(f"track {name} has steps of {smallest * interval:g} s and more, most tracks have {interval:g} s: "
                        "one interval is needed", own[1].line)
+        if indices[-1] > _longest:
+            faults.add(f"track {name} spans {indices[-1]} intervals of {interval:g} s; {_longest} are the most", own[-1].line)
+            continue
         array = np.full((indices[-1] + 1, 2), np.nan)
         array[indices] = [(position.x, position.y) for position in own]
         gaps += len(array) - len(own)

@@ -109,6 +109,7 @@ class Files(common.InTemporaryFolder):
         self.refused("has 3 fields, the header 4", self.plain("id,t,x,y", row, extra="0,9600,2\n"), 26, **units)
         self.refused("step of 60 s, most have 120 s", self.plain("id,t,x,y", row, extra="2,900,1,2\n"), 26, **units)
         self.refused("two positions at 840 s", self.plain("id,t,x,y", row, extra="2,840,1,2\n"), 26, **units)
+        self.refused("spans", self.plain("id,t,x,y", row, extra="2,120000000000,1,2\n"), 26, **units)
         slow = "".join(f"9,{240 * n},{n},0\n" for n in range(5))
         self.refused("has steps of 240 s and more", self.plain("id,t,x,y", row, extra=slow), 27, **units)
         self.refused("has 1 tracks", self.plain("id,t,x,y", row, cells=1), **units)
