@@ -1,0 +1,137 @@
+"""Parameters from measured tracks: which points of a study give cells like the measured ones.
+
+    from matrigrate import calibrate, tracks
+
+    cells = tracks.read("spots.csv", pixel=0.65, interval=120)
+    study = matrigrate.load_study("design-study")         # a Latin hypercube: its ranges are the prior
+    print(calibrate.by_tracks(study, cells, ["speed_um_per_h", "straightness"]))
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import tracks as _tracks
+from ._files import _pandas
+from .errors import ConfigurationError
+from .studies import Study
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Posterior", "by_tracks", "weigh"]
+
+_least_sample = 20.0
+_told = 0.8
+
+
+@dataclass(frozen=True)
+class Posterior:
+    """What measured read-outs say of parameters."""
+
+    weights: np.ndarray[Any, Any]  #: of the points; their sum is 1
+    table: pandas.DataFrame
+    """A row a parameter: quantiles of prior and posterior, ``width`` (of the 90 % interval, over that of the prior), and
+    ``told``: whether the width is below 0.8."""
+    fit: pandas.DataFrame  #: a row a read-out: measured value, its error, weighted mean of the points, and their range
+    widened: float  #: factor on the errors, above 1 where fewer than 20 points would have counted
+    notes: list[str]
+
+    def __repr__(self) -> str:
+        return "\n".join([self.table.to_string(), "", self.fit.to_string(), *self.notes])
+
+
+def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.DataFrame) -> Posterior:
+    """Approximate Bayesian computation with a normal kernel as wide as the standard errors of the measured read-outs. The scatter
+    of simulations is in ``found``, so it widens the posterior: intervals err on the wide side.
+
+    :param points: a row a simulation, a column a parameter, drawn from the prior
+    :param found: the same rows, a column a read-out
+    :param measured: a row a read-out, with ``value`` and ``standard_error``
+    """
+    names = list(measured.index)
+    faults = [f"{name}: has no value" if not np.isfinite(measured.loc[name, "value"]) else
+              f"{name}: has no standard error above 0" for name in names
+              if not np.isfinite(measured.loc[name, "value"]) or not measured.loc[name, "standard_error"] > 0]
+    faults += [f"{name}: the simulations do not have it" for name in names if name not in found]
+    whole = found[[name for name in names if name in found]].notna().all(axis=1).to_numpy(bool)
+    faults += [f"{name}: is the same in all simulations" for name in names
+               if name in found and found.loc[whole, name].nunique() == 1]
+    if not faults and whole.sum() < 2 * _least_sample:
+        faults.append(f"{int(whole.sum())} simulations have all read-outs; {2 * _least_sample:g} are needed")
+    if not names or not len(points.columns):
+        faults.append("one read-out and one parameter are needed")
+    if faults:
+        raise ConfigurationError("\n".join(faults))
+    notes = [f"{int((~whole).sum())} simulations without all read-outs are left out"] if not whole.all() else []
+    value, error = measured["value"].to_numpy(float), measured["standard_error"].to_numpy(float)
+    distance = np.full(len(points), np.inf)
+    distance[whole] = (((found.loc[whole, names].to_numpy(float) - value) / error)**2).sum(axis=1)
+
+    def weights_at(factor: float) -> np.ndarray[Any, Any]:
+        weights = np.exp(-(distance - distance.min()) / (2 * factor**2))
+        return np.asarray(weights / weights.sum())
+
+    factor = 1.0
+    while 1 / np.sum(weights_at(factor)**2) < _least_sample:
+        factor *= 1.1
+    weights = weights_at(factor)
+    if factor > 1:
+        notes.append(f"errors are widened by a factor of {factor:.2g}, so that {_least_sample:g} points count: more points near "
+                     "the measured read-outs would narrow the intervals")
+    rows = {}
+    for name in points.columns:
+        column = points[name].to_numpy(float)
+        prior = _quantiles(column[whole], np.ones(int(whole.sum())))
+        after = _quantiles(column, weights)
+        width = (after[2] - after[0]) / (prior[2] - prior[0]) if prior[2] > prior[0] else float("nan")
+        rows[name] = [*prior, *after, width, bool(width < _told)]
+        if not width < _told:
+            notes.append(f"the data cannot tell {name}: its 90 % interval is {width:.0%} of the prior's")
+    columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]
+    table = _pandas().DataFrame.from_dict(rows, orient="index", columns=columns)
+    used = found.loc[whole, names]
+    fit = _pandas().DataFrame({"measured": value, "standard_error": error,
+                               "posterior_mean": (used.to_numpy(float) * weights[whole, None]).sum(axis=0),
+                               "least": used.min().to_numpy(float), "most": used.max().to_numpy(float)}, index=names)
+    notes += [f"no simulation reaches the measured {name}" for name, row in fit.iterrows()
+              if not row["least"] - 2 * row["standard_error"] <= row["measured"] <= row["most"] + 2 * row["standard_error"]]
+    return Posterior(weights, table, fit, factor, notes)
+
+
+def by_tracks(study: Study, measured: _tracks.Tracks, readouts: Sequence[str], *, error: float = 0.0) -> Posterior:
+    """What measured tracks say of the parameters of a study. A point is its runs that are done: more replicates make it
+    scatter less.
+
+    :param study: a Latin hypercube over the prior, whose runs are as long as the tracks
+    :param readouts: those of tracks to compare, such as ``["speed_um_per_h", "straightness"]``
+    :param error: localisation error of a coordinate [um], added to the simulated tracks
+    """
+    of_cells = measured.readouts()
+    unknown = [name for name in readouts if name not in of_cells.index]
+    if unknown:
+        raise ConfigurationError(f"there is no read-out {', '.join(unknown)}; there are {', '.join(of_cells.index)}")
+    done = study.results[study.results["status"] == "done"]
+    rows, points = [], []
+    for _, runs in done.groupby("label", sort=False):
+        cells = {}
+        for name in runs["run"]:
+            one = _tracks.of(study.runs[name], measured.interval)
+            cells |= {f"{name}/{track}": positions for track, positions in one.items()}
+        simulated = _tracks.Tracks(cells, measured.interval, [])
+        if error > 0:
+            simulated = simulated.with_error(error, seed=len(rows) + 1)
+        rows.append(simulated.readouts(resamples=0)["value"])
+        points.append(runs[study.parameters].iloc[0])
+    frame = _pandas().DataFrame
+    return weigh(frame(points).reset_index(drop=True), frame(rows).reset_index(drop=True), of_cells.loc[list(readouts)])
+
+
+def _quantiles(values: Any, weights: Any) -> tuple[float, float, float]:
+    order = np.argsort(values)
+    reached = np.cumsum(weights[order]) - weights[order] / 2
+    low, middle, high = np.interp([0.05, 0.5, 0.95], reached / weights.sum(), values[order])
+    return float(low), float(middle), float(high)
