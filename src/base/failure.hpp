@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// The ways in which a call may fail, one type per exit code of the program (the table of exit codes is in docs/exit-codes.md).
+/// The ways in which a call may fail, one type per exit code of the program (the table of exit codes is in
+/// docs/exit-codes.md).
 namespace matrigrate {
 
 /// A fault at one place of an input file. Printed as `file:line:column: key: message`.
