@@ -83,7 +83,8 @@ TEST_F(Reproduce, KeptVerdictsFollowFromKeptTables) {
     if (const std::string name = entry.path().filename(); name.ends_with("-paths.csv"))
       studies.insert(name.substr(0, name.size() - 10));
   std::size_t drawn = 0; // X rows, which may be kept as well, are left out of all
-  for (const json& one : json::parse(page_data("again/report-all.html")).at("studies")) {
+  const json page = json::parse(page_data("again/report-all.html"));
+  for (const json& one : page.at("studies")) {
     drawn += studies.contains(one.at("name")) ? 1U : 0U;
     for (const json& run : one.at("study").at("runs"))
       EXPECT_EQ(run.at("path").is_null(), run.at("status") != "done") << one.at("name");
@@ -111,7 +112,9 @@ TEST_F(Reproduce, DrawsOnlyWhatBelongsToTheChosenRows) {
 
 TEST_F(Reproduce, FiguresOfVerificationCasesStandBesideTheirRows) {
   run("reproduce V -o parts --from '" + kept.string() + "'");
-  for (const json& row : json::parse(page_data("parts/report-V.html")).at("statements")) {
+  const json page = json::parse(page_data("parts/report-V.html"));
+  ASSERT_EQ(page.at("statements").size(), 3U);
+  for (const json& row : page.at("statements")) {
     ASSERT_EQ(row.at("plots").size(), 1U) << row.at("id");
     EXPECT_TRUE(row.at("plots").at(0).at("name").get<std::string>().starts_with("validate-"));
   }

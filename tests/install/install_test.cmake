@@ -26,9 +26,10 @@ set(expected bin/matrigrate share/matrigrate/docs/scenario.schema.json share/man
              share/zsh/site-functions/_matrigrate share/fish/vendor_completions.d/matrigrate.fish)
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR}/src ${SOURCE_DIR}/src/*.hpp)
 file(GLOB_RECURSE inputs RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/scenarios/*.toml ${SOURCE_DIR}/studies/*.toml)
-foreach(library model/ run/observe run/store run/draw run/report study/study_runs study/claims study/study_report)
-  string(REGEX REPLACE "[^/]*$" "" wing ${library}) # headers are installed by the path that includes them
-  list(TRANSFORM headers REPLACE "^${wing}" "" REGEX "^${library}")
+foreach(library model/ run/observe/ run/store/ run/draw/ run/report/ study/study_runs/ study/claims/ study/study_report/)
+  string(REGEX MATCH "^[a-z]+/" wing ${library}) # headers are installed by the path that includes them
+  string(REGEX REPLACE "^[a-z]+/" "" name ${library})
+  list(TRANSFORM headers REPLACE "^${wing}${name}" "${name}")
 endforeach()
 list(TRANSFORM headers PREPEND include/matrigrate/ OUTPUT_VARIABLE installed_headers)
 list(TRANSFORM inputs PREPEND share/matrigrate/)

@@ -254,7 +254,7 @@ class WhatIsMissingOrDamaged(common.InTemporaryFolder):
 
 
 def load_tests(_, tests, __):
-    for name in ("results", "_files", "_names", "errors"):
+    for name in ("results", "_files", "errors"):
         tests.addTests(doctest.DocTestSuite(importlib.import_module(f"matrigrate.{name}")))
     return tests
 

@@ -141,7 +141,7 @@ def cpp_pages(root: pathlib.Path) -> dict[str, str]:
     what = dict(re.findall(r"^\| `src/(?:\w+/)?(\w+)/` \| (.*?) \|", (root / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE))
     pages, rows = {}, []
     libraries = {path.parent.name: path.parent for path in (root / "src").rglob("CMakeLists.txt")
-                 if "matrigrate_folder(" in path.read_text(encoding="utf-8")}
+                 if re.search(r"^matrigrate_folder\(", path.read_text(encoding="utf-8"), re.MULTILINE)}
     for folder, place in sorted(libraries.items()):
         headers = sorted(path for path in place.rglob("*.hpp")
                          if not any(other in path.parents for other in libraries.values() if place in other.parents))
