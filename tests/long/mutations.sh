@@ -34,7 +34,7 @@ src/model/protrusion/growth.cpp|? 1.0 / area : 1.0|? 2.0 - area : 1.0|protrusion
 '
 files='
 src/run/store/trajectory_hash.cpp|update(state.get(), cell.nucleus.x)|update(state.get(), cell.cortex.x)|store|the hash of a trajectory does not see nuclei
-src/model/state/members.hpp|visit(Member{"falling", "nN"}, s.falling);||store|a member is left out of the list of members
+src/model/state/members.hpp|visit(StateMember{"falling", "nN"}, s.falling);||store|a member is left out of the list of members
 src/run/store/checkpoint.cpp|else if (!value.empty())|else if (!value.empty() && !member.may_be_empty)|store|fields of the matrix are left out of the checkpoint
 src/model/state/image.cpp|put(value.value_or(0.0));|put(0.0);|store|the polarization is left out of the image
 src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file

@@ -17,7 +17,7 @@ constexpr std::uint64_t version = 0x4d47'4c49'5645'0005; // "MGLIVE" 5
 /// Appends one value after the other.
 class ImageWriter {
 public:
-  void operator()(const Member&, const auto& value) { put(value); }
+  void operator()(const StateMember&, const auto& value) { put(value); }
 
   template <class T>
   void put(const T& value) {
@@ -55,7 +55,7 @@ class ImageReader {
 public:
   explicit ImageReader(std::string_view bytes) : m_rest(bytes) {}
 
-  void operator()(const Member&, auto& value) { get(value); }
+  void operator()(const StateMember&, auto& value) { get(value); }
 
   template <class T>
   void get(T& value) {

@@ -11,7 +11,7 @@
 namespace matrigrate {
 
 /// Name and unit of a member.
-struct Member {
+struct StateMember {
   const char* name;
   const char* unit = "";
   bool may_be_empty = false; ///< of an array with one entry a particle: empty where the matrix has no such field
@@ -21,103 +21,103 @@ template <class T, class Of>
 concept Like = std::same_as<std::remove_const_t<T>, Of>;
 
 void each_member(Like<Growing> auto& s, auto&& visit) {
-  visit(Member{"direction", "1"}, s.direction);
-  visit(Member{"base_width", "um"}, s.base_width);
+  visit(StateMember{"direction", "1"}, s.direction);
+  visit(StateMember{"base_width", "um"}, s.base_width);
 }
 
 void each_member(Like<Maturing> auto& s, auto&& visit) {
-  visit(Member{"direction", "1"}, s.direction);
-  visit(Member{"anchor", "um"}, s.anchor);
-  visit(Member{"steps"}, s.steps);
-  visit(Member{"last_step", "s"}, s.last_step);
-  visit(Member{"held", "um"}, s.held);
+  visit(StateMember{"direction", "1"}, s.direction);
+  visit(StateMember{"anchor", "um"}, s.anchor);
+  visit(StateMember{"steps"}, s.steps);
+  visit(StateMember{"last_step", "s"}, s.last_step);
+  visit(StateMember{"held", "um"}, s.held);
 }
 
 void each_member(Like<Contracting> auto& s, auto&& visit) {
-  visit(Member{"anchor", "um"}, s.anchor);
-  visit(Member{"f_mat", "1"}, s.f_mat);
-  visit(Member{"bundle", "nN"}, s.bundle);
-  visit(Member{"falling", "nN"}, s.falling);
-  visit(Member{"held", "um"}, s.held);
+  visit(StateMember{"anchor", "um"}, s.anchor);
+  visit(StateMember{"f_mat", "1"}, s.f_mat);
+  visit(StateMember{"bundle", "nN"}, s.bundle);
+  visit(StateMember{"falling", "nN"}, s.falling);
+  visit(StateMember{"held", "um"}, s.held);
 }
 
-void each_member(Like<Finishing> auto& s, auto&& visit) { visit(Member{"f_mat", "1"}, s.f_mat); }
+void each_member(Like<Finishing> auto& s, auto&& visit) { visit(StateMember{"f_mat", "1"}, s.f_mat); }
 
 void each_member(Like<ProtrusionRecord> auto& s, auto&& visit) {
-  visit(Member{"id"}, s.id);
-  visit(Member{"centre"}, s.centre);
-  visit(Member{"t_initiation", "s"}, s.t_initiation);
-  visit(Member{"t_adhesion", "s"}, s.t_adhesion);
-  visit(Member{"t_mature", "s"}, s.t_mature);
-  visit(Member{"t_disassembly", "s"}, s.t_disassembly);
-  visit(Member{"t_end", "s"}, s.t_end);
-  visit(Member{"length", "um"}, s.length);
-  visit(Member{"direction", "rad"}, s.direction);
-  visit(Member{"f_mat", "1"}, s.f_mat);
-  visit(Member{"force", "nN"}, s.force);
-  visit(Member{"cause"}, s.cause);
+  visit(StateMember{"id"}, s.id);
+  visit(StateMember{"centre"}, s.centre);
+  visit(StateMember{"t_initiation", "s"}, s.t_initiation);
+  visit(StateMember{"t_adhesion", "s"}, s.t_adhesion);
+  visit(StateMember{"t_mature", "s"}, s.t_mature);
+  visit(StateMember{"t_disassembly", "s"}, s.t_disassembly);
+  visit(StateMember{"t_end", "s"}, s.t_end);
+  visit(StateMember{"length", "um"}, s.length);
+  visit(StateMember{"direction", "rad"}, s.direction);
+  visit(StateMember{"f_mat", "1"}, s.f_mat);
+  visit(StateMember{"force", "nN"}, s.force);
+  visit(StateMember{"cause"}, s.cause);
 }
 
 void each_member(Like<Protrusion> auto& s, auto&& visit) {
-  visit(Member{"centre"}, s.centre);
-  visit(Member{"since", "s"}, s.since);
-  visit(Member{"phase"}, s.phase);
-  visit(Member{"record"}, s.record);
+  visit(StateMember{"centre"}, s.centre);
+  visit(StateMember{"since", "s"}, s.since);
+  visit(StateMember{"phase"}, s.phase);
+  visit(StateMember{"record"}, s.record);
 }
 
 void each_member(Like<CortexState> auto& s, auto&& visit) {
-  visit(Member{"x", "um"}, s.x);
-  visit(Member{"v", "um/s"}, s.v);
-  visit(Member{"l0", "um"}, s.l0);
+  visit(StateMember{"x", "um"}, s.x);
+  visit(StateMember{"v", "um/s"}, s.v);
+  visit(StateMember{"l0", "um"}, s.l0);
 }
 
 void each_member(Like<Cell> auto& s, auto&& visit) {
-  visit(Member{"id"}, s.id);
-  visit(Member{"cortex"}, s.cortex);
-  visit(Member{"nucleus"}, s.nucleus);
-  visit(Member{"protrusions"}, s.protrusions);
-  visit(Member{"ended"}, s.ended);
-  visit(Member{"polarization", "rad"}, s.polarization);
-  visit(Member{"initiated"}, s.initiated);
+  visit(StateMember{"id"}, s.id);
+  visit(StateMember{"cortex"}, s.cortex);
+  visit(StateMember{"nucleus"}, s.nucleus);
+  visit(StateMember{"protrusions"}, s.protrusions);
+  visit(StateMember{"ended"}, s.ended);
+  visit(StateMember{"polarization", "rad"}, s.polarization);
+  visit(StateMember{"initiated"}, s.initiated);
 }
 
 void each_member(Like<EcmState> auto& s, auto&& visit) {
   constexpr bool may_be_empty = true;
-  visit(Member{"V0", "um^2"}, s.V0);
-  visit(Member{"period_x", "um"}, s.period_x);
-  visit(Member{"X", "um"}, s.X);
-  visit(Member{"x", "um"}, s.x);
-  visit(Member{"v", "um/s"}, s.v);
-  visit(Member{"rho", "1"}, s.rho);
-  visit(Member{"S", "kPa"}, s.S);
-  visit(Member{"f", "1"}, s.f);
-  visit(Member{"attractant", "1", may_be_empty}, s.attractant);
-  visit(Member{"clamped"}, s.clamped);
-  visit(Member{"E_ratio", "1", may_be_empty}, s.E_ratio);
-  visit(Member{"fibre_direction", "rad", may_be_empty}, s.fibre_direction);
-  visit(Member{"fibre_ratio", "1", may_be_empty}, s.fibre_ratio);
-  visit(Member{"ligand", "1", may_be_empty}, s.ligand);
-  visit(Member{"attractant_source", "1/s", may_be_empty}, s.attractant_source);
-  visit(Member{"obstacle", "", may_be_empty}, s.obstacle);
+  visit(StateMember{"V0", "um^2"}, s.V0);
+  visit(StateMember{"period_x", "um"}, s.period_x);
+  visit(StateMember{"X", "um"}, s.X);
+  visit(StateMember{"x", "um"}, s.x);
+  visit(StateMember{"v", "um/s"}, s.v);
+  visit(StateMember{"rho", "1"}, s.rho);
+  visit(StateMember{"S", "kPa"}, s.S);
+  visit(StateMember{"f", "1"}, s.f);
+  visit(StateMember{"attractant", "1", may_be_empty}, s.attractant);
+  visit(StateMember{"clamped"}, s.clamped);
+  visit(StateMember{"E_ratio", "1", may_be_empty}, s.E_ratio);
+  visit(StateMember{"fibre_direction", "rad", may_be_empty}, s.fibre_direction);
+  visit(StateMember{"fibre_ratio", "1", may_be_empty}, s.fibre_ratio);
+  visit(StateMember{"ligand", "1", may_be_empty}, s.ligand);
+  visit(StateMember{"attractant_source", "1/s", may_be_empty}, s.attractant_source);
+  visit(StateMember{"obstacle", "", may_be_empty}, s.obstacle);
 }
 
 void each_member(Like<SolverMemory> auto& s, auto&& visit) {
-  visit(Member{"v_before", "um/s"}, s.v_before);
-  visit(Member{"x_drag", "um"}, s.x_drag);
+  visit(StateMember{"v_before", "um/s"}, s.v_before);
+  visit(StateMember{"x_drag", "um"}, s.x_drag);
 }
 
 void each_member(Like<State> auto& s, auto&& visit) {
-  visit(Member{"step"}, s.step);
-  visit(Member{"t", "s"}, s.t);
-  visit(Member{"ecm"}, s.ecm);
-  visit(Member{"cells"}, s.cells);
-  visit(Member{"solver_memory"}, s.solver_memory);
+  visit(StateMember{"step"}, s.step);
+  visit(StateMember{"t", "s"}, s.t);
+  visit(StateMember{"ecm"}, s.ecm);
+  visit(StateMember{"cells"}, s.cells);
+  visit(StateMember{"solver_memory"}, s.solver_memory);
 }
 
 /// A struct with a list above.
 template <class T>
 concept Listed = requires(T& s) {
-  each_member(s, [](const Member&, auto&) {});
+  each_member(s, [](const StateMember&, auto&) {});
 };
 
 template <class T>

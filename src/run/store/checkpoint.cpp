@@ -83,7 +83,7 @@ struct StateWriter {
       return s;
     } else {
       Json json = Json::object();
-      each_member(s, [&](const Member& member, const auto& value) {
+      each_member(s, [&](const StateMember& member, const auto& value) {
         const std::string at = path + "/" + member.name;
         if constexpr (!Array<std::remove_cvref_t<decltype(value)>>)
           json[member.name] = (*this)(value, at);
@@ -122,7 +122,7 @@ struct StateReader {
     else if constexpr (std::is_integral_v<T>)
       s = integer<T>(json);
     else
-      each_member(s, [&](const Member& member, auto& value) {
+      each_member(s, [&](const StateMember& member, auto& value) {
         const std::string at = path + "/" + member.name;
         if constexpr (!Array<std::remove_reference_t<decltype(value)>>)
           (*this)(value, json.at(member.name), at);
@@ -185,7 +185,7 @@ State state_from(const std::string& text, const MemoryFile* file) {
 /// Whether each array has n entries, or none where that is allowed.
 bool has_entries(const Listed auto& s, std::size_t n) {
   bool all = true;
-  each_member(s, [&](const Member& member, const auto& value) {
+  each_member(s, [&](const StateMember& member, const auto& value) {
     if constexpr (Array<std::remove_cvref_t<decltype(value)>>)
       all = all && (value.size() == n || (member.may_be_empty && value.empty()));
   });

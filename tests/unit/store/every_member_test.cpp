@@ -68,7 +68,7 @@ void expect_all_listed() {
   std::vector<const void*> named;
   std::apply([&there](const auto&... member) { (there.push_back(&member), ...); }, every_member::members(s));
   std::vector<std::string> names;
-  each_member(s, [&](const Member& member, const auto& value) {
+  each_member(s, [&](const StateMember& member, const auto& value) {
     named.push_back(&value);
     names.emplace_back(member.name);
   });
