@@ -8,7 +8,6 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "claims/study_claims.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/row_file.hpp"
@@ -30,22 +29,21 @@ std::string joined(const std::vector<std::string>& parts) { return fmt::format("
 using View = std::string_view;
 
 /// Every mean and condition of each claim.
-std::string conditions_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
+std::string conditions_csv(const std::vector<ReproducedRow>& rows) {
   std::string text = store::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
                                       View("verdict"), View("caveat")});
   for (const ReproducedRow& row : rows) {
     const std::string verdict = to_string(row.finding.verdict);
     const std::string ours = joined(row.finding.ours);
     const std::string statistic = joined(row.finding.conditions);
-    const std::string caveat = claims_caveat(row.id, evidence);
     text += store::csv_line({View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic),
-                             View(verdict), View(caveat)});
+                             View(verdict), View(row.caveat)});
   }
   return text;
 }
 
 /// The table that people read, a line a claim.
-std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
+std::string claims_csv(const std::vector<ReproducedRow>& rows) {
   std::string text = store::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"),
                                       View("verdict"), View("why_not"), View("verdict_in_larger_disc"),
                                       View("verdict_second_edition"), View("caveat")});
@@ -55,9 +53,8 @@ std::string claims_csv(const std::vector<ReproducedRow>& rows, const study::Evid
     const std::string why = study::why_not(row.finding);
     const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
     const std::string second = to_string(row.finding.second);
-    const std::string caveat = claims_caveat(row.id, evidence);
     text += store::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
-                             View(verdict), View(why), View(larger), View(second), View(caveat)});
+                             View(verdict), View(why), View(larger), View(second), View(row.caveat)});
   }
   return text;
 }
@@ -95,7 +92,7 @@ report::Statement statement(const ReproducedRow& row, const study::Evidence& evi
           .kind = to_string(row.kind),
           .sentence = row.sentence,
           .verdict = study::verdict_word(row.finding.verdict),
-          .caveat = claims_caveat(row.id, evidence),
+          .caveat = row.caveat,
           .published = row.published,
           .brief = row.finding.brief,
           .why_not = study::why_not(row.finding),
@@ -159,8 +156,8 @@ void require_own_files(const ReproduceOptions& options, const std::vector<const 
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
                         const ReproducedFigures& figures, const std::string& setting, const std::string& command) {
-  write_file(folder / fmt::format("claims-{}.csv", id), conditions_csv(rows, evidence));
-  write_file(folder / "claims.csv", claims_csv(rows, evidence));
+  write_file(folder / fmt::format("claims-{}.csv", id), conditions_csv(rows));
+  write_file(folder / "claims.csv", claims_csv(rows));
   report::VerdictReport page{.title = fmt::format("Claims of Heck et al. 2020: {}", id),
                              .facts = facts(evidence, command),
                              .setting = setting,
@@ -172,13 +169,12 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
              report::filled_page(verdicts_page_template(), report::verdict_data(page)));
 }
 
-std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence) {
+std::string reproduction_text(const std::vector<ReproducedRow>& rows) {
   std::string text;
   for (const ReproducedRow& row : rows) {
-    const std::string caveat = claims_caveat(row.id, evidence);
     text += fmt::format("{:<4}{}{}\n    {}\n", row.id,
                         coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
-                        caveat.empty() ? "" : fmt::format(" ({})", caveat), row.sentence);
+                        row.caveat.empty() ? "" : fmt::format(" ({})", row.caveat), row.sentence);
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
@@ -195,17 +191,15 @@ std::string reproduction_table(const std::vector<ReproducedRow>& rows, const stu
   for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, ends_text(ensemble));
   std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "second edition", "claim"}};
   for (const ReproducedRow& row : rows) {
-    const std::string caveat = claims_caveat(row.id, evidence);
     cells.push_back({row.id, to_string(row.kind),
-                     to_string(row.finding.verdict) + (caveat.empty() ? "" : fmt::format(" ({})", caveat)),
+                     to_string(row.finding.verdict) + (row.caveat.empty() ? "" : fmt::format(" ({})", row.caveat)),
                      to_string(row.finding.second), row.sentence});
   }
   return fmt::format("{}\n{}{}.\n{}.\n", text, aligned(cells, 5), study::bottom_line(rows),
                      study::second_bottom_line(rows));
 }
 
-std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                              const std::string& setting, bool as_published) {
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const ReproducedRow& row : rows)
@@ -215,7 +209,7 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows, const stud
                     {"ours", row.finding.ours},
                     {"statistic", row.finding.conditions},
                     {"verdict", to_string(row.finding.verdict)},
-                    {"caveat", claims_caveat(row.id, evidence)},
+                    {"caveat", row.caveat},
                     {"kind", to_string(row.kind)},
                     {"brief", row.finding.brief},
                     {"why_not", study::why_not(row.finding)},

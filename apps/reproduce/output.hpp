@@ -26,16 +26,14 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
                         const ReproducedFigures& figures, const std::string& setting, const std::string& command);
 
 /// The table for people. Where runs are not the paper's, that stands beside the verdict.
-std::string reproduction_text(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);
+std::string reproduction_text(const std::vector<ReproducedRow>& rows);
 
 /// How the runs of each study ended, the verdicts in a table, a line per row, and the bottom line.
 std::string reproduction_table(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence);
 
-/// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict,
-/// caveat, kind, brief, why_not,
-/// verdict_in_larger_disc}]}.
+/// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict, caveat,
+/// kind, brief, why_not, verdict_in_larger_disc, verdict_second_edition}]}.
 /// @param as_published  whether replicates and parameters are the paper's; otherwise these are no verdicts on it
-std::string reproduction_json(const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
-                              const std::string& setting, bool as_published);
+std::string reproduction_json(const std::vector<ReproducedRow>& rows, const std::string& setting, bool as_published);
 
 } // namespace matrigrate::apps

@@ -6,6 +6,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/process.hpp"
+#include "claims/study_claims.hpp"
 #include "parameters/nearest.hpp"
 #include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
@@ -74,7 +75,10 @@ std::vector<ReproducedRow> judged_rows(const std::vector<const study::Claim*>& c
     if (row.verification.empty() && options.chooses(row.id))
       rows.push_back(judged_by_fields(row, all.evidence, options));
   const study::ClosureSet set = options.closures == "first" ? study::ClosureSet::first : study::ClosureSet::second;
-  for (ReproducedRow& row : rows) row.kind = study::row_kind(row.id, set);
+  for (ReproducedRow& row : rows) {
+    row.kind = study::row_kind(row.id, set);
+    row.caveat = study::claims_caveat(row.id, all.evidence);
+  }
   return rows;
 }
 
@@ -113,9 +117,9 @@ int reproduce(const ReproduceOptions& options) {
     write_reproduction(options.folder, options.id, rows, all.evidence, reproduced_figures(all.evidence, options),
                        setting, options.command);
     if (options.json)
-      print(reproduction_json(rows, all.evidence, setting, as_published(options)));
+      print(reproduction_json(rows, setting, as_published(options)));
     else
-      print(reproduction_text(rows, all.evidence) + reproduction_table(rows, all.evidence) + setting + "\n"
+      print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
             + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   }
   const auto holds = [](const ReproducedRow& row) { return row.finding.verdict == study::Verdict::holds; };

@@ -59,6 +59,7 @@ struct JudgedClaim {
   Finding finding;
   std::optional<Finding> in_larger_disc{}; ///< with runs that ended at the rim made again in a larger disc
   RowKind kind = row_kind(id);
+  std::string caveat{}; ///< "not the paper's runs" where the runs of its studies are not; else ""
 };
 
 JudgedClaim judged(const Claim& claim, const Evidence& evidence);
