@@ -108,15 +108,13 @@ void add_check(CLI::App& app, Action& chosen) {
       "first error is printed.\n"
       "--json prints {good, files: [{file, kind, good, faults: [{line, column, key, message}]}]}; line and column are "
       "0\nwhere there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.\n"
-      "--values reads JSON lists such as [{\"path\": \"ecm.radius\", \"value\": \"60 um\"}], and prints for each a "
-      "list of\n"
-      "{fault, number}: what is wrong with the value, and the value in the documented unit. Rules that "
-      "join\nparameters "
-      "are not tried. Exit code 0, whatever is found.");
+      "--values reads JSON lists such as [{\"path\": \"ecm.radius\", \"value\": \"60 um\"}], and prints for each a\n"
+      "list of {fault, number}: what is wrong with the value, and the value in the documented unit. Rules that join\n"
+      "parameters are not tried. Exit code 0, whatever is found; 3 if a file is no such list.");
   const auto options = std::make_shared<CheckArguments>();
   verb->add_option("FILE", options->files, "Scenario and study files")->required();
-  verb->add_flag("--json", options->json, "Print the findings as JSON");
-  verb->add_flag("--values", options->values, "The files are JSON lists of single values");
+  CLI::Option* json = verb->add_flag("--json", options->json, "Print the findings as JSON");
+  verb->add_flag("--values", options->values, "The files are JSON lists of single values")->excludes(json);
   verb->callback([options, &chosen] {
     chosen = [options] { return options->values ? judge_values(options->files) : check_files(*options); };
   });

@@ -10,6 +10,18 @@ namespace {
 
 using nlohmann::json;
 
+TEST_F(Program, CheckJudgesSingleValues) {
+  write("good.json", R"([{"path": "ecm.radius", "value": "60 um"}, {"path": "ecm.radius", "value": "60 s"}])");
+  const Ended judged = run("check --values good.json");
+  EXPECT_EQ(judged.code, 0) << "what is found is printed";
+  EXPECT_TRUE(contains(judged.out, R"("number":60.0)")) << judged.out;
+  EXPECT_TRUE(contains(judged.out, R"({"fault":"")")) << judged.out;
+  write("bad.json", "{");
+  EXPECT_EQ(run("check --values bad.json").code, 3);
+  EXPECT_EQ(run("check --values nowhere.json").code, 5);
+  EXPECT_EQ(run("check --values --json good.json").code, 2);
+}
+
 TEST_F(Program, HelpOfEveryVerb) {
   EXPECT_EQ(run("-h").code, 0);
   for (const std::string verb : {"new", "list", "check", "explain", "run", "validate", "study", "reproduce", "info"}) {

@@ -8,7 +8,9 @@ import tempfile
 import tomllib
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/site"))
 import links
+import reference
 
 source = pathlib.Path(__file__).resolve().parents[2]
 temporary = tempfile.TemporaryDirectory()
@@ -34,13 +36,9 @@ class Site(unittest.TestCase):
 
     def test_all_headers_are_in_the_reference(self):
         for header in (source / "src").rglob("*.hpp"):
-            library = header.parent
-            while not re.search(r"^matrigrate_folder\(", (library / "CMakeLists.txt").read_text(encoding="utf-8")
-                                if (library / "CMakeLists.txt").is_file() else "", re.MULTILINE):
-                library = library.parent
-            folder, rest = library.name, header.relative_to(library).parts
+            folder, rest = reference.library_of(source, header)
             text = (site / "reference" / "cpp" / f"{folder}.html").read_text(encoding="utf-8")
-            self.assertIn("/".join(rest), text)
+            self.assertIn(rest, text)
 
     def test_equations_are_rendered(self):
         text = (site / "model.html").read_text(encoding="utf-8")

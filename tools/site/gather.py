@@ -4,6 +4,7 @@ import pathlib
 import re
 
 import formulas
+import reference
 
 at_the_root = {"MODEL.md": "model.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md",
                "README.md": "readme.md", "examples/README.md": "examples.md", "viewer/README.md": "viewer.md",
@@ -94,9 +95,9 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
             path = f"{path}/README.md"
         if path in by_source:
             return by_source[path] + anchor
-        header = re.fullmatch(r"src/(?:model/|run/(?=(?:observe|store|draw|report)/)|study/(?=(?:study_runs|claims|study_report)/))?(\w+)/(.+\.hpp)", path)
-        if header:
-            return f"reference/cpp/{header[1]}.md#{slug(header[2])}"
+        if path.startswith("src/") and path.endswith(".hpp"):
+            library, header = reference.library_of(root, root / path)
+            return f"reference/cpp/{library}.md#{slug(header)}"
         origin = root / path
         if origin.is_dir():
             name = f"files/{path}/index.md"
@@ -140,13 +141,16 @@ def _with_links_to_headers(text: str, name: str, root: pathlib.Path) -> str:
         return text
     here = os.path.dirname(name) or "."
 
+    folders = reference.libraries(root)
+
     def change(match: re.Match[str]) -> str:
-        if not any((root / "src" / wing / match[1] / match[2]).is_file() for wing in ("", "model", "run", "study")):
+        library, header = match[1], match[2]
+        if library not in folders or not (folders[library] / header).is_file():
             return match[0]
-        return f"[{match[0]}]({os.path.relpath(f'reference/cpp/{match[1]}.md', here)}#{slug(match[2])})"
+        return f"[{match[0]}]({os.path.relpath(f'reference/cpp/{library}.md', here)}#{slug(header)})"
 
     def line(text: str) -> str:
-        return text if text.startswith("#") else re.sub(r"(?<!\[)`(?:src/(?:model/|run/(?=(?:observe|store|draw|report)/)|study/(?=(?:study_runs|claims|study_report)/))?)?(\w+)/([\w/]+\.hpp)`(?!\])", change, text)
+        return text if text.startswith("#") else re.sub(r"(?<!\[)`(?:src/(?:\w+/)?)?(\w+)/([\w/]+\.hpp)`(?!\])", change, text)
 
     return outside_code(text, lambda part: "\n".join(map(line, part.split("\n"))), spans=False)
 

@@ -136,15 +136,26 @@ def _code_spans(text: str) -> str:
 # The C++ libraries.
 
 
+def libraries(root: pathlib.Path) -> dict[str, pathlib.Path]:
+    """The folder of each library, by its name: those below src/ whose CMakeLists.txt declares one."""
+    return {path.parent.name: path.parent for path in (root / "src").rglob("CMakeLists.txt")
+            if re.search(r"^matrigrate_folder\(", path.read_text(encoding="utf-8"), re.MULTILINE)}
+
+
+def library_of(root: pathlib.Path, header: pathlib.Path) -> tuple[str, str]:
+    """The library that holds a header, and the path of the header within its folder."""
+    name, folder = next((folder.name, folder) for folder in header.parents if libraries(root).get(folder.name) == folder)
+    return name, header.relative_to(folder).as_posix()
+
+
 def cpp_pages(root: pathlib.Path) -> dict[str, str]:
     """A page for each library, a folder of src/ or of one of its wings: its headers with their comments and declarations."""
     what = dict(re.findall(r"^\| `src/(?:\w+/)?(\w+)/` \| (.*?) \|", (root / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE))
     pages, rows = {}, []
-    libraries = {path.parent.name: path.parent for path in (root / "src").rglob("CMakeLists.txt")
-                 if re.search(r"^matrigrate_folder\(", path.read_text(encoding="utf-8"), re.MULTILINE)}
-    for folder, place in sorted(libraries.items()):
+    all_of_them = libraries(root)
+    for folder, place in sorted(all_of_them.items()):
         headers = sorted(path for path in place.rglob("*.hpp")
-                         if not any(other in path.parents for other in libraries.values() if place in other.parents))
+                         if not any(other in path.parents for other in all_of_them.values() if place in other.parents))
         text = [f"# {folder}\n", _sentence(what.get(folder, "")) + "\n",
                 f"CMake target `Matrigrate::{folder}`; an include reads as `#include \"{headers[0].relative_to(place.parent)}\"`. "
                 "The functions and types are in the namespace `matrigrate` unless stated otherwise.\n"]
