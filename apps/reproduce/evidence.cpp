@@ -94,10 +94,10 @@ void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceO
 
 } // namespace
 
-void require_own_study_folders(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options) {
+void require_own_study_folders(const std::vector<study::Claim>& claims, const ReproduceOptions& options) {
   if (!options.from.empty()) return;
-  for (const study::Claim* claim : claims)
-    for (const std::string_view name : claim->studies) {
+  for (const study::Claim& claim : claims)
+    for (const std::string& name : claim.studies()) {
       const std::filesystem::path folder(options.folder);
       const StudyFolder study = planned(shipped(name, options), folder / name);
       study::require_own_folder(study);
@@ -112,21 +112,18 @@ study::Study shipped(std::string_view name, const ReproduceOptions& options) {
     changes.overrides.insert(changes.overrides.begin(), first.begin(), first.end());
   }
   changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
-  const auto all = shipped_studies();
-  // with the first set F_am was varied strand by strand
-  const bool by_strand = options.closures == "first" && name == "contraction";
-  const auto found = std::ranges::find(all, by_strand ? "contraction-strand" : name, &ShippedStudy::name);
-  return study::parse_study(found->text, fmt::format("studies/{}.toml", name), ".", changes);
+  return study::parse_study(study::shipped_file(name, options.set()).text, fmt::format("studies/{}.toml", name), ".",
+                            changes);
 }
 
-ClaimEvidence gather_evidence(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options) {
-  std::vector<std::string_view> names;
-  for (const study::Claim* claim : claims)
-    for (const std::string_view name : claim->studies)
+ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const ReproduceOptions& options) {
+  std::vector<std::string> names;
+  for (const study::Claim& claim : claims)
+    for (const std::string& name : claim.studies())
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   ClaimEvidence all;
   std::vector<std::pair<StudyFolder, Collected>> collected;
-  for (const std::string_view name : names) {
+  for (const std::string& name : names) {
     if (!options.from.empty()) {
       add_kept(all.evidence, name, options);
       continue;

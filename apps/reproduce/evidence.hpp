@@ -26,13 +26,13 @@ study::Study shipped(std::string_view name, const ReproduceOptions& options);
 /// @throws InputOutputError if a folder of a study that claims need, or of its runs in a larger disc, is not its own;
 ///         nothing is written
 /// @throws ConfigurationError if an override is wrong
-void require_own_study_folders(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options);
+void require_own_study_folders(const std::vector<study::Claim>& claims, const ReproduceOptions& options);
 
 /// Computes what is missing of the studies that claims need, each in its own folder; with options.from reads
 /// <study>-results.csv of that folder in place of it, where it is there.
 /// @throws Stopped after a signal
 /// @throws InputOutputError if a run cannot write its files, or a table cannot be read or is of other runs
-ClaimEvidence gather_evidence(const std::vector<const study::Claim*>& claims, const ReproduceOptions& options);
+ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const ReproduceOptions& options);
 
 /// "60 of 60 runs done; 0 ended at the rim, 0 by crossing themselves, 0 otherwise"
 std::string ends_text(const study::Ensemble& ensemble);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "study/claim.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,6 +25,7 @@ struct ReproduceOptions {
   bool quiet = false;
   std::string command; ///< as it was typed
 
+  study::ClosureSet set() const { return closures == "first" ? study::ClosureSet::first : study::ClosureSet::second; }
   /// Whether a row of the claims, by its id, was asked for.
   bool chooses(std::string_view row) const { return id == "all" || row.starts_with(id); }
 };

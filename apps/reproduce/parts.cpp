@@ -7,6 +7,7 @@
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "claims/fields_shown.hpp"
+#include "claims/study_claims.hpp"
 #include "run/finished_run.hpp"
 
 #include <fmt/format.h>
@@ -74,7 +75,8 @@ study::Finding undecided(const std::string& why) {
 }
 
 study::JudgedClaim judged(const PartRow& row, study::Finding finding) {
-  return {std::string(row.id), std::string(row.sentence), std::string(row.published), std::move(finding), {}};
+  return {std::string(row.id), study::ClaimKind::verification, std::string(row.sentence), std::string(row.published),
+          std::move(finding)};
 }
 
 /// The films of F1 as a table: of the first replicates at 100 and 400 Pa.
@@ -131,7 +133,10 @@ study::JudgedClaim judged_by_fields(const PartRow& row, const study::Evidence& e
       std::filesystem::path(options.from.empty() ? options.folder : options.from) / "fields.csv";
   if (options.from.empty()) write_file(file, fields_of_runs(evidence, options));
   if (!std::filesystem::exists(file)) return judged(row, undecided("no results are kept"));
-  return judged(row, study::fields_shown(read_file(file, largest_file), 21600.0));
+  study::JudgedClaim claim = judged(row, study::fields_shown(read_file(file, largest_file), 21600.0));
+  if (const auto found = evidence.find("stiffness"); found != evidence.end())
+    claim.caveat = study::claims_caveat(found->second.study);
+  return claim;
 }
 
 } // namespace matrigrate::apps

@@ -23,19 +23,18 @@ namespace matrigrate::apps {
 namespace {
 
 /// Of the paper's claims and, where they are asked for by name, of the experiments beside it.
-std::vector<const study::Claim*> chosen_claims(const ReproduceOptions& options) {
-  std::vector<const study::Claim*> chosen;
-  for (const study::Claim& claim : study::claims())
-    if (options.chooses(claim.id)) chosen.push_back(&claim);
-  for (const study::Claim& claim : study::experiment_claims())
-    if (claim.id.starts_with(options.id)) chosen.push_back(&claim);
+std::vector<study::Claim> chosen_claims(const ReproduceOptions& options) {
+  std::vector<study::Claim> chosen = study::shipped_claims(options.set());
+  std::erase_if(chosen, [&](const study::Claim& claim) {
+    return options.id == "all" ? claim.kind == study::ClaimKind::experiment : !claim.id.starts_with(options.id);
+  });
   return chosen;
 }
 
 /// @throws UsageError if there is no such row
 void check_id(const std::string& id) {
   std::vector<std::string> ids{"A", "B", "C", "D", "E", "F", "V", "X", "all"};
-  for (const study::Claim& claim : study::all_claims()) ids.emplace_back(claim.id);
+  for (const study::Claim& claim : study::shipped_claims()) ids.push_back(claim.id);
   for (const PartRow& row : part_rows()) ids.emplace_back(row.id);
   if (std::ranges::find(ids, id) != ids.end()) return;
   throw UsageError(fmt::format("there is no row \"{}\"{}\nThe rows are: {}", id, did_you_mean(nearest(id, ids)),
@@ -59,37 +58,31 @@ std::string setting_text(const ReproduceOptions& options) {
 }
 
 /// Verdicts on the claims and on the parts of the model, in the order V, A to E, F.
-std::vector<ReproducedRow> judged_rows(const std::vector<const study::Claim*>& claims, const ClaimEvidence& all,
-                                       std::vector<ReproducedRow> rows, const ReproduceOptions& options) {
-  for (const study::Claim* claim : claims) {
-    rows.push_back(study::judged(*claim, all.evidence));
+std::vector<study::JudgedClaim> judged_rows(const std::vector<study::Claim>& claims, const ClaimEvidence& all,
+                                            std::vector<study::JudgedClaim> rows, const ReproduceOptions& options) {
+  for (const study::Claim& claim : claims) {
+    rows.push_back(study::judged_claim(claim, all.evidence, options.set()));
     study::Evidence larger;
-    for (const std::string_view name : claim->studies)
+    for (const std::string& name : claim.studies())
       if (const auto found = all.larger.find(name); found != all.larger.end()) larger.insert(*found);
     if (larger.empty()) continue;
-    for (const std::string_view name : claim->studies)
-      if (const auto found = all.evidence.find(name); found != all.evidence.end()) larger.insert(*found);
-    rows.back().in_larger_disc = claim->judge(larger);
+    for (const std::string& name : rows.back().studies) larger.insert(*all.evidence.find(name));
+    rows.back().in_larger_disc = study::judged(claim, larger);
   }
   for (const PartRow& row : part_rows())
     if (row.verification.empty() && options.chooses(row.id))
       rows.push_back(judged_by_fields(row, all.evidence, options));
-  const study::ClosureSet set = options.closures == "first" ? study::ClosureSet::first : study::ClosureSet::second;
-  for (ReproducedRow& row : rows) {
-    row.kind = study::row_kind(row.id, set);
-    row.caveat = study::claims_caveat(row.id, all.evidence);
-  }
   return rows;
 }
 
 int reproduce(const ReproduceOptions& options) {
   check_id(options.id);
-  std::vector<const study::Claim*> claims = chosen_claims(options);
-  for (const study::Claim* claim : claims) // faults of overrides before anything is written
-    for (const std::string_view name : claim->studies) shipped(name, options);
+  const std::vector<study::Claim> claims = chosen_claims(options);
+  for (const study::Claim& claim : claims) // faults of overrides before anything is written
+    for (const std::string& name : claim.studies()) shipped(name, options);
   if (!options.from.empty() && !std::filesystem::is_directory(options.from))
     throw InputOutputError(fmt::format("{}: is no folder", options.from));
-  std::vector<const study::Claim*> needed = claims;
+  std::vector<study::Claim> needed = claims;
   if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
     ReproduceOptions first = options;
     first.id = "A1";
@@ -100,7 +93,7 @@ int reproduce(const ReproduceOptions& options) {
   if (options.from.empty() || !options.markdown) make_output_folder(options.folder, true);
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json && !options.markdown) print_error(setting + "\n");
-  std::vector<ReproducedRow> rows;
+  std::vector<study::JudgedClaim> rows;
   ClaimEvidence all;
   try {
     for (const PartRow& row : part_rows())
@@ -122,7 +115,7 @@ int reproduce(const ReproduceOptions& options) {
       print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
             + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   }
-  const auto holds = [](const ReproducedRow& row) { return row.finding.verdict == study::Verdict::holds; };
+  const auto holds = [](const study::JudgedClaim& row) { return row.finding.verdict == study::Verdict::holds; };
   return std::ranges::all_of(rows, holds) ? done : numerical;
 }
 

@@ -23,6 +23,12 @@ Place place_of_region(const toml::source_region& source) {
 Place place_of(const toml::node& node) { return place_of_region(node.source()); }
 Place place_of(const toml::key& key) { return place_of_region(key.source()); }
 
+std::string quoted_list(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 20;
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most));
+  return fmt::format("\"{}\"{}", fmt::join(names.begin(), end, "\", \""), names.size() > most ? ", ..." : "");
+}
+
 void FaultList::add(Place place, std::string_view key, std::string message, Hint hint) {
   m_faults.add({file(), place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
 }

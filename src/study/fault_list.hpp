@@ -24,6 +24,9 @@ struct Place {
 Place place_of(const toml::node& node);
 Place place_of(const toml::key& key);
 
+/// "a", "b", ...: the first of many names.
+std::string quoted_list(const std::vector<std::string>& names);
+
 class FaultList {
 public:
   using Hint = matrigrate::FaultList::Hint;

@@ -21,13 +21,6 @@ double alpha_of(const toml::node& node, const std::string& key, FaultList& fault
   return Comparisons{}.alpha;
 }
 
-/// "a", "b", ...: the first of many labels.
-std::string listed(const std::vector<std::string>& labels) {
-  constexpr std::size_t most = 20;
-  const auto end = labels.begin() + static_cast<std::ptrdiff_t>(std::min(labels.size(), most));
-  return fmt::format("\"{}\"{}", fmt::join(labels.begin(), end, "\", \""), labels.size() > most ? ", ..." : "");
-}
-
 void check_control(const Comparisons& c, const toml::table& table, const std::vector<Point>& points,
                    FaultList& faults) {
   if (c.pairs != Pairs::control) return;
@@ -39,7 +32,7 @@ void check_control(const Comparisons& c, const toml::table& table, const std::ve
   const std::string what = node == nullptr ? std::string("is missing: the label")
                                            : fmt::format("\"{}\" is not the label", excerpt(c.control));
   faults.add(place_of(node == nullptr ? *table.get("compare") : *node), "statistics.control",
-             fmt::format("{} of a point; the labels are {}{}", what, listed(labels),
+             fmt::format("{} of a point; the labels are {}{}", what, quoted_list(labels),
                          did_you_mean(nearest(c.control, labels))));
 }
 

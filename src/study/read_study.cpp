@@ -27,6 +27,7 @@ constexpr std::size_t max_replicates = 100'000;
 
 const std::vector<std::string>& known_keys() {
   static const std::vector<std::string> keys{"title",
+                                             "in_place_of",
                                              "scenario",
                                              "preset",
                                              "replicates",
@@ -42,7 +43,8 @@ const std::vector<std::string>& known_keys() {
                                              "conditions",
                                              "targets",
                                              "steps",
-                                             "statistics"};
+                                             "statistics",
+                                             "claims"};
   return keys;
 }
 
@@ -113,6 +115,7 @@ private:
 
   void read_head() {
     if (const auto* node = get("title")) m_study.title = m_faults.text(*node, "title");
+    if (const auto* node = get("in_place_of")) m_study.in_place_of = m_faults.text(*node, "in_place_of");
     if (const auto* node = get("seed")) m_study.seed = m_faults.whole(*node, "seed", 0, largest_seed);
     m_study.common_random_numbers = get("one_at_a_time") != nullptr || get("morris") != nullptr;
     if (const auto* node = get("common_random_numbers"))
@@ -171,7 +174,7 @@ private:
       m_study.base = read_parameters(file.is_absolute() ? file : m_folder / file);
     } catch (const InputOutputError& error) {
       throw InputOutputError(
-          to_string({m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
+          to_string(Fault{m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
     }
   }
 
@@ -292,6 +295,8 @@ private:
     if (!m_study.steps.empty()) m_study.comparisons.pairs = Pairs::none; // effects say what differs
     if (const toml::table* table = section("statistics"))
       m_study.comparisons = read_comparisons(*table, m_study.comparisons, m_study.points, m_faults);
+    if (const auto* tables = list("claims", "an id, a sentence and conditions"))
+      m_study.claims = read_claims(*tables, m_study.points, m_changes.labels_of, m_faults);
   }
 
   FaultList m_faults;

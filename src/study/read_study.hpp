@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "parameters/rules.hpp"
+#include "study/read_comparisons.hpp"
 #include "study/study.hpp"
 
 #include <filesystem>
@@ -21,6 +22,7 @@ struct Changes {
   std::vector<std::string> overrides; ///< "key=value" each, over what the study fixes
   std::optional<std::size_t> replicates;
   std::span<const Rule> more = {}; ///< rules that each point must fulfil besides rules()
+  LabelsOf labels_of = {};         ///< other studies, which claims may name
 };
 
 /// @throws InputOutputError if the file, or its scenario, cannot be read or has more than 32 MiB

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
+#include "study/claim.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -79,7 +80,8 @@ struct Comparisons {
 
 struct Study {
   std::string title;
-  Parameters base; ///< the scenario with what the study fixes; its seed and threads are of no meaning
+  std::string in_place_of; ///< the study of the paper that it replaces with the first set of closures; else empty
+  Parameters base;         ///< the scenario with what the study fixes; its seed and threads are of no meaning
   std::size_t replicates = 1;
   std::uint64_t seed = 1;
   bool common_random_numbers = false; ///< the same seeds at each point
@@ -90,6 +92,7 @@ struct Study {
   std::vector<Target> targets;
   std::vector<Step> steps;
   Comparisons comparisons;
+  std::vector<Claim> claims;
 
   std::size_t runs() const { return points.size() * replicates; }
   /// Points of a factor set: one without conditions.

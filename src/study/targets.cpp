@@ -113,12 +113,8 @@ private:
     }
     const auto found = std::ranges::find(m_labels, label->get());
     if (found != m_labels.end()) return static_cast<std::size_t>(found - m_labels.begin());
-    constexpr std::size_t most = 20;
-    const auto end = m_labels.begin() + static_cast<std::ptrdiff_t>(std::min(m_labels.size(), most));
-    const std::string known = m_labels.empty()
-                                  ? "the study has no [[conditions]]"
-                                  : fmt::format("the labels are \"{}\"{}", fmt::join(m_labels.begin(), end, "\", \""),
-                                                m_labels.size() > most ? ", ..." : "");
+    const std::string known =
+        m_labels.empty() ? "the study has no [[conditions]]" : fmt::format("the labels are {}", quoted_list(m_labels));
     m_faults.add(place_of(node), "targets.at",
                  fmt::format("\"{}\" is not the label of a condition; {}", excerpt(label->get()), known),
                  [typed = label->get(), labels = m_labels] { return did_you_mean(nearest(typed, labels)); });

@@ -50,6 +50,7 @@ std::string to_toml(const Study& study, const std::string& scenario) {
           : "# A study with all its points written out; each is run at each condition. Running this file "
             "again adds nothing.\n";
   if (!study.title.empty()) text += fmt::format("title = {}\n", quoted(study.title));
+  if (!study.in_place_of.empty()) text += fmt::format("in_place_of = {}\n", quoted(study.in_place_of));
   text += fmt::format("scenario = {}\nreplicates = {}\nseed = {}\ncommon_random_numbers = {}\nreadouts = [",
                       quoted(scenario), study.replicates, study.seed, study.common_random_numbers);
   for (std::size_t i = 0; i < study.readouts.size(); ++i)
@@ -65,6 +66,7 @@ std::string to_toml(const Study& study, const std::string& scenario) {
     add_settings(set.settings, text);
   }
   for (const Step& step : study.steps) text += step_section(study, step);
+  for (const Claim& claim : study.claims) text += "\n" + claim.text;
   return text;
 }
 

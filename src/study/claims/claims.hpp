@@ -3,14 +3,12 @@
 #include "claims/judge.hpp"
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-/// The claims of Heck et al. 2020 that ensembles of runs can bear out, one entry a row of the table to reproduce. The
-/// rule of a claim follows from its sentence, was written before the runs that it judges, and is not changed after
-/// them.
+/// The claims of Heck et al. 2020, and of experiments beside it, that ensembles of runs can bear out, one entry a row
+/// of the table to reproduce. They stand in the files of studies/. The conditions of a claim follow from its sentence,
+/// were written before the runs that they judge, and are not changed after them.
 ///
 /// How sentences are read: "rises" and "falls" compare the lowest with the highest value of the parameter,
 /// significantly; "unaffected" and "no significant change" mean no significant difference there; "slightly" asks for
@@ -20,49 +18,24 @@
 /// Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
-/// What a row of the table is for: closures were chosen on calibration rows, no predicted row was looked at before they
-/// were frozen (MODEL.md, "The choice of the closures"), verification rows test parts of the model, and experiment rows
-/// go beyond the paper.
-enum class RowKind { calibration, predicted, verification, experiment };
-
-/// The sets of closures (MODEL.md, "The choice of the closures").
-enum class ClosureSet { first, second };
-
-/// Of a row by its id: A1 to A7 and D are for calibration, and E with the second set, whose choice they served; V and F
-/// are for verification, X are experiments.
-RowKind row_kind(std::string_view id, ClosureSet set = ClosureSet::second);
-std::string to_string(RowKind kind);
-
-struct Claim {
-  std::string_view id;                   ///< "A1"
-  std::vector<std::string_view> studies; ///< files of studies/ that it needs
-  std::string_view sentence;             ///< what the paper says
-  std::string_view published;            ///< its numbers
-  Finding (*judge)(const Evidence&);
-};
-
-/// Rows A to E, in their order.
-std::span<const Claim> claims();
-
-/// Rows X: what experiments beside the paper found, and whether the model with its frozen closures shows it. They are
-/// not among the paper's thirty.
-std::span<const Claim> experiment_claims();
-
-/// Rows A to E and X.
-std::vector<Claim> all_claims();
+/// The claims of all shipped studies, by their ids: rows A to E of the paper, and rows X, experiments beside it, which
+/// are not among the paper's thirty.
+std::vector<Claim> shipped_claims(ClosureSet set = ClosureSet::second);
 
 /// A claim, or a verification beside them, with what became of it.
 struct JudgedClaim {
   std::string id;
+  ClaimKind kind = ClaimKind::verification;
   std::string sentence;
   std::string published;
   Finding finding;
   std::optional<Finding> in_larger_disc{}; ///< with runs that ended at the rim made again in a larger disc
-  RowKind kind = row_kind(id);
-  std::string caveat{}; ///< "not the paper's runs" where the runs of its studies are not; else ""
+  std::string caveat{};                    ///< "not the paper's runs" where the runs of its studies are not; else ""
+  std::vector<std::string> studies{};      ///< names of those that it is judged by, as far as there are any
 };
 
-JudgedClaim judged(const Claim& claim, const Evidence& evidence);
+/// @param set  of closures of the runs
+JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence, ClosureSet set);
 
 /// Why a claim does not hold, in a line; empty if it does.
 std::string why_not(const Finding& finding);
@@ -76,34 +49,10 @@ std::string second_bottom_line(const std::vector<JudgedClaim>& claims);
 /// The table of a page of Markdown: a row a claim, with what was published, what came out, and the verdict.
 std::string markdown_table(const std::vector<JudgedClaim>& claims);
 
-/// The parts of the table: rows on stiffness and force (A), rates and times (B), adhesion laws (C), kept numbers of
-/// protrusions without and with fibres (D, E).
-std::vector<Claim> migration_claims();
-std::vector<Claim> rate_claims();
-std::vector<Claim> adhesion_claims();
-std::vector<Claim> kept_claims();
+/// claims.csv: the table that people read, a line a claim.
+std::string claims_csv(const std::vector<JudgedClaim>& claims);
 
-/// Names of the read-outs that claims speak of.
-namespace readout {
-inline constexpr std::string_view v_abs = "v_migr_abs_um_per_h";
-inline constexpr std::string_view v_path = "v_migr_path_60s_um_per_h";
-inline constexpr std::string_view v_path_600s = "v_migr_path_600s_um_per_h";
-inline constexpr std::string_view index_x = "migration_index_x";
-inline constexpr std::string_view parting = "parting_index";
-inline constexpr std::string_view contact = "share_in_contact";
-inline constexpr std::string_view n = "n_protrusions";
-inline constexpr std::string_view tau = "tau_prot_min";
-inline constexpr std::string_view length = "l_prot_um";
-inline constexpr std::string_view f_mat = "f_mat";
-inline constexpr std::string_view low_share = "share_f_adh_rel_low";
-inline constexpr std::string_view slope = "msd_slope";
-inline constexpr std::string_view angle = "path_angle_deg";
-inline constexpr std::string_view f_mat_along = "f_mat_along";
-inline constexpr std::string_view f_mat_across = "f_mat_across";
-inline constexpr std::string_view ruptured_along = "share_ruptured_along";
-inline constexpr std::string_view ruptured_across = "share_ruptured_across";
-} // namespace readout
-
-inline constexpr double random_angle_deg = 45.0; ///< mean angle of random directions to a line
+/// Every mean and condition of each claim.
+std::string conditions_csv(const std::vector<JudgedClaim>& claims);
 
 } // namespace matrigrate::study

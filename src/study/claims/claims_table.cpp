@@ -1,36 +1,11 @@
 #include "claims/claims.hpp"
+#include "store/row_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace matrigrate::study {
-
-RowKind row_kind(std::string_view id, ClosureSet set) {
-  if (id.starts_with('X')) return RowKind::experiment;
-  if (id.starts_with('V') || id.starts_with('F')) return RowKind::verification;
-  if (id.starts_with('E')) return set == ClosureSet::second ? RowKind::calibration : RowKind::predicted;
-  return id.starts_with('D') || (id.starts_with('A') && id != "A8") ? RowKind::calibration : RowKind::predicted;
-}
-
-std::string to_string(RowKind kind) {
-  switch (kind) {
-  case RowKind::calibration:
-    return "calibration";
-  case RowKind::predicted:
-    return "predicted";
-  case RowKind::verification:
-    return "verification";
-  default:
-    return "experiment";
-  }
-}
-
-std::vector<Claim> all_claims() {
-  std::vector<Claim> all(claims().begin(), claims().end());
-  all.insert(all.end(), experiment_claims().begin(), experiment_claims().end());
-  return all;
-}
 
 std::string why_not(const Finding& finding) {
   return fmt::format("{}{}", finding.verdict == Verdict::does_not_hold ? "not met: " : "",
@@ -49,11 +24,12 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
   const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
   std::vector<std::string> parts;
-  for (const RowKind kind : {RowKind::calibration, RowKind::predicted, RowKind::verification, RowKind::experiment}) {
+  for (const ClaimKind kind :
+       {ClaimKind::calibration, ClaimKind::predicted, ClaimKind::verification, ClaimKind::experiment}) {
     const auto of_kind = [&](const JudgedClaim& c) { return c.kind == kind; };
     if (const auto all = count(of_kind); all > 0)
       parts.push_back(fmt::format("{} of {} {}", count([&](const JudgedClaim& c) { return of_kind(c) && holds(c); }),
-                                  all, to_string(kind)));
+                                  all, kind_name(kind)));
   }
   const auto undecided = count([](const JudgedClaim& c) { return c.finding.verdict == Verdict::undecided; });
   return fmt::format("{} of {} hold{}{}", count(holds), claims.size(),
@@ -76,8 +52,39 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims) {
       "| row | kind | claim | published | ours: mean [95 % interval] | verdict | second edition | why not |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
-    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, to_string(c.kind), c.sentence,
+    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, kind_name(c.kind), c.sentence,
                         c.published, c.finding.brief, verdict_text(c), to_string(c.finding.second), why_not(c.finding));
+  return text;
+}
+
+using View = std::string_view;
+
+std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
+  std::string text = store::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
+                                      View("verdict"), View("caveat")});
+  for (const JudgedClaim& row : claims) {
+    const std::string verdict = to_string(row.finding.verdict);
+    const std::string ours = fmt::format("{}", fmt::join(row.finding.ours, "; "));
+    const std::string statistic = fmt::format("{}", fmt::join(row.finding.conditions, "; "));
+    text += store::csv_line({View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic),
+                             View(verdict), View(row.caveat)});
+  }
+  return text;
+}
+
+std::string claims_csv(const std::vector<JudgedClaim>& claims) {
+  std::string text = store::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"),
+                                      View("verdict"), View("why_not"), View("verdict_in_larger_disc"),
+                                      View("verdict_second_edition"), View("caveat")});
+  for (const JudgedClaim& row : claims) {
+    const std::string kind = kind_name(row.kind);
+    const std::string verdict = to_string(row.finding.verdict);
+    const std::string why = why_not(row.finding);
+    const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
+    const std::string second = to_string(row.finding.second);
+    text += store::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
+                             View(verdict), View(why), View(larger), View(second), View(row.caveat)});
+  }
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace matrigrate::study {
@@ -21,42 +22,55 @@ bool has(Sign sign, double value) { return sign == Sign::up ? value > 0.0 : valu
 
 } // namespace
 
-std::vector<double> Judge::values(Group g, std::string_view readout) {
-  const auto found = m_evidence.find(g.study);
-  if (found == m_evidence.end() || g.point >= found->second.study.points.size()) return {};
-  std::vector<double> x = sample(found->second.results, g.point, readout);
+const Ensemble* Judge::ensemble(const std::string& study) const {
+  const auto found = m_evidence.find(study.empty() ? m_study : study);
+  return found == m_evidence.end() ? nullptr : &found->second;
+}
+
+Judge::Group Judge::group(const PointName& name) const {
+  const std::string study = name.study.empty() ? m_study : name.study;
+  const Ensemble* known = ensemble(study);
+  if (known == nullptr) return {study, study};
+  const auto point = std::ranges::find(known->study.points, name.label, &Point::label);
+  const std::string label = m_evidence.size() == 1 ? name.label : fmt::format("{}: {}", study, name.label);
+  if (point == known->study.points.end()) return {study, label + " (no such point)"};
+  return {study, label, known, static_cast<std::size_t>(point - known->study.points.begin())};
+}
+
+std::vector<double> Judge::values(const Group& g, std::string_view readout) {
+  if (g.ensemble == nullptr) return {};
+  std::vector<double> x = sample(g.ensemble->results, g.point, readout);
   tell(g, readout, x);
   return x;
 }
 
-std::vector<double> Judge::column(std::string_view study, std::string_view readout) {
-  const auto found = m_evidence.find(study);
-  if (found == m_evidence.end()) return {};
-  const std::size_t index = readout_column(readout);
+/// Of all runs of a study.
+std::vector<double> Judge::column(const ClaimCondition& c, std::string_view readout) const {
   std::vector<double> x;
-  for (const Result& r : found->second.results) x.push_back(r.readouts.at(index));
+  const Ensemble* known = ensemble(c.study);
+  if (known == nullptr) return x;
+  for (const Result& r : known->results) x.push_back(r.readouts.at(readout_column(readout)));
   return x;
 }
 
-std::string Judge::label(Group g) const {
-  const auto found = m_evidence.find(g.study);
-  if (found == m_evidence.end()) return std::string(g.study);
-  const std::string& label = found->second.study.points[g.point].label;
-  return m_evidence.size() == 1 ? label : fmt::format("{}: {}", g.study, label);
-}
-
-void Judge::tell(Group g, std::string_view readout, const std::vector<double>& x) {
+void Judge::tell(const Group& g, std::string_view readout, const std::vector<double>& x) {
   const statistics::Interval mean = statistics::mean_interval(x, alpha);
-  std::string text = x.empty()       ? fmt::format("{} at {}: no runs", readout, label(g))
-                     : x.size() == 1 ? fmt::format("{} at {} {:.3g} (n = 1)", readout, label(g), mean.value)
-                                     : fmt::format("{} at {} {:.3g} [{:.3g}, {:.3g}] (n = {})", readout, label(g),
+  std::string text = x.empty()       ? fmt::format("{} at {}: no runs", readout, g.label)
+                     : x.size() == 1 ? fmt::format("{} at {} {:.3g} (n = 1)", readout, g.label, mean.value)
+                                     : fmt::format("{} at {} {:.3g} [{:.3g}, {:.3g}] (n = {})", readout, g.label,
                                                    mean.value, mean.low, mean.high, x.size());
   if (std::ranges::find(m_ours, text) != m_ours.end()) return;
   m_ours.push_back(std::move(text));
   if (!x.empty())
-    m_means.push_back({g, std::string(readout), label(g),
+    m_means.push_back({g, std::string(readout),
                        x.size() == 1 ? fmt::format("{:.3g}", mean.value)
                                      : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high)});
+}
+
+/// A number over all runs of a study.
+void Judge::tell_all(const std::string& text) {
+  m_ours.push_back(text);
+  m_others.push_back(text);
 }
 
 /// Without what a table has no room for: units of read-outs, the name of the parameter that varies, effect sizes.
@@ -86,7 +100,7 @@ std::string Judge::brief() const {
     std::ranges::stable_sort(of, {}, [](const Mean* m) { return std::pair(m->group.study, m->group.point); });
     if (m_means.size() > few && of.size() > 2) of = {of.front(), of.back()};
     std::vector<std::string> values;
-    for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, shortened(m->label)));
+    for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, shortened(m->group.label)));
     parts.push_back(fmt::format("{} {}", shortened(readout), fmt::join(values, ", ")));
   }
   for (const std::string& other : m_others) parts.push_back(shortened(other));
@@ -107,175 +121,162 @@ void Judge::condition(const std::string& wanted, const std::string& measured, bo
     m_unmet.emplace_back(too_few);
 }
 
-void Judge::compare(Group a, Group b, std::string_view readout, std::string_view wanted,
-                    const std::function<bool(double, double)>& met,
-                    const std::function<Reading(double, double)>& reading) {
-  const std::vector<double> x = values(a, readout);
-  const std::vector<double> y = values(b, readout);
+/// Two points by a t-test.
+void Judge::compare(const ClaimCondition& c) {
+  const Group a = group(c.from);
+  const Group b = group(c.to);
+  const std::vector<double> x = values(a, c.readout);
+  const std::vector<double> y = values(b, c.readout);
   const statistics::Interval d = statistics::mean_difference(x, y, alpha);
   const statistics::Interval g = statistics::hedges_g(x, y, alpha);
   const double p = statistics::t_test(x, y).p;
-  condition(fmt::format("{} at {} {} that at {}", readout, label(b), wanted, label(a)),
+  const bool signed_so = has(c.sign, d.value);
+  const bool significant = p < alpha;
+  std::string wanted;
+  bool met = false;
+  Reading reading;
+  if (c.rule == ClaimRule::differs) {
+    wanted = fmt::format("significantly {}", word(c.sign));
+    met = signed_so && significant;
+    reading = {.direction = signed_so};
+  } else if (c.rule == ClaimRule::leans) {
+    wanted = word(c.sign);
+    met = signed_so;
+    reading = {.direction = signed_so};
+  } else if (c.rule == ClaimRule::same) {
+    wanted = "not significantly different from";
+    met = !significant;
+    reading = {.family = Family::no_difference, .p = p};
+  } else { // not_beyond
+    wanted = fmt::format("not significantly {}", word(c.sign));
+    met = !(signed_so && significant);
+    reading = {.family = Family::no_difference, .p = signed_so ? p : 1.0};
+  }
+  condition(fmt::format("{} at {} {} that at {}", c.readout, b.label, wanted, a.label),
             fmt::format("difference {:.3g} [{:.3g}, {:.3g}], p {:.2g}, g {:.2g} [{:.2g}, {:.2g}]", d.value, d.low,
                         d.high, p, g.value, g.low, g.high),
-            x.size() > 1 && y.size() > 1, met(d.value, p), reading(d.value, p));
+            x.size() > 1 && y.size() > 1, met, reading);
 }
 
-Judge& Judge::differs(Group a, Group b, std::string_view readout, Sign sign) {
-  compare(
-      a, b, readout, fmt::format("significantly {}", word(sign)),
-      [&](double d, double p) { return has(sign, d) && p < alpha; },
-      [&](double d, double) { return Reading{.direction = has(sign, d)}; });
-  return *this;
+void Judge::ratio_below(const ClaimCondition& c) {
+  const Group a = group(c.from);
+  const Group b = group(c.to);
+  const double mean_b = statistics::moments(values(b, c.readout)).mean;
+  const double ratio = mean_b / statistics::moments(values(a, c.readout)).mean;
+  condition(fmt::format("{} at {} over that at {} is below {:.3g}", c.readout, b.label, a.label, c.value),
+            fmt::format("{:.3g}", ratio), std::isfinite(ratio), ratio < c.value, {.direction = ratio < c.value});
 }
 
-Judge& Judge::same(Group a, Group b, std::string_view readout) {
-  compare(
-      a, b, readout, "not significantly different from", [](double, double p) { return !(p < alpha); },
-      [](double, double p) { return Reading{.family = Family::no_difference, .p = p}; });
-  return *this;
-}
-
-Judge& Judge::leans(Group a, Group b, std::string_view readout, Sign sign) {
-  compare(
-      a, b, readout, word(sign), [&](double d, double) { return has(sign, d); },
-      [&](double d, double) { return Reading{.direction = has(sign, d)}; });
-  return *this;
-}
-
-Judge& Judge::not_beyond(Group a, Group b, std::string_view readout, Sign sign) {
-  compare(
-      a, b, readout, fmt::format("not significantly {}", word(sign)),
-      [&](double d, double p) { return !(has(sign, d) && p < alpha); },
-      [&](double d, double p) { return Reading{.family = Family::no_difference, .p = has(sign, d) ? p : 1.0}; });
-  return *this;
-}
-
-Judge& Judge::exceeds(Group g, std::string_view low, std::string_view high) {
+void Judge::exceeds(const ClaimCondition& c) {
+  const Group g = group(c.to);
   std::vector<double> differences;
-  if (const auto found = m_evidence.find(g.study); found != m_evidence.end()) {
-    values(g, low);
-    values(g, high);
-    for (const Result& r : found->second.results)
+  if (g.ensemble != nullptr) {
+    values(g, c.other);
+    values(g, c.readout);
+    for (const Result& r : g.ensemble->results)
       if (r.run.point == g.point)
-        differences.push_back(r.readouts.at(readout_column(high)) - r.readouts.at(readout_column(low)));
+        differences.push_back(r.readouts.at(readout_column(c.readout)) - r.readouts.at(readout_column(c.other)));
   }
   const std::vector<double> both = statistics::finite(differences);
   const statistics::Interval d = statistics::mean_interval(both, alpha);
-  condition(fmt::format("{} above {} in the runs at {}", high, low, label(g)),
+  condition(fmt::format("{} above {} in the runs at {}", c.readout, c.other, g.label),
             fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, both.size()),
             both.size() > 1, d.low > 0.0, {.direction = d.value > 0.0});
-  return *this;
 }
 
-Judge& Judge::agrees(Group g, std::string_view readout, double published, double n_published) {
-  const std::vector<double> x = values(g, readout);
+void Judge::agrees_at(const Group& g, const ClaimCondition& c) {
+  const std::vector<double> x = values(g, c.readout);
   const double mean = statistics::moments(x).mean;
-  const double p = statistics::published_mean_test(x, published, n_published).p;
-  condition(fmt::format("{} at {} agrees with {:.3g}", readout, label(g), published),
+  const double p = statistics::published_mean_test(x, c.value, c.runs).p;
+  condition(fmt::format("{} at {} agrees with {:.3g}", c.readout, g.label, c.value),
             fmt::format("mean {:.3g}, p {:.2g}", mean, p), x.size() > 1, p >= alpha,
-            {.family = Family::agreement, .p = p, .close = std::abs(mean - published) <= tenth * std::abs(published)});
-  return *this;
+            {.family = Family::agreement, .p = p, .close = std::abs(mean - c.value) <= tenth * std::abs(c.value)});
 }
 
-Judge& Judge::extreme_agrees(std::string_view study, std::size_t points, std::string_view readout, Sign which,
-                             double published, double n_published) {
-  Group extreme{study, 0};
-  double best = statistics::moments(values(extreme, readout)).mean;
-  for (std::size_t i = 1; i < points; ++i) {
-    const double mean = statistics::moments(values({study, i}, readout)).mean;
-    if (!has(which, mean - best)) continue;
-    best = mean;
-    extreme.point = i;
-  }
-  return agrees(extreme, readout, published, n_published);
+void Judge::agrees(const ClaimCondition& c) { agrees_at(group(c.to), c); }
+
+/// The first of the lowest, or highest, means of all points.
+void Judge::extreme_agrees(const ClaimCondition& c) {
+  const Sign which = c.rule == ClaimRule::lowest_agrees ? Sign::down : Sign::up;
+  const Ensemble* known = ensemble(c.study);
+  Group extreme = group({c.study, ""});
+  double best = std::nan("");
+  if (known != nullptr)
+    for (std::size_t i = 0; i < known->study.points.size(); ++i) {
+      Group g = group({c.study, known->study.points[i].label});
+      const double mean = statistics::moments(values(g, c.readout)).mean;
+      if (i > 0 && !has(which, mean - best)) continue;
+      best = mean;
+      extreme = std::move(g);
+    }
+  agrees_at(extreme, c);
 }
 
-Judge& Judge::within(Group g, std::string_view readout, double low, double high) {
-  const double mean = statistics::moments(values(g, readout)).mean;
-  condition(fmt::format("mean {} at {} is {:.3g} to {:.3g}", readout, label(g), low, high), fmt::format("{:.3g}", mean),
-            std::isfinite(mean), mean >= low && mean <= high, {});
-  return *this;
+void Judge::within(const ClaimCondition& c) {
+  const Group g = group(c.to);
+  const double mean = statistics::moments(values(g, c.readout)).mean;
+  condition(fmt::format("mean {} at {} is {:.3g} to {:.3g}", c.readout, g.label, c.value, c.high),
+            fmt::format("{:.3g}", mean), std::isfinite(mean), mean >= c.value && mean <= c.high, {});
 }
 
-Judge& Judge::above(Group g, std::string_view readout, double bound) {
-  const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
-  condition(fmt::format("{} at {} lies above {:.3g} with its interval", readout, label(g), bound),
-            fmt::format("from {:.3g}", mean.low), std::isfinite(mean.low), mean.low > bound,
-            {.direction = mean.value > bound});
-  return *this;
-}
-Judge& Judge::below(Group g, std::string_view readout, double bound) {
-  const statistics::Interval mean = statistics::mean_interval(values(g, readout), alpha);
-  condition(fmt::format("{} at {} lies below {:.3g} with its interval", readout, label(g), bound),
-            fmt::format("up to {:.3g}", mean.high), std::isfinite(mean.high), mean.high < bound,
-            {.direction = mean.value < bound});
-  return *this;
-}
-
-Judge& Judge::ratio_below(Group a, Group b, std::string_view readout, double bound) {
-  const double ratio = statistics::moments(values(b, readout)).mean / statistics::moments(values(a, readout)).mean;
-  condition(fmt::format("{} at {} over that at {} is below {:.3g}", readout, label(b), label(a), bound),
-            fmt::format("{:.3g}", ratio), std::isfinite(ratio), ratio < bound, {.direction = ratio < bound});
-  return *this;
-}
-
-void Judge::correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,
-                      const std::function<bool(double, double)>& met, const std::function<Reading(double)>& reading) {
-  const statistics::Correlation c = statistics::pearson(column(study, x), column(study, y));
-  if (std::isfinite(c.r)) {
-    m_ours.push_back(fmt::format("r of {} and {} {:.2g} (n = {})", x, y, c.r, c.n));
-    m_others.push_back(m_ours.back());
-  }
-  condition(fmt::format("{} and {} {} over the runs of {}", x, y, wanted, study),
-            fmt::format("r {:.2g}, p {:.2g}", c.r, c.p), std::isfinite(c.p), met(c.r, c.p), reading(c.r));
-}
-
-Judge& Judge::correlates(std::string_view study, std::string_view x, std::string_view y, Sign sign) {
-  correlate(
-      study, x, y, sign == Sign::up ? "rise together" : "go against each other",
-      [&](double r, double p) { return has(sign, r) && p < alpha; },
-      [&](double r) { return Reading{.direction = has(sign, r)}; });
-  return *this;
-}
-
-Judge& Judge::uncorrelated(std::string_view study, std::string_view x, std::string_view y) {
-  correlate(
-      study, x, y, "do not correlate", [](double, double p) { return p >= alpha; }, [](double) { return Reading{}; });
-  return *this;
-}
-
-Judge& Judge::mean_above(std::string_view study, std::string_view readout, double bound) {
-  const std::vector<double> x = statistics::finite(column(study, readout));
-  const double mean = statistics::moments(x).mean;
-  if (!x.empty()) {
-    m_ours.push_back(fmt::format("mean {} {:.3g} (n = {})", readout, mean, x.size()));
-    m_others.push_back(m_ours.back());
-  }
-  condition(fmt::format("mean {} over the runs of {} is above {:.3g}", readout, study, bound),
-            fmt::format("{:.3g}", mean), x.size() > 1, mean > bound, {});
-  return *this;
-}
-
-Judge& Judge::none_above(std::string_view study, std::string_view readout, double bound) {
-  const std::vector<double> x = statistics::finite(column(study, readout));
-  const double most = x.empty() ? NAN : *std::ranges::max_element(x);
-  if (!x.empty()) {
-    m_ours.push_back(fmt::format("largest {} {:.3g} (n = {})", readout, most, x.size()));
-    m_others.push_back(m_ours.back());
-  }
-  condition(fmt::format("largest {} over the runs of {} is at most {:.3g}", readout, study, bound),
-            fmt::format("{:.3g}", most), x.size() > 1, most <= bound, {});
-  return *this;
-}
-
-Judge& Judge::mostly_up_to(std::string_view study, std::string_view readout, double bound, double share) {
-  const std::vector<double> x = statistics::finite(column(study, readout));
-  const auto within = static_cast<double>(std::ranges::count_if(x, [&](double value) { return value <= bound; }));
-  const double found = within / static_cast<double>(x.size());
+void Judge::beyond(const ClaimCondition& c) {
+  const bool above = c.rule == ClaimRule::above;
+  const Group g = group(c.to);
+  const statistics::Interval mean = statistics::mean_interval(values(g, c.readout), alpha);
+  const double end = above ? mean.low : mean.high;
+  const auto met = [&](double x) { return above ? x > c.value : x < c.value; };
   condition(
-      fmt::format("{} is at most {:.3g} in at least {:.0f} % of the runs of {}", readout, bound, 100.0 * share, study),
-      fmt::format("{:.0f} %", 100.0 * found), x.size() > 1, found >= share, {});
+      fmt::format("{} at {} lies {} {:.3g} with its interval", c.readout, g.label, above ? "above" : "below", c.value),
+      fmt::format("{} {:.3g}", above ? "from" : "up to", end), std::isfinite(end), met(end),
+      {.direction = met(mean.value)});
+}
+
+void Judge::correlate(const ClaimCondition& c) {
+  const statistics::Correlation found = statistics::pearson(column(c, c.readout), column(c, c.other));
+  if (std::isfinite(found.r))
+    tell_all(fmt::format("r of {} and {} {:.2g} (n = {})", c.readout, c.other, found.r, found.n));
+  const bool wanted = c.rule == ClaimRule::correlates;
+  const bool signed_so = has(c.sign, found.r);
+  condition(fmt::format("{} and {} {} over the runs of {}", c.readout, c.other,
+                        !wanted              ? "do not correlate"
+                        : c.sign == Sign::up ? "rise together"
+                                             : "go against each other",
+                        c.study.empty() ? m_study : c.study),
+            fmt::format("r {:.2g}, p {:.2g}", found.r, found.p), std::isfinite(found.r),
+            wanted ? signed_so && found.p < alpha : found.p >= alpha,
+            wanted ? Reading{.direction = signed_so} : Reading{});
+}
+
+void Judge::over_all_runs(const ClaimCondition& c) {
+  const std::vector<double> x = statistics::finite(column(c, c.readout));
+  const std::string& study = c.study.empty() ? m_study : c.study;
+  const bool defined = x.size() > 1;
+  if (c.rule == ClaimRule::mostly_up_to) {
+    const auto within = static_cast<double>(std::ranges::count_if(x, [&](double value) { return value <= c.value; }));
+    const double found = within / static_cast<double>(x.size());
+    return condition(fmt::format("{} is at most {:.3g} in at least {:.0f} % of the runs of {}", c.readout, c.value,
+                                 100.0 * c.share, study),
+                     fmt::format("{:.0f} %", 100.0 * found), defined, found >= c.share, {});
+  }
+  const bool of_mean = c.rule == ClaimRule::mean_above;
+  const double found = of_mean ? statistics::moments(x).mean : x.empty() ? std::nan("") : *std::ranges::max_element(x);
+  const char* what = of_mean ? "mean" : "largest";
+  if (!x.empty()) tell_all(fmt::format("{} {} {:.3g} (n = {})", what, c.readout, found, x.size()));
+  condition(fmt::format("{} {} over the runs of {} is {} {:.3g}", what, c.readout, study, of_mean ? "above" : "at most",
+                        c.value),
+            fmt::format("{:.3g}", found), defined, of_mean ? found > c.value : found <= c.value, {});
+}
+
+Judge& Judge::add(const ClaimCondition& c) {
+  static constexpr std::array by_rule{&Judge::compare,       &Judge::compare,        &Judge::compare,
+                                      &Judge::compare,       &Judge::ratio_below,    &Judge::exceeds,
+                                      &Judge::agrees,        &Judge::extreme_agrees, &Judge::extreme_agrees,
+                                      &Judge::within,        &Judge::beyond,         &Judge::beyond,
+                                      &Judge::correlate,     &Judge::correlate,      &Judge::over_all_runs,
+                                      &Judge::over_all_runs, &Judge::over_all_runs};
+  m_first = c.first;
+  m_second = c.second;
+  (this->*by_rule.at(static_cast<std::size_t>(c.rule)))(c);
   return *this;
 }
 
@@ -313,6 +314,12 @@ Finding Judge::finding() const {
   if (verdict != Verdict::holds) finding.unmet = m_unmet;
   judge_again(finding);
   return finding;
+}
+
+Finding judged(const Claim& claim, const Evidence& evidence) {
+  Judge judge(evidence, claim.study);
+  for (const ClaimCondition& c : claim.conditions) judge.add(c);
+  return judge.finding();
 }
 
 std::string to_string(Verdict verdict) {

@@ -3,7 +3,6 @@
 #include "study/results.hpp"
 #include "study/study.hpp"
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,12 +29,6 @@ struct Ensemble {
 /// By the name of the study.
 using Evidence = std::map<std::string, Ensemble, std::less<>>;
 
-/// The runs at one point of a study.
-struct Group {
-  std::string_view study;
-  std::size_t point;
-};
-
 enum class Verdict { holds, in_direction, does_not_hold, undecided };
 
 /// What became of a claim.
@@ -49,57 +42,24 @@ struct Finding {
   std::vector<std::string> second_unmet{}; ///< the same by the second edition
 };
 
-enum class Sign { up, down };
-
 /// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs.
 class Judge {
 public:
-  explicit Judge(const Evidence& evidence) : m_evidence(evidence) {}
+  /// @param study  that conditions mean where they name none
+  Judge(const Evidence& evidence, std::string_view study) : m_evidence(evidence), m_study(study) {}
 
-  /// b is significantly above (or below) a.
-  Judge& differs(Group a, Group b, std::string_view readout, Sign sign);
-  /// b does not differ significantly from a.
-  Judge& same(Group a, Group b, std::string_view readout);
-  /// The mean of b is above (or below) that of a, significantly or not: "slightly".
-  Judge& leans(Group a, Group b, std::string_view readout, Sign sign);
-  /// b is not significantly above (or below) a.
-  Judge& not_beyond(Group a, Group b, std::string_view readout, Sign sign);
-  /// In the runs of a group the second read-out is above the first: the 95 % interval of their difference is above 0.
-  Judge& exceeds(Group g, std::string_view low, std::string_view high);
-  /// The published mean of n runs could be one of our population: published_mean_test with p >= 0.05.
-  Judge& agrees(Group g, std::string_view readout, double published, double n_published);
-  /// The lowest (or highest) mean of the first `points` points agrees with a published one.
-  Judge& extreme_agrees(std::string_view study, std::size_t points, std::string_view readout, Sign which,
-                        double published, double n_published);
-  /// The mean lies between two bounds.
-  Judge& within(Group g, std::string_view readout, double low, double high);
-  /// The 95 % interval of the mean lies below a bound.
-  Judge& below(Group g, std::string_view readout, double bound);
-  /// The 95 % interval of the mean lies above a bound.
-  Judge& above(Group g, std::string_view readout, double bound);
-  /// The means of b and a are in a ratio below a bound.
-  Judge& ratio_below(Group a, Group b, std::string_view readout, double bound);
-  /// Pearson's r over all runs of a study is significant and has this sign; or is not significant.
-  Judge& correlates(std::string_view study, std::string_view x, std::string_view y, Sign sign);
-  Judge& uncorrelated(std::string_view study, std::string_view x, std::string_view y);
-  /// Over all runs of a study: the mean is above a bound; no run is above a bound.
-  Judge& mean_above(std::string_view study, std::string_view readout, double bound);
-  Judge& none_above(std::string_view study, std::string_view readout, double bound);
-  /// At least a share of the runs of a study is not above a bound.
-  Judge& mostly_up_to(std::string_view study, std::string_view readout, double bound, double share);
-
-  /// The conditions from here on belong to one edition alone, or to both.
-  Judge& only_first() { return for_editions(true, false); }
-  Judge& only_second() { return for_editions(false, true); }
-  Judge& for_both() { return for_editions(true, true); }
+  Judge& add(const ClaimCondition& c);
 
   Finding finding() const;
 
 private:
-  std::vector<double> values(Group g, std::string_view readout);
-  std::vector<double> column(std::string_view study, std::string_view readout);
-  std::string label(Group g) const;
-  void tell(Group g, std::string_view readout, const std::vector<double>& x);
+  /// The runs at one point of a study.
+  struct Group {
+    std::string study;
+    std::string label;                  ///< as it is printed
+    const Ensemble* ensemble = nullptr; ///< null where there is no such study, or no such point of it
+    std::size_t point = 0;
+  };
   /// Conditions of a claim whose p-values the second edition corrects together.
   enum class Family { none, no_difference, agreement };
   /// How the second edition takes a condition.
@@ -114,30 +74,37 @@ private:
     bool defined, met;
     Reading reading;
   };
-  Judge& for_editions(bool first, bool second) {
-    m_first = first;
-    m_second = second;
-    return *this;
-  }
+
+  const Ensemble* ensemble(const std::string& study) const;
+  Group group(const PointName& name) const;
+  std::vector<double> values(const Group& g, std::string_view readout);
+  std::vector<double> column(const ClaimCondition& c, std::string_view readout) const;
+  void tell(const Group& g, std::string_view readout, const std::vector<double>& x);
+  void tell_all(const std::string& text);
   void condition(const std::string& wanted, const std::string& measured, bool defined, bool met, Reading reading);
   std::string shortened(std::string text) const;
   std::string brief() const;
-  void compare(Group a, Group b, std::string_view readout, std::string_view wanted,
-               const std::function<bool(double difference, double p)>& met,
-               const std::function<Reading(double difference, double p)>& reading);
-  void correlate(std::string_view study, std::string_view x, std::string_view y, std::string_view wanted,
-                 const std::function<bool(double r, double p)>& met, const std::function<Reading(double r)>& reading);
+  void compare(const ClaimCondition& c);
+  void ratio_below(const ClaimCondition& c);
+  void exceeds(const ClaimCondition& c);
+  void agrees_at(const Group& g, const ClaimCondition& c);
+  void agrees(const ClaimCondition& c);
+  void extreme_agrees(const ClaimCondition& c);
+  void within(const ClaimCondition& c);
+  void beyond(const ClaimCondition& c);
+  void correlate(const ClaimCondition& c);
+  void over_all_runs(const ClaimCondition& c);
   void judge_again(Finding& finding) const;
 
   /// A mean that a condition is about.
   struct Mean {
     Group group;
     std::string readout;
-    std::string label;
     std::string value; ///< with its interval
   };
 
   const Evidence& m_evidence;
+  std::string m_study;
   std::vector<Mean> m_means;
   std::vector<std::string> m_others; ///< correlations, and numbers over all runs of a study
   bool m_defined = true;
@@ -148,6 +115,9 @@ private:
   bool m_first = true, m_second = true;
   std::vector<Condition> m_again; ///< conditions of the second edition
 };
+
+/// What becomes of a claim by the evidence.
+Finding judged(const Claim& claim, const Evidence& evidence);
 
 std::string to_string(Verdict verdict);
 

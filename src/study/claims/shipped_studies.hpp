@@ -1,6 +1,9 @@
 #pragma once
 
+#include "study/study.hpp"
+
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,5 +16,16 @@ struct ShippedStudy {
 };
 
 std::span<const ShippedStudy> shipped_studies();
+
+/// The same, read.
+struct ReadStudy {
+  std::string name; ///< by which claims call it: that of the file, or of the study that it stands in place of
+  Study study;
+};
+const std::vector<ReadStudy>& read_shipped_studies();
+
+/// The file of the study that claims call so: with the first set of closures one that stands in its place.
+/// @throws std::out_of_range if there is none
+const ShippedStudy& shipped_file(std::string_view name, ClosureSet set);
 
 } // namespace matrigrate::study

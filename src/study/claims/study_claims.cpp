@@ -10,35 +10,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace matrigrate::study {
 
 namespace {
 
-study::Study parsed(const ShippedStudy& shipped) {
-  return study::parse_study(shipped.text, fmt::format("studies/{}.toml", shipped.name), ".");
-}
-
 bool same_points(const study::Study& a, const study::Study& b) {
   return a.title == b.title && std::ranges::equal(a.points, b.points, [](const auto& x, const auto& y) {
-           return x.settings == y.settings;
+           return x.label == y.label && x.settings == y.settings;
          });
 }
 
-const ShippedStudy* shipped_study(const study::Study& study) {
-  for (const ShippedStudy& shipped : shipped_studies())
-    if (same_points(parsed(shipped), study)) return &shipped;
+const ReadStudy* shipped_study(const study::Study& study) {
+  for (const ReadStudy& shipped : read_shipped_studies())
+    if (same_points(shipped.study, study)) return &shipped;
   return nullptr;
 }
 
-/// The results of a shipped study that lies beside another one; nothing if it does not.
+/// By which its claims call a study that is not shipped: the name of its file, from that of its folder.
+std::string own_name(const std::filesystem::path& folder) {
+  constexpr std::string_view ending = "-study";
+  const std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
+  const std::string name = (place.has_filename() ? place : place.parent_path()).filename();
+  return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
+}
+
+/// The results of a study that lies beside another one; nothing if it does not, or is not the shipped one of its name.
 std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::string_view name) {
   const std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
   const std::filesystem::path parent = place.has_filename() ? place.parent_path() : place.parent_path().parent_path();
   for (const std::string& sibling : {std::string(name), fmt::format("{}-study", name)}) {
     try {
       const StudyFolder other = study::open_study(parent / sibling);
-      if (shipped_name(other.study) == name)
+      const auto is_called_so = [&](const ReadStudy& shipped) { return shipped.name == name; };
+      if (shipped_name(other.study) == name || std::ranges::none_of(read_shipped_studies(), is_called_so))
         return study::Ensemble{other.study, study::results(other.study, other.runs, other.folder)};
     } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided
     } catch (const ConfigurationError&) {
@@ -63,9 +69,9 @@ struct Deviations {
 };
 
 Deviations deviations(const study::Study& study) {
-  const ShippedStudy* shipped = shipped_study(study);
+  const ReadStudy* shipped = shipped_study(study);
   if (shipped == nullptr) return {};
-  study::Study published = parsed(*shipped);
+  study::Study published = shipped->study;
   if (has_first_closures(study.base)) published.base = apply_overrides(published.base, first_closures());
   published.base = apply_overrides(published.base, {"run.integrator=reference"}); // the paper's
   Deviations found;
@@ -85,26 +91,33 @@ Deviations deviations(const study::Study& study) {
 } // namespace
 
 std::optional<std::string_view> shipped_name(const study::Study& study) {
-  const ShippedStudy* shipped = shipped_study(study);
+  const ReadStudy* shipped = shipped_study(study);
   if (shipped == nullptr) return {};
   return shipped->name;
 }
 
-std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std::vector<study::Result>& results) {
-  const std::optional<std::string_view> name = shipped_name(study.study);
-  if (!name) return {};
-  study::Evidence all;
-  all.emplace(*name, study::Ensemble{study.study, results});
-  std::vector<study::JudgedClaim> judged;
-  for (const study::Claim& claim : study::all_claims()) {
-    if (std::ranges::find(claim.studies, *name) == claim.studies.end()) continue;
-    study::Evidence evidence; // of this claim alone, so that a single study is not named in each sentence
-    for (const std::string_view other : claim.studies) {
+std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results) {
+  const auto shipped = shipped_name(study.study);
+  const std::string name(shipped ? *shipped : own_name(study.folder));
+  const ClosureSet set = has_first_closures(study.study.base) ? ClosureSet::first : ClosureSet::second;
+  std::vector<Claim> claims = study.study.claims;
+  for (Claim& claim : claims) claim.study = name;
+  if (shipped)
+    for (Claim& claim : shipped_claims(set))
+      if (std::ranges::find(claims, claim.id, &Claim::id) == claims.end()) claims.push_back(std::move(claim));
+  Evidence all;
+  all.emplace(name, Ensemble{study.study, results});
+  std::vector<JudgedClaim> judged;
+  for (const Claim& claim : claims) {
+    const std::vector<std::string> needed = claim.studies();
+    if (std::ranges::find(needed, name) == needed.end()) continue;
+    Evidence evidence; // of this claim alone, so that a single study is not named in each sentence
+    for (const std::string& other : needed) {
       if (!all.contains(other))
         if (auto found = beside(study.folder, other)) all.emplace(other, *std::move(found));
       if (const auto known = all.find(other); known != all.end()) evidence.insert(*known);
     }
-    judged.push_back(study::judged(claim, evidence));
+    judged.push_back(judged_claim(claim, evidence, set));
   }
   return judged;
 }
@@ -120,16 +133,51 @@ std::string claims_caveat(const study::Study& study) {
   return deviations(study).comparable ? "" : "not the paper's runs";
 }
 
-std::string claims_caveat(const std::string& id, const study::Evidence& evidence) {
-  const auto claims = study::all_claims();
-  const auto claim = std::ranges::find(claims, id, &study::Claim::id);
-  std::vector<std::string_view> names;
-  if (claim != claims.end()) names = claim->studies;
-  if (id == "F1") names = {"stiffness"}; // whose frames it is judged by
-  for (const std::string_view name : names)
-    if (const auto found = evidence.find(name); found != evidence.end())
-      if (std::string caveat = claims_caveat(found->second.study); !caveat.empty()) return caveat;
-  return {};
+const std::vector<ReadStudy>& read_shipped_studies() {
+  static const std::vector<ReadStudy> all = [] {
+    std::vector<ReadStudy> read;
+    for (const ShippedStudy& shipped : shipped_studies()) {
+      Study study = parse_study(shipped.text, fmt::format("studies/{}.toml", shipped.name), ".");
+      std::string name(study.in_place_of.empty() ? shipped.name : study.in_place_of);
+      read.push_back({std::move(name), std::move(study)});
+    }
+    return read;
+  }();
+  return all;
+}
+
+const ShippedStudy& shipped_file(std::string_view name, ClosureSet set) {
+  const ShippedStudy* found = nullptr;
+  const auto& all = read_shipped_studies();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == name && (found == nullptr || all[i].study.in_place_of.empty() == (set == ClosureSet::second)))
+      found = &shipped_studies()[i];
+  if (found == nullptr) throw std::out_of_range(fmt::format("there is no shipped study {}", name));
+  return *found;
+}
+
+std::vector<Claim> shipped_claims(ClosureSet set) {
+  std::vector<Claim> all;
+  const auto& studies = read_shipped_studies();
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    if (&shipped_file(studies[i].name, set) != &shipped_studies()[i]) continue;
+    for (Claim claim : studies[i].study.claims) {
+      claim.study = studies[i].name;
+      all.push_back(std::move(claim));
+    }
+  }
+  std::ranges::sort(all, {}, &Claim::id);
+  return all;
+}
+
+JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence, ClosureSet set) {
+  JudgedClaim result{claim.id, claim.kind_of(set), claim.sentence, claim.published, judged(claim, evidence)};
+  for (const std::string& name : claim.studies())
+    if (const auto found = evidence.find(name); found != evidence.end()) {
+      if (result.caveat.empty()) result.caveat = claims_caveat(found->second.study);
+      result.studies.push_back(name);
+    }
+  return result;
 }
 
 } // namespace matrigrate::study

@@ -8,24 +8,20 @@
 #include <string_view>
 #include <vector>
 
-/// Which of the paper's claims a study speaks of. Test: tests/apps/study_test.cpp
+/// What a study says of its claims, and of those of the paper. Test: tests/apps/study_test.cpp
 namespace matrigrate::study {
 
 /// The name of the shipped study of this title and with these points: "stiffness".
 std::optional<std::string_view> shipped_name(const study::Study& study);
 
-/// The claims that need this study, judged by its results and by those of the other studies they need, as far as these
-/// lie beside its folder; none if it is no shipped study.
-std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std::vector<study::Result>& results);
+/// The claims of this study and, of a shipped one, those of other shipped studies that need it, judged by its results
+/// and by those of the other studies they need, as far as these lie beside its folder.
+std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results);
 
 /// In what this study is not the shipped one, and what follows for the verdicts; "" if in nothing.
 std::string claims_note(const study::Study& study);
 
 /// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".
 std::string claims_caveat(const study::Study& study);
-
-/// The same of the studies that a claim needs, as far as they are among the evidence, and for F1 of the study whose
-/// frames it is judged by; "" for other ids.
-std::string claims_caveat(const std::string& id, const study::Evidence& evidence);
 
 } // namespace matrigrate::study

@@ -1,60 +1,84 @@
 #include "unit/study/studies.hpp"
 
 #include "claims/claims.hpp"
+#include "claims/shipped_studies.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
-#include <set>
 
 namespace matrigrate::study {
 namespace {
 
-/// Made-up results in one read-out.
-Evidence evidence(std::string_view readout, const std::vector<std::vector<double>>& samples) {
+std::string sweep(std::size_t points) {
   std::string numbers = "1";
-  for (std::size_t i = 2; i <= samples.size(); ++i) numbers += fmt::format(", {}", i);
+  for (std::size_t i = 2; i <= points; ++i) numbers += fmt::format(", {}", i);
+  return "[sweep]\nprotrusion.number = [" + numbers + "]\n";
+}
+
+/// Made-up results in one read-out of a study "s" with the points "n_prot 1", "n_prot 2", ...
+Evidence evidence(std::string_view readout, const std::vector<std::vector<double>>& samples) {
   Evidence e;
-  e.emplace("s", Ensemble{read("[sweep]\nprotrusion.number = [" + numbers + "]\n"), results_of(readout, samples)});
+  e.emplace("s", Ensemble{read(sweep(samples.size())), results_of(readout, samples)});
   return e;
+}
+
+/// What becomes of a claim of these conditions, as they stand in the file of "s".
+Finding finding(const Evidence& e, const std::string& conditions) {
+  const auto known = e.find("s");
+  Claim claim = read(sweep(known == e.end() ? 3 : known->second.study.points.size())
+                     + "[[claims]]\nid = \"A1\"\nkind = \"predicted\"\nsentence = \"so it is\"\nconditions = ["
+                     + conditions + "]\n")
+                    .claims.front();
+  claim.study = "s";
+  return judged(claim, e);
+}
+
+/// A condition of f_mat.
+std::string on(std::string_view rule, const std::string& more) {
+  return fmt::format("{{ rule = \"{}\", readout = \"f_mat\"{}{} }}, ", rule, more.empty() ? "" : ", ", more);
+}
+std::string between(std::string_view rule, int a, int b, const std::string& more = {}) {
+  return on(rule, fmt::format("from = \"n_prot {}\", to = \"n_prot {}\"{}", a, b, more));
+}
+const std::string up = ", sign = \"up\"";
+const std::string down = ", sign = \"down\"";
+std::string at(std::string_view rule, int a, const std::string& more) {
+  return on(rule, fmt::format("at = \"n_prot {}\", {}", a, more));
 }
 
 const std::vector<std::vector<double>> apart{{1.0, 1.1, 1.2, 1.3}, {2.0, 2.1, 2.2, 2.3}, {2.05, 2.1, 2.2, 2.4}};
 constexpr std::string_view f = "f_mat";
 
-Verdict verdict(Judge& judge) { return judge.finding().verdict; }
-
 TEST(Judge, EachCondition) {
   const Evidence e = evidence(f, apart);
-  const Group a{"s", 0};
-  const Group b{"s", 1};
-  const Group c{"s", 2};
-  const auto holds = [&](auto condition) {
-    Judge judge(e);
-    condition(judge);
-    return verdict(judge) == Verdict::holds;
-  };
-  EXPECT_TRUE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::down); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.differs(b, c, f, Sign::up); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.same(b, c, f); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.same(a, c, f); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.leans(b, c, f, Sign::up); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.not_beyond(b, c, f, Sign::up); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.not_beyond(a, b, f, Sign::up); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.agrees(a, f, 1.2, 12); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.agrees(a, f, 3.0, 12); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.extreme_agrees("s", 3, f, Sign::up, 2.2, 12); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.within(a, f, 1.0, 1.2); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.below(a, f, 1.5); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.below(a, f, 1.2); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.above(a, f, 0.9); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.above(a, f, 1.1); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.ratio_below(a, b, f, 2.0); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.mean_above("s", f, 1.0); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.none_above("s", f, 2.0); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.differs(a, b, f, Sign::up).same(a, b, f); })) << "all must be met";
+  const auto holds = [&](const std::string& conditions) { return finding(e, conditions).verdict == Verdict::holds; };
+  EXPECT_TRUE(holds(between("differs", 1, 2, up)));
+  EXPECT_FALSE(holds(between("differs", 1, 2, down)));
+  EXPECT_FALSE(holds(between("differs", 2, 3, up)));
+  EXPECT_TRUE(holds(between("same", 2, 3)));
+  EXPECT_FALSE(holds(between("same", 1, 3)));
+  EXPECT_TRUE(holds(between("leans", 2, 3, up)));
+  EXPECT_FALSE(holds(between("leans", 2, 3, down)));
+  EXPECT_TRUE(holds(between("not_beyond", 2, 3, up)));
+  EXPECT_FALSE(holds(between("not_beyond", 1, 2, up)));
+  EXPECT_TRUE(holds(between("not_beyond", 1, 2, down)));
+  EXPECT_TRUE(holds(at("agrees", 1, "value = 1.2, runs = 12")));
+  EXPECT_FALSE(holds(at("agrees", 1, "value = 3, runs = 12")));
+  EXPECT_TRUE(holds(on("highest_agrees", "value = 2.2, runs = 12")));
+  EXPECT_FALSE(holds(on("lowest_agrees", "value = 2.2, runs = 12")));
+  EXPECT_TRUE(holds(on("lowest_agrees", "value = 1.15, runs = 12")));
+  EXPECT_TRUE(holds(at("within", 1, "low = 1, high = 1.2")));
+  EXPECT_FALSE(holds(at("within", 2, "low = 1, high = 1.2")));
+  EXPECT_TRUE(holds(at("below", 1, "bound = 1.5")));
+  EXPECT_FALSE(holds(at("below", 1, "bound = 1.2")));
+  EXPECT_TRUE(holds(at("above", 1, "bound = 0.9")));
+  EXPECT_FALSE(holds(at("above", 1, "bound = 1.1")));
+  EXPECT_TRUE(holds(between("ratio_below", 1, 2, ", bound = 2")));
+  EXPECT_FALSE(holds(between("ratio_below", 1, 2, ", bound = 1.8")));
+  EXPECT_TRUE(holds(on("mean_above", "bound = 1")));
+  EXPECT_FALSE(holds(on("none_above", "bound = 2")));
+  EXPECT_FALSE(holds(between("differs", 1, 2, up) + between("same", 1, 2))) << "all must be met";
 }
 
 // Three true nulls of which one has p = 0.033, and three of which one has p = 0.0005.
@@ -66,10 +90,8 @@ TEST(SecondEdition, CorrectsWhatDoesNotDifferWithinAClaim) {
     return y;
   };
   const auto judged_at = [&](double shift) {
-    const Evidence e = evidence(f, {x, with(0.01), with(0.02), with(shift)});
-    Judge judge(e);
-    for (const std::size_t i : {1, 2, 3}) judge.same({"s", 0}, {"s", i}, f);
-    return judge.finding();
+    return finding(evidence(f, {x, with(0.01), with(0.02), with(shift)}),
+                   between("same", 1, 2) + between("same", 1, 3) + between("same", 1, 4));
   };
   EXPECT_EQ(judged_at(0.25).verdict, Verdict::does_not_hold);
   EXPECT_EQ(judged_at(0.25).second, Verdict::holds);
@@ -80,7 +102,9 @@ TEST(SecondEdition, CorrectsWhatDoesNotDifferWithinAClaim) {
 
 TEST(SecondEdition, TakesAMeanWithinATenthWhateverTheScatter) {
   const Evidence e = evidence(f, {{2.14, 2.15, 2.15, 2.16}});
-  const auto judged = [&](double published) { return Judge(e).agrees({"s", 0}, f, published, 12).finding(); };
+  const auto judged = [&](double published) {
+    return finding(e, at("agrees", 1, fmt::format("value = {}, runs = 12", published)));
+  };
   EXPECT_EQ(judged(2.34).verdict, Verdict::does_not_hold);
   EXPECT_EQ(judged(2.34).second, Verdict::holds); // 2.15 is 8 % below
   EXPECT_EQ(judged(2.5).second, Verdict::does_not_hold);
@@ -88,22 +112,22 @@ TEST(SecondEdition, TakesAMeanWithinATenthWhateverTheScatter) {
 
 TEST(SecondEdition, TellsWhatComesOutInDirectionAlone) {
   const Evidence e = evidence(f, apart);
-  const Group a{"s", 0};
-  const Group b{"s", 1};
-  const Group c{"s", 2};
-  EXPECT_EQ(Judge(e).differs(b, c, f, Sign::up).finding().second, Verdict::in_direction) << "a significance is missed";
-  EXPECT_EQ(Judge(e).differs(b, c, f, Sign::down).finding().second, Verdict::does_not_hold);
-  EXPECT_EQ(Judge(e).leans(a, b, f, Sign::up).agrees(b, f, 5.0, 12).finding().second, Verdict::in_direction);
-  EXPECT_EQ(Judge(e).leans(b, a, f, Sign::up).agrees(b, f, 5.0, 12).finding().second, Verdict::does_not_hold);
-  EXPECT_EQ(Judge(e).below(b, f, 2.2).finding().second, Verdict::in_direction) << "the interval reaches over the bound";
-  EXPECT_EQ(Judge(e).finding().second, Verdict::undecided);
-  EXPECT_EQ(Judge(evidence(f, {{1.0}, {2.0}})).differs(a, b, f, Sign::up).finding().second, Verdict::undecided);
+  const auto second = [&](const std::string& conditions) { return finding(e, conditions).second; };
+  const std::string far = at("agrees", 2, "value = 5, runs = 12");
+  EXPECT_EQ(second(between("differs", 2, 3, up)), Verdict::in_direction) << "a significance is missed";
+  EXPECT_EQ(second(between("differs", 2, 3, down)), Verdict::does_not_hold);
+  EXPECT_EQ(second(between("leans", 1, 2, up) + far), Verdict::in_direction);
+  EXPECT_EQ(second(between("leans", 2, 1, up) + far), Verdict::does_not_hold);
+  EXPECT_EQ(second(at("below", 2, "bound = 2.2")), Verdict::in_direction) << "the interval reaches over the bound";
+  EXPECT_EQ(Judge(e, "s").finding().second, Verdict::undecided);
+  EXPECT_EQ(finding(evidence(f, {{1.0}, {2.0}}), between("differs", 1, 2, up)).second, Verdict::undecided);
 }
 
 TEST(SecondEdition, AsksOfMostRunsWhatTheTextSaysOfMost) {
   const Evidence e = evidence(f, {{1.0, 2.0, 3.0, 4.0}});
   const auto most = [&](double share) {
-    return Judge(e).only_first().none_above("s", f, 3.0).only_second().mostly_up_to("s", f, 3.0, share).finding();
+    return finding(e, on("none_above", "bound = 3, edition = \"first\"")
+                          + on("mostly_up_to", fmt::format("bound = 3, share = {}, edition = \"second\"", share)));
   };
   EXPECT_EQ(most(0.75).verdict, Verdict::does_not_hold);
   EXPECT_EQ(most(0.75).second, Verdict::holds);
@@ -122,25 +146,20 @@ TEST(Judge, CorrelatesReadOutsOverRuns) {
     r.readouts[column("l_prot_um")] = 28.0 + sign;
     sign = -sign;
   }
-  const auto holds = [&](auto condition) {
-    Judge judge(e);
-    condition(judge);
-    return verdict(judge) == Verdict::holds;
-  };
-  EXPECT_TRUE(holds([&](Judge& j) { j.correlates("s", f, "tau_prot_min", Sign::down); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.correlates("s", f, "tau_prot_min", Sign::up); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.uncorrelated("s", f, "tau_prot_min"); }));
-  EXPECT_FALSE(holds([&](Judge& j) { j.correlates("s", f, "l_prot_um", Sign::up); }));
-  EXPECT_TRUE(holds([&](Judge& j) { j.uncorrelated("s", f, "l_prot_um"); }));
+  const auto holds = [&](const std::string& conditions) { return finding(e, conditions).verdict == Verdict::holds; };
+  EXPECT_TRUE(holds(on("correlates", "with = \"tau_prot_min\"" + down)));
+  EXPECT_FALSE(holds(on("correlates", "with = \"tau_prot_min\"" + up)));
+  EXPECT_FALSE(holds(on("uncorrelated", "with = \"tau_prot_min\"")));
+  EXPECT_FALSE(holds(on("correlates", "with = \"l_prot_um\"" + up)));
+  EXPECT_TRUE(holds(on("uncorrelated", "with = \"l_prot_um\"")));
 }
 
 TEST(Judge, PrintsNoNumbersThatAreNone) {
-  const Evidence e = evidence(f, {{1.0}, {}});
-  Judge judge(e);
-  judge.differs({"s", 0}, {"s", 1}, f, Sign::up).correlates("s", f, "l_prot_um", Sign::up).mean_above("s", f, 0.5);
-  const Finding finding = judge.finding();
-  EXPECT_EQ(finding.verdict, Verdict::undecided);
-  for (const auto& lines : {finding.ours, finding.conditions})
+  const Finding found =
+      finding(evidence(f, {{1.0}, {}}), between("differs", 1, 2, up) + on("correlates", "with = \"l_prot_um\"" + up)
+                                            + on("mean_above", "bound = 0.5"));
+  EXPECT_EQ(found.verdict, Verdict::undecided);
+  for (const auto& lines : {found.ours, found.conditions})
     for (const std::string& line : lines) EXPECT_EQ(line.find("nan"), std::string::npos) << line;
 }
 
@@ -151,80 +170,119 @@ TEST(Judge, ComparesTwoReadOutsOfTheSameRuns) {
   const auto f_mat = static_cast<std::size_t>(std::ranges::find(names, f) - names.begin());
   double excess = 0.01;
   for (Result& r : e.at("s").results) r.readouts[force] = r.readouts[f_mat] + (excess += 1e-3); // little, but in each
-  Judge above(e);
-  EXPECT_EQ(verdict(above.exceeds({"s", 0}, f, "force_nN")), Verdict::holds);
-  Judge below(e);
-  EXPECT_EQ(verdict(below.exceeds({"s", 0}, "force_nN", f)), Verdict::does_not_hold);
-  Judge none(e);
-  EXPECT_EQ(verdict(none.exceeds({"s", 0}, f, "tau_prot_min")), Verdict::undecided);
+  const auto verdict = [&](std::string_view high, std::string_view low) {
+    return finding(e, fmt::format("{{ rule = \"exceeds\", readout = \"{}\", over = \"{}\", at = \"n_prot 1\" }}", high,
+                                  low))
+        .verdict;
+  };
+  EXPECT_EQ(verdict("force_nN", f), Verdict::holds);
+  EXPECT_EQ(verdict(f, "force_nN"), Verdict::does_not_hold);
+  EXPECT_EQ(verdict("tau_prot_min", f), Verdict::undecided);
 }
 
 TEST(Judge, IsUndecidedWithoutRuns) {
-  const Evidence e = evidence(f, {{1.0}, {2.0, 3.0}});
-  Judge few(e);
-  EXPECT_EQ(verdict(few.differs({"s", 0}, {"s", 1}, f, Sign::up)), Verdict::undecided);
-  Judge nowhere(e);
-  EXPECT_EQ(verdict(nowhere.same({"t", 0}, {"t", 1}, f)), Verdict::undecided);
-  Judge nothing(e);
-  EXPECT_EQ(verdict(nothing), Verdict::undecided);
+  EXPECT_EQ(finding(evidence(f, {{1.0}, {2.0, 3.0}}), between("differs", 1, 2, up)).verdict, Verdict::undecided);
+  EXPECT_EQ(finding({}, between("same", 1, 2)).verdict, Verdict::undecided) << "no such study";
+  EXPECT_EQ(finding({}, on("lowest_agrees", "value = 2, runs = 12")).verdict, Verdict::undecided);
+  EXPECT_EQ(Judge({}, "s").finding().verdict, Verdict::undecided) << "no condition";
+}
+
+TEST(Judge, NamesAPointThatIsNotThere) {
+  Evidence e = evidence(f, apart);
+  e.at("s").study.points[1].label = "two"; // a table that is kept of a study with other labels
+  const Finding found = finding(evidence(f, apart), between("same", 2, 3));
+  EXPECT_EQ(found.verdict, Verdict::holds);
+  Claim claim;
+  claim.study = "s";
+  claim.conditions = {{.rule = ClaimRule::same, .from = {"", "n_prot 2"}, .to = {"", "n_prot 3"}, .readout = "f_mat"}};
+  const Finding lost = judged(claim, e);
+  EXPECT_EQ(lost.verdict, Verdict::undecided);
+  EXPECT_NE(lost.conditions.front().find("n_prot 2 (no such point)"), std::string::npos) << lost.conditions.front();
+}
+
+TEST(Judge, TakesPointsOfOtherStudiesByTheirNames) {
+  Evidence e = evidence(f, apart);
+  e.emplace("t", e.at("s"));
+  const Finding found = finding(e, on("differs", "from = \"n_prot 1\", to = \"t: n_prot 2\"" + up));
+  EXPECT_EQ(found.verdict, Verdict::holds);
+  EXPECT_TRUE(found.conditions.front().starts_with("f_mat at t: n_prot 2 significantly above that at s: n_prot 1"))
+      << found.conditions.front();
+  EXPECT_NE(finding(e, on("mean_above", "bound = 1, study = \"t\"")).conditions.front().find("over the runs of t"),
+            std::string::npos);
 }
 
 TEST(Claims, AreComplete) {
-  std::set<std::string> ids;
-  for (const Claim& claim : all_claims()) {
-    ids.emplace(claim.id);
-    EXPECT_EQ(claim.judge({}).verdict, Verdict::undecided) << claim.id;
-    for (const std::string_view name : claim.studies)
-      EXPECT_TRUE(std::filesystem::exists(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name))) << name;
+  for (const ClosureSet set : {ClosureSet::first, ClosureSet::second}) {
+    std::vector<std::string> ids;
+    for (const Claim& claim : shipped_claims(set)) {
+      ids.push_back(claim.id);
+      EXPECT_EQ(judged(claim, {}).verdict, Verdict::undecided) << claim.id;
+      for (const std::string& name : claim.studies()) EXPECT_NO_THROW(shipped_file(name, set)) << name;
+    }
+    EXPECT_EQ(ids, (std::vector<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2", "B3",
+                                             "B4", "C1", "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1",
+                                             "E2", "E3", "E4", "E5", "X1", "X2", "X3", "X4", "X5"}));
   }
-  EXPECT_EQ(ids, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "B1", "B2", "B3",
-                                        "B4", "C1", "C2", "C3", "C4", "C5", "D1", "D2", "D3", "D4", "E1",
-                                        "E2", "E3", "E4", "E5", "X1", "X2", "X3", "X4", "X5"}));
 }
 
 TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
-  for (const Claim& claim : all_claims()) {
-    Evidence e;
-    for (const std::string_view name : claim.studies) {
-      const Study s = read_study(fmt::format("{}/studies/{}.toml", MATRIGRATE_SOURCE_DIR, name));
-      std::vector<Result> results;
-      for (std::size_t i = 0; i < s.points.size(); ++i)
-        for (std::size_t k = 1; k <= 3; ++k) { // any numbers, so that nothing is undecided
-          std::vector<double> values(all_readouts().size());
-          for (std::size_t v = 0; v < values.size(); ++v)
-            values[v] = static_cast<double>(1 + (i * 7 + k * k * 3 + v * k) % 11);
-          Result& r = results.emplace_back();
-          r.run.point = i;
-          r.readouts = values;
-        }
-      e.emplace(name, Ensemble{s, results});
+  for (const ClosureSet set : {ClosureSet::first, ClosureSet::second})
+    for (const Claim& claim : shipped_claims(set)) {
+      Evidence e;
+      for (const std::string& name : claim.studies()) {
+        const Study s = parse_study(shipped_file(name, set).text, name, ".");
+        std::vector<Result> results;
+        for (std::size_t i = 0; i < s.points.size(); ++i)
+          for (std::size_t k = 1; k <= 3; ++k) { // any numbers, so that nothing is undecided
+            std::vector<double> values(all_readouts().size());
+            for (std::size_t v = 0; v < values.size(); ++v)
+              values[v] = static_cast<double>(1 + (i * 7 + k * k * 3 + v * k) % 11);
+            Result& r = results.emplace_back();
+            r.run.point = i;
+            r.readouts = values;
+          }
+        e.emplace(name, Ensemble{s, results});
+      }
+      const Finding found = judged(claim, e);
+      EXPECT_NE(found.verdict, Verdict::undecided) << claim.id;
+      for (const std::string& line : found.conditions)
+        EXPECT_EQ(line.find("no such point"), std::string::npos) << claim.id << ": " << line;
     }
-    EXPECT_NE(claim.judge(e).verdict, Verdict::undecided) << claim.id;
-  }
+}
+
+// A study in place of another: the force of each strand, or of both.
+TEST(Claims, AreThoseOfTheSetOfClosures) {
+  const auto label = [](ClosureSet set) {
+    const std::vector<Claim> all = shipped_claims(set);
+    const auto a8 = std::ranges::find(all, "A8", &Claim::id);
+    EXPECT_EQ(a8->studies(), std::vector<std::string>{"contraction"});
+    return a8->conditions.front().from.label;
+  };
+  EXPECT_EQ(label(ClosureSet::first), "force 0.4 nN");
+  EXPECT_EQ(label(ClosureSet::second), "force 0.2 nN");
+  EXPECT_EQ(shipped_file("contraction", ClosureSet::first).name, "contraction-strand");
+  EXPECT_EQ(shipped_file("contraction", ClosureSet::second).name, "contraction");
+  EXPECT_EQ(shipped_file("stiffness", ClosureSet::first).name, "stiffness");
 }
 
 TEST(Claims, AreThirtyWithThePartsAndHaveAKind) {
-  std::map<RowKind, int> kinds;
-  for (const Claim& claim : claims()) ++kinds[row_kind(claim.id)];
-  EXPECT_EQ(kinds[RowKind::calibration], 16);
-  EXPECT_EQ(kinds[RowKind::predicted], 10);
-  EXPECT_EQ(row_kind("E4"), RowKind::calibration) << "rows E served the choice of the second set";
-  EXPECT_EQ(row_kind("E4", ClosureSet::first), RowKind::predicted);
-  EXPECT_EQ(kinds[RowKind::verification], 0);
-  EXPECT_EQ(row_kind("V2"), RowKind::verification);
-  EXPECT_EQ(row_kind("A7"), RowKind::calibration);
-  EXPECT_EQ(row_kind("A8"), RowKind::predicted);
-  EXPECT_EQ(row_kind("X1"), RowKind::experiment);
+  std::map<ClaimKind, int> kinds;
+  std::map<ClaimKind, int> first;
+  for (const Claim& claim : shipped_claims()) {
+    ++kinds[claim.kind_of(ClosureSet::second)];
+    ++first[claim.kind_of(ClosureSet::first)];
+  }
+  EXPECT_EQ(kinds, (std::map<ClaimKind, int>{
+                       {ClaimKind::calibration, 16}, {ClaimKind::predicted, 10}, {ClaimKind::experiment, 5}}));
+  EXPECT_EQ(first[ClaimKind::calibration], 11) << "rows E served the choice of the second set";
+  EXPECT_EQ(first[ClaimKind::predicted], 15);
 }
 
 TEST(Claims, TableSaysWhyNot) {
   const Evidence e = evidence(f, apart);
-  const Group a{"s", 0};
-  const Group b{"s", 1};
-  Judge judge(e);
-  judge.differs(a, b, f, Sign::up).same(a, b, f);
-  const JudgedClaim no{"A1", "f_mat rises and does not", "1 to 2", judge.finding(), {}};
-  const JudgedClaim yes{"B1", "f_mat rises", "", Judge(e).differs(a, b, f, Sign::up).finding(), {}};
+  const JudgedClaim no{"A1", ClaimKind::calibration, "f_mat rises and does not", "1 to 2",
+                       finding(e, between("differs", 1, 2, up) + between("same", 1, 2))};
+  const JudgedClaim yes{"B1", ClaimKind::predicted, "f_mat rises", "", finding(e, between("differs", 1, 2, up))};
   EXPECT_EQ(no.finding.brief, "f_mat 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
   EXPECT_EQ(why_not(no.finding), "not met: f_mat at n_prot 2 not significantly different from that at n_prot 1 "
                                  "(difference 1 [0.777, 1.22], p 3.4e-05)");
@@ -237,6 +295,8 @@ TEST(Claims, TableSaysWhyNot) {
   EXPECT_NE(table.find("| **does not hold** | in direction | not met"), std::string::npos) << table;
   EXPECT_EQ(second_bottom_line({no, yes}),
             "1 of 2 hold and 1 more are in direction by the second edition of the rules");
+  EXPECT_TRUE(claims_csv({no, yes}).starts_with("id,kind,claim,published,ours,verdict,why_not,"));
+  EXPECT_TRUE(conditions_csv({no, yes}).starts_with("id,sentence,published,ours,statistic,verdict,caveat\nA1,f_mat"));
 }
 
 } // namespace

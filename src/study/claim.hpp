@@ -1,0 +1,95 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Claims: sentences, each with the conditions on the read-outs of studies that it must meet. They stand as [[claims]]
+/// in study files (read_comparisons.hpp); claims/judge.hpp judges them. Test: tests/unit/study/read_claims_test.cpp
+namespace matrigrate::study {
+
+/// What a claim is for: closures were chosen on calibration rows, no predicted row was looked at before they were
+/// frozen (MODEL.md, "The choice of the closures"), verification rows test parts of the model, and experiment rows go
+/// beyond the paper.
+enum class ClaimKind { calibration, predicted, verification, experiment };
+
+/// The sets of closures (MODEL.md, "The choice of the closures").
+enum class ClosureSet { first, second };
+
+enum class Sign { up, down };
+
+/// What a condition asks for. In the names of the keys: `to` against `from`, each a point; or the runs `at` a point; or
+/// all runs of the study.
+enum class ClaimRule {
+  differs,        ///< `to` is significantly above (or below) `from`
+  same,           ///< `to` does not differ significantly from `from`
+  leans,          ///< the mean of `to` is above (or below) that of `from`, significantly or not: "slightly"
+  not_beyond,     ///< `to` is not significantly above (or below) `from`
+  ratio_below,    ///< the means of `to` and `from` are in a ratio below a bound
+  exceeds,        ///< in the runs the read-out is above another: the 95 % interval of their difference is above 0
+  agrees,         ///< the published mean of so many runs could be one of our population: published_mean_test, p >= 0.05
+  lowest_agrees,  ///< the lowest of the means of all points agrees with a published one
+  highest_agrees, ///< the highest
+  within,         ///< the mean lies between two bounds
+  below,          ///< the 95 % interval of the mean lies below a bound
+  above,          ///< the 95 % interval of the mean lies above a bound
+  correlates,     ///< Pearson's r with another read-out over all runs is significant and has this sign
+  uncorrelated,   ///< it is not significant
+  mean_above,     ///< the mean over all runs is above a bound
+  none_above,     ///< no run is above a bound
+  mostly_up_to    ///< at least a share of the runs is not above a bound
+};
+
+/// A rule, as it stands in files, and the keys that it must have.
+struct RuleSpec {
+  std::string_view name;
+  std::vector<std::string_view> keys;
+};
+
+/// In the order of ClaimRule.
+std::span<const RuleSpec> claim_rules();
+
+/// A point by its label.
+struct PointName {
+  std::string study; ///< empty: that of the claim
+  std::string label;
+};
+
+struct ClaimCondition {
+  ClaimRule rule = ClaimRule::differs;
+  std::string study{}; ///< all of whose runs are meant; empty: that of the claim
+  PointName from{};
+  PointName to{}; ///< or `at`
+  std::string readout{};
+  std::string other{}; ///< the second read-out: `over`, `with`
+  Sign sign = Sign::up;
+  double value = 0.0; ///< or `bound`, `low`
+  double high = 0.0;
+  double runs = 0.0; ///< that a published value is the mean of
+  double share = 0.0;
+  bool first = true;  ///< belongs to the first edition of the rules
+  bool second = true; ///< to the second
+};
+
+struct Claim {
+  std::string id;      ///< "A1"
+  std::string study{}; ///< whose file it stands in
+  ClaimKind kind = ClaimKind::predicted;
+  std::optional<ClaimKind> kind_with_first{}; ///< with the first set of closures, if it is another
+  std::optional<ClosureSet> closures{};       ///< the set alone that it is judged with; none: either
+  std::string sentence{};                     ///< what is claimed
+  std::string published{};                    ///< the numbers that were published
+  std::vector<ClaimCondition> conditions{};
+  std::string text{}; ///< the [[claims]] table of a file, to be read again
+
+  ClaimKind kind_of(ClosureSet set) const { return set == ClosureSet::first ? kind_with_first.value_or(kind) : kind; }
+  /// Names of the studies that it is judged by, its own first.
+  std::vector<std::string> studies() const;
+};
+
+/// "calibration", "predicted", ...
+std::string kind_name(ClaimKind kind);
+
+} // namespace matrigrate::study

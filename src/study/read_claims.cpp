@@ -1,0 +1,275 @@
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/scan.hpp"
+#include "study/read_comparisons.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace matrigrate::study {
+
+namespace {
+
+const std::vector<std::string> kind_names{"calibration", "predicted", "verification", "experiment"};
+const std::vector<std::string> set_names{"first", "second"};
+
+bool has(const std::vector<std::string>& list, const std::string& one) {
+  return std::ranges::find(list, one) != list.end();
+}
+
+/// The table, to be read again.
+std::string text_of(const toml::table& table) {
+  toml::array list;
+  list.push_back(table);
+  std::ostringstream text;
+  text << toml::table{{"claims", list}} << "\n";
+  return text.str();
+}
+
+class ClaimReader {
+public:
+  ClaimReader(const std::vector<Point>& points, const LabelsOf& labels_of, FaultList& faults)
+      : m_labels_of(labels_of), m_faults(faults), m_readouts(all_readouts()) {
+    for (const Point& point : points) m_labels.push_back(point.label);
+    for (const RuleSpec& rule : claim_rules()) m_rules.emplace_back(rule.name);
+  }
+
+  Claim read(const toml::table& table) {
+    static const std::vector<std::string> keys{
+        "id", "kind", "kind_with_first_closures", "closures", "sentence", "published", "conditions"};
+    check_keys(table, "claims", keys, "there is no such key");
+    Claim claim;
+    if (const auto* node = wanted(table, "claims", "id", "id = \"A1\"")) claim.id = id(*node);
+    if (const auto* node = wanted(table, "claims", "sentence", "sentence = \"cells are faster in a stiff matrix\""))
+      claim.sentence = text(*node, "claims.sentence");
+    if (const auto* node = wanted(table, "claims", "kind", "kind = \"predicted\""))
+      claim.kind = static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind", kind_names));
+    if (const auto* node = table.get("kind_with_first_closures"))
+      claim.kind_with_first =
+          static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind_with_first_closures", kind_names));
+    if (const auto* node = table.get("closures"))
+      claim.closures = static_cast<ClosureSet>(m_faults.choice(*node, "claims.closures", set_names));
+    if (const auto* node = table.get("published")) claim.published = m_faults.text(*node, "claims.published");
+    if (const auto* node = wanted(table, "claims", "conditions", "conditions = [{ rule = \"differs\", ... }]"))
+      claim.conditions = conditions(*node);
+    claim.text = text_of(table);
+    return claim;
+  }
+
+private:
+  const toml::node* wanted(const toml::table& table, std::string_view section, std::string_view key,
+                           std::string_view example) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr)
+      m_faults.add(place_of(table), fmt::format("{}.{}", section, key), fmt::format("is missing; write {}", example));
+    return node;
+  }
+
+  void check_keys(const toml::table& table, std::string_view section, const std::vector<std::string>& keys,
+                  const std::string& what) {
+    for (const auto& [name, node] : table)
+      if (const std::string key(name.str()); !has(keys, key))
+        m_faults.add(place_of(name), fmt::format("{}.{}", section, key), what,
+                     [key, keys] { return did_you_mean(nearest(key, keys)); });
+  }
+
+  std::string text(const toml::node& node, std::string_view key) {
+    std::string typed = m_faults.text(node, key);
+    if (node.is_string() && typed.empty()) m_faults.add(place_of(node), key, "is empty");
+    return typed;
+  }
+
+  std::string id(const toml::node& node) {
+    std::string typed = text(node, "claims.id");
+    if (!typed.empty() && !m_ids.insert(typed).second)
+      m_faults.add(place_of(node), "claims.id", fmt::format("\"{}\" is the id of two claims", excerpt(typed)));
+    return typed;
+  }
+
+  std::vector<ClaimCondition> conditions(const toml::node& node) {
+    std::vector<ClaimCondition> all;
+    const toml::array* list = node.as_array();
+    if (list == nullptr || list->empty())
+      m_faults.add(place_of(node), "claims.conditions", "is no list of conditions, each a table with a rule");
+    else
+      for (const toml::node& one : *list)
+        if (const toml::table* table = one.as_table())
+          std::ranges::move(condition(*table), std::back_inserter(all));
+        else
+          m_faults.add(place_of(one), "claims.conditions", fmt::format("is {}, but a table is expected", type_of(one)));
+    return all;
+  }
+
+  static std::string full(std::string_view key) { return fmt::format("claims.conditions.{}", key); }
+
+  /// One at each of the points that are listed.
+  std::vector<ClaimCondition> condition(const toml::table& table) {
+    const toml::node* typed = wanted(table, "claims.conditions", "rule", "rule = \"differs\"");
+    if (typed == nullptr) return {};
+    const std::size_t index = m_faults.choice(*typed, full("rule"), m_rules);
+    if (typed->value<std::string>() != m_rules[index]) return {};
+    const std::vector<std::string> needed(claim_rules()[index].keys.begin(), claim_rules()[index].keys.end());
+    std::vector<std::string> keys = needed;
+    keys.insert(keys.end(), {"rule", "edition"});
+    if (!has(keys, "to") && !has(keys, "at")) keys.emplace_back("study");
+    check_keys(table, "claims.conditions", keys,
+               fmt::format("\"{}\" has no such key; it has {}", m_rules[index], fmt::join(keys, ", ")));
+    for (const std::string& key : needed)
+      if (!table.contains(key))
+        m_faults.add(place_of(table), full(key),
+                     fmt::format("is missing; \"{}\" needs {}", m_rules[index], fmt::join(needed, ", ")));
+    ClaimCondition c{.rule = static_cast<ClaimRule>(index)};
+    for (const std::string& key : keys)
+      if (const toml::node* node = table.get(key)) take(key, *node, c);
+    if (has(keys, "low") && table.contains("low") && table.contains("high") && !(c.value < c.high))
+      m_faults.add(place_of(*table.get("low")), full("low"), "is not below high");
+    return at_points(table, c);
+  }
+
+  void take(const std::string& key, const toml::node& node, ClaimCondition& c) {
+    const auto number = [&] { return m_faults.number(node, full(key)).value_or(0.0); };
+    if (key == "readout" || key == "with" || key == "over")
+      (key == "readout" ? c.readout : c.other) = m_readouts[m_faults.choice(node, full(key), m_readouts)];
+    else if (key == "sign")
+      c.sign = static_cast<Sign>(m_faults.choice(node, full(key), {"up", "down"}));
+    else if (key == "value" || key == "bound" || key == "low")
+      c.value = number();
+    else if (key == "high")
+      c.high = number();
+    else if (key == "runs")
+      c.runs = static_cast<double>(m_faults.whole(node, full(key), 1, 1'000'000));
+    else if (key == "share")
+      c.share = share(node);
+    else if (key == "study")
+      c.study = study(node);
+    else if (key == "edition") {
+      const std::size_t edition = m_faults.choice(node, full(key), {"both", "first", "second"});
+      c.first = edition != 2;
+      c.second = edition != 1;
+    }
+  }
+
+  double share(const toml::node& node) {
+    const auto value = m_faults.number(node, full("share"));
+    if (value && !(*value > 0.0 && *value <= 1.0))
+      m_faults.add(place_of(node), full("share"), fmt::format("{} is out of range; allowed is > 0 and <= 1", *value));
+    return value.value_or(1.0);
+  }
+
+  std::string study(const toml::node& node) {
+    std::string name = text(node, full("study"));
+    if (!name.empty() && m_labels_of && !m_labels_of(name))
+      m_faults.add(
+          place_of(node), full("study"),
+          fmt::format("there is no {0}.toml beside this file, and no study {0} of `matrigrate list`", excerpt(name)));
+    return name;
+  }
+
+  /// The condition with each of the points that `at`, or `from` and `to`, list.
+  std::vector<ClaimCondition> at_points(const toml::table& table, const ClaimCondition& c) {
+    const toml::node* to = table.get("to") != nullptr ? table.get("to") : table.get("at");
+    if (to == nullptr) return {c};
+    const std::vector<PointName> ends = points(*to, table.contains("to") ? "to" : "at");
+    std::vector<PointName> starts(1);
+    if (const auto* from = table.get("from")) starts = points(*from, "from");
+    if (ends.empty() || starts.empty()) return {};
+    const std::size_t n = std::max(ends.size(), starts.size());
+    if ((ends.size() != n && ends.size() != 1) || (starts.size() != n && starts.size() != 1))
+      m_faults.add(
+          place_of(*to), full("to"),
+          fmt::format("lists {} points, but from lists {}; write as many, or one", ends.size(), starts.size()));
+    std::vector<ClaimCondition> all(n, c);
+    for (std::size_t i = 0; i < n; ++i) {
+      all[i].from = starts[std::min(i, starts.size() - 1)];
+      all[i].to = ends[std::min(i, ends.size() - 1)];
+    }
+    return all;
+  }
+
+  std::vector<PointName> points(const toml::node& node, std::string_view key) {
+    std::vector<PointName> all;
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return {point(node, key)};
+    if (list->empty()) m_faults.add(place_of(node), full(key), "lists no point");
+    for (const toml::node& one : *list) all.push_back(point(one, key));
+    return all;
+  }
+
+  PointName point(const toml::node& node, std::string_view key) {
+    const std::string typed = m_faults.text(node, full(key));
+    if (!node.is_string() || has(m_labels, typed)) return {"", typed};
+    std::vector<std::string> known = m_labels;
+    if (const std::size_t colon = typed.find(": "); colon != std::string::npos) {
+      PointName other{typed.substr(0, colon), typed.substr(colon + 2)};
+      if (!m_labels_of) return other;
+      if (const auto labels = m_labels_of(other.study)) {
+        if (has(*labels, other.label)) return other;
+        known.clear();
+        for (const std::string& label : *labels) known.push_back(fmt::format("{}: {}", other.study, label));
+      }
+    }
+    m_faults.add(
+        place_of(node), full(key),
+        fmt::format("\"{}\" is not the label of a point; the labels are {}", excerpt(typed), quoted_list(known)),
+        [typed, known] { return did_you_mean(nearest(typed, known)); });
+    return {"", typed};
+  }
+
+  const LabelsOf& m_labels_of;
+  FaultList& m_faults;
+  std::vector<std::string> m_readouts;
+  std::vector<std::string> m_labels;
+  std::vector<std::string> m_rules;
+  std::set<std::string> m_ids;
+};
+
+} // namespace
+
+std::span<const RuleSpec> claim_rules() {
+  static const std::vector<RuleSpec> all{{"differs", {"readout", "from", "to", "sign"}},
+                                         {"same", {"readout", "from", "to"}},
+                                         {"leans", {"readout", "from", "to", "sign"}},
+                                         {"not_beyond", {"readout", "from", "to", "sign"}},
+                                         {"ratio_below", {"readout", "from", "to", "bound"}},
+                                         {"exceeds", {"readout", "over", "at"}},
+                                         {"agrees", {"readout", "at", "value", "runs"}},
+                                         {"lowest_agrees", {"readout", "value", "runs"}},
+                                         {"highest_agrees", {"readout", "value", "runs"}},
+                                         {"within", {"readout", "at", "low", "high"}},
+                                         {"below", {"readout", "at", "bound"}},
+                                         {"above", {"readout", "at", "bound"}},
+                                         {"correlates", {"readout", "with", "sign"}},
+                                         {"uncorrelated", {"readout", "with"}},
+                                         {"mean_above", {"readout", "bound"}},
+                                         {"none_above", {"readout", "bound"}},
+                                         {"mostly_up_to", {"readout", "bound", "share"}}};
+  return all;
+}
+
+std::vector<std::string> Claim::studies() const {
+  std::vector<std::string> names{study};
+  for (const ClaimCondition& c : conditions)
+    for (const std::string& name : {c.study, c.from.study, c.to.study})
+      if (!name.empty() && !has(names, name)) names.push_back(name);
+  return names;
+}
+
+std::string kind_name(ClaimKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::vector<Claim> read_claims(const toml::array& list, const std::vector<Point>& points, const LabelsOf& labels_of,
+                               FaultList& faults) {
+  std::vector<Claim> all;
+  ClaimReader reader(points, labels_of, faults);
+  for (const toml::node& node : list)
+    if (const toml::table* table = node.as_table())
+      all.push_back(reader.read(*table));
+    else
+      faults.add(place_of(node), "claims", fmt::format("is {}, but a table is expected", type_of(node)));
+  return all;
+}
+
+} // namespace matrigrate::study
