@@ -1,10 +1,18 @@
 #include "apps/case_output.hpp"
 
+#include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
+#include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/threads.hpp"
+#include "parameters/write.hpp"
+#include "run/provenance.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
 
 namespace matrigrate::apps {
 
@@ -14,8 +22,10 @@ using Json = nlohmann::ordered_json;
 
 std::string number(double value) { return fmt::format("{:.5g}", value); }
 
+report::Verdict verdict_of(bool holds) { return holds ? report::Verdict::holds : report::Verdict::does_not_hold; }
+
 std::string verdict(bool holds) {
-  return holds ? coloured("holds", Colour::good, Stream::out) : coloured("does not hold", Colour::bad, Stream::out);
+  return coloured(to_string(verdict_of(holds)), holds ? Colour::good : Colour::bad, Stream::out);
 }
 
 /// "at least " or "at most " for a one-sided check, nothing otherwise.
@@ -83,10 +93,13 @@ Json to_json(const Outcome& outcome) {
           {"claims", rows(result.claims)}, {"claim_notes", result.claim_notes}, {"remarks", result.remarks}};
 }
 
+namespace {
+
+/// The chapter of the report.
 report::Statement to_statement(const Outcome& outcome) {
   const std::string& name = outcome.which->name;
   report::Statement statement{
-      .id = name, .sentence = outcome.which->summary, .verdict = outcome.holds() ? "holds" : "fails", .published = {}};
+      .id = name, .sentence = outcome.which->summary, .verdict = verdict_of(outcome.holds()), .published = {}};
   if (!outcome.result) {
     statement.details = {{"Stopped", {outcome.failure}}};
     return statement;
@@ -101,12 +114,57 @@ report::Statement to_statement(const Outcome& outcome) {
   return statement;
 }
 
+Outcome outcome_of(const validation::Case& c, const Parameters& p) {
+  Outcome outcome;
+  outcome.which = &c;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    outcome.result = validation::run_case(c, p);
+  } catch (const NumericalFailure& failure) {
+    outcome.failure = failure.what();
+  }
+  outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+/// NAME.csv, and NAME-<picture>.svg of each picture; nothing if there is no result.
 void write_outcome(const Outcome& outcome, const std::filesystem::path& folder) {
   if (!outcome.result) return;
   const std::string& name = outcome.which->name;
   write_file(folder / (name + ".csv"), store::to_csv(outcome.result->table));
   for (const draw::Picture& picture : outcome.result->pictures)
     write_file(folder / fmt::format("{}-{}.svg", name, picture.name), picture.svg);
+}
+
+} // namespace
+
+std::string results_json(const std::filesystem::path& folder, const std::vector<Outcome>& outcomes) {
+  Json cases = Json::array();
+  for (const Outcome& outcome : outcomes) cases.push_back(to_json(outcome));
+  const Json all{{"folder", folder.string()},
+                 {"holds", std::ranges::all_of(outcomes, &Outcome::holds)},
+                 {"cases", cases},
+                 {"provenance", provenance()}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<Outcome> run_cases(const std::vector<const validation::Case*>& cases, std::string_view name,
+                               const Parameters& p, const std::filesystem::path& folder,
+                               const std::function<void(const Outcome&)>& shown) {
+  write_file(folder / "scenario.resolved.toml", to_toml(p));
+  const ThreadLimit limit(p.run.threads);
+  std::vector<Outcome> outcomes;
+  report::VerdictReport report{
+      .title = fmt::format("Validation of the matrix: {}", name), .statements = {}, .provenance = provenance_text()};
+  for (const validation::Case* c : cases) {
+    const Outcome& outcome = outcomes.emplace_back(outcome_of(*c, p));
+    write_outcome(outcome, folder);
+    report.statements.push_back(to_statement(outcome));
+    shown(outcome);
+  }
+  write_file(folder / "report.html", report::filled_page(verdicts_page_template(), report::verdict_data(report)));
+  write_file(folder / "results.json", results_json(folder, outcomes));
+  return outcomes;
 }
 
 } // namespace matrigrate::apps

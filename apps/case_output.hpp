@@ -4,8 +4,11 @@
 #include "validation/case.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace matrigrate::apps {
 
@@ -26,10 +29,15 @@ std::string to_text(const Outcome& outcome);
 /// holds}], claims: [as checks], claim_notes, remarks}
 nlohmann::ordered_json to_json(const Outcome& outcome);
 
-/// The chapter of the report.
-report::Statement to_statement(const Outcome& outcome);
+/// results.json.
+std::string results_json(const std::filesystem::path& folder, const std::vector<Outcome>& outcomes);
 
-/// Writes NAME.csv and NAME-<picture>.svg of each picture; nothing if there is no result.
-void write_outcome(const Outcome& outcome, const std::filesystem::path& folder);
+/// Runs cases, and writes what they come to into a folder: NAME.csv and pictures of each as it ends, then report.html
+/// and results.json.
+/// @param name   what was asked for, for the title of the report
+/// @param shown  is told of each as it ends
+std::vector<Outcome> run_cases(const std::vector<const validation::Case*>& cases, std::string_view name,
+                               const Parameters& p, const std::filesystem::path& folder,
+                               const std::function<void(const Outcome&)>& shown);
 
 } // namespace matrigrate::apps

@@ -2,6 +2,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "claims/shipped_studies.hpp"
 #include "parameters/judge.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
@@ -46,7 +47,11 @@ Finding look_at(const std::string& file) {
   try {
     found.study = study::is_study_file(file);
     if (found.study) {
-      const study::Study s = study::read_study(file, {.overrides = {}, .replicates = {}, .more = start_rules()});
+      const study::Study s =
+          study::read_study(file, {.overrides = {},
+                                   .replicates = {},
+                                   .more = start_rules(),
+                                   .labels_of = study::other_studies(std::filesystem::path(file).parent_path())});
       found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
     } else {
       found.cost = run::cost_of_reference_steps(read_parameters(file, {}, start_rules()));

@@ -25,7 +25,8 @@ int report(const ReportArguments& options) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
     const StudyFolder study = study::open_study(folder);
-    write_study_report(study, gathered(study), options.play);
+    Collected collected = gathered(study);
+    write_study_report(study, collected, options.play);
   } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
     const FinishedRun run = read_run(folder);

@@ -1,28 +1,19 @@
 #include "apps/case_output.hpp"
-#include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "base/file.hpp"
-#include "base/threads.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
-#include "parameters/write.hpp"
-#include "run/provenance.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace matrigrate::apps {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ValidateArguments {
   std::string name;
@@ -47,38 +38,6 @@ std::vector<const validation::Case*> chosen_cases(const std::string& name) {
   return chosen;
 }
 
-Outcome outcome_of(const validation::Case& c, const Parameters& p) {
-  Outcome outcome;
-  outcome.which = &c;
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    outcome.result = validation::run_case(c, p);
-  } catch (const NumericalFailure& failure) {
-    outcome.failure = failure.what();
-  }
-  outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return outcome;
-}
-
-void write_report(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
-  report::VerdictReport report{.title = fmt::format("Validation of the matrix: {}", options.name),
-                               .statements = {},
-                               .provenance = provenance_text()};
-  for (const Outcome& outcome : outcomes) report.statements.push_back(to_statement(outcome));
-  write_file(std::filesystem::path(options.folder) / "report.html",
-             report::filled_page(verdicts_page_template(), report::verdict_data(report)));
-}
-
-std::string results_json(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
-  Json cases = Json::array();
-  for (const Outcome& outcome : outcomes) cases.push_back(to_json(outcome));
-  const Json all{{"folder", options.folder},
-                 {"holds", std::ranges::all_of(outcomes, &Outcome::holds)},
-                 {"cases", cases},
-                 {"provenance", provenance()}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 std::string verdict_line(const ValidateArguments& options, const std::vector<Outcome>& outcomes) {
   return fmt::format("{} of {} {}; report: {}/report.html\n", std::ranges::count_if(outcomes, &Outcome::holds),
                      outcomes.size(), outcomes.size() == 1 ? "case holds" : "cases hold", options.folder);
@@ -90,21 +49,12 @@ int validate(ValidateArguments options) {
                                                 : read_parameters(options.scenario, options.overrides);
   if (options.folder.empty()) options.folder = "validate-" + options.name;
   make_output_folder(options.folder, options.force);
-  write_file(std::filesystem::path(options.folder) / "scenario.resolved.toml", to_toml(p));
-  const ThreadLimit limit(p.run.threads);
-
-  std::vector<Outcome> outcomes;
-  for (const validation::Case* c : chosen) {
-    outcomes.push_back(outcome_of(*c, p));
-    write_outcome(outcomes.back(), options.folder);
-    if (options.json || options.quiet) continue;
-    print(to_text(outcomes.back()));
+  const std::vector<Outcome> outcomes = run_cases(chosen, options.name, p, options.folder, [&](const Outcome& outcome) {
+    if (options.json || options.quiet) return;
+    print(to_text(outcome));
     flush(); // a case may take minutes
-  }
-  write_report(options, outcomes);
-  const std::string results = results_json(options, outcomes);
-  write_file(std::filesystem::path(options.folder) / "results.json", results);
-  print(options.json ? results : verdict_line(options, outcomes));
+  });
+  print(options.json ? results_json(options.folder, outcomes) : verdict_line(options, outcomes));
   return std::ranges::all_of(outcomes, &Outcome::holds) ? done : numerical;
 }
 

@@ -138,7 +138,7 @@ ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const Rep
     all.evidence.emplace(name, study::Ensemble{study.study, tables.results});
     collected.emplace_back(std::move(study), std::move(tables));
   }
-  for (const auto& [study, tables] : collected) write_study_report(study, tables); // claims may need several studies
+  for (auto& [study, tables] : collected) write_study_report(study, tables); // claims may need several studies
   return all;
 }
 

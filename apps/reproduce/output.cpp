@@ -3,8 +3,8 @@
 #include "apps/reproduce/evidence.hpp"
 #include "apps/reproduce/parts.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/study/files.hpp"
 #include "apps/terminal/terminal.hpp"
-#include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -48,7 +48,7 @@ report::Statement statement(const study::JudgedClaim& row, const ReproducedFigur
   return {.id = row.id,
           .kind = kind_name(row.kind),
           .sentence = row.sentence,
-          .verdict = study::verdict_word(row.finding.verdict),
+          .verdict = row.finding.verdict,
           .caveat = row.caveat,
           .published = row.published,
           .brief = row.finding.brief,
@@ -147,14 +147,7 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
 std::string reproduction_table(const std::vector<study::JudgedClaim>& rows, const study::Evidence& evidence) {
   std::string text;
   for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, ends_text(ensemble));
-  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "second edition", "claim"}};
-  for (const study::JudgedClaim& row : rows) {
-    cells.push_back({row.id, kind_name(row.kind),
-                     to_string(row.finding.verdict) + (row.caveat.empty() ? "" : fmt::format(" ({})", row.caveat)),
-                     to_string(row.finding.second), row.sentence});
-  }
-  return fmt::format("{}\n{}{}.\n{}.\n", text, aligned(cells, 5), study::bottom_line(rows),
-                     study::second_bottom_line(rows));
+  return text + "\n" + claims_text(rows);
 }
 
 std::string reproduction_json(const std::vector<study::JudgedClaim>& rows, const std::string& setting,

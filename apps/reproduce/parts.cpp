@@ -1,11 +1,11 @@
 #include "apps/reproduce/parts.hpp"
 
+#include "apps/case_output.hpp"
 #include "apps/study/verbs.hpp"
 #include "apps/terminal/stop_signal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/process.hpp"
 #include "claims/fields_shown.hpp"
 #include "claims/study_claims.hpp"
 #include "run/finished_run.hpp"
@@ -13,28 +13,28 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 namespace matrigrate::apps {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::size_t largest_file = std::size_t{1} << 24U;
 
-/// The verdict of a case's claims from its results.json.
-study::Finding finding_of(const std::filesystem::path& file) {
-  using Json = nlohmann::json;
-  study::Finding finding;
+/// The results of a case in a results.json that is kept.
+Json kept_case(const std::filesystem::path& file) {
   const Json results = Json::parse(read_file(file, largest_file), nullptr, false);
   if (results.is_discarded() || !results.contains("cases") || results.at("cases").empty())
     throw InputOutputError(fmt::format("{}: holds no results of a case", file.string()));
-  const Json& verification = results.at("cases").at(0);
+  return results.at("cases").at(0);
+}
+
+/// The verdict of a case's claims from its results.
+study::Finding finding_of(const Json& verification, const std::filesystem::path& folder) {
+  study::Finding finding;
   std::vector<std::string> brief;
   for (const Json& claim : verification.at("claims")) {
     const bool holds = claim.at("holds").get<bool>();
@@ -55,7 +55,7 @@ study::Finding finding_of(const std::filesystem::path& file) {
   const bool verified = verification.at("holds").get<bool>();
   if (!verified) {
     finding.conditions.push_back(
-        fmt::format("the verification itself does not hold: see {}", (file.parent_path() / "report.html").string()));
+        fmt::format("the verification itself does not hold: see {}", (folder / "report.html").string()));
     finding.unmet.emplace_back("the verification itself does not hold");
   }
   const bool claims_hold = finding.unmet.empty() && !verification.at("claims").empty();
@@ -110,21 +110,17 @@ study::JudgedClaim judged_by_case(const PartRow& row, const ReproduceOptions& op
   const std::string name = fmt::format("validate-{}", row.verification);
   if (!options.from.empty()) {
     const std::filesystem::path kept = std::filesystem::path(options.from) / (name + ".json");
-    return judged(row, std::filesystem::exists(kept) ? finding_of(kept) : undecided("no results are kept"));
+    return judged(row, std::filesystem::exists(kept) ? finding_of(kept_case(kept), options.from)
+                                                     : undecided("no results are kept"));
   }
   const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
-  const std::filesystem::path log = std::filesystem::path(options.folder) / (name + ".log");
-  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  Child child({this_program(), "validate", std::string(row.verification), "-o", folder.string(), "--force"}, output);
-  ::close(output);
+  make_output_folder(folder, true);
+  const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);
   const StopSignal stop; // a second one ends this program, and with it the case
-  std::optional<int> code;
-  while (!(code = child.ended())) {
-    if (StopSignal::received() != 0) throw Stopped{StopSignal::received()};
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  if (*code == done || *code == numerical) return judged(row, finding_of(folder / "results.json"));
-  return judged(row, undecided(fmt::format("the case could not be run: see {}", log.string())));
+  const std::vector<Outcome> outcomes =
+      run_cases({&*which}, row.verification, validation::default_parameters(), folder, [](const Outcome&) {});
+  if (StopSignal::received() != 0) throw Stopped{StopSignal::received()};
+  return judged(row, finding_of(to_json(outcomes.front()), folder));
 }
 
 study::JudgedClaim judged_by_fields(const PartRow& row, const study::Evidence& evidence,

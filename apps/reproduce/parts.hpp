@@ -18,7 +18,7 @@ struct PartRow {
 
 std::span<const PartRow> part_rows();
 
-/// The finding on a verification case: run as a process of its own, its files beside the studies; or, with
+/// The finding on a verification case: run here, its files beside the studies; or, with
 /// options.from, as validate-<case>.json in that folder has it. Undecided if the case stopped or its own checks fail.
 /// @throws Stopped after a signal
 /// @throws InputOutputError if a kept file cannot be read

@@ -4,7 +4,6 @@
 #include "apps/study/screening_text.hpp"
 #include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
-#include "claims/study_claims.hpp"
 #include "study_report/played_runs.hpp"
 
 #include <fmt/format.h>
@@ -86,15 +85,10 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
 
 } // namespace
 
-void write_study_report(const StudyFolder& study, const Collected& collected, const std::vector<std::string>& played) {
+void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played) {
   if (const std::string fault = study::fault_of_wanted(collected.results, played); !fault.empty())
     throw UsageError(fault);
-  study::write_study_report(study, collected,
-                            {.page_template = study_page_template(),
-                             .claims = claims_about(study, collected.results),
-                             .claims_note = claims_note(study.study),
-                             .claims_caveat = claims_caveat(study.study),
-                             .played = played});
+  study::write_study_report(study, collected, {.page_template = study_page_template(), .played = played});
 }
 
 Collected collect(const StudyFolder& study) {
@@ -114,7 +108,18 @@ std::string collected_text(const StudyFolder& study, const Collected& collected)
     if (study.study.points.size() <= most_shown) text += groups_text(study, samples, readout);
     text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
-  return text + remarks_text(collected.comparisons) + screening_text(study.study, collected.screening);
+  return text + remarks_text(collected.comparisons) + screening_text(study.study, collected.screening)
+         + (collected.claims.empty() ? "" : "\n" + claims_text(collected.claims));
+}
+
+std::string claims_text(const std::vector<study::JudgedClaim>& claims) {
+  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "second edition", "claim"}};
+  for (const study::JudgedClaim& c : claims)
+    cells.push_back({c.id, kind_name(c.kind),
+                     to_string(c.finding.verdict) + (c.caveat.empty() ? "" : fmt::format(" ({})", c.caveat)),
+                     to_string(c.finding.second), c.sentence});
+  return fmt::format("{}\n{}.\n{}.\n", aligned(cells, 5), study::bottom_line(claims),
+                     study::second_bottom_line(claims));
 }
 
 } // namespace matrigrate::apps

@@ -13,16 +13,18 @@ using study::Collected;
 using study::gathered;
 using study::StudyFolder;
 
-/// Writes report.html, with the paper's claims about the study.
+/// Judges the claims about the study; writes claims.csv and report.html.
 /// @param played  names of the runs it is to play; none: typical ones
 /// @throws UsageError if one of them is none of the study, or is not done
-void write_study_report(const StudyFolder& study, const Collected& collected,
-                        const std::vector<std::string>& played = {});
+void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {});
 
 /// All of its files.
 Collected collect(const StudyFolder& study);
 
-/// Means of all points and what differs, for people.
+/// Means of all points, what differs, and the verdicts on claims, for people.
 std::string collected_text(const StudyFolder& study, const Collected& collected);
+
+/// Verdicts in a table, a line a claim, and the bottom lines.
+std::string claims_text(const std::vector<study::JudgedClaim>& claims);
 
 } // namespace matrigrate::apps

@@ -95,9 +95,10 @@ int job_count(int wanted) {
 }
 
 StudyFolder read_study_file(const StudyOptions& options) {
-  const study::Changes changes{.overrides = {}, .replicates = {}, .more = start_rules()};
+  study::Changes changes{.overrides = {}, .replicates = {}, .more = start_rules()};
   const auto shipped = std::ranges::find(study::shipped_studies(), options.file, &study::ShippedStudy::name);
   const bool by_name = shipped != study::shipped_studies().end() && !std::filesystem::exists(options.file);
+  if (!by_name) changes.labels_of = study::other_studies(std::filesystem::path(options.file).parent_path());
   study::Study study = by_name ? study::parse_study(shipped->text, options.file + ".toml", ".", changes)
                                : study::read_study(options.file, changes);
   return planned(std::move(study), options.folder.empty() ? study::default_study_folder(options.file)
@@ -153,6 +154,7 @@ int collect_study(const StudyOptions& options) {
     Json files{"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "report.html"};
     for (const char* name : {"paths.csv", "msd.csv", "adhesions.csv"})
       if (std::filesystem::exists(study.folder / name)) files.push_back(name);
+    if (!collected.claims.empty()) files.push_back("claims.csv");
     if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
     if (!study.study.steps.empty()) files.push_back("effects.csv");
     print_json({{"folder", options.folder}, {"runs", study.runs.size()}, {"done", finished}, {"files", files}});

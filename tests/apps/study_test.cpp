@@ -435,7 +435,7 @@ TEST_F(Study, ReproduceRunsAndJudges) {
   EXPECT_TRUE(page.at("facts").at(0).at("value").get<std::string>().starts_with(
       "matrigrate reproduce A5 --set 'ecm.radius=40 um'"));
   EXPECT_TRUE(contains(page.at("setting"), "these are no verdicts on the paper"));
-  EXPECT_EQ(page.at("statements").at(0).at("verdict"), "open");
+  EXPECT_EQ(page.at("statements").at(0).at("verdict"), "undecided");
   EXPECT_EQ(page.at("statements").at(0).at("caveat"), "not the paper's runs");
   EXPECT_EQ(page.at("studies").at(0).at("name"), "stiffness");
   EXPECT_EQ(page.at("studies").at(0).at("study").at("runs").size(), 10U);

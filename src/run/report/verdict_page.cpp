@@ -21,13 +21,26 @@ Json statement_json(const Statement& s) {
   Json pictures = Json::array();
   for (const draw::Picture& p : s.pictures)
     pictures.push_back({{"name", p.name}, {"caption", p.caption}, {"svg", p.svg}});
-  return {{"id", s.id},         {"kind", s.kind},           {"sentence", s.sentence}, {"verdict", s.verdict},
+  return {{"id", s.id},         {"kind", s.kind},           {"sentence", s.sentence}, {"verdict", to_string(s.verdict)},
           {"caveat", s.caveat}, {"published", s.published}, {"brief", s.brief},       {"why_not", s.why_not},
           {"checks", s.checks}, {"claims", s.claims},       {"details", details},     {"studies", s.studies},
           {"plots", plots},     {"pictures", pictures}};
 }
 
 } // namespace
+
+std::string to_string(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::holds:
+    return "holds";
+  case Verdict::in_direction:
+    return "in direction";
+  case Verdict::does_not_hold:
+    return "does not hold";
+  default:
+    return "undecided";
+  }
+}
 
 Json plot_json(const Plot& plot) {
   constexpr std::array<std::string_view, 3> marks{"line", "dashed", "points"};

@@ -3,6 +3,7 @@
 #include "draw/particle_picture.hpp"
 #include "report/plot.hpp"
 #include "report/run_page.hpp"
+#include "report/verdict.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,10 +22,10 @@ struct Sentences {
 
 /// A statement with what became of it.
 struct Statement {
-  std::string id;        ///< "A2", "creep"
-  std::string kind{};    ///< "calibration", "predicted", ...; empty for none
-  std::string sentence;  ///< what is stated
-  std::string verdict;   ///< "holds", "fails" or "open"
+  std::string id;       ///< "A2", "creep"
+  std::string kind{};   ///< "calibration", "predicted", ...; empty for none
+  std::string sentence; ///< what is stated
+  Verdict verdict = Verdict::undecided;
   std::string caveat{};  ///< beside the verdict: "not the paper's runs"; empty for nothing
   std::string published; ///< the paper's numbers; empty where it gives none
   std::string brief{};   ///< ours, in a line

@@ -322,17 +322,4 @@ Finding judged(const Claim& claim, const Evidence& evidence) {
   return judge.finding();
 }
 
-std::string to_string(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::holds:
-    return "holds";
-  case Verdict::in_direction:
-    return "in direction";
-  case Verdict::does_not_hold:
-    return "does not hold";
-  default:
-    return "undecided";
-  }
-}
-
 } // namespace matrigrate::study

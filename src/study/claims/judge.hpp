@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/verdict.hpp"
 #include "study/results.hpp"
 #include "study/study.hpp"
 
@@ -29,7 +30,7 @@ struct Ensemble {
 /// By the name of the study.
 using Evidence = std::map<std::string, Ensemble, std::less<>>;
 
-enum class Verdict { holds, in_direction, does_not_hold, undecided };
+using report::Verdict;
 
 /// What became of a claim.
 struct Finding {
@@ -118,7 +119,5 @@ private:
 
 /// What becomes of a claim by the evidence.
 Finding judged(const Claim& claim, const Evidence& evidence);
-
-std::string to_string(Verdict verdict);
 
 } // namespace matrigrate::study

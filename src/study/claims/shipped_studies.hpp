@@ -1,7 +1,8 @@
 #pragma once
 
-#include "study/study.hpp"
+#include "study/read_study.hpp"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,10 @@ struct ReadStudy {
   Study study;
 };
 const std::vector<ReadStudy>& read_shipped_studies();
+
+/// The labels of the study NAME.toml in a folder, or of the shipped one of that name.
+/// @throws ConfigurationError if that file has faults, InputOutputError if it cannot be read
+LabelsOf other_studies(const std::filesystem::path& folder);
 
 /// The file of the study that claims call so: with the first set of closures one that stands in its place.
 /// @throws std::out_of_range if there is none

@@ -146,6 +146,21 @@ const std::vector<ReadStudy>& read_shipped_studies() {
   return all;
 }
 
+LabelsOf other_studies(const std::filesystem::path& folder) {
+  return [folder](const std::string& name) -> std::optional<std::vector<std::string>> {
+    const auto labels = [](const Study& study) {
+      std::vector<std::string> all;
+      for (const Point& point : study.points) all.push_back(point.label);
+      return all;
+    };
+    const std::filesystem::path file = folder / (name + ".toml");
+    if (std::filesystem::exists(file)) return labels(read_study(file));
+    for (const ReadStudy& shipped : read_shipped_studies())
+      if (shipped.name == name) return labels(shipped.study);
+    return {};
+  };
+}
+
 const ShippedStudy& shipped_file(std::string_view name, ClosureSet set) {
   const ShippedStudy* found = nullptr;
   const auto& all = read_shipped_studies();

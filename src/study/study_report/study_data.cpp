@@ -121,7 +121,8 @@ Json claims_json(const std::vector<JudgedClaim>& claims) {
     list.push_back({{"id", c.id},
                     {"claim", c.sentence},
                     {"published", c.published},
-                    {"verdict", verdict_word(c.finding.verdict)},
+                    {"verdict", to_string(c.finding.verdict)},
+                    {"caveat", c.caveat},
                     {"ours", c.finding.ours},
                     {"statistic", c.finding.conditions}});
   return list;
@@ -163,10 +164,6 @@ Json players_json(const std::vector<PlayedRun>& played) {
 }
 
 } // namespace
-
-std::string verdict_word(Verdict verdict) {
-  return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "open" : "fails";
-}
 
 std::string result_sentence(const StudyReport& report) {
   if (report.study.readouts.empty()) return {};
@@ -220,7 +217,6 @@ Json study_data(const StudyReport& report) {
             {"scatter", scatter_json(report)},
             {"claims", claims_json(report.claims)},
             {"claims_note", report.claims_note},
-            {"claims_caveat", report.claims_caveat},
             {"screening", screening_json(report.study, report.screening)},
             {"players", players_json(report.played)},
             {"provenance", report.provenance},

@@ -28,16 +28,12 @@ struct StudyReport {
   const std::vector<Comparison>& comparisons;
   std::filesystem::path folder;      ///< of the study, whose runs' tables are read
   std::string provenance;            ///< its line breaks are kept
-  std::vector<JudgedClaim> claims{}; ///< of the paper, about this study
+  std::vector<JudgedClaim> claims{}; ///< about this study: its own, and the paper's
   std::string claims_note{};         ///< what to know of them
-  std::string claims_caveat{};       ///< what stands beside each verdict
   std::vector<PlayedRun> played{};
   std::string command{}; ///< that computes the study again
   Screening screening{};
 };
-
-/// A verdict in the data of pages: "holds", "fails" or "open".
-std::string verdict_word(Verdict verdict);
 
 /// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
 /// were wanted.

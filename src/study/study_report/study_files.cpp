@@ -1,6 +1,7 @@
 #include "study_report/study_files.hpp"
 
 #include "base/file.hpp"
+#include "claims/study_claims.hpp"
 #include "report/run_page.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
@@ -63,7 +64,9 @@ Collected collect_tables(const StudyFolder& study) {
   return c;
 }
 
-void write_study_report(const StudyFolder& study, const Collected& collected, const StudyPage& page) {
+void write_study_report(const StudyFolder& study, Collected& collected, const StudyPage& page) {
+  collected.claims = claims_about(study, collected.results);
+  write_or_remove(study.folder / "claims.csv", !collected.claims.empty(), claims_csv(collected.claims));
   write_file(
       study.folder / "report.html",
       report::filled_page(page.page_template, study_data({.study = study.study,
@@ -71,9 +74,8 @@ void write_study_report(const StudyFolder& study, const Collected& collected, co
                                                           .comparisons = collected.comparisons,
                                                           .folder = study.folder,
                                                           .provenance = run::provenance_text(),
-                                                          .claims = page.claims,
-                                                          .claims_note = page.claims_note,
-                                                          .claims_caveat = page.claims_caveat,
+                                                          .claims = collected.claims,
+                                                          .claims_note = claims_note(study.study),
                                                           .played = played_runs(study, collected.results, page.played),
                                                           .command = command_of(study),
                                                           .screening = collected.screening})));

@@ -17,6 +17,7 @@ struct Collected {
   std::vector<Result> results;
   std::vector<Comparison> comparisons;
   Screening screening;
+  std::vector<JudgedClaim> claims{}; ///< write_study_report() judges them
 };
 
 /// Reads the results of all runs, and compares the points.
@@ -30,13 +31,11 @@ Collected collect_tables(const StudyFolder& study);
 /// What the page of a study is made of besides its results.
 struct StudyPage {
   std::string_view page_template;    ///< of report/run_page.hpp
-  std::vector<JudgedClaim> claims{}; ///< of the paper, about this study
-  std::string claims_note{};         ///< what to know of them
-  std::string claims_caveat{};       ///< what stands beside each verdict
   std::vector<std::string> played{}; ///< names of the runs that it plays; none: typical ones
 };
 
-/// Writes report.html.
-void write_study_report(const StudyFolder& study, const Collected& collected, const StudyPage& page);
+/// Judges the claims about the study, by it and by the studies beside its folder; writes claims.csv, if there are any,
+/// and report.html.
+void write_study_report(const StudyFolder& study, Collected& collected, const StudyPage& page);
 
 } // namespace matrigrate::study

@@ -250,6 +250,22 @@ TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
     }
 }
 
+TEST(Claims, AreTheSameFromAResolvedStudy) {
+  const std::string scenario = "scenario = \"base.toml\"";
+  for (const ReadStudy& shipped : read_shipped_studies()) {
+    std::string text = to_toml(shipped.study, "base.toml");
+    text.replace(text.find(scenario), scenario.size(), "preset = \"baseline\"");
+    const Study again = parse_study(text, shipped.name, ".");
+    EXPECT_EQ(again.in_place_of, shipped.study.in_place_of);
+    ASSERT_EQ(again.claims.size(), shipped.study.claims.size()) << shipped.name;
+    for (std::size_t i = 0; i < again.claims.size(); ++i) {
+      EXPECT_EQ(again.claims[i].text, shipped.study.claims[i].text);
+      EXPECT_EQ(again.claims[i].sentence, shipped.study.claims[i].sentence);
+      EXPECT_EQ(again.claims[i].conditions.size(), shipped.study.claims[i].conditions.size());
+    }
+  }
+}
+
 // A study in place of another: the force of each strand, or of both.
 TEST(Claims, AreThoseOfTheSetOfClosures) {
   const auto label = [](ClosureSet set) {

@@ -109,17 +109,16 @@ TEST(StudyData, HoldsClaimsAndPlayedRuns) {
                                 .comparisons = {},
                                 .folder = "nowhere",
                                 .provenance = "commit",
-                                .claims = {{"A1", "rises", "0.5", finding}},
+                                .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, "not the paper's runs"}},
                                 .claims_note = "Not run as published.",
-                                .claims_caveat = "not the paper's runs",
                                 .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
   const auto& claim = data.at("claims").at(0);
-  EXPECT_EQ(claim.at("verdict"), "fails");
+  EXPECT_EQ(claim.at("verdict"), "does not hold");
   EXPECT_EQ(claim.at("published"), "0.5");
   EXPECT_EQ(claim.at("ours").dump(), "[\"f_mat at 1 0.3 [0.2, 0.4] (n = 3)\"]");
   EXPECT_EQ(claim.at("statistic").at(0), "p 0.2: not met");
   EXPECT_EQ(data.at("claims_note"), "Not run as published.");
-  EXPECT_EQ(data.at("claims_caveat"), "not the paper's runs");
+  EXPECT_EQ(claim.at("caveat"), "not the paper's runs");
   EXPECT_EQ(data.at("players").at(0).at("run").at("format"), "matrigrate-run");
 }
 

@@ -108,12 +108,17 @@ export interface StudyCorrelation {
   n: number[][];
 }
 
+/** What became of a statement. */
+export type Verdict = "holds" | "in direction" | "does not hold" | "undecided";
+
 export interface StudyClaim {
   id: string;
   claim: string;
   /** The paper's numbers; "" where it gives none. */
   published: string;
-  verdict: "holds" | "fails" | "open";
+  verdict: Verdict;
+  /** Beside the verdict: "not the paper's runs"; "" for nothing. */
+  caveat: string;
   /** What was found: means with their intervals. */
   ours: string[];
   /** Conditions with their statistics, and whether each is met. */
@@ -232,8 +237,6 @@ export interface StudyPage extends StudyData {
   claims?: StudyClaim[];
   /** In what the study is not the published one; "" for nothing. */
   claims_note?: string;
-  /** What stands beside each verdict: "not the paper's runs"; "" for nothing. */
-  claims_caveat?: string;
   screening?: StudyScreening | null;
   scatter?: StudyScatter | null;
   players?: StudyPlayer[];

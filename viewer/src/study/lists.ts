@@ -1,10 +1,10 @@
 /** Claims with their verdicts, and the runs with how each ended. */
-import type { StudyPage, StudyRun } from "./contract";
+import type { StudyPage, StudyRun, Verdict } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
 import { withUnit } from "./groups";
 
-export const verdicts = { holds: "holds", fails: "does not hold", open: "undecided" };
+export const verdict = (word: Verdict): HTMLElement => h("span", { class: `verdict ${word.replaceAll(" ", "-")}` }, word);
 
 /** The first sentence, and the others on demand. */
 const lines = ([first, ...others]: string[]): HTMLElement | string =>
@@ -24,12 +24,7 @@ export function claims(study: StudyPage): HTMLElement | null {
     study.claims.map((c) => [
       c.id,
       c.claim,
-      h(
-        "div",
-        {},
-        h("span", { class: c.verdict }, verdicts[c.verdict] ?? c.verdict),
-        study.claims_caveat ? h("div", { class: "caveat" }, study.claims_caveat) : null,
-      ),
+      h("div", {}, verdict(c.verdict), c.caveat ? h("div", { class: "caveat" }, c.caveat) : null),
       pretty(c.published) || "\u2013",
       lines(c.ours.map(pretty)),
       lines(c.statistic.map(pretty)),
@@ -66,7 +61,7 @@ export function runs(study: StudyPage): HTMLElement {
       ? h(
           "span",
           { class: "reason" },
-          h("strong", { class: run.status === "failed" ? "fails" : undefined }, run.status),
+          h("strong", { class: run.status === "failed" ? "failed" : undefined }, run.status),
           `: ${run.reason}`,
         )
       : run.status,

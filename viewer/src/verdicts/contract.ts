@@ -1,6 +1,6 @@
 /** What the program writes into the page of verdicts: the data contract, version 1. Units and null as in `../contract.ts`. */
 import type { Fact } from "../contract";
-import type { StudyData } from "../study/contract";
+import type { StudyData, Verdict } from "../study/contract";
 
 export interface Curve {
   /** "" for no entry in the legend. */
@@ -55,7 +55,7 @@ export interface Statement {
   /** "calibration"; "" for none. */
   kind: string;
   sentence: string;
-  verdict: "holds" | "fails" | "open";
+  verdict: Verdict;
   /** Beside the verdict: "not the paper's runs"; "" for nothing. */
   caveat: string;
   /** The paper's numbers; "" where it gives none. */

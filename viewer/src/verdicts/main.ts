@@ -3,7 +3,7 @@ import { factList, fault, h, section, table } from "../dom";
 import { embeddedVerdicts } from "../embedded";
 import { pretty, readable } from "../numbers";
 import "../page.css";
-import { verdicts } from "../study/lists";
+import { verdict } from "../study/lists";
 import "../study/study.css";
 import type { Check, Statement, VerdictPage } from "./contract";
 import { picture, plot } from "./plots";
@@ -16,7 +16,7 @@ const badge = (s: Statement): HTMLElement =>
   h(
     "span",
     {},
-    h("span", { class: s.verdict }, verdicts[s.verdict]),
+    verdict(s.verdict),
     s.caveat ? h("span", { class: "caveat" }, ` ${s.caveat}`) : null,
   );
 
@@ -50,7 +50,7 @@ function checks(title: string, list: Check[]): HTMLElement | null {
       readable(c.measured, 5),
       `${bounds[c.sense]}${readable(c.expected, 5)}`,
       c.sense === "near" ? readable(c.tolerance) : "none",
-      h("span", { class: c.holds ? "holds" : "fails" }, verdicts[c.holds ? "holds" : "fails"]),
+      verdict(c.holds ? "holds" : "does not hold"),
       pretty(c.reason),
     ]),
     { caption: title },
@@ -82,7 +82,7 @@ function statement(s: Statement, names: string[]): HTMLElement {
 
 function show(page: VerdictPage, place: HTMLElement): void {
   document.title = page.title;
-  const count = (verdict: Statement["verdict"]) => page.statements.filter((s) => s.verdict === verdict).length;
+  const count = (word: Statement["verdict"]) => page.statements.filter((s) => s.verdict === word).length;
   const names = page.studies.map((one) => one.name);
   place.replaceChildren(
     h(
@@ -92,7 +92,7 @@ function show(page: VerdictPage, place: HTMLElement): void {
       h(
         "p",
         { class: "status" },
-        `${count("holds")} of ${page.statements.length} hold${count("open") > 0 ? `, ${count("open")} undecided` : ""}.`,
+        `${count("holds")} of ${page.statements.length} hold${count("undecided") > 0 ? `, ${count("undecided")} undecided` : ""}.`,
       ),
       factList(page.facts),
       page.setting
