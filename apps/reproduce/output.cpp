@@ -154,19 +154,7 @@ std::string reproduction_json(const std::vector<study::JudgedClaim>& rows, const
                               bool as_published) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
-  for (const study::JudgedClaim& row : rows)
-    list.push_back({{"id", row.id},
-                    {"sentence", row.sentence},
-                    {"published", row.published},
-                    {"ours", row.finding.ours},
-                    {"statistic", row.finding.conditions},
-                    {"verdict", to_string(row.finding.verdict)},
-                    {"caveat", row.caveat},
-                    {"kind", kind_name(row.kind)},
-                    {"brief", row.finding.brief},
-                    {"why_not", study::why_not(row.finding)},
-                    {"verdict_in_larger_disc", row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : ""},
-                    {"verdict_second_edition", to_string(row.finding.second)}});
+  for (const study::JudgedClaim& row : rows) list.push_back(study::claim_json(row));
   return Json{{"setting", setting}, {"as_published", as_published}, {"rows", list}}.dump(2, ' ', false,
                                                                                          Json::error_handler_t::replace)
          + "\n";

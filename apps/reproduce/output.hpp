@@ -28,8 +28,7 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows);
 /// How the runs of each study ended, the verdicts in a table, a line per row, and the bottom line.
 std::string reproduction_table(const std::vector<study::JudgedClaim>& rows, const study::Evidence& evidence);
 
-/// The table as JSON text: {setting, as_published, rows: [{id, sentence, published, ours, statistic, verdict, caveat,
-/// kind, brief, why_not, verdict_in_larger_disc, verdict_second_edition}]}.
+/// The table as JSON text: {setting, as_published, rows: [claim_json()]}.
 /// @param as_published  whether replicates and parameters are the paper's; otherwise these are no verdicts on it
 std::string reproduction_json(const std::vector<study::JudgedClaim>& rows, const std::string& setting,
                               bool as_published);

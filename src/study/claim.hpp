@@ -1,9 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// Claims: sentences, each with the conditions on the read-outs of studies that it must meet. They stand as [[claims]]
@@ -41,15 +39,6 @@ enum class ClaimRule {
   none_above,     ///< no run is above a bound
   mostly_up_to    ///< at least a share of the runs is not above a bound
 };
-
-/// A rule, as it stands in files, and the keys that it must have.
-struct RuleSpec {
-  std::string_view name;
-  std::vector<std::string_view> keys;
-};
-
-/// In the order of ClaimRule.
-std::span<const RuleSpec> claim_rules();
 
 /// A point by its label.
 struct PointName {

@@ -37,6 +37,21 @@ void FaultList::add(const std::vector<Fault>& faults) {
   for (const Fault& fault : faults) m_faults.add(fault);
 }
 
+void FaultList::check_keys(const toml::table& table, std::string_view section, const std::vector<std::string>& keys,
+                           const std::string& what) {
+  for (const auto& [name, node] : table)
+    if (const std::string key(name.str()); std::ranges::find(keys, key) == keys.end())
+      add(place_of(name), fmt::format("{}.{}", section, key), what,
+          [key, keys] { return did_you_mean(nearest(key, keys)); });
+}
+
+const toml::node* FaultList::wanted(const toml::table& table, std::string_view section, std::string_view key,
+                                    const std::string& remedy) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) add(place_of(table), fmt::format("{}.{}", section, key), "is missing" + remedy);
+  return node;
+}
+
 std::string FaultList::text(const toml::node& node, std::string_view key) {
   if (const auto* value = node.as_string()) return value->get();
   add(place_of(node), key, fmt::format("is {}, but a string in quotes is expected", type_of(node)));

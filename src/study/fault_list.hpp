@@ -39,6 +39,14 @@ public:
   void add(Place place, std::string_view key, std::string message, Hint hint = {});
   void add(const std::vector<Fault>& faults);
 
+  /// A fault for each key of a table that is none of these.
+  void check_keys(const toml::table& table, std::string_view section, const std::vector<std::string>& keys,
+                  const std::string& what = "there is no such key");
+  /// What stands there; null, and a fault, if nothing does.
+  /// @param remedy  behind "is missing": "; write error = 1.0"
+  const toml::node* wanted(const toml::table& table, std::string_view section, std::string_view key,
+                           const std::string& remedy = {});
+
   /// The value if it is of its type and range; otherwise a fault and the default.
   std::string text(const toml::node& node, std::string_view key);
   bool flag(const toml::node& node, std::string_view key);

@@ -17,6 +17,29 @@ namespace {
 const std::vector<std::string> kind_names{"calibration", "predicted", "verification", "experiment"};
 const std::vector<std::string> set_names{"first", "second"};
 
+/// A rule, as it stands in files, and the keys that it must have; in the order of ClaimRule.
+struct RuleSpec {
+  std::string name;
+  std::vector<std::string> keys;
+};
+const std::vector<RuleSpec> rules{{"differs", {"readout", "from", "to", "sign"}},
+                                  {"same", {"readout", "from", "to"}},
+                                  {"leans", {"readout", "from", "to", "sign"}},
+                                  {"not_beyond", {"readout", "from", "to", "sign"}},
+                                  {"ratio_below", {"readout", "from", "to", "bound"}},
+                                  {"exceeds", {"readout", "over", "at"}},
+                                  {"agrees", {"readout", "at", "value", "runs"}},
+                                  {"lowest_agrees", {"readout", "value", "runs"}},
+                                  {"highest_agrees", {"readout", "value", "runs"}},
+                                  {"within", {"readout", "at", "low", "high"}},
+                                  {"below", {"readout", "at", "bound"}},
+                                  {"above", {"readout", "at", "bound"}},
+                                  {"correlates", {"readout", "with", "sign"}},
+                                  {"uncorrelated", {"readout", "with"}},
+                                  {"mean_above", {"readout", "bound"}},
+                                  {"none_above", {"readout", "bound"}},
+                                  {"mostly_up_to", {"readout", "bound", "share"}}};
+
 bool has(const std::vector<std::string>& list, const std::string& one) {
   return std::ranges::find(list, one) != list.end();
 }
@@ -35,18 +58,19 @@ public:
   ClaimReader(const std::vector<Point>& points, const LabelsOf& labels_of, FaultList& faults)
       : m_labels_of(labels_of), m_faults(faults), m_readouts(all_readouts()) {
     for (const Point& point : points) m_labels.push_back(point.label);
-    for (const RuleSpec& rule : claim_rules()) m_rules.emplace_back(rule.name);
+    for (const RuleSpec& rule : rules) m_rules.push_back(rule.name);
   }
 
   Claim read(const toml::table& table) {
     static const std::vector<std::string> keys{
         "id", "kind", "kind_with_first_closures", "closures", "sentence", "published", "conditions"};
-    check_keys(table, "claims", keys, "there is no such key");
+    m_faults.check_keys(table, "claims", keys);
     Claim claim;
-    if (const auto* node = wanted(table, "claims", "id", "id = \"A1\"")) claim.id = id(*node);
-    if (const auto* node = wanted(table, "claims", "sentence", "sentence = \"cells are faster in a stiff matrix\""))
+    if (const auto* node = m_faults.wanted(table, "claims", "id", "; write id = \"A1\"")) claim.id = id(*node);
+    if (const auto* node =
+            m_faults.wanted(table, "claims", "sentence", "; write sentence = \"cells are faster in a stiff matrix\""))
       claim.sentence = text(*node, "claims.sentence");
-    if (const auto* node = wanted(table, "claims", "kind", "kind = \"predicted\""))
+    if (const auto* node = m_faults.wanted(table, "claims", "kind", "; write kind = \"predicted\""))
       claim.kind = static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind", kind_names));
     if (const auto* node = table.get("kind_with_first_closures"))
       claim.kind_with_first =
@@ -54,29 +78,14 @@ public:
     if (const auto* node = table.get("closures"))
       claim.closures = static_cast<ClosureSet>(m_faults.choice(*node, "claims.closures", set_names));
     if (const auto* node = table.get("published")) claim.published = m_faults.text(*node, "claims.published");
-    if (const auto* node = wanted(table, "claims", "conditions", "conditions = [{ rule = \"differs\", ... }]"))
+    if (const auto* node =
+            m_faults.wanted(table, "claims", "conditions", "; write conditions = [{ rule = \"differs\", ... }]"))
       claim.conditions = conditions(*node);
     claim.text = text_of(table);
     return claim;
   }
 
 private:
-  const toml::node* wanted(const toml::table& table, std::string_view section, std::string_view key,
-                           std::string_view example) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr)
-      m_faults.add(place_of(table), fmt::format("{}.{}", section, key), fmt::format("is missing; write {}", example));
-    return node;
-  }
-
-  void check_keys(const toml::table& table, std::string_view section, const std::vector<std::string>& keys,
-                  const std::string& what) {
-    for (const auto& [name, node] : table)
-      if (const std::string key(name.str()); !has(keys, key))
-        m_faults.add(place_of(name), fmt::format("{}.{}", section, key), what,
-                     [key, keys] { return did_you_mean(nearest(key, keys)); });
-  }
-
   std::string text(const toml::node& node, std::string_view key) {
     std::string typed = m_faults.text(node, key);
     if (node.is_string() && typed.empty()) m_faults.add(place_of(node), key, "is empty");
@@ -108,20 +117,19 @@ private:
 
   /// One at each of the points that are listed.
   std::vector<ClaimCondition> condition(const toml::table& table) {
-    const toml::node* typed = wanted(table, "claims.conditions", "rule", "rule = \"differs\"");
+    const toml::node* typed = m_faults.wanted(table, "claims.conditions", "rule", "; write rule = \"differs\"");
     if (typed == nullptr) return {};
     const std::size_t index = m_faults.choice(*typed, full("rule"), m_rules);
     if (typed->value<std::string>() != m_rules[index]) return {};
-    const std::vector<std::string> needed(claim_rules()[index].keys.begin(), claim_rules()[index].keys.end());
+    const std::vector<std::string>& needed = rules[index].keys;
     std::vector<std::string> keys = needed;
     keys.insert(keys.end(), {"rule", "edition"});
     if (!has(keys, "to") && !has(keys, "at")) keys.emplace_back("study");
-    check_keys(table, "claims.conditions", keys,
-               fmt::format("\"{}\" has no such key; it has {}", m_rules[index], fmt::join(keys, ", ")));
+    m_faults.check_keys(table, "claims.conditions", keys,
+                        fmt::format("\"{}\" has no such key; it has {}", m_rules[index], fmt::join(keys, ", ")));
     for (const std::string& key : needed)
-      if (!table.contains(key))
-        m_faults.add(place_of(table), full(key),
-                     fmt::format("is missing; \"{}\" needs {}", m_rules[index], fmt::join(needed, ", ")));
+      m_faults.wanted(table, "claims.conditions", key,
+                      fmt::format("; \"{}\" needs {}", m_rules[index], fmt::join(needed, ", ")));
     ClaimCondition c{.rule = static_cast<ClaimRule>(index)};
     for (const std::string& key : keys)
       if (const toml::node* node = table.get(key)) take(key, *node, c);
@@ -228,27 +236,6 @@ private:
 };
 
 } // namespace
-
-std::span<const RuleSpec> claim_rules() {
-  static const std::vector<RuleSpec> all{{"differs", {"readout", "from", "to", "sign"}},
-                                         {"same", {"readout", "from", "to"}},
-                                         {"leans", {"readout", "from", "to", "sign"}},
-                                         {"not_beyond", {"readout", "from", "to", "sign"}},
-                                         {"ratio_below", {"readout", "from", "to", "bound"}},
-                                         {"exceeds", {"readout", "over", "at"}},
-                                         {"agrees", {"readout", "at", "value", "runs"}},
-                                         {"lowest_agrees", {"readout", "value", "runs"}},
-                                         {"highest_agrees", {"readout", "value", "runs"}},
-                                         {"within", {"readout", "at", "low", "high"}},
-                                         {"below", {"readout", "at", "bound"}},
-                                         {"above", {"readout", "at", "bound"}},
-                                         {"correlates", {"readout", "with", "sign"}},
-                                         {"uncorrelated", {"readout", "with"}},
-                                         {"mean_above", {"readout", "bound"}},
-                                         {"none_above", {"readout", "bound"}},
-                                         {"mostly_up_to", {"readout", "bound", "share"}}};
-  return all;
-}
 
 std::vector<std::string> Claim::studies() const {
   std::vector<std::string> names{study};

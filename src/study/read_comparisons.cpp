@@ -40,21 +40,13 @@ void check_control(const Comparisons& c, const toml::table& table, const std::ve
 
 Comparisons read_comparisons(const toml::table& table, Comparisons c, const std::vector<Point>& points,
                              FaultList& faults) {
-  for (const auto& [name, node] : table) {
-    const std::string key = fmt::format("statistics.{}", name.str());
-    if (key == "statistics.compare")
-      c.pairs = static_cast<Pairs>(faults.choice(node, key, {"none", "adjacent", "all", "control"}));
-    else if (key == "statistics.test")
-      c.test = static_cast<TestKind>(faults.choice(node, key, {"t", "welch", "mann_whitney"}));
-    else if (key == "statistics.control")
-      c.control = faults.text(node, key);
-    else if (key == "statistics.alpha")
-      c.alpha = alpha_of(node, key, faults);
-    else
-      faults.add(place_of(name), key, "there is no such key", [typed = std::string(name.str())] {
-        return did_you_mean(nearest(typed, {"compare", "test", "control", "alpha"}));
-      });
-  }
+  faults.check_keys(table, "statistics", {"compare", "test", "control", "alpha"});
+  if (const auto* node = table.get("compare"))
+    c.pairs = static_cast<Pairs>(faults.choice(*node, "statistics.compare", {"none", "adjacent", "all", "control"}));
+  if (const auto* node = table.get("test"))
+    c.test = static_cast<TestKind>(faults.choice(*node, "statistics.test", {"t", "welch", "mann_whitney"}));
+  if (const auto* node = table.get("control")) c.control = faults.text(*node, "statistics.control");
+  if (const auto* node = table.get("alpha")) c.alpha = alpha_of(*node, "statistics.alpha", faults);
   check_control(c, table, points, faults);
   return c;
 }

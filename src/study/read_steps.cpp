@@ -29,10 +29,7 @@ public:
   }
 
   Step read(const toml::table& table) {
-    for (const auto& [name, node] : table)
-      if (std::ranges::find(step_keys(), name.str()) == step_keys().end())
-        m_faults.add(place_of(name), fmt::format("steps.{}", name.str()), "there is no such key",
-                     [typed = std::string(name.str())] { return did_you_mean(nearest(typed, step_keys())); });
+    m_faults.check_keys(table, "steps", step_keys());
     Step step;
     if (const auto* node = wanted(table, "design"))
       step.design = static_cast<Design>(m_faults.choice(*node, "steps.design", design_names()));
@@ -48,9 +45,7 @@ public:
 
 private:
   const toml::node* wanted(const toml::table& table, std::string_view key) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) m_faults.add(place_of(table), fmt::format("steps.{}", key), "is missing");
-    return node;
+    return m_faults.wanted(table, "steps", key);
   }
 
   std::string factor(const toml::node& node) {

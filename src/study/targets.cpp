@@ -26,21 +26,14 @@ public:
   }
 
   Target read(const toml::table& table) {
-    for (const auto& [name, node] : table)
-      if (std::ranges::find(target_keys(), name.str()) == target_keys().end())
-        m_faults.add(place_of(name), fmt::format("targets.{}", name.str()), "there is no such key",
-                     [typed = std::string(name.str())] { return did_you_mean(nearest(typed, target_keys())); });
+    m_faults.check_keys(table, "targets", target_keys());
     Target target;
-    if (const auto* node = table.get("readout"))
+    if (const auto* node = m_faults.wanted(table, "targets", "readout", "; write readout = \"v_migr_abs_um_per_h\""))
       target.readout = readout(*node);
-    else
-      m_faults.add(place_of(table), "targets.readout", "is missing; write readout = \"v_migr_abs_um_per_h\"");
     read_range(table, target);
-    if (const auto* node = table.get("error"))
+    if (const auto* node =
+            m_faults.wanted(table, "targets", "error", "; write error = 1.0, the standard error of what was measured"))
       target.error = positive(*node, "targets.error");
-    else
-      m_faults.add(place_of(table), "targets.error",
-                   "is missing; write error = 1.0, the standard error of what was measured");
     if (const auto* node = table.get("weight")) target.weight = positive(*node, "targets.weight");
     if (const auto* node = table.get("at")) target.at = conditions(*node);
     check_twins(target, place_of(table));

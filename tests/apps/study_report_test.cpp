@@ -104,7 +104,7 @@ TEST_F(StudyReport, JudgesTheClaimsOfThePaper) {
   std::set<std::string> ids;
   for (const json& claim : page.at("claims")) {
     ids.insert(claim.at("id"));
-    EXPECT_FALSE(claim.at("claim").get<std::string>().empty());
+    EXPECT_FALSE(claim.at("sentence").get<std::string>().empty());
     EXPECT_FALSE(claim.at("statistic").empty());
     EXPECT_EQ(claim.at("caveat"), "not the paper's runs");
     for (const char* key : {"published", "verdict", "ours"}) EXPECT_TRUE(claim.contains(key)) << key;

@@ -200,7 +200,7 @@ export function sampleStudy(replicates = 12): StudyPage {
     claims: [
       {
         id: "A2",
-        claim: "v_migr_abs rises over 50-200 Pa (50 vs 200 significant); 200, 300, 400 do not differ significantly",
+        sentence: "v_migr_abs rises over 50-200 Pa (50 vs 200 significant); 200, 300, 400 do not differ significantly",
         verdict: "holds",
         caveat: "not the paper's runs",
         published: "4.1 and 9.3 um/h",
@@ -209,7 +209,7 @@ export function sampleStudy(replicates = 12): StudyPage {
       },
       {
         id: "A3",
-        claim: "n_protrusions rises, tau_prot falls over 50-200 Pa; no significant change 200-400",
+        sentence: "n_protrusions rises, tau_prot falls over 50-200 Pa; no significant change 200-400",
         verdict: "does not hold",
         caveat: "not the paper's runs",
         published: "",
@@ -218,7 +218,7 @@ export function sampleStudy(replicates = 12): StudyPage {
       },
       {
         id: "A7",
-        claim: "usually 2 or 3 protrusions at a time, not more than 3",
+        sentence: "usually 2 or 3 protrusions at a time, not more than 3",
         verdict: "undecided",
         caveat: "not the paper's runs",
         published: "",

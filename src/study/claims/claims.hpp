@@ -2,6 +2,8 @@
 
 #include "claims/judge.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +53,10 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims);
 
 /// claims.csv: the table that people read, a line a claim.
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
+
+/// For programs: {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,
+/// verdict_in_larger_disc, verdict_second_edition}.
+nlohmann::ordered_json claim_json(const JudgedClaim& claim);
 
 /// Every mean and condition of each claim.
 std::string conditions_csv(const std::vector<JudgedClaim>& claims);

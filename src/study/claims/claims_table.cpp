@@ -2,6 +2,7 @@
 #include "store/row_file.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -39,10 +40,16 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
 
 namespace {
 
+std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
+
+/// The verdict with other runs, where there is one.
+std::string in_larger_disc(const JudgedClaim& c) {
+  return c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : "";
+}
+
 /// "holds", and beside it the second verdict where there is one.
 std::string verdict_text(const JudgedClaim& c) {
-  return to_string(c.finding.verdict)
-         + (c.in_larger_disc ? fmt::format(" (larger disc: {})", to_string(c.in_larger_disc->verdict)) : "");
+  return to_string(c.finding.verdict) + (c.in_larger_disc ? fmt::format(" (larger disc: {})", in_larger_disc(c)) : "");
 }
 
 } // namespace
@@ -60,32 +67,36 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims) {
 using View = std::string_view;
 
 std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
-  std::string text = store::csv_line({View("id"), View("sentence"), View("published"), View("ours"), View("statistic"),
-                                      View("verdict"), View("caveat")});
-  for (const JudgedClaim& row : claims) {
-    const std::string verdict = to_string(row.finding.verdict);
-    const std::string ours = fmt::format("{}", fmt::join(row.finding.ours, "; "));
-    const std::string statistic = fmt::format("{}", fmt::join(row.finding.conditions, "; "));
-    text += store::csv_line({View(row.id), View(row.sentence), View(row.published), View(ours), View(statistic),
-                             View(verdict), View(row.caveat)});
-  }
+  std::string text = "id,sentence,published,ours,statistic,verdict,caveat\n";
+  for (const JudgedClaim& c : claims)
+    text += store::csv_line({View(c.id), View(c.sentence), View(c.published), View(joined(c.finding.ours)),
+                             View(joined(c.finding.conditions)), View(to_string(c.finding.verdict)), View(c.caveat)});
   return text;
 }
 
 std::string claims_csv(const std::vector<JudgedClaim>& claims) {
-  std::string text = store::csv_line({View("id"), View("kind"), View("claim"), View("published"), View("ours"),
-                                      View("verdict"), View("why_not"), View("verdict_in_larger_disc"),
-                                      View("verdict_second_edition"), View("caveat")});
-  for (const JudgedClaim& row : claims) {
-    const std::string kind = kind_name(row.kind);
-    const std::string verdict = to_string(row.finding.verdict);
-    const std::string why = why_not(row.finding);
-    const std::string larger = row.in_larger_disc ? to_string(row.in_larger_disc->verdict) : "";
-    const std::string second = to_string(row.finding.second);
-    text += store::csv_line({View(row.id), View(kind), View(row.sentence), View(row.published), View(row.finding.brief),
-                             View(verdict), View(why), View(larger), View(second), View(row.caveat)});
-  }
+  std::string text =
+      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,caveat\n";
+  for (const JudgedClaim& c : claims)
+    text += store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
+                             View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
+                             View(in_larger_disc(c)), View(to_string(c.finding.second)), View(c.caveat)});
   return text;
+}
+
+nlohmann::ordered_json claim_json(const JudgedClaim& c) {
+  return {{"id", c.id},
+          {"sentence", c.sentence},
+          {"published", c.published},
+          {"ours", c.finding.ours},
+          {"statistic", c.finding.conditions},
+          {"verdict", to_string(c.finding.verdict)},
+          {"caveat", c.caveat},
+          {"kind", kind_name(c.kind)},
+          {"brief", c.finding.brief},
+          {"why_not", why_not(c.finding)},
+          {"verdict_in_larger_disc", in_larger_disc(c)},
+          {"verdict_second_edition", to_string(c.finding.second)}};
 }
 
 } // namespace matrigrate::study

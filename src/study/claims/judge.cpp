@@ -55,16 +55,13 @@ std::vector<double> Judge::column(const ClaimCondition& c, std::string_view read
 
 void Judge::tell(const Group& g, std::string_view readout, const std::vector<double>& x) {
   const statistics::Interval mean = statistics::mean_interval(x, alpha);
-  std::string text = x.empty()       ? fmt::format("{} at {}: no runs", readout, g.label)
-                     : x.size() == 1 ? fmt::format("{} at {} {:.3g} (n = 1)", readout, g.label, mean.value)
-                                     : fmt::format("{} at {} {:.3g} [{:.3g}, {:.3g}] (n = {})", readout, g.label,
-                                                   mean.value, mean.low, mean.high, x.size());
+  const std::string value = x.size() < 2 ? fmt::format("{:.3g}", mean.value)
+                                         : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
+  const std::string text = x.empty() ? fmt::format("{} at {}: no runs", readout, g.label)
+                                     : fmt::format("{} at {} {} (n = {})", readout, g.label, value, x.size());
   if (std::ranges::find(m_ours, text) != m_ours.end()) return;
-  m_ours.push_back(std::move(text));
-  if (!x.empty())
-    m_means.push_back({g, std::string(readout),
-                       x.size() == 1 ? fmt::format("{:.3g}", mean.value)
-                                     : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high)});
+  m_ours.push_back(text);
+  if (!x.empty()) m_means.push_back({g, std::string(readout), value});
 }
 
 /// A number over all runs of a study.

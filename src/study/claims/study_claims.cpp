@@ -36,15 +36,15 @@ std::string own_name(const std::filesystem::path& folder) {
   return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
-/// The results of a study that lies beside another one; nothing if it does not, or is not the shipped one of its name.
-std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::string_view name) {
+/// The results of a study that lies beside another one; nothing if it does not.
+/// @param shipped  whether it must be the shipped one of its name
+std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::string_view name, bool shipped) {
   const std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
   const std::filesystem::path parent = place.has_filename() ? place.parent_path() : place.parent_path().parent_path();
   for (const std::string& sibling : {std::string(name), fmt::format("{}-study", name)}) {
     try {
       const StudyFolder other = study::open_study(parent / sibling);
-      const auto is_called_so = [&](const ReadStudy& shipped) { return shipped.name == name; };
-      if (shipped_name(other.study) == name || std::ranges::none_of(read_shipped_studies(), is_called_so))
+      if (!shipped || shipped_name(other.study) == name)
         return study::Ensemble{other.study, study::results(other.study, other.runs, other.folder)};
     } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided
     } catch (const ConfigurationError&) {
@@ -114,7 +114,7 @@ std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vecto
     Evidence evidence; // of this claim alone, so that a single study is not named in each sentence
     for (const std::string& other : needed) {
       if (!all.contains(other))
-        if (auto found = beside(study.folder, other)) all.emplace(other, *std::move(found));
+        if (auto found = beside(study.folder, other, shipped.has_value())) all.emplace(other, *std::move(found));
       if (const auto known = all.find(other); known != all.end()) evidence.insert(*known);
     }
     judged.push_back(judged_claim(claim, evidence, set));

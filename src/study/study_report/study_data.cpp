@@ -117,14 +117,7 @@ Json scatter_json(const StudyReport& report) {
 
 Json claims_json(const std::vector<JudgedClaim>& claims) {
   Json list = Json::array();
-  for (const JudgedClaim& c : claims)
-    list.push_back({{"id", c.id},
-                    {"claim", c.sentence},
-                    {"published", c.published},
-                    {"verdict", to_string(c.finding.verdict)},
-                    {"caveat", c.caveat},
-                    {"ours", c.finding.ours},
-                    {"statistic", c.finding.conditions}});
+  for (const JudgedClaim& c : claims) list.push_back(claim_json(c));
   return list;
 }
 

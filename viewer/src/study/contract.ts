@@ -113,7 +113,7 @@ export type Verdict = "holds" | "in direction" | "does not hold" | "undecided";
 
 export interface StudyClaim {
   id: string;
-  claim: string;
+  sentence: string;
   /** The paper's numbers; "" where it gives none. */
   published: string;
   verdict: Verdict;

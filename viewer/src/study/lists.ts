@@ -23,7 +23,7 @@ export function claims(study: StudyPage): HTMLElement | null {
     ["id", "claim", "verdict", "published", "ours: mean [95 %]", "statistic"],
     study.claims.map((c) => [
       c.id,
-      c.claim,
+      c.sentence,
       h("div", {}, verdict(c.verdict), c.caveat ? h("div", { class: "caveat" }, c.caveat) : null),
       pretty(c.published) || "\u2013",
       lines(c.ours.map(pretty)),
