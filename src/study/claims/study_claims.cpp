@@ -44,7 +44,8 @@ std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::
   for (const std::string& sibling : {std::string(name), fmt::format("{}-study", name)}) {
     try {
       const StudyFolder other = study::open_study(parent / sibling);
-      if (!shipped || shipped_name(other.study) == name)
+      const ReadStudy* known = shipped ? shipped_study(other.study) : nullptr;
+      if (!shipped || (known != nullptr && known->name == name))
         return study::Ensemble{other.study, study::results(other.study, other.runs, other.folder)};
     } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided
     } catch (const ConfigurationError&) {
@@ -90,19 +91,13 @@ Deviations deviations(const study::Study& study) {
 
 } // namespace
 
-std::optional<std::string_view> shipped_name(const study::Study& study) {
-  const ReadStudy* shipped = shipped_study(study);
-  if (shipped == nullptr) return {};
-  return shipped->name;
-}
-
 std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results) {
-  const auto shipped = shipped_name(study.study);
-  const std::string name(shipped ? *shipped : own_name(study.folder));
+  const ReadStudy* shipped = shipped_study(study.study);
+  const std::string name = shipped != nullptr ? shipped->name : own_name(study.folder);
   const ClosureSet set = has_first_closures(study.study.base) ? ClosureSet::first : ClosureSet::second;
   std::vector<Claim> claims = study.study.claims;
   for (Claim& claim : claims) claim.study = name;
-  if (shipped)
+  if (shipped != nullptr)
     for (Claim& claim : shipped_claims(set))
       if (std::ranges::find(claims, claim.id, &Claim::id) == claims.end()) claims.push_back(std::move(claim));
   Evidence all;
@@ -114,7 +109,7 @@ std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vecto
     Evidence evidence; // of this claim alone, so that a single study is not named in each sentence
     for (const std::string& other : needed) {
       if (!all.contains(other))
-        if (auto found = beside(study.folder, other, shipped.has_value())) all.emplace(other, *std::move(found));
+        if (auto found = beside(study.folder, other, shipped != nullptr)) all.emplace(other, *std::move(found));
       if (const auto known = all.find(other); known != all.end()) evidence.insert(*known);
     }
     judged.push_back(judged_claim(claim, evidence, set));

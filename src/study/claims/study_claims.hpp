@@ -3,16 +3,11 @@
 #include "claims/claims.hpp"
 #include "study_runs/study_folder.hpp"
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// What a study says of its claims, and of those of the paper. Test: tests/apps/study_test.cpp
 namespace matrigrate::study {
-
-/// The name of the shipped study of this title and with these points: "stiffness".
-std::optional<std::string_view> shipped_name(const study::Study& study);
 
 /// The claims of this study and, of a shipped one, those of other shipped studies that need it, judged by its results
 /// and by those of the other studies they need, as far as these lie beside its folder.
