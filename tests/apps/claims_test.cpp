@@ -60,10 +60,10 @@ TEST_F(Claims, AreCheckedBeforeAnythingIsWritten) {
     const Ended ended = run(std::string(verb) + " own.toml");
     const std::string told = ended.out + ended.err;
     EXPECT_EQ(ended.code, 3) << verb;
-    EXPECT_TRUE(contains(told, "own.toml:16:29: claims.conditions.readout: \"n_protrusion\" is not known")) << told;
+    EXPECT_TRUE(contains(told, "own.toml:16:28: claims.conditions.readout: \"n_protrusion\" is not known")) << told;
     EXPECT_TRUE(contains(told, "did you mean n_protrusions?")) << told;
     EXPECT_TRUE(contains(told,
-                         "own.toml:16:52: claims.conditions.from: \"sof\" is not the label of a point; the labels "
+                         "own.toml:16:51: claims.conditions.from: \"sof\" is not the label of a point; the labels "
                          "are \"soft\", \"stiff\"; did you mean soft?"))
         << told;
     EXPECT_TRUE(contains(told, "did you mean stiffness: youngs_modulus 50 Pa?")) << told;
@@ -77,7 +77,7 @@ TEST_F(Claims, AreCheckedBeforeAnythingIsWritten) {
 
 TEST_F(Claims, MayNeedAStudyBesideTheirOwn) {
   write_study("own", R"({ rule = "within", readout = "n_protrusions", at = "other: stiff", low = 0, high = 1000 },)");
-  EXPECT_TRUE(contains(run("check own.toml").out, "\"other: stiff\" is not the label of a point"));
+  EXPECT_TRUE(contains(run("study plan own.toml").err, "\"other: stiff\" is not the label of a point"));
   write_study("other", among_few);
   EXPECT_EQ(run("check own.toml").code, 0);
   EXPECT_EQ(run("study run own.toml --quiet").code, 0);
