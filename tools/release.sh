@@ -76,7 +76,9 @@ archive() {
 sources() {
   [ ! -e "$work/$name" ] || return 0
   the_build
-  local pages=$build/viewer/dist page
+  local pages page
+  pages=$(sed -n 's/^MATRIGRATE_PAGES:PATH=//p' "$build/CMakeCache.txt")
+  [ -n "$pages" ] || pages=$build/viewer/dist
   git archive --prefix="$name/" HEAD | tar --extract --directory="$work"
   mkdir "$work/$name/pages"
   for page in run study verdicts; do
