@@ -1,4 +1,4 @@
-"""The files in .github/ can be read, and the scripts, options and commands that they name are there: test_workflows.py"""
+"""The files in .github/ and the conda recipe can be read, and what they name is there: test_workflows.py"""
 import pathlib
 import re
 import subprocess
@@ -82,6 +82,28 @@ class Forms(unittest.TestCase):
             if path.is_file():
                 for verb in re.findall(r"`matrigrate (\w+)", path.read_text(encoding="utf-8")):
                     self.assertIn(verb, verbs, path.name)
+
+
+class Recipe(unittest.TestCase):
+    recipe = yaml.safe_load((source / "packaging/conda/recipe.yaml").read_text(encoding="utf-8"))
+
+    def test_version_is_that_of_the_build(self):
+        build = re.search(r"project\(matrigrate VERSION (\S+)", (source / "CMakeLists.txt").read_text())[1]
+        self.assertEqual(self.recipe["context"]["version"], build)
+
+    def test_files_of_the_package_are_those_of_the_source(self):
+        for name in self.recipe["about"]["license_file"]:
+            self.assertTrue((source / name).is_file(), name)
+        for test in self.recipe["tests"]:
+            for name in test.get("package_contents", {}).get("files", []):
+                place = name.removeprefix("share/").replace("man/man1", "man").removeprefix("matrigrate/")
+                self.assertTrue((source / place).is_file(), name)
+
+    def test_python_packages_are_those_of_pyproject(self):
+        import tomllib
+        wanted = tomllib.loads((source / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+        run = {line.replace(" ", "") for line in self.recipe["requirements"]["run"]}
+        self.assertEqual(run, {*wanted["dependencies"], f"python{wanted['requires-python']}"})
 
 
 if __name__ == "__main__":
