@@ -122,15 +122,17 @@ step_live() {
 step_site() {
   of_this_commit
   install_packages "$packages_for_site"
+  sources
   local live=()
   [ ! -e build/web/live/index.html ] || live=(--live build/web/live/index.html)
-  /usr/bin/python3 -B tools/site/build.py "$work/$name-site" --program "$program" "${live[@]}" >/dev/null || die "the site could not be built"
+  /usr/bin/python3 -B "$work/$name/tools/site/build.py" "$work/$name-site" --program "$program" "${live[@]}" >/dev/null || die "the site could not be built"
   archive "$work/$name-site" "$to/$name-site.tar.gz"
 }
 
 step_containers() {
+  sources
   mkdir "$work/$name-containers"
-  cp packaging/Dockerfile packaging/matrigrate.def packaging/README.md .dockerignore LICENSE "$work/$name-containers/"
+  (cd "$work/$name" && cp packaging/Dockerfile packaging/matrigrate.def packaging/README.md .dockerignore LICENSE "$work/$name-containers/")
   archive "$work/$name-containers" "$to/$name-containers.tar.gz"
 }
 
