@@ -39,14 +39,6 @@ std::string time_name(double t) {
   return fmt::format("t_{:05.0f}{}s", whole, fraction);
 }
 
-template <class Row>
-std::vector<std::vector<store::Field>> fields_of(const std::vector<Row>& rows) {
-  std::vector<std::vector<store::Field>> all;
-  all.reserve(rows.size());
-  for (const Row& row : rows) all.push_back(store::fields(row));
-  return all;
-}
-
 /// A row of protrusions.csv, which tells the cell where there are several.
 std::vector<store::Field> fields_of(const State& s, const Cell& cell, const ProtrusionRecord& record,
                                     const Parameters& p) {
@@ -54,21 +46,8 @@ std::vector<store::Field> fields_of(const State& s, const Cell& cell, const Prot
   return s.cells.size() > 1 ? store::with_cell(cell.id, std::move(fields)) : fields;
 }
 
-std::vector<std::vector<store::Field>> ended_rows(const State& s, const Parameters& p) {
-  std::vector<std::vector<store::Field>> all;
-  for (const Cell& cell : s.cells)
-    for (const ProtrusionRecord& record : cell.ended) all.push_back(fields_of(s, cell, record, p));
-  return all;
-}
-
 std::vector<std::string_view> protrusion_columns(const State& s) {
   return s.cells.size() > 1 ? store::with_cell(store::protrusion_columns()) : store::protrusion_columns();
-}
-
-std::vector<std::size_t> numbers_ended(const State& s) {
-  std::vector<std::size_t> n;
-  for (const Cell& cell : s.cells) n.push_back(cell.ended.size());
-  return n;
 }
 
 } // namespace
@@ -76,7 +55,7 @@ std::vector<std::size_t> numbers_ended(const State& s) {
 RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
                      store::RunMemory memory, const std::filesystem::path& from)
     : m_folder(std::move(folder)), m_lock(m_folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)), m_p(p),
-      m_memory(std::move(memory)), m_ended(numbers_ended(s)), m_row_cadence(p.output.track_interval, p.run.time_step),
+      m_memory(std::move(memory)), m_ended(s.cells.size()), m_row_cadence(p.output.track_interval, p.run.time_step),
       m_snapshot_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
       m_frame_cadence(p.output.field_interval, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
@@ -87,10 +66,14 @@ RunFolder::RunFolder(std::filesystem::path folder, const Parameters& p, const Ru
   write_record(record);                                                 // first: it tells whose folder this is
   write_file(m_folder / "scenario.resolved.toml", to_toml(p));
   if (m_p.output.pictures) make_output_folder(m_folder / "snapshots", true);
-  m_tracks.emplace(m_folder / "tracks.csv", store::track_columns(has_nucleus(m_p)), fields_of(m_memory.rows));
-  m_protrusions.emplace(m_folder / "protrusions.csv", protrusion_columns(s), ended_rows(s, p));
-  m_health.emplace(m_folder / "health.csv", store::health_columns(), fields_of(m_memory.health));
-  if (s.cells.size() > 1) m_group.emplace(m_folder / "group.csv", store::group_columns(), fields_of(m_memory.group));
+  const auto open = [this](std::optional<store::RowFile>& file, const char* name, const auto& columns) {
+    file.emplace(m_folder / name, columns, m_memory.tables[name]);
+  };
+  open(m_tracks, "tracks.csv", store::track_columns(has_nucleus(m_p)));
+  open(m_health, "health.csv", store::health_columns());
+  if (s.cells.size() > 1) open(m_group, "group.csv", store::group_columns());
+  m_protrusions.emplace(m_folder / "protrusions.csv", protrusion_columns(s), m_protrusion_rows);
+  add_ended(s);
   if (m_p.output.field_interval > 0.0) open_log(s, from.empty() ? m_folder : from);
   if (m_memory.rows.empty()) return;
   for (Cadence* cadence :
@@ -112,8 +95,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   m_memory.watch.see(w.health);
   add_ended(s);
   if (m_row_cadence.due(s.t)) {
-    add_row(s, w);
-    require_health(s, m_memory.health.back());
+    require_health(s, add_row(s, w));
   }
   const bool snapshot = m_snapshot_cadence.due(s.t);
   if (snapshot) add_snapshot(s, w);
@@ -129,18 +111,22 @@ void RunFolder::require_health(const State& s, const HealthRow& row) const {
     throw NumericalFailure(found->cause, fmt::format("step {} (t = {:.6g} s): {}", s.step, s.t, found->text));
 }
 
+/// The forces of the step before a checkpoint are not known to a run that goes on from there.
 HealthRow RunFolder::health_row(const State& s, const Workspace& w, HealthWatch& watch) const {
-  if (m_memory.last && m_memory.last->step == s.step) return *m_memory.last;
   HealthRow row = watch.row(s, m_p, w.health);
-  row.force_imbalance = force_imbalance(w);
+  row.force_imbalance = s.step == m_memory.step ? m_memory.force_imbalance : force_imbalance(w);
   return row;
 }
 
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep) {
   HealthWatch watch = m_memory.watch; // a copy: the next row still tells of the steps so far
-  m_memory.last = health_row(s, w, watch);
-  require_health(s, *m_memory.last);
+  const HealthRow health = health_row(s, w, watch);
+  require_health(s, health);
   if (m_frames) m_frames->flush();
+  for (const auto* table : {&m_tracks, &m_health, &m_group})
+    if (*table) (*table)->flush();
+  m_memory.step = s.step;
+  m_memory.force_imbalance = health.force_imbalance;
   m_memory.counts = w.health;
   m_memory.march_wall_time = march_wall_time;
   const std::filesystem::path checkpoints = m_folder / "checkpoints";
@@ -184,7 +170,7 @@ void RunFolder::finish(const State& s, const std::string& status, bool failed, c
                                                                   .t_end = s.t,
                                                                   .p = m_p,
                                                                   .cells = m_results,
-                                                                  .health = m_memory.health,
+                                                                  .health = m_memory.tables.at("health.csv"),
                                                                   .film = m_frames ? &film : nullptr,
                                                                   .provenance = provenance_text()})));
 }
@@ -209,20 +195,18 @@ void RunFolder::write_record(const RunRecord& record) const {
 
 std::string RunFolder::trajectory_hash() const { return store::TrajectoryHash(m_memory.trajectory).text(); }
 
-void RunFolder::add_row(const State& s, const Workspace& w) {
+HealthRow RunFolder::add_row(const State& s, const Workspace& w) {
   store::TrajectoryHash trajectory(m_memory.trajectory);
   trajectory.add(s);
   m_memory.trajectory = trajectory.value();
-  if (m_group) {
-    m_memory.group.push_back(group_row(s, m_memory.rows, m_p));
-    m_group->add(store::fields(m_memory.group.back()));
-  }
+  if (m_group) m_group->add(store::fields(group_row(s, m_memory.rows, m_p)));
   for (const TrackRow& row : track_rows(s, m_p.cell.centre_of_mass)) {
     m_tracks->add(store::fields(row));
     m_memory.rows.push_back(row);
   }
-  m_memory.health.push_back(health_row(s, w, m_memory.watch));
-  m_health->add(store::fields(m_memory.health.back()));
+  const HealthRow health = health_row(s, w, m_memory.watch);
+  m_health->add(store::fields(health));
+  return health;
 }
 
 void RunFolder::add_ended(const State& s) {

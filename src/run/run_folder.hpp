@@ -77,7 +77,7 @@ private:
   /// @throws NumericalFailure if the computation must not go on
   void require_health(const State& s, const HealthRow& row) const;
   HealthRow health_row(const State& s, const Workspace& w, HealthWatch& watch) const;
-  void add_row(const State& s, const Workspace& w);
+  HealthRow add_row(const State& s, const Workspace& w);
   void add_ended(const State& s);
   void add_snapshot(const State& s, const Workspace& w);
   void add_frame(const State& s, const Workspace& w);
@@ -90,6 +90,7 @@ private:
   store::RunMemory m_memory;
   std::vector<std::size_t> m_ended; ///< protrusions of each cell written so far
   std::optional<store::RowFile> m_tracks;
+  std::string m_protrusion_rows; ///< text of protrusions.csv
   std::optional<store::RowFile> m_protrusions;
   std::optional<store::RowFile> m_health;
   std::optional<store::RowFile> m_group; ///< of several cells
