@@ -14,7 +14,7 @@ using Begin = Output(RunSoFar&, const State&);
 Begin protrusions, rows, snapshots, fields, results, report_page;
 
 std::span<const OutputKind> output_kinds() {
-  static constexpr std::array<OutputKind, 9> kinds{{
+  static constexpr auto kinds = std::to_array<OutputKind>({
       {"", R"(checkpoint(_prev|_next)?\.h5|scenario\.resolved\.toml|run\.json)"},
       {"checkpoints", R"(t_[0-9.]+s\.h5)"},
       {"", R"(protrusions\.csv)", protrusions},
@@ -24,7 +24,7 @@ std::span<const OutputKind> output_kinds() {
       {"", R"(fields\.(h5|xdmf|part))", fields},
       {"", R"((msd|summary)\.csv|summary\.json)", results},
       {"", R"(report\.html)", report_page},
-  }};
+  });
   return kinds;
 }
 
