@@ -85,7 +85,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   const store::Checkpoint checkpoint = checkpoint_in(folder, file);
   run.p = parse_parameters(checkpoint.scenario, file.string());
   run.t = checkpoint.state.t;
-  run.memory = store::parse_memory(checkpoint.memory);
+  run.memory = store::parse_memory(checkpoint.memory, folder);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
     std::ranges::copy(track_rows(checkpoint.state, run.p.cell.centre_of_mass),
                       std::back_inserter(run.memory.rows)); // as at the end of a run
@@ -116,7 +116,7 @@ nlohmann::ordered_json page_data(const FinishedRun& run) {
                            .t_end = run.t,
                            .p = run.p,
                            .cells = run.cells,
-                           .health = run.memory.health,
+                           .health = run.memory.tables.at("health.csv"),
                            .film = &run.film,
                            .provenance = provenance_of(run.record)});
 }

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "run/output/output.hpp"
 
 #include <fmt/format.h>
 
@@ -16,20 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of a run, by the folder within its own that they are in.
-struct Place {
-  std::string_view folder;
-  std::string_view names;
-};
 constexpr std::string_view exports = "export";
-constexpr std::array<Place, 4> places{{
-    {"",
-     R"(checkpoint(_prev|_next)?\.h5|scenario\.resolved\.toml|run\.json|(tracks|protrusions|health|group|msd|summary)\.csv|)"
-     R"(summary\.json|(snapshots|failure)\.svg|report\.html|fields\.(h5|xdmf|part))"},
-    {"checkpoints", R"(t_[0-9.]+s\.h5)"},
-    {"snapshots", R"(t_[0-9.]+s(_displacement|_fibre_stress)?\.svg)"},
-    {exports, ""}, // of any kind
-}};
 
 constexpr std::array<ExportKind, 7> kinds{{
     {"--vtk", R"((matrix|outline|anchors)(\.pvd|_[0-9]{4,}\.vtp))"},
@@ -41,22 +29,32 @@ constexpr std::array<ExportKind, 7> kinds{{
     {"--panel", R"(panel\.svg)"},
 }};
 
-/// Tells whether a name is one of a list.
-class Names {
-public:
-  explicit Names(std::string_view names) : m_patterns{std::regex(names.begin(), names.end())} {}
-  explicit Names(const Place& place) {
-    if (place.folder != exports) m_patterns.emplace_back(place.names.begin(), place.names.end());
-    if (place.folder != exports) return;
-    for (const ExportKind& kind : kinds) m_patterns.emplace_back(kind.names.begin(), kind.names.end());
-  }
-  bool have(const std::string& name) const {
-    return std::ranges::any_of(m_patterns, [&](const std::regex& one) { return std::regex_match(name, one); });
-  }
+/// The folders that a run writes into, within its own; first that one itself.
+std::vector<std::string_view> places() {
+  std::vector<std::string_view> all;
+  for (const OutputKind& kind : output_kinds())
+    if (std::ranges::find(all, kind.folder) == all.end()) all.push_back(kind.folder);
+  all.push_back(exports);
+  return all;
+}
 
-private:
-  std::vector<std::regex> m_patterns;
-};
+using Patterns = std::vector<std::regex>;
+
+std::regex pattern(std::string_view names) { return std::regex(names.begin(), names.end()); }
+
+/// The names of a run's files in one of these folders.
+Patterns names_in(std::string_view place) {
+  Patterns all;
+  for (const OutputKind& kind : output_kinds())
+    if (kind.folder == place) all.push_back(pattern(kind.names));
+  if (place == exports)
+    for (const ExportKind& kind : kinds) all.push_back(pattern(kind.names));
+  return all;
+}
+
+bool have(const Patterns& names, const std::string& name) {
+  return std::ranges::any_of(names, [&](const std::regex& one) { return std::regex_match(name, one); });
+}
 
 /// The entries of a folder, sorted; none if it is not there.
 std::vector<fs::directory_entry> entries(const fs::path& folder) {
@@ -79,10 +77,10 @@ std::string name_of(const fs::directory_entry& entry) { return entry.path().file
 std::span<const ExportKind> export_kinds() { return kinds; }
 
 std::vector<fs::path> files_of(const ExportKind& kind, const fs::path& folder) {
-  const Names names(kind.names);
+  const Patterns names{pattern(kind.names)};
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : entries(folder))
-    if (!is_folder(entry) && names.have(name_of(entry))) files.push_back(entry.path());
+    if (!is_folder(entry) && have(names, name_of(entry))) files.push_back(entry.path());
   return files;
 }
 
@@ -93,50 +91,51 @@ void remove_file(const fs::path& file) {
 }
 
 void require_no_links(const fs::path& folder) {
-  for (const Place& place : places) {
-    const fs::path in = folder / place.folder;
+  for (const std::string_view place : places()) {
+    const fs::path in = folder / place;
     std::error_code error;
-    if (!place.folder.empty() && place.folder != exports && fs::is_symlink(fs::symlink_status(in, error)))
+    if (!place.empty() && place != exports && fs::is_symlink(fs::symlink_status(in, error)))
       throw InputOutputError(fmt::format(
           "{}: is a symbolic link, and a run writes only into its own folder; remove the link first", in.string()));
   }
 }
 
 void remove_run_files(const fs::path& folder) {
-  for (const Place& place : places) { // the last checkpoints are the first names of the first place
-    const fs::path in = folder / place.folder;
+  for (const std::string_view place : places()) { // the last checkpoints are the first names in the first place
+    const fs::path in = folder / place;
     if (fs::is_symlink(fs::symlink_status(in))) continue; // not made by a run
-    const Names own(place);
+    const Patterns own = names_in(place);
     for (const fs::directory_entry& entry : entries(in))
-      if (!is_folder(entry) && own.have(name_of(entry))) remove_file(entry.path());
+      if (!is_folder(entry) && have(own, name_of(entry))) remove_file(entry.path());
     std::error_code ignored;
-    if (!place.folder.empty()) fs::remove(in, ignored); // if nothing else is in it
+    if (!place.empty()) fs::remove(in, ignored); // if nothing else is in it
   }
 }
 
 std::vector<std::string> foreign_entries(const fs::path& folder) {
   std::vector<std::string> foreign;
-  for (const Place& place : places) {
-    const Names own(place);
-    for (const fs::directory_entry& entry : entries(folder / place.folder)) {
+  const std::vector<std::string_view> all = places();
+  for (const std::string_view place : all) {
+    const Patterns own = names_in(place);
+    for (const fs::directory_entry& entry : entries(folder / place)) {
       const std::string name = name_of(entry);
-      const bool is_place = std::ranges::find(places, name, &Place::folder) != places.end();
-      const bool known = is_folder(entry) ? place.folder.empty() && is_place : own.have(name);
-      if (!name.starts_with('.') && !known) foreign.push_back((fs::path(place.folder) / name).string());
+      const bool is_place = std::ranges::find(all, name) != all.end();
+      const bool known = is_folder(entry) ? place.empty() && is_place : have(own, name);
+      if (!name.starts_with('.') && !known) foreign.push_back((fs::path(place) / name).string());
     }
   }
   return foreign;
 }
 
 void remove_temporaries(const fs::path& folder) {
-  for (const Place& place : places) {
-    if (place.folder == exports) continue; // exports are written without a lock
-    const Names own(place);
-    for (const fs::directory_entry& entry : entries(folder / place.folder)) {
+  for (const std::string_view place : places()) {
+    if (place == exports) continue; // exports are written without a lock
+    const Patterns own = names_in(place);
+    for (const fs::directory_entry& entry : entries(folder / place)) {
       const std::optional<std::string> file = file_of_temporary(name_of(entry));
       const bool unfinished = name_of(entry) == "checkpoint_next.h5"; // killed before it was renamed
       std::error_code ignored;
-      if (!is_folder(entry) && (unfinished || (file && own.have(*file)))) fs::remove(entry.path(), ignored);
+      if (!is_folder(entry) && (unfinished || (file && have(own, *file)))) fs::remove(entry.path(), ignored);
     }
   }
 }

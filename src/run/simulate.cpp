@@ -71,10 +71,21 @@ public:
       m_simulation.reset(); // frees the memory that all frames together need,
       ::malloc_trim(0);     // and gives it back
       m_record.trajectory_hash = m_folder->trajectory_hash();
-      m_folder->finish(last, status_text(), status == RunStatus::failed, m_record, m_options.page_template);
+      const std::vector<CellResult> cells = m_folder->finish({.s = last,
+                                                              .status = status_text(),
+                                                              .failed = status == RunStatus::failed,
+                                                              .record = m_record,
+                                                              .page_template = m_options.page_template});
       m_record.note_end();
       m_folder->write_record(m_record);
-      if (status == RunStatus::done) m_folder->remove_log();
+      if (status == RunStatus::done) m_folder->tidy();
+      return {.folder = m_options.folder,
+              .end = *m_record.ended,
+              .computed = true,
+              .record = to_json(m_record, m_p),
+              .sentence = status_text(),
+              .p = m_p,
+              .cells = cells};
     } catch (const InputOutputError& error) {
       record_trouble(error.what(), RunEnd::cannot_write);
       throw InputOutputError(fmt::format("{}; {}", error.what(), safe_text()));
@@ -82,13 +93,6 @@ public:
       record_trouble("not enough memory", RunEnd::no_memory);
       throw;
     }
-    return {.folder = m_options.folder,
-            .end = *m_record.ended,
-            .computed = true,
-            .record = to_json(m_record, m_p),
-            .sentence = status_text(),
-            .p = m_p,
-            .cells = m_folder->results()};
   }
 
 private:

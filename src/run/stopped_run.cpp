@@ -92,13 +92,14 @@ void restore_scenario(const fs::path& folder, RunObserver& observer) {
 std::string time_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file) {
-  FoundCheckpoint found{.checkpoint = store::read_checkpoint(file), .p = {}, .file = file};
+  FoundCheckpoint found{.checkpoint = store::read_checkpoint(file), .memory = {}, .p = {}, .file = file};
   found.p = parse_parameters(found.checkpoint.scenario, file.string());
   const std::string expected = expected_configuration(folder);
   // Another version of the program may have other parameters, and so other hashes.
   if (!expected.empty() && expected != configuration_hash(found.p) && expected != found.checkpoint.configuration_hash)
     throw InputOutputError(fmt::format("{}: is a checkpoint of another scenario than {}", file.string(),
                                        (folder / scenario_file).string()));
+  found.memory = store::parse_memory(found.checkpoint.memory, folder);
   return found;
 }
 
@@ -158,11 +159,8 @@ bool has_only_broken_checkpoints(const fs::path& folder) {
 }
 
 RunStart start_from(const FoundCheckpoint& found, const Json& record) {
-  RunStart start{.s = found.checkpoint.state,
-                 .p = found.p,
-                 .memory = store::parse_memory(found.checkpoint.memory),
-                 .before = {},
-                 .lineage = lineage_of(record)};
+  RunStart start{
+      .s = found.checkpoint.state, .p = found.p, .memory = found.memory, .before = {}, .lineage = lineage_of(record)};
   if (record.is_object()) {
     start.scenario = scenario_name(record, found.file.parent_path());
     start.commands = commands_of(record);

@@ -28,12 +28,13 @@ void restore_scenario(const std::filesystem::path& folder, RunObserver& observer
 /// A checkpoint that a run can be resumed from.
 struct FoundCheckpoint {
   store::Checkpoint checkpoint;
+  store::RunMemory memory;
   Parameters p;
   std::filesystem::path file;
 };
 
 /// @throws InputOutputError if the file is no whole checkpoint, or not one of the folder's scenario (as far as
-///         scenario.resolved.toml or run.json can be read)
+///         scenario.resolved.toml or run.json can be read), or if the folder's tables are not those it was written with
 FoundCheckpoint read_checkpoint_of(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// The last checkpoint, or the one before.

@@ -129,6 +129,54 @@ TEST_F(Recovery, LosesOnlyFramesThatAreDamaged) {
   EXPECT_EQ(frames("here"), expected);
 }
 
+TEST_F(Recovery, RefusesTablesThatWereEdited) {
+  ASSERT_EQ(run("run s.toml -o whole --quiet").code, 0);
+  make_killed("here");
+  for (const std::string& table : {std::string("here/tracks.csv"), std::string("here/health.csv")}) {
+    const std::string text = text_of(folder / table);
+    std::string edited = text;
+    edited.at(edited.find('\n') + 3) ^= 1; // in the first row
+    put(table, edited);
+    std::filesystem::remove_all(folder / "before");
+    copy("here", "before");
+    for (const char* verb : {"resume here", "resume here --previous", "run s.toml -o here",
+                             "resume here --hours 0.02 -o longer", "report here", "export here --tracks"}) {
+      const Ended ended = run(verb);
+      EXPECT_EQ(ended.code, 5) << verb;
+      EXPECT_TRUE(contains(ended.err, table + ": has been changed since the checkpoint was written")) << ended.err;
+    }
+    EXPECT_FALSE(exists("longer"));
+    EXPECT_EQ(
+        std::system(("diff -r '" + (folder / "here").string() + "' '" + (folder / "before").string() + "'").c_str()), 0)
+        << "nothing is written";
+    put(table, text);
+  }
+  std::filesystem::remove(folder / "here/health.csv");
+  EXPECT_EQ(run("resume here").code, 5);
+  copy("before/health.csv", "here/health.csv");
+  EXPECT_EQ(run("resume here").code, 5) << "that one is edited";
+}
+
+TEST_F(Recovery, OffersTheCheckpointBeforeWhereATableWasCut) {
+  ASSERT_EQ(run("run s.toml -o whole --quiet").code, 0);
+  make_killed("here");
+  Ended ended{.code = 0, .out = {}, .err = {}};
+  for (std::string text = text_of(folder / "here/tracks.csv"); ended.code == 0 && text.size() > 200;) {
+    text.erase(text.rfind('\n', text.size() - 2) + 1); // the last row
+    std::filesystem::remove_all(folder / "cut");
+    copy("here", "cut");
+    put("cut/tracks.csv", text);
+    ended = run("resume cut --quiet");
+  }
+  EXPECT_EQ(ended.code, 5) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "cut/tracks.csv: has been cut: ")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, " is whole: go on from it with --previous")) << ended.err;
+  EXPECT_EQ(run("resume cut --previous --quiet").code, 0);
+  for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json"})
+    EXPECT_EQ(text_of(folder / "cut" / file), text_of(folder / "whole" / file)) << file;
+  EXPECT_EQ(record("cut").at("trajectory_hash"), record("whole").at("trajectory_hash"));
+}
+
 TEST_F(Recovery, TakesAwayWhatKilledProcessesLeft) {
   make_killed("here");
   const std::vector<std::string> ours{".fields.h5.a1B2c3", ".run.json.abcdef", ".checkpoint_next.h5.000000",

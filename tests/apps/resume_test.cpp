@@ -136,8 +136,8 @@ TEST_F(Resume, RefusesDamagedCheckpointsAndOffersTheOneBefore) {
   refused(whole.substr(0, whole.size() / 3), "is cut short");
   refused("nonsense", "is no checkpoint");
   std::string other = whole;
-  other[22] = '9';
-  refused(other, "format 9");
+  other[22] = '8';
+  refused(other, "format 8");
   EXPECT_EQ(run("resume here --previous --quiet").code, 0);
   EXPECT_EQ(record("here").at("status"), "done");
 }

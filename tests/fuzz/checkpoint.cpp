@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       matrigrate::store::parse_checkpoint(text, "fuzz.h5");
       break;
     case 1:
-      matrigrate::store::parse_memory(text);
+      matrigrate::store::parse_memory(text, "no-folder");
       break;
     case 2:
       matrigrate::store::parse_state_parts(text);

@@ -38,6 +38,7 @@ src/model/state/members.hpp|visit(StateMember{"falling", "nN"}, s.falling);||sto
 src/run/store/checkpoint.cpp|else if (!value.empty())|else if (!value.empty() && !member.may_be_empty)|store|fields of the matrix are left out of the checkpoint
 src/model/state/image.cpp|put(value.value_or(0.0));|put(0.0);|store|the polarization is left out of the image
 src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
+src/run/store/run_memory.cpp|text_hash(text) != hash|false|store|a table that was edited is taken
 src/run/store/track_files.cpp|own[1].t - own[0].t|own.back().t - own[0].t|store|the interval of TrackMate is the whole time
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken

@@ -2,11 +2,14 @@
 
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
+#include "store/csv.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace matrigrate::report {
@@ -68,40 +71,38 @@ Json readouts_json(const RunReport& report) {
   return list;
 }
 
-/// The largest of a column over all rows; NaN without rows.
-template <class Value>
-double worst(std::span<const HealthRow> rows, const Value& value) {
+/// A column of health.csv of which a page shows the largest value.
+struct Sign {
+  const char* column;
+  const char* meaning;
+  bool from_one = false; ///< the largest deviation from 1
+};
+constexpr std::array<Sign, 9> signs{{
+    {"solver_iterations_max", "iterations of the solver in a step, largest number"},
+    {"solver_residual_max", "relative residual of the solver, largest [-]"},
+    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]"},
+    {"n_orphans", "particles made fluid since too few neighbours were left"},
+    {"n_torn", "particles made fluid since their density left its allowed range"},
+    {"n_engulfed", "solid particles made fluid inside the cell"},
+    {"n_solid_inside", "solid particles inside the cell, largest number"},
+    {"area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]", true},
+    {"density_max", "density of the solid over that of the start, largest deviation from 1 [-]", true},
+}};
+
+/// NaN without values.
+double worst(std::string_view health, const Sign& sign) {
+  std::vector<double> values = store::csv_column(health, sign.column);
+  if (sign.column == std::string_view("density_max"))
+    std::ranges::copy(store::csv_column(health, "density_min"), std::back_inserter(values));
   double most = undefined;
-  for (const HealthRow& row : rows) {
-    const auto x = static_cast<double>(value(row));
-    if (!(x <= most)) most = std::isnan(x) ? most : x;
-  }
+  for (const double value : values) most = std::fmax(most, sign.from_one ? std::abs(value - 1.0) : value);
   return most;
 }
 
-Json health_json(std::span<const HealthRow> rows) {
+Json health_json(std::string_view health) {
   Json list = Json::array();
-  const auto add = [&](const char* name, const char* meaning, double value) {
-    list.push_back({{"name", name}, {"meaning", meaning}, {"value", value}});
-  };
-  add("solver_iterations_max", "iterations of the solver in a step, largest number",
-      worst(rows, [](const HealthRow& r) { return r.max_iterations; }));
-  add("solver_residual_max", "relative residual of the solver, largest [-]",
-      worst(rows, [](const HealthRow& r) { return r.largest_residual; }));
-  add("force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]",
-      worst(rows, [](const HealthRow& r) { return r.force_imbalance; }));
-  add("n_orphans", "particles made fluid since too few neighbours were left",
-      worst(rows, [](const HealthRow& r) { return r.orphans; }));
-  add("n_torn", "particles made fluid since their density left its allowed range",
-      worst(rows, [](const HealthRow& r) { return r.torn; }));
-  add("n_engulfed", "solid particles made fluid inside the cell",
-      worst(rows, [](const HealthRow& r) { return r.engulfed; }));
-  add("n_solid_inside", "solid particles inside the cell, largest number",
-      worst(rows, [](const HealthRow& r) { return r.solid_inside; }));
-  add("area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]",
-      worst(rows, [](const HealthRow& r) { return std::abs(r.area_ratio - 1.0); }));
-  add("density_max", "density of the solid over that of the start, largest deviation from 1 [-]",
-      worst(rows, [](const HealthRow& r) { return std::max(r.density_max - 1.0, 1.0 - r.density_min); }));
+  for (const Sign& sign : signs)
+    list.push_back({{"name", sign.column}, {"meaning", sign.meaning}, {"value", worst(health, sign)}});
   return list;
 }
 

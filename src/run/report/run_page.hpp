@@ -27,7 +27,7 @@ struct RunReport {
   double t_end = 0.0;        ///< what it reached [s]
   Parameters p{};
   std::span<const CellResult> cells{}; ///< none: a page without results
-  std::span<const HealthRow> health{};
+  std::string_view health{};           ///< the text of health.csv
   const observe::Film* film = nullptr; ///< none: a page without a player
   std::string provenance{};            ///< its line breaks are kept
 };

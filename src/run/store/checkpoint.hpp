@@ -15,7 +15,7 @@
 /// Test: tests/unit/store/checkpoint_test.cpp
 namespace matrigrate::store {
 
-inline constexpr int checkpoint_version = 8;
+inline constexpr int checkpoint_version = 9;
 inline constexpr std::string_view checkpoint_name = "checkpoint.h5";
 inline constexpr std::string_view previous_checkpoint_name = "checkpoint_prev.h5";
 

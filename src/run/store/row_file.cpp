@@ -18,16 +18,9 @@ struct Text {
   std::string operator()(std::string_view value) const { return csv_text(value); }
 };
 
-std::string checked_line(const std::string& name, std::size_t columns, const std::vector<Field>& fields) {
-  if (fields.size() != columns)
-    throw std::invalid_argument(fmt::format("{}: a row of {} fields for {} columns", name, fields.size(), columns));
-  return csv_line(fields);
-}
-
-std::string content(const std::string& name, const std::vector<std::string_view>& columns,
-                    const std::vector<std::vector<Field>>& rows) {
-  std::string text = csv_line({columns.begin(), columns.end()});
-  for (const std::vector<Field>& fields : rows) text += checked_line(name, columns.size(), fields);
+/// The text, which begins with the header.
+std::string& begun(std::string& text, const std::vector<std::string_view>& columns) {
+  if (text.empty()) text = csv_line({columns.begin(), columns.end()});
   return text;
 }
 
@@ -42,10 +35,15 @@ std::string csv_line(const std::vector<Field>& fields) {
   return line + '\n';
 }
 
-RowFile::RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns,
-                 const std::vector<std::vector<Field>>& rows)
-    : m_name(path.string()), m_columns(columns.size()), m_file(std::move(path), content(m_name, columns, rows)) {}
+RowFile::RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns, std::string& text)
+    : m_name(path.string()), m_columns(columns.size()), m_text(&text), m_file(std::move(path), begun(text, columns)) {}
 
-void RowFile::add(const std::vector<Field>& fields) { m_file.append(checked_line(m_name, m_columns, fields)); }
+void RowFile::add(const std::vector<Field>& fields) {
+  if (fields.size() != m_columns)
+    throw std::invalid_argument(fmt::format("{}: a row of {} fields for {} columns", m_name, fields.size(), m_columns));
+  const std::string line = csv_line(fields);
+  m_file.append(line);
+  *m_text += line;
+}
 
 } // namespace matrigrate::store

@@ -24,12 +24,11 @@ std::string csv_line(const std::vector<Field>& fields);
 
 class RowFile {
 public:
-  /// Makes the file anew, with its header and the rows there are already; it is replaced as a whole or not at all.
+  /// Makes the file anew with the text there is already; it is replaced as a whole or not at all.
   /// @param columns  names ending in their unit
+  /// @param text     of the whole file; empty: the header is added. Rows are added to it, too, so it outlives this
   /// @throws InputOutputError naming the path and the reason
-  /// @throws std::invalid_argument if the number of fields of a row is not that of the columns
-  RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns,
-          const std::vector<std::vector<Field>>& rows = {});
+  RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns, std::string& text);
 
   /// Appends a row and hands it to the system at once; a row that does not fit on the disk is taken back, so that the
   /// file always has whole lines.
@@ -37,9 +36,14 @@ public:
   /// @throws std::invalid_argument if the number of fields is not that of the columns
   void add(const std::vector<Field>& fields);
 
+  /// Waits until all rows are on the disk, which a checkpoint that counts on them needs.
+  /// @throws InputOutputError naming the path and the reason
+  void flush() const { m_file.flush(); }
+
 private:
   std::string m_name; ///< for messages
   std::size_t m_columns;
+  std::string* m_text;
   GrowingFile m_file;
 };
 

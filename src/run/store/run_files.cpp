@@ -1,11 +1,15 @@
 #include "store/run_files.hpp"
 
+#include "base/failure.hpp"
 #include "observe/readout_table.hpp"
+#include "store/csv.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace matrigrate::store {
@@ -37,6 +41,41 @@ std::vector<Field> fields(const TrackRow& row) {
   if (row.nucleus)
     all.insert(all.end(), {row.nucleus->centre.x(), row.nucleus->centre.y(), row.nucleus->area, row.nucleus->aspect});
   return all;
+}
+
+namespace {
+
+/// A field that counts. @throws InputOutputError if it is no number of things
+template <class T>
+T counted(double field) {
+  if (!(field >= 0.0 && field < static_cast<double>(std::numeric_limits<T>::max())))
+    throw InputOutputError("a row has no number where things are counted");
+  return static_cast<T>(field);
+}
+
+} // namespace
+
+std::vector<TrackRow> track_rows_of(std::string_view text) {
+  const Table table = read_table(text);
+  const bool nucleus = table.columns.size() > track_columns().size();
+  if (!std::ranges::equal(table.columns, track_columns(nucleus)))
+    throw InputOutputError("has columns of another table");
+  std::vector<TrackRow> rows;
+  rows.reserve(table.rows.size());
+  for (const std::vector<double>& field : table.rows) {
+    TrackRow& row = rows.emplace_back();
+    row = {.t = field[1],
+           .step = counted<std::uint64_t>(field[13]),
+           .cell = counted<std::uint32_t>(field[0] - 1.0),
+           .centre = {field[2], field[3]},
+           .area = field[4],
+           .perimeter = field[5],
+           .polarization = std::isnan(field[6]) ? std::nullopt : std::optional(field[6]),
+           .initiated = counted<std::uint32_t>(field[12])};
+    for (std::size_t k = 0; k < row.in_phase.size(); ++k) row.in_phase[k] = counted<std::uint32_t>(field[8 + k]);
+    if (nucleus) row.nucleus = {.centre = {field[14], field[15]}, .area = field[16], .aspect = field[17]};
+  }
+  return rows;
 }
 
 std::vector<std::string_view> health_columns() {

@@ -22,6 +22,10 @@ namespace matrigrate::store {
 std::vector<std::string_view> track_columns(bool nucleus = false); ///< of cells with a nucleus
 std::vector<Field> fields(const TrackRow& row);
 
+/// The rows of a tracks.csv, to the last bit.
+/// @throws InputOutputError if it is none
+std::vector<TrackRow> track_rows_of(std::string_view text);
+
 /// health.csv.
 std::vector<std::string_view> health_columns();
 std::vector<Field> fields(const HealthRow& row);

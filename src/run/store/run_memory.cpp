@@ -1,216 +1,139 @@
 #include "store/run_memory.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
+#include "state/members.hpp"
+#include "store/naming.hpp"
+#include "store/run_files.hpp"
 #include "store/state_json.hpp"
+#include "store/trajectory_hash.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <type_traits>
 
 namespace matrigrate::store {
 
 namespace {
 
-/// The id of the first cell, 0, is left out.
-Json json_of(const TrackRow& row) {
-  Json json{row.t,        row.step,      to_json(row.centre),
-            row.area,     row.perimeter, row.polarization ? Json(*row.polarization) : Json(),
-            row.in_phase, row.initiated};
-  if (row.cell != 0 || row.nucleus) json.push_back(row.cell);
-  if (row.nucleus) json.push_back({to_json(row.nucleus->centre), row.nucleus->area, row.nucleus->aspect});
-  return json;
+// The members of each struct, in the order of their values in JSON.
+auto parts(Like<StepHealth> auto& s) {
+  return std::tie(s.solve.iterations, s.solve.residual, s.solve.converged, s.density_bounds, s.orphans, s.torn,
+                  s.engulfed, s.list_builds);
 }
-
-TrackRow track_of(const Json& json) {
-  TrackRow row{.t = number(json.at(0)),
-               .step = integer<std::uint64_t>(json.at(1)),
-               .cell = json.size() > 8 ? integer<std::uint32_t>(json.at(8)) : 0,
-               .centre = vector(json.at(2)),
-               .area = number(json.at(3)),
-               .perimeter = number(json.at(4)),
-               .polarization = {},
-               .in_phase = {},
-               .initiated = integer<std::uint32_t>(json.at(7))};
-  for (std::size_t k = 0; k < row.in_phase.size(); ++k) row.in_phase[k] = integer<std::uint32_t>(json.at(6).at(k));
-  if (json.size() > 9)
-    row.nucleus = {
-        .centre = vector(json.at(9).at(0)), .area = number(json.at(9).at(1)), .aspect = number(json.at(9).at(2))};
-  if (!json.at(5).is_null()) row.polarization = json.at(5).get<double>();
-  return row;
-}
-
-Json json_of(const HealthRow& row) {
-  return {row.t,          row.step,         row.iterations,    row.max_iterations, row.residual, row.largest_residual,
-          row.area_ratio, row.density_min,  row.density_max,   row.density_bounds, row.orphans,  row.torn,
-          row.engulfed,   row.solid_inside, row.deepest_solid, row.crosses_itself, row.fastest,  row.force_imbalance};
-}
-
-HealthRow health_of(const Json& json) {
-  return {.t = number(json.at(0)),
-          .step = integer<std::uint64_t>(json.at(1)),
-          .iterations = integer<int>(json.at(2)),
-          .max_iterations = integer<int>(json.at(3)),
-          .residual = number(json.at(4)),
-          .largest_residual = number(json.at(5)),
-          .area_ratio = number(json.at(6)),
-          .density_min = number(json.at(7)),
-          .density_max = number(json.at(8)),
-          .density_bounds = integer<std::size_t>(json.at(9)),
-          .orphans = integer<std::size_t>(json.at(10)),
-          .torn = integer<std::size_t>(json.at(11)),
-          .engulfed = integer<std::size_t>(json.at(12)),
-          .solid_inside = integer<std::size_t>(json.at(13)),
-          .deepest_solid = number(json.at(14)),
-          .crosses_itself = json.at(15).get<bool>(),
-          .fastest = number(json.at(16)),
-          .force_imbalance = number(json.at(17))};
+auto parts(Like<HealthWatch> auto& s) { return std::tie(s.max_iterations, s.largest_residual); }
+auto parts(Like<observe::DrawnProtrusion> auto& s) { return std::tie(s.phase, s.contour, s.tip, s.anchor); }
+auto parts(Like<observe::DrawnCell> auto& s) { return std::tie(s.outline, s.front, s.path, s.nucleus); }
+auto parts(Like<observe::CellScene> auto& s) {
+  return std::tie(s.t, s.radius, s.spacing, s.matrix, s.obstacles, s.cells, s.protrusions);
 }
 
 /// What is not defined is null.
-Json json_of(const GroupRow& row) {
-  return {row.t,     row.step,      to_json(row.centre), row.spread, row.speed,
-          row.order, row.direction, row.nearest,         row.gap,    row.contacts};
-}
+struct Writer {
+  template <class T>
+  Json operator()(const T& value) const {
+    if constexpr (std::is_arithmetic_v<T>)
+      return value;
+    else
+      return std::apply([this](const auto&... part) { return Json::array({(*this)(part)...}); }, parts(value));
+  }
+  Json operator()(const Vec2& x) const { return to_json(x); }
+  Json operator()(const std::optional<Vec2>& x) const { return x ? to_json(*x) : Json(); }
+  template <class T>
+  Json operator()(const std::vector<T>& all) const {
+    return list(all);
+  }
+  template <class T, std::size_t n>
+  Json operator()(const std::array<T, n>& all) const {
+    return list(all);
+  }
 
-GroupRow group_of(const Json& json) {
-  return {.t = number(json.at(0)),
-          .step = integer<std::uint64_t>(json.at(1)),
-          .centre = vector(json.at(2)),
-          .spread = number(json.at(3)),
-          .speed = number(json.at(4)),
-          .order = number(json.at(5)),
-          .direction = number(json.at(6)),
-          .nearest = number(json.at(7)),
-          .gap = number(json.at(8)),
-          .contacts = integer<std::size_t>(json.at(9))};
-}
-
-Json json_of(const StepHealth& counts) {
-  return {counts.solve.iterations, counts.solve.residual, counts.solve.converged, counts.density_bounds,
-          counts.orphans,          counts.torn,           counts.engulfed,        counts.list_builds};
-}
-
-StepHealth counts_of(const Json& json) {
-  return {.solve = {.iterations = integer<int>(json.at(0)),
-                    .residual = number(json.at(1)),
-                    .converged = json.at(2).get<bool>()},
-          .density_bounds = integer<std::size_t>(json.at(3)),
-          .orphans = integer<std::size_t>(json.at(4)),
-          .torn = integer<std::size_t>(json.at(5)),
-          .engulfed = integer<std::size_t>(json.at(6)),
-          .list_builds = integer<std::size_t>(json.at(7))};
-}
-
-Json json_of(const observe::DrawnProtrusion& drawn) {
-  return {{"phase", drawn.phase},
-          {"contour", to_json(drawn.contour)},
-          {"tip", to_json(drawn.tip)},
-          {"anchor", drawn.anchor ? to_json(*drawn.anchor) : Json()}};
-}
-
-observe::DrawnProtrusion drawn_of(const Json& json) {
-  observe::DrawnProtrusion drawn{.phase = integer<std::size_t>(json.at("phase")),
-                                 .contour = vectors(json.at("contour")),
-                                 .tip = vector(json.at("tip")),
-                                 .anchor = {}};
-  if (drawn.phase >= std::variant_size_v<Phase>) throw std::invalid_argument("there is no such phase");
-  if (!json.at("anchor").is_null()) drawn.anchor = vector(json.at("anchor"));
-  return drawn;
-}
-
-Json json_of(const observe::DrawnCell& cell) {
-  Json json{{"cell", to_json(cell.outline)}, {"front", to_json(cell.front)}, {"path", to_json(cell.path)}};
-  if (!cell.nucleus.empty()) json["nucleus"] = to_json(cell.nucleus);
-  return json;
-}
-
-observe::DrawnCell drawn_cell_of(const Json& json) {
-  observe::DrawnCell cell{
-      .outline = vectors(json.at("cell")), .front = vectors(json.at("front")), .path = vectors(json.at("path"))};
-  if (json.contains("nucleus")) cell.nucleus = vectors(json.at("nucleus"));
-  return cell;
-}
-
-/// A single cell, or none, stands among the scene's own keys.
-Json json_of(const observe::CellScene& scene) {
-  Json matrix = Json::array();
-  for (const std::vector<Vec2>& particles : scene.matrix) matrix.push_back(to_json(particles));
-  Json protrusions = Json::array();
-  for (const observe::DrawnProtrusion& drawn : scene.protrusions) protrusions.push_back(json_of(drawn));
-  Json json{
-      {"t_s", scene.t}, {"radius_um", scene.radius}, {"spacing_um", scene.spacing}, {"matrix", std::move(matrix)}};
-  if (!scene.obstacles.empty()) json["obstacles"] = to_json(scene.obstacles);
-  if (scene.cells.size() > 1) {
-    for (const observe::DrawnCell& cell : scene.cells) json["cells"].push_back(json_of(cell));
-    json["protrusions"] = std::move(protrusions);
+private:
+  Json list(const auto& all) const {
+    Json json = Json::array();
+    for (const auto& one : all) json.push_back((*this)(one));
     return json;
   }
-  const observe::DrawnCell& cell = scene.cells.empty() ? observe::DrawnCell{} : scene.cells.front();
-  json["cell"] = to_json(cell.outline);
-  json["front"] = to_json(cell.front);
-  json["protrusions"] = std::move(protrusions);
-  json["path"] = to_json(cell.path);
-  if (!cell.nucleus.empty()) json["nucleus"] = to_json(cell.nucleus);
-  return json;
+};
+
+/// Reads what Writer has written.
+struct Reader {
+  template <class T>
+  void operator()(const Json& json, T& value) const {
+    if constexpr (std::is_same_v<T, bool>)
+      value = json.get<bool>();
+    else if constexpr (std::is_floating_point_v<T>)
+      value = number(json);
+    else if constexpr (std::is_integral_v<T>)
+      value = integer<T>(json);
+    else
+      std::apply([&, k = std::size_t{0}](auto&... part) mutable { ((*this)(json.at(k++), part), ...); }, parts(value));
+  }
+  void operator()(const Json& json, Vec2& x) const { x = vector(json); }
+  void operator()(const Json& json, std::optional<Vec2>& x) const {
+    if (!json.is_null()) x = vector(json);
+  }
+  template <class T>
+  void operator()(const Json& json, std::vector<T>& all) const {
+    for (const Json& one : json) (*this)(one, all.emplace_back());
+  }
+  template <class T, std::size_t n>
+  void operator()(const Json& json, std::array<T, n>& all) const {
+    for (std::size_t k = 0; k < n; ++k) (*this)(json.at(k), all[k]);
+  }
+};
+
+/// Visits what is kept, but for the tables.
+void each_part(Like<RunMemory> auto& memory, const auto& visit) {
+  visit("watch", memory.watch);
+  visit("counts", memory.counts);
+  visit("step", memory.step);
+  visit("force_imbalance", memory.force_imbalance);
+  visit("scenes", memory.scenes);
+  visit("frames", memory.frames);
+  visit("trajectory", memory.trajectory);
+  visit("march_wall_time_s", memory.march_wall_time);
 }
 
-observe::CellScene scene_of(const Json& json) {
-  observe::CellScene scene;
-  scene.t = number(json.at("t_s"));
-  scene.radius = number(json.at("radius_um"));
-  scene.spacing = number(json.at("spacing_um"));
-  for (std::size_t k = 0; k < observe::matrix_classes; ++k) scene.matrix[k] = vectors(json.at("matrix").at(k));
-  if (json.contains("obstacles")) scene.obstacles = vectors(json.at("obstacles"));
-  if (json.contains("cells"))
-    for (const Json& cell : json.at("cells")) scene.cells.push_back(drawn_cell_of(cell));
-  else
-    scene.cells.push_back(drawn_cell_of(json));
-  for (const Json& drawn : json.at("protrusions")) scene.protrusions.push_back(drawn_of(drawn));
-  return scene;
-}
-
-template <class T>
-Json list(const std::vector<T>& all) {
-  Json json = Json::array();
-  for (const T& one : all) json.push_back(json_of(one));
-  return json;
+/// The beginning of a table, as long as it was at a checkpoint.
+std::string table_at(const std::filesystem::path& file, std::size_t bytes, const std::string& hash) {
+  std::string text = read_start(file, bytes);
+  if (text.size() < bytes)
+    throw InputOutputError(fmt::format("{}: has been cut: {} bytes are left of the {} at the checkpoint", file.string(),
+                                       text.size(), bytes));
+  if (text_hash(text) != hash)
+    throw InputOutputError(fmt::format("{}: has been changed since the checkpoint was written", file.string()));
+  return text;
 }
 
 } // namespace
 
 std::string to_text(const RunMemory& memory) {
-  Json json{{"rows", list(memory.rows)},
-            {"health", list(memory.health)},
-            {"last", memory.last ? json_of(*memory.last) : Json()},
-            {"most_iterations", memory.watch.max_iterations},
-            {"largest_residual", memory.watch.largest_residual},
-            {"counts", json_of(memory.counts)},
-            {"scenes", list(memory.scenes)},
-            {"frames", memory.frames},
-            {"trajectory", memory.trajectory},
-            {"march_wall_time_s", memory.march_wall_time}};
-  if (!memory.group.empty()) json["group"] = list(memory.group);
+  Json json;
+  for (const auto& [name, text] : memory.tables) json["tables"][name] = {text.size(), text_hash(text)};
+  each_part(memory, [&json](const char* name, const auto& part) { json[name] = Writer()(part); });
   return json.dump();
 }
 
-RunMemory parse_memory(const std::string& text) {
+RunMemory parse_memory(const std::string& text, const std::filesystem::path& folder) {
   try {
     require_shallow(text);
     const Json json = Json::parse(text);
     RunMemory memory;
-    for (const Json& row : json.at("rows")) memory.rows.push_back(track_of(row));
-    for (const Json& row : json.at("health")) memory.health.push_back(health_of(row));
-    if (!json.at("last").is_null()) memory.last = health_of(json.at("last"));
-    memory.watch = {.max_iterations = integer<int>(json.at("most_iterations")),
-                    .largest_residual = number(json.at("largest_residual"))};
-    if (json.contains("group"))
-      for (const Json& row : json.at("group")) memory.group.push_back(group_of(row));
-    memory.counts = counts_of(json.at("counts"));
-    for (const Json& scene : json.at("scenes")) memory.scenes.push_back(scene_of(scene));
-    memory.frames = json.at("frames").get<std::vector<double>>();
-    memory.trajectory = integer<std::uint64_t>(json.at("trajectory"));
-    memory.march_wall_time = number(json.at("march_wall_time_s"));
+    each_part(memory, [&json](const char* name, auto& part) { Reader()(json.at(name), part); });
+    for (const observe::CellScene& scene : memory.scenes)
+      for (const observe::DrawnProtrusion& drawn : scene.protrusions)
+        if (drawn.phase >= std::variant_size_v<Phase>) throw std::invalid_argument("there is no such phase");
+    for (const char* name : {"tracks.csv", "health.csv"}) // those of each run
+      if (!json.at("tables").contains(name)) throw std::invalid_argument(fmt::format("{} is not named", name));
+    for (const auto& [name, mark] : json.at("tables").items())
+      memory.tables[name] = table_at(folder / name, integer<std::size_t>(mark.at(0)), mark.at(1));
+    memory.rows = naming(folder / "tracks.csv", [&] { return track_rows_of(memory.tables.at("tracks.csv")); });
     return memory;
   } catch (const Json::exception& error) {
     throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));

@@ -19,19 +19,6 @@ Vec2 vector(const Json& json) { return {number(json.at(0)), number(json.at(1))};
 
 Json to_json(const Vec2& x) { return Json::array({x.x(), x.y()}); }
 
-Json to_json(const std::vector<Vec2>& points) {
-  Json json = Json::array();
-  for (const Vec2& x : points) json.push_back(to_json(x));
-  return json;
-}
-
-std::vector<Vec2> vectors(const Json& json) {
-  std::vector<Vec2> points;
-  points.reserve(json.size());
-  for (const Json& x : json) points.push_back(vector(x));
-  return points;
-}
-
 void require_shallow(std::string_view json) {
   std::size_t levels = 0;
   bool in_text = false;

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 /// Parts of the state as JSON, to be read back to the same bits; what is not defined (NaN) is null. Reading throws
 /// nlohmann::json::exception where something is missing or of another type.
@@ -52,7 +51,5 @@ T integer(const Json& json) {
 double number(const Json& json); ///< NaN for null
 Vec2 vector(const Json& json);   ///< [x, y]
 Json to_json(const Vec2& x);     ///< [x, y]
-Json to_json(const std::vector<Vec2>& points);
-std::vector<Vec2> vectors(const Json& json);
 
 } // namespace matrigrate::store

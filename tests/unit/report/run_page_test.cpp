@@ -23,7 +23,8 @@ TEST(RunPage, HoldsTheRun) {
   const SmallRun run;
   const observe::Film film = run.film();
   const std::vector<TrackRow> rows{{.t = 0.0, .polarization = {}}, {.t = 60.0, .polarization = 0.5}};
-  const std::vector<HealthRow> health{{.max_iterations = 3, .orphans = 1}, {.max_iterations = 7, .orphans = 2}};
+  const std::string health = "t_s,solver_iterations_max,area_ratio,density_min,density_max,force_imbalance\n"
+                             "0,3,1,1,1,\n60,7,0.75,0.5,1.25,0.125\n";
   const std::vector<ProtrusionRecord> records{{.id = 1, .t_initiation = 4.0}};
   std::vector<CellResult> cells{{.rows = rows, .records = records}};
   cells[0].readouts.v_migr_abs = 4.5;
@@ -47,7 +48,21 @@ TEST(RunPage, HoldsTheRun) {
   EXPECT_EQ(data.at("protrusions").at(0).at("id"), 1);
   EXPECT_EQ(data.at("protrusions").at(0).at("cause"), "");
   EXPECT_EQ(data.at("protrusions").at(0).at("t_end_s").dump(), "null");
-  EXPECT_EQ(data.at("health").at(0).at("value"), 7.0);
+  const ordered_json& signs = data.at("health");
+  const std::vector<std::pair<std::string, std::string>> expected{{"solver_iterations_max", "7.0"},
+                                                                  {"solver_residual_max", "null"},
+                                                                  {"force_imbalance", "0.125"},
+                                                                  {"n_orphans", "null"},
+                                                                  {"n_torn", "null"},
+                                                                  {"n_engulfed", "null"},
+                                                                  {"n_solid_inside", "null"},
+                                                                  {"area_ratio", "0.25"},
+                                                                  {"density_max", "0.5"}};
+  ASSERT_EQ(signs.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(signs[k].at("name"), expected[k].first);
+    EXPECT_EQ(signs[k].at("value").dump(), expected[k].second) << expected[k].first;
+  }
   ASSERT_EQ(data.at("parameters").size(), 1U) << "those that differ from their default";
   EXPECT_EQ(data.at("parameters").at(0).at("name"), "ecm.radius");
   EXPECT_EQ(data.at("parameters").at(0).at("value"), "40 um");

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -79,19 +80,9 @@ inline auto members(TrackRow& s) {
   auto& [t, step, cell, centre, area, perimeter, polarization, in_phase, initiated, nucleus] = s;
   return std::tie(t, step, cell, centre, area, perimeter, polarization, in_phase, initiated, nucleus);
 }
-inline auto members(HealthRow& s) {
-  auto& [t, step, iterations, most, residual, largest, area, low, high, bounds, orphans, torn, engulfed, inside,
-         deepest, crosses, fastest, imbalance] = s;
-  return std::tie(t, step, iterations, most, residual, largest, area, low, high, bounds, orphans, torn, engulfed,
-                  inside, deepest, crosses, fastest, imbalance);
-}
 inline auto members(HealthWatch& s) {
   auto& [max_iterations, largest_residual] = s;
   return std::tie(max_iterations, largest_residual);
-}
-inline auto members(GroupRow& s) {
-  auto& [t, step, centre, spread, speed, order, direction, nearest, gap, contacts] = s;
-  return std::tie(t, step, centre, spread, speed, order, direction, nearest, gap, contacts);
 }
 inline auto members(SolveReport& s) {
   auto& [iterations, residual, converged] = s;
@@ -114,8 +105,8 @@ inline auto members(observe::CellScene& s) {
   return std::tie(t, radius, spacing, matrix, obstacles, cells, protrusions);
 }
 inline auto members(store::RunMemory& s) {
-  auto& [rows, health, group, watch, last, counts, scenes, frames, trajectory, march_wall_time] = s;
-  return std::tie(rows, health, group, watch, last, counts, scenes, frames, trajectory, march_wall_time);
+  auto& [tables, rows, watch, counts, step, force_imbalance, scenes, frames, trajectory, march_wall_time] = s;
+  return std::tie(tables, rows, watch, counts, step, force_imbalance, scenes, frames, trajectory, march_wall_time);
 }
 
 inline constexpr std::size_t list_length = 4; ///< as many as there are phases: each occurs
@@ -176,6 +167,7 @@ public:
   void fill(std::array<T, n>& list) {
     for (T& one : list) fill(one);
   }
+  void fill(std::map<std::string, std::string>& /*tables*/) {} // whose rows are in files
 
 private:
   int m_count = 0;
@@ -254,6 +246,11 @@ struct Lister {
   template <class T, std::size_t n>
   std::string operator()(std::array<T, n>& list) const {
     return entries(list);
+  }
+  std::string operator()(std::map<std::string, std::string>& tables) const {
+    std::string text;
+    for (const auto& [name, rows] : tables) text += name + ":\n" + rows;
+    return text;
   }
   template <class T>
   std::string operator()(T& value) const {

@@ -20,7 +20,7 @@ TEST(JsonText, RefusesTooManyLevels) {
   EXPECT_TRUE(parse_json(nested(max_json_levels)).is_array());
   EXPECT_TRUE(parse_json(nested(max_json_levels + 1)).is_discarded());
   EXPECT_TRUE(parse_json(R"({"a": )" + nested(200000) + "}").is_discarded());
-  EXPECT_THROW(parse_memory(nested(200000)), InputOutputError);
+  EXPECT_THROW(parse_memory(nested(200000), {}), InputOutputError);
   const std::string in_a_text = "[\"\\\"" + std::string(200000, '[') + "\"]";
   EXPECT_TRUE(parse_json(in_a_text).is_array()) << "brackets in a text are no levels";
 }

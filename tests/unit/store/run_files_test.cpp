@@ -29,27 +29,32 @@ TEST(CsvLine, WritesEachKindOfField) {
 
 TEST(RowFile, ReachesTheDiskRowByRow) {
   const Scratch scratch;
-  RowFile file(scratch.path, {"t_s", "cause"});
+  std::string rows;
+  RowFile file(scratch.path, {"t_s", "cause"}, rows);
   EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n");
   file.add({0.4, "lost"});
   EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n0.4,lost\n");
   EXPECT_THROW(file.add({0.4}), std::invalid_argument);
   file.add({0.8, ""});
   EXPECT_EQ(read_file(scratch.path, 1000), "t_s,cause\n0.4,lost\n0.8,\n");
+  EXPECT_EQ(rows, read_file(scratch.path, 1000));
 }
 
 TEST(RowFile, BeginsWithTheRowsThereAre) {
   const Scratch scratch;
-  { RowFile(scratch.path, {"t_s"}).add({7.0}); }
-  RowFile file(scratch.path, {"t_s"}, {{0.4}, {0.8}});
+  std::string other;
+  { RowFile(scratch.path, {"t_s"}, other).add({7.0}); }
+  std::string rows = "t_s\n0.4\n0.8\n";
+  RowFile file(scratch.path, {"t_s"}, rows);
   file.add({1.2});
   EXPECT_EQ(read_file(scratch.path, 1000), "t_s\n0.4\n0.8\n1.2\n") << "in place of what there was";
 }
 
 TEST(RowFile, SaysWhenItCannotBeWritten) {
-  EXPECT_THROW(RowFile("/nonexistent/folder/t.csv", {"t_s"}), InputOutputError);
+  std::string rows;
+  EXPECT_THROW(RowFile("/nonexistent/folder/t.csv", {"t_s"}, rows), InputOutputError);
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
-  EXPECT_THROW(RowFile("/dev/full", {"t_s"}), InputOutputError);
+  EXPECT_THROW(RowFile("/dev/full", {"t_s"}, rows), InputOutputError);
 }
 
 TEST(RunFiles, HaveAFieldForEachColumn) {
@@ -74,6 +79,55 @@ TEST(RunFiles, KeepTheirOrderOfColumns) {
   EXPECT_EQ(csv_line(fields(track)), "1,60,1,2,3,4,-0.5,6,1,2,3,0,9,150\n");
   track.cell = 2;
   EXPECT_TRUE(csv_line(fields(track)).starts_with("3,60,"));
+}
+
+TEST(Tracks, AreReadBackToTheLastBit) {
+  const TrackRow first{.t = 1.0 / 3.0,
+                       .step = (std::uint64_t{1} << 53U) - 1,
+                       .centre = {0.1, -0.2},
+                       .area = 5.0 / 7.0,
+                       .perimeter = 1e-300,
+                       .polarization = {},
+                       .in_phase = {1, 0, 2, 3},
+                       .initiated = 2};
+  TrackRow second = first;
+  second.cell = 3;
+  second.polarization = -0.3;
+  for (const bool nucleus : {false, true}) {
+    const std::vector<std::string_view> columns = track_columns(nucleus);
+    std::string text = csv_line({columns.begin(), columns.end()});
+    for (TrackRow written : {second, first}) {
+      if (nucleus) written.nucleus = {.centre = {1.0 / 3.0, 2.0}, .area = 70.5, .aspect = 1.25};
+      text += csv_line(fields(written));
+    }
+    const std::vector<TrackRow> rows = track_rows_of(text);
+    ASSERT_EQ(rows.size(), 2U);
+    std::string again = csv_line({columns.begin(), columns.end()});
+    for (const TrackRow& row : rows) again += csv_line(fields(row));
+    EXPECT_EQ(again, text);
+    EXPECT_EQ(rows[0].cell, 3U);
+    EXPECT_EQ(rows[0].polarization, -0.3);
+    EXPECT_EQ(rows[1].t, first.t);
+    EXPECT_EQ(rows[1].step, first.step);
+    EXPECT_EQ(rows[1].centre, first.centre);
+    EXPECT_EQ(rows[1].perimeter, first.perimeter);
+    EXPECT_EQ(rows[1].in_phase, first.in_phase);
+    EXPECT_FALSE(rows[1].polarization);
+    EXPECT_EQ(rows[1].nucleus.has_value(), nucleus);
+  }
+}
+
+TEST(Tracks, AreNoOtherTable) {
+  const std::vector<std::string_view> columns = track_columns();
+  const std::string header = csv_line({columns.begin(), columns.end()});
+  EXPECT_TRUE(track_rows_of(header).empty());
+  const std::string row = "1,60,1,2,3,4,,6,1,2,3,0,9,150\n";
+  EXPECT_EQ(track_rows_of(header + row).size(), 1U);
+  for (const std::string& text :
+       {std::string(), std::string("t_s\n1\n"), header + "1,2\n", header + "0" + row.substr(1),
+        header + "1,60,1,2,3,4,,6,1,2,3,0,9,\n", header + "1,60,1,2,3,4,,6,1,2,-3,0,9,150\n",
+        header + "1,60,1,2,3,4,,6,1,2,3,0,9,1e99\n", header + "one" + row.substr(1)})
+    EXPECT_THROW(track_rows_of(text), InputOutputError) << text;
 }
 
 TEST(RunFiles, ProtrusionsHaveTheTimesOfTheirTransitions) {
