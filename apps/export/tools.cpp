@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -29,16 +30,18 @@ bool is_installed(const std::string& program) {
   return false;
 }
 
-void require_tool(const std::string& program, const std::string& purpose, const std::string& package) {
-  if (!is_installed(program))
-    throw InputOutputError(fmt::format("{} is needed for {}; Debian: apt-get install {}", program, purpose, package));
-}
-
-void call(const std::vector<std::string>& command) {
-  Child child(command, STDERR_FILENO);
+void call(const std::vector<std::string>& command, const std::filesystem::path& log) {
+  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  Child child(command, output >= 0 ? output : STDERR_FILENO);
+  if (output >= 0) ::close(output);
   std::optional<int> code;
   while (!(code = child.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  if (*code != 0) throw InputOutputError(fmt::format("{} ended with exit code {}", command.front(), *code));
+  if (*code == 0) return;
+  std::ifstream said(log);
+  std::string last;
+  for (std::string line; std::getline(said, line);)
+    if (!line.empty()) last = line;
+  throw InputOutputError(last.empty() ? fmt::format("{} ended with exit code {}", command.front(), *code) : last);
 }
 
 namespace {

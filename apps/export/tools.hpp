@@ -9,12 +9,10 @@ namespace matrigrate::apps {
 
 bool is_installed(const std::string& program);
 
-/// @throws InputOutputError naming the Debian package, if the program is not installed
-void require_tool(const std::string& program, const std::string& purpose, const std::string& package);
-
 /// Waits until the command has ended.
-/// @throws InputOutputError if it fails
-void call(const std::vector<std::string>& command);
+/// @param log  gets its output
+/// @throws InputOutputError with the last line of its output, if it fails
+void call(const std::vector<std::string>& command, const std::filesystem::path& log);
 
 /// A folder that is gone with all that is in it at the end of this object. One whose process was killed goes when the
 /// next one is made beside it.
