@@ -1,7 +1,7 @@
 // Drives a browser without a window through its debugging pipe. The program contains this file (cmake/pages.cmake) and
 // calls it, so that the page of a run draws what `matrigrate export` writes; tools/figures.mjs uses Browser too.
-//   node drive.mjs JOB     a JSON file: {"browser": PROGRAM, "folder": SCRATCH, "page": FILE, "scale": 1, "show": {},
-//                          "movie": {} or "frames": [] or "panel": []}; what is made lies in SCRATCH/made
+//   node drive.mjs JOB     a JSON file: {"browser": PROGRAM, "folder": FOLDER, "scale": 1, "show": {},
+//                          "movie": {} or "frames": [] or "panel": []}; FOLDER has page.html, and made/ for the results
 // Needs Node.js 18 and no packages.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -134,11 +134,11 @@ async function movie(pages, wanted, folder) {
   if (code !== 0) throw new Error(`ffmpeg ended with exit code ${code}: ${said()}`);
 }
 
-async function draw({ browser: program, folder, page, show, scale, movie: film, frames, panel }) {
+async function draw({ browser: program, folder, show, scale, movie: film, frames, panel }) {
   const browser = new Browser(program, join(folder, "profile"));
   try {
     const pages = [];
-    for (let i = 0; i < (film ? 2 : 1); ++i) pages.push(await browser.open(page, show.width, show.height, scale));
+    for (let i = 0; i < (film ? 2 : 1); ++i) pages.push(await browser.open(join(folder, "page.html"), show.width, show.height, scale));
     for (const one of pages) await one(`matrigrate.ready.then(() => matrigrate.show(${JSON.stringify(show)}))`);
     const made = join(folder, "made");
     if (film) await movie(pages, film, made);

@@ -1,20 +1,27 @@
 #include "apps/export/drawn.hpp"
 
-#include "apps/export/tools.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
+#include "run/folder_lock.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 namespace matrigrate::apps {
@@ -38,6 +45,15 @@ std::pair<int, int> size_of(const std::string& text) {
     throw UsageError(
         fmt::format("--size: \"{}\" is no size of a movie; an example: 1280x720, even numbers from 240 to 4096", text));
   return {width, height};
+}
+
+bool is_installed(const std::string& program) {
+  if (program.find('/') != std::string::npos) return ::access(program.c_str(), X_OK) == 0;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+  return false;
 }
 
 /// The browser to call: $CHROMIUM, or the first of chromium, chromium-browser and google-chrome that is installed;
@@ -81,6 +97,49 @@ json job(const DrawnOptions& options, std::string_view layer, std::string_view k
           {kind, std::move(what)}};
 }
 
+/// A folder that is gone with all that is in it at the end of this object. What an export has left in it whose process
+/// was killed goes before.
+struct Scratch {
+  std::filesystem::path path;
+  run::FolderLock lock;
+
+  explicit Scratch(const std::filesystem::path& in) : path(made(in)), lock(path, run::FolderLock::Kind::alone) {
+    for (const auto& left : std::filesystem::directory_iterator(path))
+      if (left.path().filename() != ".lock") std::filesystem::remove_all(left.path());
+    std::filesystem::create_directory(path / "made");
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+private:
+  static std::filesystem::path made(const std::filesystem::path& in) {
+    std::error_code told_by_the_lock;
+    std::filesystem::create_directory(in / ".drawing", told_by_the_lock);
+    return std::filesystem::absolute(in / ".drawing");
+  }
+};
+
+/// Has viewer/drive.mjs do a job.
+/// @throws InputOutputError with the last line that it says, if it fails
+void drive(const Scratch& scratch, const json& job) {
+  write_file(scratch.path / "job.json", job.dump());
+  const std::filesystem::path log = scratch.path / "said.txt";
+  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  Child child({"node", scratch.path / "drive.mjs", scratch.path / "job.json"}, output >= 0 ? output : STDERR_FILENO);
+  if (output >= 0) ::close(output);
+  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  if (child.ended() == 0) return;
+  std::ifstream said(log);
+  std::string last = fmt::format("node ended with exit code {}", *child.ended());
+  for (std::string line; std::getline(said, line);)
+    if (!line.empty()) last = line;
+  throw InputOutputError(last);
+}
+
 } // namespace
 
 void require_drawable(const run::FinishedRun& run, const DrawnOptions& options) {
@@ -114,23 +173,18 @@ void require_drawing_tools(const DrawnKinds& kinds) {
 void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const DrawnOptions& options,
                   const std::filesystem::path& folder) {
   if (!kinds.any()) return;
-  const TemporaryFolder temporary(folder);
-  const std::filesystem::path made = temporary.path / "made";
-  const std::filesystem::path script = temporary.path / "drive.mjs";
-  const std::filesystem::path page = temporary.path / "page.html";
-  std::filesystem::create_directory(made);
-  write_file(script, drive_script());
-  write_file(page, report_of(run, run_page_template()));
+  const Scratch scratch(folder);
+  write_file(scratch.path / "drive.mjs", drive_script());
+  write_file(scratch.path / "page.html", report_of(run, run_page_template()));
   std::vector<json> jobs;
   if (kinds.frames) jobs.push_back(job(options, "displacement", "frames", times_of(run)));
   if (kinds.panel) jobs.push_back(job(options, "displacement", "panel", options.panel_times));
   if (kinds.movie) jobs.push_back(job(options, "degradation", "movie", movie(run, options)));
   for (json& one : jobs) {
-    one.update({{"browser", installed_browser()}, {"folder", temporary.path}, {"page", page}});
-    write_file(temporary.path / "job.json", one.dump());
-    call({"node", script, temporary.path / "job.json"}, temporary.path / "said.txt");
+    one.update({{"browser", installed_browser()}, {"folder", scratch.path}});
+    drive(scratch, one);
   }
-  for (const auto& file : std::filesystem::directory_iterator(made))
+  for (const auto& file : std::filesystem::directory_iterator(scratch.path / "made"))
     rename_file(file.path(), folder / file.path().filename());
 }
 

@@ -189,15 +189,6 @@ std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
   return ends;
 }
 
-std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame) {
-  if (frame.nucleus.empty()) return {};
-  std::vector<std::vector<Vec2>> nuclei(outline_ends(frame.outline).size());
-  const std::size_t each = frame.nucleus.size() / 2 / nuclei.size();
-  for (std::size_t i = 0; i < each * nuclei.size(); ++i)
-    nuclei[i / each].emplace_back(frame.nucleus[2 * i], frame.nucleus[2 * i + 1]);
-  return nuclei;
-}
-
 FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{
       .radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}, .obstacle = s.ecm.obstacle};

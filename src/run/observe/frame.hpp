@@ -63,9 +63,6 @@ struct Frame {
   Floats nucleus{}; ///< particles of the nuclei, as many of each cell, in the order of cells; empty without nuclei [um]
 };
 
-/// Outlines of the nuclei of the cells, in their order; empty without nuclei [um].
-std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame);
-
 /// What is the same in all frames.
 struct FrameHead {
   double radius = 0.0;     ///< of the disc [um]

@@ -1,4 +1,4 @@
-/** `window.matrigrate`: for programs that drive the page, such as `matrigrate export --movie`. Stated in README.md. */
+/** `window.matrigrate`: for programs that drive the page, such as `drive.mjs`. Stated in README.md. */
 import type { Clock } from "../clock";
 import type { Layer } from "../matrix/layers";
 import type { Stage } from "../stage";
