@@ -20,10 +20,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -35,25 +35,14 @@ struct ExportArguments {
   std::string output;
   std::string panel; ///< times; empty: no panel
   DrawnOptions drawn;
-  bool vtk = false, fields = false, tracks = false, svg = false, png = false, movie = false;
+  std::map<std::string, bool, std::less<>> wanted; ///< by the option of the kind: "--vtk"
   bool force = false;
 };
-
-bool is_wanted(const ExportArguments& options, std::string_view kind) {
-  const std::array<std::pair<std::string_view, bool>, 7> flags{{{"--vtk", options.vtk},
-                                                                {"--fields", options.fields},
-                                                                {"--tracks", options.tracks},
-                                                                {"--svg", options.svg},
-                                                                {"--png", options.png},
-                                                                {"--movie", options.movie},
-                                                                {"--panel", !options.panel.empty()}}};
-  return std::ranges::any_of(flags, [&](const auto& flag) { return flag.first == kind && flag.second; });
-}
 
 std::vector<ExportKind> wanted_kinds(const ExportArguments& options) {
   std::vector<ExportKind> kinds;
   std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
-                       [&](const ExportKind& kind) { return is_wanted(options, kind.option); });
+                       [&](const ExportKind& kind) { return options.wanted.find(kind.option)->second; });
   if (kinds.empty())
     throw UsageError("say what to export: --vtk, --fields, --tracks, --svg, --png, --movie or --panel");
   return kinds;
@@ -136,12 +125,14 @@ bool is_study(const std::string& folder) {
 }
 
 int export_run(ExportArguments options) {
+  auto& wanted = options.wanted;
+  wanted["--panel"] = !options.panel.empty();
   const std::vector<ExportKind> kinds = wanted_kinds(options);
-  if (options.tracks && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
-  const DrawnKinds drawn{.movie = options.movie, .frames = options.png, .panel = !options.panel.empty()};
+  if (wanted["--tracks"] && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
+  const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);
   require_drawable(run, options.drawn);
-  if (options.vtk || options.fields || drawn.any()) {
+  if (wanted["--vtk"] || wanted["--fields"] || drawn.any()) {
     require_frames(run, options.folder);
     tell_lost_frames(run);
   }
@@ -149,10 +140,10 @@ int export_run(ExportArguments options) {
   if (drawn.any()) require_drawing_tools(drawn);
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
-  if (options.vtk) store::write_vtk(to, run.film);
-  if (options.fields) export_fields(run, to);
-  if (options.tracks) export_tracks(run, to);
-  if (options.svg) export_svg(run, to);
+  if (wanted["--vtk"]) store::write_vtk(to, run.film);
+  if (wanted["--fields"]) export_fields(run, to);
+  if (wanted["--tracks"]) export_tracks(run, to);
+  if (wanted["--svg"]) export_svg(run, to);
   export_drawn(run, drawn, options.drawn, to);
   print(fmt::format("exported to {}\n", to.string()));
   return done;
@@ -172,17 +163,17 @@ void add_export(CLI::App& app, Action& chosen) {
       "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
   const auto options = std::make_shared<ExportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run; with --tracks alone, also of a study")->required();
-  verb->add_flag("--vtk", options->vtk,
+  verb->add_flag("--vtk", options->wanted["--vtk"],
                  "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
-  verb->add_flag("--fields", options->fields,
+  verb->add_flag("--fields", options->wanted["--fields"],
                  "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
-  verb->add_flag("--tracks", options->tracks,
+  verb->add_flag("--tracks", options->wanted["--tracks"],
                  "The path for celltrackR (CSV) and TrackMate (CSV, XML); of a study, all paths in one CSV");
-  verb->add_flag("--svg", options->svg, "The contact sheet and the path, for a publication");
-  verb->add_flag("--png", options->png, "One picture per frame");
+  verb->add_flag("--svg", options->wanted["--svg"], "The contact sheet and the path, for a publication");
+  verb->add_flag("--png", options->wanted["--png"], "One picture per frame");
   verb->add_option("--panel", options->panel,
                    "panel.svg for a publication: frames at these times side by side, \"0 h, 1 h, 3 h, 6 h\"");
-  verb->add_flag("--movie", options->movie, "movie.mp4 of the player's view");
+  verb->add_flag("--movie", options->wanted["--movie"], "movie.mp4 of the player's view");
   verb->add_option("--fps", options->drawn.fps, "Of --movie: pictures a second (default: 30)")
       ->check(CLI::Range(1.0, 120.0));
   verb->add_option("--seconds", options->drawn.movie_seconds,

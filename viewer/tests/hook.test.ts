@@ -49,7 +49,7 @@ test("pictures of the hook are those of the player", async () => {
   });
   const vector = (text: string) => `data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}`;
   assert.ok((await difference(page, whole, vector(drawn.one))) < 0.01, "the SVG is another picture");
-  for (const time of ["0 min", "10 min", "1 h 5 min", "1 h 50 min", "2 h"])
+  for (const time of ["0 min", "10 min", "1 h 05 min", "1 h 50 min", "2 h 00 min"])
     assert.equal(drawn.several.split(`>${time}</text>`).length, 2, time);
   assert.equal(drawn.several.match(/<image /g)?.length, 5);
   assert.equal(drawn.several.match(/>Pressure \[/g)?.length, 1, "one colour bar");

@@ -33,25 +33,16 @@ double ColourScale::label_width() const {
 
 std::string colour(double fraction) {
   // Anchors at equal distances; the colours between them are interpolated linearly.
-  using Rgb = std::array<int, 3>;
-  constexpr std::array<Rgb, 10> viridis{{{68, 1, 84},
-                                         {72, 40, 120},
-                                         {62, 73, 137},
-                                         {49, 104, 142},
-                                         {38, 130, 142},
-                                         {31, 158, 137},
-                                         {53, 183, 121},
-                                         {110, 206, 88},
-                                         {181, 222, 43},
-                                         {253, 231, 37}}};
+  constexpr std::array<unsigned, 10> viridis{0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e,
+                                             0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725};
   const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(viridis.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
   const double t = place - static_cast<double>(below);
-  const auto mix = [&](std::size_t k) {
-    const int a = viridis[below][k];
-    return static_cast<int>(std::lround(a + t * (viridis[below + 1][k] - a)));
+  const auto mix = [&](unsigned shift) {
+    const auto part = [&](unsigned rgb) { return static_cast<double>(rgb >> shift & 0xffU); };
+    return std::lround(part(viridis[below]) + t * (part(viridis[below + 1]) - part(viridis[below])));
   };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
+  return fmt::format("#{:02x}{:02x}{:02x}", mix(16), mix(8), mix(0));
 }
 
 std::string level_colour(int level) { return colour((level + 0.5) / colour_levels); }
