@@ -117,9 +117,11 @@ struct Scratch {
 
 private:
   static std::filesystem::path made(const std::filesystem::path& in) {
-    std::error_code told_by_the_lock;
-    std::filesystem::create_directory(in / ".drawing", told_by_the_lock);
-    return std::filesystem::absolute(in / ".drawing");
+    const std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
+    if (std::filesystem::is_symlink(folder)) // what it leads to is not ours to remove
+      throw InputOutputError(fmt::format("{}: is a symbolic link; remove it", folder.string()));
+    make_output_folder(folder, true);
+    return folder;
   }
 };
 

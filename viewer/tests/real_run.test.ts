@@ -1,7 +1,7 @@
 /** The report of a run that the program has just made; only where MATRIGRATE_PROGRAM names it. */
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -179,6 +179,11 @@ test("a movie that is stopped leaves no process and no movie", { skip: program =
     assert.ok(!readdirSync(join(folder, "out")).includes("movie.mp4"));
     execFileSync(program!, ["export", "run", "--movie", "--seconds", "0.1", "-o", "out"], { cwd: folder });
     assert.deepEqual(readdirSync(join(folder, "out")), ["movie.mp4"], "what was left behind is gone");
+    symlinkSync(folder, join(folder, "out/.drawing"));
+    const refused = spawnSync(program!, ["export", "run", "--movie", "--force", "-o", "out"], { cwd: folder, encoding: "utf8" });
+    assert.equal(refused.status, 5);
+    assert.match(refused.stderr, /is a symbolic link/);
+    assert.ok(readdirSync(folder).includes("run"), "what a link leads to stays");
   }),
 );
 
