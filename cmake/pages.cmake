@@ -52,27 +52,22 @@ add_custom_target(matrigrate_pages DEPENDS ${MATRIGRATE_PAGE_FILES})
 
 # The assembler takes the files in as they are: string literals of this length are more than compilers promise.
 set(MATRIGRATE_SHIPPED_PAGES ${PROJECT_BINARY_DIR}/pages/shipped_pages.cpp)
+list(APPEND MATRIGRATE_PAGE_FILES ${PROJECT_SOURCE_DIR}/viewer/drive.mjs)
+set(shipped_names run_page_template study_page_template verdicts_page_template drive_script)
+foreach(name file IN ZIP_LISTS shipped_names MATRIGRATE_PAGE_FILES)
+  string(APPEND taken "    \"shipped_${name}: .incbin \\\"${file}\\\"\\nshipped_${name}_end:\\n\"\n")
+  string(APPEND bounds "extern \"C\" const char shipped_${name}[], shipped_${name}_end[];\n")
+  string(APPEND functions "std::string_view ${name}() { return {shipped_${name}, shipped_${name}_end}; }\n")
+endforeach()
 file(
   CONFIGURE
   OUTPUT ${MATRIGRATE_SHIPPED_PAGES}
   CONTENT
     "#include \"apps/shipped_pages.hpp\"\n
 asm(\".section .rodata\\n\"
-    \"matrigrate_run_page: .incbin \\\"@pages@/run.html\\\"\\n\"
-    \"matrigrate_run_page_end:\\n\"
-    \"matrigrate_study_page: .incbin \\\"@pages@/study.html\\\"\\n\"
-    \"matrigrate_study_page_end:\\n\"
-    \"matrigrate_verdicts_page: .incbin \\\"@pages@/verdicts.html\\\"\\n\"
-    \"matrigrate_verdicts_page_end:\\n\"
-    \".text\\n\");
-extern \"C\" {
-extern const char matrigrate_run_page[], matrigrate_run_page_end[];
-extern const char matrigrate_study_page[], matrigrate_study_page_end[];
-extern const char matrigrate_verdicts_page[], matrigrate_verdicts_page_end[];
-}\n
+@taken@    \".text\\n\");\n
+@bounds@
 namespace matrigrate::apps {\n
-std::string_view run_page_template() { return {matrigrate_run_page, matrigrate_run_page_end}; }
-std::string_view study_page_template() { return {matrigrate_study_page, matrigrate_study_page_end}; }
-std::string_view verdicts_page_template() { return {matrigrate_verdicts_page, matrigrate_verdicts_page_end}; }\n
+@functions@
 } // namespace matrigrate::apps\n"
   @ONLY)

@@ -1,16 +1,14 @@
 // Saves the figures of a page of verdicts (report.html of `validate`, report-<ID>.html of `reproduce`) as SVG files, one
 // for each figure, or group of figures that belong together: stiffness.svg, stiffness-paths.svg, validate-fibres.svg.
-// Needs chromium (or $CHROMIUM), and the viewer built in build/release (or in the folder $BUILD) for playwright-core.
+// Needs chromium (or $CHROMIUM).
 //   node tools/figures.mjs PAGE FOLDER
-import { mkdirSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { dirname, join, resolve } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { Browser } from "../viewer/drive.mjs";
 
 const [file, folder] = process.argv.slice(2);
 if (!file || !folder) throw new Error("node tools/figures.mjs PAGE FOLDER");
-const build = resolve(process.env.BUILD ?? join(dirname(fileURLToPath(import.meta.url)), "../build/release"));
-const { chromium } = createRequire(join(build, "viewer/package.json"))("playwright-core");
 
 /** A smaller document that looks the same: each style stands once, points of no size and names that nothing uses are gone. */
 function smaller(svg) {
@@ -95,17 +93,17 @@ async function drawn(group) {
 }
 
 mkdirSync(folder, { recursive: true });
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-gpu"],
-});
-const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: "light" });
-page.setDefaultTimeout(5 * 60 * 1000); // a slow machine is no failure
-await page.goto(pathToFileURL(resolve(file)).href);
-await page.waitForSelector("html[data-ready=true]");
-for (const group of await page.$$("[data-figure]")) {
-  const name = await group.getAttribute("data-figure");
-  writeFileSync(join(folder, `${name}.svg`), smaller(await group.evaluate(drawn)));
-  console.log(join(folder, `${name}.svg`));
+const profile = mkdtempSync(join(tmpdir(), "figures-"));
+const browser = new Browser(process.env.CHROMIUM ?? "chromium", profile);
+try {
+  const page = await browser.open(resolve(file), 1280, 900);
+  await page('(async () => { while (document.documentElement.dataset.ready !== "true") await new Promise((later) => setTimeout(later, 20)); })()');
+  const all = 'document.querySelectorAll("[data-figure]")';
+  for (const [k, name] of (await page(`Array.from(${all}, (group) => group.dataset.figure)`)).entries()) {
+    writeFileSync(join(folder, `${name}.svg`), smaller(await page(`(${drawn})(${all}[${k}])`)));
+    console.log(join(folder, `${name}.svg`));
+  }
+} finally {
+  await browser.close();
+  rmSync(profile, { recursive: true, force: true });
 }
-await browser.close();

@@ -1,12 +1,12 @@
-#include "apps/export/movie.hpp"
+#include "apps/export/drawn.hpp"
 #include "apps/export/panel.hpp"
-#include "apps/export/pictures.hpp"
-#include "apps/export/tools.hpp"
 #include "apps/run_output.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "draw/cell_picture.hpp"
+#include "draw/particle_picture.hpp"
 #include "run/finished_run.hpp"
 #include "run/own_files.hpp"
 #include "run/run_record.hpp"
@@ -20,10 +20,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -33,29 +33,16 @@ namespace {
 struct ExportArguments {
   std::string folder;
   std::string output;
-  std::string layer; ///< empty: that of the kind
   std::string panel; ///< times; empty: no panel
-  std::string size = "1280x720";
-  MovieOptions movie_options;
-  bool vtk = false, fields = false, tracks = false, svg = false, png = false, movie = false;
+  DrawnOptions drawn;
+  std::map<std::string, bool, std::less<>> wanted; ///< by the option of the kind: "--vtk"
   bool force = false;
 };
-
-bool is_wanted(const ExportArguments& options, std::string_view kind) {
-  const std::array<std::pair<std::string_view, bool>, 7> flags{{{"--vtk", options.vtk},
-                                                                {"--fields", options.fields},
-                                                                {"--tracks", options.tracks},
-                                                                {"--svg", options.svg},
-                                                                {"--png", options.png},
-                                                                {"--movie", options.movie},
-                                                                {"--panel", !options.panel.empty()}}};
-  return std::ranges::any_of(flags, [&](const auto& flag) { return flag.first == kind && flag.second; });
-}
 
 std::vector<ExportKind> wanted_kinds(const ExportArguments& options) {
   std::vector<ExportKind> kinds;
   std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
-                       [&](const ExportKind& kind) { return is_wanted(options, kind.option); });
+                       [&](const ExportKind& kind) { return options.wanted.find(kind.option)->second; });
   if (kinds.empty())
     throw UsageError("say what to export: --vtk, --fields, --tracks, --svg, --png, --movie or --panel");
   return kinds;
@@ -94,9 +81,19 @@ void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
   write_file(to / "tracks_trackmate.xml", store::trackmate_xml(run.memory.rows));
 }
 
-/// The layer of a kind of export: what was asked for, or what it has by default.
-Layer layer_for(const ExportArguments& options, Layer by_default) {
-  return options.layer.empty() ? by_default : layer_of(options.layer);
+/// The contact sheet and the paths of the cells.
+void export_svg(const FinishedRun& run, const std::filesystem::path& to) {
+  write_file(to / "contact_sheet.svg", draw::contact_sheet(run.memory.scenes));
+  draw::ParticlePicture path{.title = "Path of the centre of mass", .value_label = "time [h]"};
+  double reach = 0.1; // [um]
+  for (const CellResult& cell : run.cells)
+    for (const TrackRow& row : cell.rows) {
+      path.position.push_back(row.centre);
+      path.value.push_back(row.t / 3600.0);
+      reach = std::max(reach, (row.centre - path.position.front()).norm());
+    }
+  path.particle_size = 0.02 * reach;
+  write_file(to / "path.svg", draw::to_svg(path));
 }
 
 std::filesystem::path output_of(const ExportArguments& options) {
@@ -128,30 +125,26 @@ bool is_study(const std::string& folder) {
 }
 
 int export_run(ExportArguments options) {
+  auto& wanted = options.wanted;
+  wanted["--panel"] = !options.panel.empty();
   const std::vector<ExportKind> kinds = wanted_kinds(options);
-  if (options.tracks && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
-  const Layer layer = layer_for(options, Layer::displacement);
-  options.movie_options.layer = layer_for(options, Layer::degradation);
-  set_size(options.movie_options, options.size);
+  if (wanted["--tracks"] && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
+  const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);
-  if (options.vtk || options.fields || options.png || options.movie || !options.panel.empty()) {
+  require_drawable(run, options.drawn);
+  if (wanted["--vtk"] || wanted["--fields"] || drawn.any()) {
     require_frames(run, options.folder);
     tell_lost_frames(run);
   }
-  if (options.png || options.movie || !options.panel.empty()) require_layer(run, layer);
-  if (options.png) require_tool("rsvg-convert", "pictures of pixels", "librsvg2-bin");
-  if (options.movie) require_movie_tools();
-  const std::vector<std::size_t> moments =
-      options.panel.empty() ? std::vector<std::size_t>() : frames_at(run, options.panel);
+  if (drawn.panel) options.drawn.panel_times = frames_at(run, options.panel);
+  if (drawn.any()) require_drawing_tools(drawn);
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
-  if (options.vtk) store::write_vtk(to, run.film);
-  if (options.fields) export_fields(run, to);
-  if (options.tracks) export_tracks(run, to);
-  if (options.svg) export_svg(run, to);
-  if (options.png) export_pictures(run, layer, to);
-  if (!options.panel.empty()) export_panel(run, moments, layer, to);
-  if (options.movie) export_movie(run, options.movie_options, to);
+  if (wanted["--vtk"]) store::write_vtk(to, run.film);
+  if (wanted["--fields"]) export_fields(run, to);
+  if (wanted["--tracks"]) export_tracks(run, to);
+  if (wanted["--svg"]) export_svg(run, to);
+  export_drawn(run, drawn, options.drawn, to);
   print(fmt::format("exported to {}\n", to.string()));
   return done;
 }
@@ -161,33 +154,35 @@ int export_run(ExportArguments options) {
 void add_export(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand(
       "export", "Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks");
-  verb->footer("Adds to what the folder holds: several kinds may be exported one after the other.\n"
-               "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
-               "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
-               "Of a study, --tracks writes tracks.csv: the rows of all its runs that are done, in one table.\n"
-               "--png calls rsvg-convert; --movie calls chromium, in which the player draws, and ffmpeg. They have to\n"
-               "be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
+  verb->footer(
+      "Adds to what the folder holds: several kinds may be exported one after the other.\n"
+      "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
+      "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
+      "Of a study, --tracks writes tracks.csv: the rows of all its runs that are done, in one table.\n"
+      "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
+      "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
   const auto options = std::make_shared<ExportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run; with --tracks alone, also of a study")->required();
-  verb->add_flag("--vtk", options->vtk,
+  verb->add_flag("--vtk", options->wanted["--vtk"],
                  "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
-  verb->add_flag("--fields", options->fields,
+  verb->add_flag("--fields", options->wanted["--fields"],
                  "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
-  verb->add_flag("--tracks", options->tracks,
+  verb->add_flag("--tracks", options->wanted["--tracks"],
                  "The path for celltrackR (CSV) and TrackMate (CSV, XML); of a study, all paths in one CSV");
-  verb->add_flag("--svg", options->svg, "The contact sheet and the path, for a publication");
-  verb->add_flag("--png", options->png, "One picture per frame");
+  verb->add_flag("--svg", options->wanted["--svg"], "The contact sheet and the path, for a publication");
+  verb->add_flag("--png", options->wanted["--png"], "One picture per frame");
   verb->add_option("--panel", options->panel,
                    "panel.svg for a publication: frames at these times side by side, \"0 h, 1 h, 3 h, 6 h\"");
-  verb->add_flag("--movie", options->movie, "movie.mp4 of the player's view");
-  verb->add_option("--fps", options->movie_options.fps, "Of --movie: pictures a second (default: 30)")
+  verb->add_flag("--movie", options->wanted["--movie"], "movie.mp4 of the player's view");
+  verb->add_option("--fps", options->drawn.fps, "Of --movie: pictures a second (default: 30)")
       ->check(CLI::Range(1.0, 120.0));
-  verb->add_option("--seconds", options->movie_options.seconds,
+  verb->add_option("--seconds", options->drawn.movie_seconds,
                    "Of --movie: how long it takes (default: a second for 15 min of the run)")
       ->check(CLI::Range(0.1, 3600.0));
-  verb->add_option("--size", options->size, "Of --movie: width and height in pixels (default: 1280x720)");
-  verb->add_flag("--follow", options->movie_options.follow, "Of --movie: the view stays on the cell");
-  verb->add_option("--layer", options->layer,
+  verb->add_option("--size", options->drawn.size,
+                   "Of --movie and --png: width and height in pixels (default: 1280x720)");
+  verb->add_flag("--follow", options->drawn.follow, "Of --movie and --png: the view stays on the cell");
+  verb->add_option("--layer", options->drawn.layer,
                    "What the matrix is coloured by (default: displacement; of --movie degradation)");
   verb->add_option("-o,--output", options->output, "Folder to write into (default: DIR/export)");
   verb->add_flag("--force", options->force, "Replace an earlier export of the same kind");

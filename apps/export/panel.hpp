@@ -1,20 +1,15 @@
 #pragma once
 
-#include "apps/export/layers.hpp"
+#include "run/finished_run.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace matrigrate::apps {
 
-/// The frames of a run nearest to some times, as places in its film.
+/// The times of the frames of a run nearest to some times [s].
 /// @param times  "0 h, 1 h 30 min, 6 h"; a number without a unit is hours
 /// @throws UsageError saying what cannot be read, or which time has no frame nearby
-std::vector<std::size_t> frames_at(const run::FinishedRun& run, const std::string& times);
-
-/// Writes panel.svg: frames side by side at one scale, with one colour bar.
-void export_panel(const run::FinishedRun& run, const std::vector<std::size_t>& frames, Layer layer,
-                  const std::filesystem::path& folder);
+std::vector<double> frames_at(const run::FinishedRun& run, const std::string& times);
 
 } // namespace matrigrate::apps

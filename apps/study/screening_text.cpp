@@ -1,6 +1,7 @@
 #include "apps/study/screening_text.hpp"
 
 #include "apps/terminal/text_table.hpp"
+#include "study/comparison.hpp"
 
 #include <fmt/format.h>
 

@@ -34,7 +34,6 @@ TEST_F(Cells, WriteFilesThatTellThemApart) {
   EXPECT_EQ(std::ranges::count(text_of(folder / "a/summary.csv"), '\n'), 4);
   EXPECT_EQ(json::parse(text_of(folder / "a/summary.json")).at("cells").size(), 3U);
   EXPECT_TRUE(contains(text_of(folder / "a/snapshots.svg"), ">cell 3; rear, front<"));
-  EXPECT_EQ(run("export a --panel '0 s, 60 s'").code, 0);
   EXPECT_EQ(run("report a").code, 0);
   EXPECT_EQ(run("diff a three.toml").code, 0);
 }

@@ -112,17 +112,8 @@ TEST_F(Fields, OfAnUnfinishedRunAreExported) {
   EXPECT_TRUE(text_of(folder / "here/export/fields.h5").starts_with("\x89HDF"));
 }
 
-TEST_F(Fields, ArePutSideBySideForAPublication) {
+TEST_F(Fields, AreDrawnAtTimesAndInSizesThatThereAre) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
-  const Ended figure = run("export here --panel '0, 0.25 min, 36 s' -o out");
-  ASSERT_EQ(figure.code, 0);
-  EXPECT_EQ(figure.err, "matrigrate: --panel: there is no frame at 0.25 min; the nearest is taken, at 16 s\n");
-  const std::string panel = text_of(folder / "out/panel.svg");
-  EXPECT_TRUE(contains(panel, ">0 s</text>") && contains(panel, ">16 s</text>") && contains(panel, ">36 s</text>"));
-  EXPECT_TRUE(contains(panel, "displacement [um]"));
-  EXPECT_EQ(run("export here --panel 0 -o out").code, 5) << "it exists";
-  EXPECT_EQ(run("export here --panel 0 --layer degradation -o out --force").code, 0);
-  EXPECT_FALSE(contains(text_of(folder / "out/panel.svg"), "displacement"));
   for (const char* wrong : {"'1 um'", "'3 h'", "soon", "'1,,2'"}) {
     const Ended ended = run(std::string("export here -o no --panel ") + wrong);
     EXPECT_EQ(ended.code, 2) << wrong;
@@ -145,13 +136,16 @@ TEST_F(Fields, NeedsToolsForPixels) {
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");
   const Ended pixels = run("export here --png");
+  const Ended panel = run("export here --panel '0, 4 s'");
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(
-      contains(ended.err, "chromium and ffmpeg are needed for a movie; Debian: apt-get install chromium ffmpeg"))
+  EXPECT_TRUE(contains(
+      ended.err, "chromium and node and ffmpeg are needed for a movie; Debian: apt-get install chromium nodejs ffmpeg"))
       << ended.err;
   EXPECT_EQ(pixels.code, 5);
-  EXPECT_TRUE(contains(pixels.err, "rsvg-convert is needed")) << pixels.err;
+  EXPECT_TRUE(contains(pixels.err, "chromium and node are needed for pictures of the player")) << pixels.err;
+  EXPECT_EQ(panel.code, 5);
+  EXPECT_TRUE(contains(panel.err, "there is no frame at 4 s; the nearest is taken, at ")) << panel.err;
   EXPECT_FALSE(exists("here/export"));
 }
 

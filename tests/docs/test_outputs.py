@@ -73,8 +73,8 @@ class Outputs(unittest.TestCase):
             self.assertEqual(set(data_sets(plain, folder)), always)
 
     def test_layers_are_those_of_the_program(self):
-        text = (source / "apps" / "export" / "layers.cpp").read_text(encoding="utf-8")
-        layers = re.findall(r'\{Layer::\w+, "(\w+)"', text)
+        text = (source / "apps" / "export" / "drawn.cpp").read_text(encoding="utf-8")
+        layers = re.findall(r'"(\w+)"', re.search(r" layers\{([^}]*)\}", text)[1])
         self.assertGreater(len(layers), 3)
         for page in ("outputs.md", "how-to/pictures-and-movies.md"):
             sentence = re.search(r"`--layer` (?:is|chooses)[^.;]*", (source / "docs" / page).read_text(encoding="utf-8"))

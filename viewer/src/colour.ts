@@ -36,75 +36,22 @@ export const cellColourCount = several.length;
 export const cellColours = (cell: number, cells: number): CellColours =>
   cells > 1 ? several[cell % several.length] : single;
 
-export const viridis: Rgb[] = [
-  [68, 1, 84],
-  [72, 40, 120],
-  [62, 73, 137],
-  [49, 104, 142],
-  [38, 130, 142],
-  [31, 158, 137],
-  [53, 183, 121],
-  [110, 206, 88],
-  [181, 222, 43],
-  [253, 231, 37],
-];
-export const blueWhiteOrange: Rgb[] = [
-  [16, 66, 128],
-  [66, 130, 190],
-  [158, 197, 228],
-  [240, 240, 240],
-  [247, 190, 127],
-  [217, 119, 30],
-  [140, 62, 0],
-];
+/** Colours at equal distances, as "#rrggbb" with a space between. */
+const ramp = (text: string): Rgb[] =>
+  text.split(" ").map((c) => [1, 3, 5].map((at) => parseInt(c.slice(at, at + 2), 16)) as unknown as Rgb);
+
+export const viridis = ramp("#440154 #482878 #3e4989 #31688e #26828e #1f9e89 #35b779 #6ece58 #b5de2b #fde725");
+export const blueWhiteOrange = ramp("#104280 #4282be #9ec5e4 #f0f0f0 #f7be7f #d9771e #8c3e00");
 /** Fluid to solid on a light and on a dark page: degraded matrix is what looks empty. */
-export const gelOnLight: Rgb[] = [
-  [248, 246, 241],
-  [203, 185, 148],
-];
-export const gelOnDark: Rgb[] = [
-  [27, 27, 26],
-  [138, 122, 88],
-];
+export const gelOnLight = ramp("#f8f6f1 #cbb994");
+export const gelOnDark = ramp("#1b1b1a #8a7a58");
 
 /** Nuñez, Anderton and Renslow 2018: the same to people with and without red-green blindness. */
-const cividis: Rgb[] = [
-  [0, 32, 76],
-  [0, 52, 110],
-  [60, 74, 107],
-  [91, 95, 109],
-  [117, 117, 117],
-  [146, 140, 120],
-  [176, 165, 114],
-  [209, 191, 102],
-  [255, 233, 69],
-];
-const magma: Rgb[] = [
-  [0, 0, 4],
-  [24, 15, 62],
-  [69, 16, 119],
-  [114, 31, 129],
-  [159, 47, 127],
-  [205, 64, 113],
-  [241, 96, 93],
-  [253, 149, 103],
-  [254, 201, 141],
-  [252, 253, 191],
-];
-const grey: Rgb[] = [
-  [20, 20, 20],
-  [245, 245, 245],
-];
+const cividis = ramp("#00204c #00346e #3c4a6b #5b5f6d #757575 #928c78 #b0a572 #d1bf66 #ffe945");
+const magma = ramp("#000004 #180f3e #451077 #721f81 #9f2f7f #cd4071 #f1605d #fd9567 #fec98d #fcfdbf");
+const grey = ramp("#141414 #f5f5f5");
 /** Brewer's PRGn. */
-const purpleGreen: Rgb[] = [
-  [64, 0, 75],
-  [118, 42, 131],
-  [194, 165, 207],
-  [247, 247, 247],
-  [166, 219, 160],
-  [27, 120, 55],
-  [0, 68, 27],
-];
+const purpleGreen = ramp("#40004b #762a83 #c2a5cf #f7f7f7 #a6dba0 #1b7837 #00441b");
 
 /** Colour maps to choose from; all can be read with any kind of colour vision. */
 export const colourMaps = {

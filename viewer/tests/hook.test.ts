@@ -38,6 +38,25 @@ test("pictures of the hook are those of the player", async () => {
     return window.matrigrate!.frame(600).toDataURL("image/png");
   });
   assert.ok((await difference(page, followed, other)) > 0.001, "following changes nothing");
+  const whole = await page.evaluate(() => {
+    window.matrigrate!.show({ width: 640, height: 480, follow: false, whole: true });
+    return window.matrigrate!.frame(600).toDataURL("image/png");
+  });
+  assert.ok((await difference(page, whole, other)) > 0.001, "the whole matrix is no wider view");
+  const drawn = await page.evaluate(() => {
+    const { matrigrate } = window;
+    return { one: matrigrate!.svg(600), several: matrigrate!.panel([0, 600, 3900, 7200, 6600]) };
+  });
+  const vector = (text: string) => `data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}`;
+  assert.ok((await difference(page, whole, vector(drawn.one))) < 0.01, "the SVG is another picture");
+  for (const time of ["0 min", "10 min", "1 h 05 min", "1 h 50 min", "2 h 00 min"])
+    assert.equal(drawn.several.split(`>${time}</text>`).length, 2, time);
+  assert.equal(drawn.several.match(/<image /g)?.length, 5);
+  assert.equal(drawn.several.match(/>Pressure \[/g)?.length, 1, "one colour bar");
+  for (const sign of ["front", "maturing", "path of the centre"]) assert.ok(drawn.several.includes(`>${sign}</text>`), sign);
+  const names = [...drawn.several.matchAll(/ id="([^"]*)"/g)].map(([, name]) => name);
+  assert.equal(new Set(names).size, names.length, "a name stands twice");
+  assert.ok(await page.evaluate((text) => !new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror"), drawn.several));
   const fault = await page.evaluate(() => {
     try {
       window.matrigrate!.show({ width: 640, height: 480, layer: "colour" });

@@ -1,7 +1,7 @@
 /** The report of a run that the program has just made; only where MATRIGRATE_PROGRAM names it. */
 import assert from "node:assert/strict";
-import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -130,6 +130,60 @@ test("a movie of the program shows what the player shows", { skip: program === u
     assert.throws(() => filmed(15), "15 pictures in half a second");
     assert.deepEqual(readdirSync(join(folder, "out")), ["movie.mp4"], "nothing is left behind");
     assert.deepEqual(errors, []);
+  }),
+);
+
+test("the program draws pictures of frames and a panel", { skip: program === undefined }, () =>
+  within(async (folder, browser) => {
+    execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
+    const options = ["--png", "--size", "640x480", "--panel", "0 s, 24 s, 55 s", "--layer", "pressure", "-o", "out"];
+    const said = spawnSync(program!, ["export", "run", ...options], { cwd: folder, encoding: "utf8" });
+    assert.equal(said.stderr, "matrigrate: --panel: there is no frame at 55 s; the nearest is taken, at 1 min\n");
+    const frames = [0, 1, 2, 3, 4, 5].flatMap((k) => [`frame_000${k}.png`, `frame_000${k}.svg`]);
+    assert.deepEqual(readdirSync(join(folder, "out")), [...frames, "panel.svg"], "one for each frame, and nothing else");
+    const { page, errors } = await opened(browser, join(folder, "run", "report.html"));
+    const shown = await page.evaluate(async () => {
+      await window.matrigrate!.ready;
+      window.matrigrate!.show({ width: 640, height: 480, layer: "pressure", whole: true });
+      return window.matrigrate!.frame(24).toDataURL("image/png");
+    });
+    const drawn = (ending: string, type: string) =>
+      `data:image/${type};base64,${readFileSync(join(folder, `out/frame_0002.${ending}`)).toString("base64")}`;
+    assert.ok((await difference(page, drawn("png", "png"), shown)) < 0.001);
+    assert.ok((await difference(page, drawn("svg", "svg+xml"), shown)) < 0.01);
+    const panel = readFileSync(join(folder, "out/panel.svg"), "utf8");
+    for (const time of ["0 min", "24 s", "1 min"]) assert.ok(panel.includes(`>${time}</text>`), time);
+    assert.deepEqual(errors, []);
+  }),
+);
+
+test("a movie that is stopped leaves no process and no movie", { skip: program === undefined || !has("ffmpeg") }, () =>
+  within(async (folder) => {
+    execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
+    /** Processes that work in the folder of the movie; those that have ended show no command. */
+    const working = () =>
+      readdirSync("/proc").filter((id) => {
+        try {
+          return /^\d+$/.test(id) && readFileSync(`/proc/${id}/cmdline`, "utf8").includes(join(folder, "out/.drawing"));
+        } catch {
+          return false; // it has ended meanwhile
+        }
+      });
+    for (const signal of ["SIGINT", "SIGTERM", "SIGKILL"] as const) {
+      const made = spawn(program!, ["export", "run", "--movie", "--seconds", "3600", "-o", "out"], { cwd: folder });
+      await until(async () => working().length > 3, "node, browser and ffmpeg work");
+      made.kill(signal);
+      await until(async () => working().length === 0, `nothing is left after ${signal}`);
+      assert.equal(made.signalCode, signal);
+    }
+    assert.ok(!readdirSync(join(folder, "out")).includes("movie.mp4"));
+    execFileSync(program!, ["export", "run", "--movie", "--seconds", "0.1", "-o", "out"], { cwd: folder });
+    assert.deepEqual(readdirSync(join(folder, "out")), ["movie.mp4"], "what was left behind is gone");
+    symlinkSync(folder, join(folder, "out/.drawing"));
+    const refused = spawnSync(program!, ["export", "run", "--movie", "--force", "-o", "out"], { cwd: folder, encoding: "utf8" });
+    assert.equal(refused.status, 5);
+    assert.match(refused.stderr, /is a symbolic link/);
+    assert.ok(readdirSync(folder).includes("run"), "what a link leads to stays");
   }),
 );
 

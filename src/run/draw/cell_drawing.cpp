@@ -150,16 +150,12 @@ std::vector<Entry> cell_entries(std::size_t cells) {
   return entries;
 }
 
-std::vector<Entry> legend_entries(MatrixColours matrix, const observe::CellScene& scene) {
+std::vector<Entry> legend_entries(const observe::CellScene& scene) {
   std::vector<Entry> entries;
   std::string shades;
   for (std::size_t c = 0; c < observe::matrix_classes; ++c)
     shades += svg::rectangle(6.0 * static_cast<double>(c), -7.0, 6.2, 14.0, matrix_colours[c]);
-  if (matrix == MatrixColours::degradation)
-    entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
-  else
-    entries.push_back(
-        {svg::rectangle(0.0, -7.0, 30.0, 14.0, fluid_colour()) + svg::frame(0.0, -7.0, 30.0, 14.0), "fluid matrix"});
+  entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
   if (!scene.obstacles.empty()) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
   for (Entry& entry : cell_entries(scene.cells.size())) entries.push_back(std::move(entry));
   if (std::ranges::any_of(scene.cells, [](const observe::DrawnCell& cell) { return !cell.nucleus.empty(); }))
@@ -177,15 +173,11 @@ std::vector<Entry> legend_entries(MatrixColours matrix, const observe::CellScene
 
 } // namespace
 
-std::string_view fluid_colour() { return matrix_colours.back(); }
-
-namespace {
-
-std::string drawing_over(const std::string& ground, const observe::CellScene& scene, const Panel& panel) {
+std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact) {
   // A nested svg element cuts off what lies outside, without an id.
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
-  out += ground + squares(scene.obstacles, without_cracks, obstacle_colour, scene, panel);
+  out += matrix(scene, panel, intact) + squares(scene.obstacles, without_cracks, obstacle_colour, scene, panel);
   const std::size_t n = scene.cells.size();
   for (std::size_t k = 0; k < n; ++k) {
     const observe::DrawnCell& cell = scene.cells[k];
@@ -200,19 +192,6 @@ std::string drawing_over(const std::string& ground, const observe::CellScene& sc
   return out + "</svg>\n";
 }
 
-} // namespace
-
-std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact) {
-  return drawing_over(matrix(scene, panel, intact), scene, panel);
-}
-
-std::string drawing(const observe::CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix) {
-  std::string ground;
-  for (const ColouredParticles& some : matrix)
-    ground += squares(some.position, without_cracks, some.colour, scene, panel);
-  return drawing_over(ground, scene, panel);
-}
-
 std::string scale_bar(double x, double y, double most, const Panel& panel) {
   const double longest = most / panel.scale();
   double length = round_step(0.4 * longest); // at most 2.5 times what is asked for
@@ -221,7 +200,7 @@ std::string scale_bar(double x, double y, double most, const Panel& panel) {
          + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
 }
 
-CellLegend cell_legend(double width, const observe::CellScene& scene, MatrixColours matrix) {
+CellLegend cell_legend(double width, const observe::CellScene& scene) {
   constexpr double sign_width = 30.0;
   constexpr double gap = 7.0;
   constexpr double entry_gap = 20.0;
@@ -229,7 +208,7 @@ CellLegend cell_legend(double width, const observe::CellScene& scene, MatrixColo
   CellLegend legend;
   double x = 0.0;
   double y = 0.0;
-  for (const Entry& entry : legend_entries(matrix, scene)) {
+  for (const Entry& entry : legend_entries(scene)) {
     const double entry_width = sign_width + gap + svg::text_width(entry.words, svg::tick_size);
     if (x > 0.0 && x + entry_width > width) {
       x = 0.0;

@@ -3,10 +3,7 @@
 #include "observe/cell_scene.hpp"
 
 #include <cstddef>
-#include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 /// The pieces of which pictures of the cell are made. Test: tests/unit/draw/cell_picture_test.cpp
 namespace matrigrate::draw {
@@ -30,20 +27,8 @@ struct Panel {
   }
 };
 
-/// Particles of the matrix that have one colour.
-struct ColouredParticles {
-  std::string colour;         ///< "#rrggbb"
-  std::vector<Vec2> position; ///< [um]
-};
-
-/// The colour of matrix that is degraded to fluid.
-std::string_view fluid_colour();
-
 /// Matrix, cells, protrusions, adhesions and paths, cut off at the panel's frame.
 std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact);
-
-/// The same over a matrix in colours of its own in place of the scene's.
-std::string drawing(const observe::CellScene& scene, const Panel& panel, std::span<const ColouredParticles> matrix);
 
 /// A bar of a round length and its length in um.
 /// @param x, y  upper left corner [pixel]
@@ -56,10 +41,7 @@ struct CellLegend {
   double height = 0.0; ///< [pixel]
 };
 
-/// What the matrix is coloured by: by how intact it is, or by a field that only solid has.
-enum class MatrixColours { degradation, field };
 /// @param scene  whose cells and obstacles are to be told apart
-CellLegend cell_legend(double width, const observe::CellScene& scene,
-                       MatrixColours matrix = MatrixColours::degradation);
+CellLegend cell_legend(double width, const observe::CellScene& scene);
 
 } // namespace matrigrate::draw

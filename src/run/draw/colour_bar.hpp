@@ -1,24 +1,43 @@
 #pragma once
 
-#include "draw/axis.hpp"
-#include "draw/colour.hpp"
+#include "draw/ticks.hpp"
 
+#include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
-/// Values as colours, and the bar that explains them. Test: tests/unit/draw/particle_picture_test.cpp
+/// Values as colours, and the bar that explains them. Test: tests/unit/draw/colour_bar_test.cpp
 namespace matrigrate::draw {
 
-inline constexpr int colour_levels = 33;         ///< steps of a map; odd, so that a diverging one has a neutral step
+inline constexpr int colour_levels = 33;         ///< steps of the colours
 inline constexpr double colour_bar_width = 18.0; ///< [pixel]
 
-/// Step of the colour map for a value, or -1 if it is not finite.
-int colour_level(double value, const Axis& axis);
+/// True if a value has a place on a scale: finite, not so large that differences overflow.
+inline bool drawable(double value) { return std::abs(value) < 1e150; }
+
+/// The values that the ends of the colours stand for, low < high.
+struct ColourScale {
+  double low = 0.0, high = 1.0;
+
+  int level(double value) const; ///< step of the colours; -1 if the value is not finite
+  std::vector<Tick> ticks() const;
+  double label_width() const; ///< of the widest tick label [pixel]
+};
+
+/// From the smallest to the largest value; [0, 1] where there are none.
+/// @param values  all drawable
+ColourScale fitted_scale(std::span<const double> values);
+
+/// Viridis, dark blue to yellow: its lightness rises evenly, for people with any kind of colour vision.
+/// @param fraction  clamped to [0, 1]   @return "#rrggbb"
+std::string colour(double fraction);
 
 /// @param level  not -1   @return "#rrggbb"
-std::string level_colour(ColourMap map, int level);
+std::string level_colour(int level);
 
-/// The bar with its numbers at the right, from axis.begin up to axis.end.
-/// @param left  [pixel]
-std::string colour_bar(const Axis& axis, ColourMap map, double left);
+/// The bar with its numbers at the right.
+/// @param left, top, height  [pixel]
+std::string colour_bar(const ColourScale& scale, double left, double top, double height);
 
 } // namespace matrigrate::draw

@@ -1,15 +1,15 @@
 #include "draw/particle_picture.hpp"
 
-#include "draw/axis.hpp"
-#include "draw/colour.hpp"
 #include "draw/colour_bar.hpp"
 #include "draw/svg.hpp"
+#include "draw/ticks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -59,22 +59,11 @@ Extent extent(const ParticlePicture& p) {
   return e;
 }
 
-/// The colour bar's axis, from bottom to top.
-Axis value_axis(const ParticlePicture& p) {
-  Axis axis;
-  if (p.value_min != 0.0 || p.value_max != 0.0) {
-    axis.low = p.value_min;
-    axis.high = p.value_max;
-  } else {
-    std::vector<double> values;
-    for (const double v : p.value)
-      if (drawable(v)) values.push_back(v);
-    if (p.diverging) // equal ends, so that the neutral middle is zero
-      for (std::size_t i = 0, n = values.size(); i < n; ++i) values.push_back(-values[i]);
-    axis = fitted_axis(values);
-  }
-  axis.ticks = linear_ticks(axis.low, axis.high, 7);
-  return axis;
+ColourScale scale_of(const ParticlePicture& p) {
+  if (p.value_min != 0.0 || p.value_max != 0.0) return {p.value_min, p.value_max};
+  std::vector<double> values;
+  std::ranges::copy_if(p.value, std::back_inserter(values), drawable);
+  return fitted_scale(values);
 }
 
 /// From um to pixels, the same in both directions.
@@ -87,22 +76,18 @@ struct Projection {
 };
 
 /// A dot is a line of no length with round ends, which takes a third of the bytes of a circle.
-/// Place of a level in the list of paths; -1, for values that are missing, comes first.
-std::size_t slot(int level) { return level < 0 ? 0 : std::size_t{1} + static_cast<std::size_t>(level); }
-
-std::string dots(const ParticlePicture& p, const Axis& axis, const Projection& projection) {
-  std::array<std::string, colour_levels + 1> path;
+std::string dots(const ParticlePicture& p, const ColourScale& scale, const Projection& projection) {
+  std::array<std::string, colour_levels + 1> path; // missing values first
   for (std::size_t i = 0; i < p.position.size(); ++i) {
     if (!finite(p.position[i])) continue;
     const Vec2 a = projection.at(p.position[i]);
-    path[slot(colour_level(p.value[i], axis))] += 'M' + svg::point(a.x(), a.y()) + "h0";
+    path[static_cast<std::size_t>(scale.level(p.value[i]) + 1)] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
-  const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\">\n",
                                 p.particle_size * projection.scale);
   for (int level = -1; level < colour_levels; ++level) {
-    const auto& data = path[slot(level)];
-    const std::string c = level < 0 ? std::string(missing) : level_colour(map, level);
+    const auto& data = path[static_cast<std::size_t>(level + 1)];
+    const std::string c = level < 0 ? std::string(missing) : level_colour(level);
     if (!data.empty()) out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", c, data);
   }
   return out + "</g>\n";
@@ -157,13 +142,14 @@ std::string to_svg(const ParticlePicture& p, int width) {
   check(p, width);
   const Extent box = extent(p);
   const Vec2 size = box.high - box.low;
-  Axis values = value_axis(p);
+  const ColourScale values = scale_of(p);
+  const double labels = values.label_width();
   const auto title = svg::wrapped(p.title, width - 2.0 * svg::margin, 1.05 * svg::title_size);
   const double top = 1.5 * svg::margin + svg::text_height(title.size(), svg::title_size);
 
   // The lines of the label go upward beside the bar, so their number depends on its height and the other way round: a
   // first guess of the height decides.
-  const double room_without_label = width - 2.0 * svg::margin - bar_gap - colour_bar_width - 9.0 - label_width(values);
+  const double room_without_label = width - 2.0 * svg::margin - bar_gap - colour_bar_width - 9.0 - labels;
   const auto height_for = [&](double room) { return std::clamp(room * size.y() / size.x(), 140.0, 1.2 * width); };
   const auto label = svg::wrapped(p.value_label, 0.9 * height_for(room_without_label), svg::label_size);
   const double room = room_without_label - svg::text_height(label.size(), svg::label_size) - 4.0;
@@ -174,19 +160,16 @@ std::string to_svg(const ParticlePicture& p, int width) {
   projection.scale = std::min(room / size.x(), height / size.y());
   projection.left = svg::margin + 0.5 * (room - projection.scale * size.x());
   projection.bottom = top + 0.5 * (height + projection.scale * size.y());
-  values.begin = top + height;
-  values.end = top;
 
   const svg::TextStyle heading{.size = svg::title_size, .bold = true};
   const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
   const double bar_left = svg::margin + room + bar_gap;
-  const ColourMap map = p.diverging ? ColourMap::diverging : ColourMap::sequential;
   std::string body = svg::text_lines(svg::margin, svg::margin + svg::title_size - 3.0, title, heading);
   body += dots(p, values, projection) + arrows(p, projection);
   for (const std::vector<Vec2>& points : p.outlines) body += outline(points, projection);
-  body += colour_bar(values, map, bar_left);
-  body += svg::text_lines(bar_left + colour_bar_width + 9.0 + label_width(values) + svg::label_size + 4.0,
-                          top + 0.5 * height, label, upward);
+  body += colour_bar(values, bar_left, top, height);
+  body += svg::text_lines(bar_left + colour_bar_width + 9.0 + labels + svg::label_size + 4.0, top + 0.5 * height, label,
+                          upward);
   body += scale_bar(round_step(0.1 * room / projection.scale), projection, top + height + 0.4 * scale_room);
   if (p.position.empty())
     body += svg::text(svg::margin + 0.5 * room, top + 0.5 * height, "no particles to draw",

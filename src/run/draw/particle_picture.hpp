@@ -25,7 +25,6 @@ struct ParticlePicture {
   double particle_size = 2.0;              ///< diameter of a dot [um]
   double value_min = 0.0, value_max = 0.0; ///< range of the colour bar; taken from the values if both are 0; values
                                            ///< beyond it get the colour of its end
-  bool diverging = false;                  ///< a map with a neutral middle, for signed values
   std::vector<Vec2> arrow = {};            ///< drawn from each particle if not empty, in any unit
   std::vector<std::vector<Vec2>> outlines = {}; ///< closed curves on top of the particles [um]
   double arrow_scale = 1.0;                     ///< length of a drawn arrow over its vector [um per unit of arrow]

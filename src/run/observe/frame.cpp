@@ -191,15 +191,6 @@ std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
   return ends;
 }
 
-std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame) {
-  if (frame.nucleus.empty()) return {};
-  std::vector<std::vector<Vec2>> nuclei(outline_ends(frame.outline).size());
-  const std::size_t each = frame.nucleus.size() / 2 / nuclei.size();
-  for (std::size_t i = 0; i < each * nuclei.size(); ++i)
-    nuclei[i / each].emplace_back(frame.nucleus[2 * i], frame.nucleus[2 * i + 1]);
-  return nuclei;
-}
-
 const std::vector<MatrixField>& matrix_layers() {
   static const std::vector<MatrixField> layers = [] {
     std::vector<MatrixField> found;

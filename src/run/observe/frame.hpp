@@ -64,9 +64,6 @@ struct Frame {
   Floats nucleus{}; ///< particles of the nuclei, as many of each cell, in the order of cells; empty without nuclei [um]
 };
 
-/// Outlines of the nuclei of the cells, in their order; empty without nuclei [um].
-std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame);
-
 /// Properties of the matrix that are kept with frames: those with a layer (state/matrix_field.hpp).
 const std::vector<MatrixField>& matrix_layers();
 

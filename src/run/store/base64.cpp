@@ -1,6 +1,5 @@
 #include "store/base64.hpp"
 
-#include <array>
 #include <cstdint>
 
 namespace matrigrate::store {
@@ -22,27 +21,6 @@ std::string base64(std::string_view bytes) {
     for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[three >> (18U - 6U * k) & 63U] : '=';
   }
   return text;
-}
-
-std::string from_base64(std::string_view text) {
-  std::array<std::int8_t, 256> value{};
-  value.fill(-1);
-  for (std::size_t i = 0; i < digits.size(); ++i)
-    value[static_cast<std::uint8_t>(digits[i])] = static_cast<std::int8_t>(i);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 2);
-  std::uint32_t bits = 0;
-  unsigned held = 0;
-  for (const char c : text) {
-    const std::int8_t digit = value[static_cast<std::uint8_t>(c)];
-    if (digit < 0) break;
-    bits = bits << 6U | static_cast<std::uint32_t>(digit);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(static_cast<std::uint8_t>(bits >> held));
-  }
-  return bytes;
 }
 
 } // namespace matrigrate::store

@@ -83,15 +83,6 @@ TEST(ParticlePicture, MissingValuesAreGreyAndMissingPlacesLeftOut) {
   EXPECT_EQ(occurrences(groups[1].data, "M"), 1U);
 }
 
-TEST(ParticlePicture, ZeroIsNeutralOnADivergingMap) {
-  ParticlePicture picture = lattice(3, 1);
-  picture.diverging = true;
-  picture.value = {-1.0, 0.0, 7.0};
-  const auto groups = dots(to_svg(picture));
-  ASSERT_EQ(groups.size(), 3U);
-  EXPECT_EQ(groups[1].colour, "#f0f0f0");
-}
-
 TEST(ParticlePicture, ValuesBeyondTheBarGetTheColourOfItsEnd) {
   ParticlePicture picture = lattice(4, 1);
   picture.value = {-100.0, 0.001, 0.999, 100.0};

@@ -51,13 +51,7 @@ TEST(FrameLog, HoldsNuclei) {
     EXPECT_EQ(difference(read, film), "");
     EXPECT_EQ(read.frames[1].nucleus, film.frames[1].nucleus);
     EXPECT_TRUE(read.frames[1].matrix.attractant.empty());
-    const std::vector<std::vector<Vec2>> nuclei = observe::nuclei_of(read.frames[1]);
-    ASSERT_EQ(nuclei.size(), observe::outline_ends(film.frames[1].outline).size());
-    EXPECT_EQ(nuclei.back().back(), Vec2(7.0, 8.0));
-    EXPECT_EQ(nuclei.front().front(), Vec2(1.0, 2.0));
-    EXPECT_EQ(nuclei.front().size() * nuclei.size(), 4U);
   }
-  EXPECT_TRUE(observe::nuclei_of(SmallRun().film().frames[0]).empty());
 }
 
 TEST(FrameLog, TellsSeveralCellsApart) {

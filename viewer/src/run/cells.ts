@@ -1,6 +1,6 @@
 /** Several cells of a run: which points and rows belong to which, and the colours that tell them apart. */
 import { cellColours, type CellColours } from "../colour";
-import type { RunPage, Tracks } from "../contract";
+import type { Tracks } from "../contract";
 
 /** The points of one cell on the outline: from `first` up to, but without, `end`. */
 export interface CellPart {
@@ -46,8 +46,6 @@ export function tracksOfCells(tracks: Tracks): CellTracks[] {
   split.set(tracks, { rows: cell.length, found });
   return found;
 }
-
-export const cellCount = (run: RunPage): number => tracksOfCells(run.tracks).length;
 
 /** @param number  of the cell, from 1   @param cells  how many there are */
 export const coloursOf = (number: number, cells: number): CellColours => cellColours(number - 1, cells);

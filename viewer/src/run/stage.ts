@@ -51,6 +51,8 @@ export class Stage {
   smooth = true;
   arrows: ArrowKind = "displacement";
   private queued = false;
+  /** It has had no size yet. */
+  private unseen = true;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
   private painter: ParticlePainter;
@@ -115,11 +117,10 @@ export class Stage {
       if (onPaper()) this.layMatrixUnderCell();
     };
     onPrint(this.element, printed, gone);
-    let first = true;
     const resized = () => {
       this.fit();
-      if (first) this.camera.show(this.home);
-      first = false;
+      if (this.unseen) this.camera.show(this.home);
+      this.unseen = false;
       this.viewChanged();
     };
     onResize(this.element, resized, gone);
@@ -247,6 +248,7 @@ export class Stage {
   fix(width: number, height: number): void {
     this.element.style.cssText = `position:fixed;left:0;top:0;border:0;min-height:0;width:${width}px;height:${height}px`;
     this.fit();
+    this.unseen = false;
     this.camera.show(this.home);
   }
 

@@ -20,9 +20,12 @@ export class SvgPen implements Pen {
   private inPart = false;
   private readonly ruler = document.createElement("canvas").getContext("2d");
 
+  /** @param id  ends all names, so that several drawings can stand in a document */
+  constructor(private readonly id = "") {}
+
   part = (name: string): void => {
     if (this.inPart) this.out.push("</g>");
-    this.out.push(`<g id="${escaped(name)}">`);
+    this.out.push(`<g id="${escaped(name)}${this.id}">`);
     this.inPart = true;
   };
 
@@ -79,7 +82,7 @@ export class SvgPen implements Pen {
   }
 
   clip(): void {
-    const id = `clip-${++this.clips}`;
+    const id = `clip-${++this.clips}${this.id}`;
     this.out.push(`<clipPath id="${id}"><path d="${this.path}"/></clipPath>`, `<g clip-path="url(#${id})">`);
     if (this.saved.length > 0) ++this.saved[this.saved.length - 1];
   }

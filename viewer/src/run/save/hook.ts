@@ -1,8 +1,9 @@
-/** `window.matrigrate`: for programs that drive the page, such as `matrigrate export --movie`. Stated in README.md. */
+/** `window.matrigrate`: for programs that drive the page, such as `drive.mjs`. Stated in README.md. */
 import type { Clock } from "../clock";
 import type { Layer } from "../matrix/layers";
 import type { Stage } from "../stage";
-import { paintPicture, stripHeight } from "./picture";
+import { panel } from "./panel";
+import { paintPicture, stripHeight, svg } from "./picture";
 
 export interface Wanted {
   /** Of the whole picture [pixels of the page]. */
@@ -11,6 +12,8 @@ export interface Wanted {
   /** A key of `layers`; left out: as it is. */
   layer?: string;
   follow?: boolean;
+  /** The whole matrix is seen, not the surroundings of the cell. */
+  whole?: boolean;
 }
 
 export interface Hook {
@@ -20,6 +23,10 @@ export interface Hook {
   show: (wanted: Wanted) => void;
   /** The picture at a time [s] as it would be saved. The same canvas is painted each time. */
   frame: (time: number) => HTMLCanvasElement;
+  /** The same as an SVG document. */
+  svg: (time: number) => string;
+  /** Several times side by side as an SVG document; the pictures have a size of their own from then on. */
+  panel: (times: number[]) => string;
 }
 
 declare global {
@@ -35,26 +42,34 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
     if (!stage) throw new Error("there are no frames to show");
     return stage;
   };
+  /** Only a picture is wanted: nothing else on the page is told of the time. */
+  const at = (time: number): Stage => {
+    clock.time = Math.min(clock.end, Math.max(0, time));
+    return there();
+  };
   return {
     ready: ready.then((made) => {
       stage = made;
       there();
     }),
-    show: ({ width, height, layer, follow }) => {
+    show: ({ width, height, layer, follow, whole }) => {
       const shown = there();
       if (clock.playing) clock.toggle();
       const wanted: Layer | undefined = shown.layers.find((one) => one.key === layer);
       if (layer !== undefined && !wanted) throw new Error(`there is no layer "${layer}"`);
       if (wanted) shown.choose(wanted);
       shown.fix(width, height - stripHeight(width, shown.view().bars.length));
+      if (whole) shown.showWhole();
       if (follow !== undefined) shown.setFollow(follow);
     },
     frame: (time) => {
-      const shown = there();
-      // Only the picture is wanted: nothing else on the page is told.
-      clock.time = Math.min(clock.end, Math.max(0, time));
-      paintPicture(canvas, shown.view());
+      paintPicture(canvas, at(time).view());
       return canvas;
     },
+    svg: (time) => {
+      const shown = at(time);
+      return svg(shown, shown.view().title);
+    },
+    panel: (times) => panel(there(), clock, times),
   };
 }

@@ -13,7 +13,7 @@ const ground = (dark: boolean): string => (dark ? "#14171a" : "#ffffff");
 export const stripHeight = (width: number, bars: number): number => row * (width < 700 ? bars : 1);
 
 /** @param right, y  upper right corner */
-function paintBar(c: Pen, { layer, scale, clamped }: Coloured, width: number, right: number, y: number, dark: boolean): void {
+export function paintBar(c: Pen, { layer, scale, clamped }: Coloured, width: number, right: number, y: number, dark: boolean): void {
   const left = right - width;
   const steps = 64;
   // Between whole pixels, so that no seams are seen.
@@ -87,24 +87,31 @@ export function png(stage: Stage): Promise<Blob> {
   );
 }
 
-/** Outline, protrusions, path, arrows and scales as paths; the matrix as an image. */
-export function svg(stage: Stage, title: string): Blob {
-  const view = stage.view();
-  const { width, height } = view.camera;
-  const strip = stripHeight(width, view.bars.length);
-  const [signs, legend] = [new SvgPen(), new SvgPen()];
-  stage.drawOver(signs);
-  paintStrip(legend, view, height);
-  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height + strip}" viewBox="0 0 ${width} ${height + strip}">
+export const svgDocument = (title: string, width: number, height: number, dark: boolean, content: string): string =>
+  `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
 <title>${escaped(title)}</title>
-<clipPath id="view"><rect width="${width}" height="${height}"/></clipPath>
-<rect width="${width}" height="${height + strip}" fill="${ground(view.dark)}"/>
-<image id="matrix" width="${width}" height="${height}" href="${view.matrix.toDataURL("image/png")}"/>
-<g clip-path="url(#view)">
-${signs.content()}
-</g>
-${legend.content()}
+<rect width="${width}" height="${height}" fill="${ground(dark)}"/>
+${content}
 </svg>
 `;
-  return new Blob([text], { type: "image/svg+xml" });
+
+/** The stage as a part of an SVG document: the matrix as an image, what lies over it as paths.   @param id  ends all names in it */
+export function drawnLayers(stage: Stage, id = "", x = 0, y = 0): string {
+  const { camera, matrix } = stage.view();
+  const size = `width="${camera.width}" height="${camera.height}"`;
+  const pen = new SvgPen(id);
+  stage.drawOver(pen);
+  return `<svg x="${x}" y="${y}" ${size}>
+<image id="matrix${id}" ${size} href="${matrix.toDataURL("image/png")}"/>
+${pen.content()}
+</svg>`;
+}
+
+export function svg(stage: Stage, title: string): string {
+  const view = stage.view();
+  const { width, height } = view.camera;
+  const legend = new SvgPen();
+  paintStrip(legend, view, height);
+  const content = `${drawnLayers(stage)}\n${legend.content()}`;
+  return svgDocument(title, width, height + stripHeight(width, view.bars.length), view.dark, content);
 }

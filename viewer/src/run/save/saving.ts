@@ -43,7 +43,9 @@ export function pictureButtons(title: string, clock: Clock, shown: () => Stage |
     });
   return [
     picture("Save PNG", "The view with time and colour bar", "png", png),
-    picture("Save SVG", "Cell, path and arrows as vector graphics over the matrix as an image", "svg", (stage) => svg(stage, title)),
+    picture("Save SVG", "Cell, path and arrows as vector graphics over the matrix as an image", "svg", (stage) =>
+      new Blob([svg(stage, title)], { type: "image/svg+xml" }),
+    ),
   ];
 }
 

@@ -1,0 +1,193 @@
+#include "apps/export/drawn.hpp"
+
+#include "apps/shipped_pages.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "run/folder_lock.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double pace = 900.0; ///< of a movie of default length [s of the run in a second]
+constexpr std::array<std::string_view, 5> layers{"degradation", "displacement", "von_mises", "pressure",
+                                                 "fibre_von_mises"};
+
+std::pair<int, int> size_of(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char by = ' ';
+  std::istringstream in(text);
+  const bool read = static_cast<bool>(in >> width >> by >> height) && by == 'x' && in.eof();
+  const auto fits = [](int side) { return side >= 240 && side <= 4096 && side % 2 == 0; };
+  if (!read || !fits(width) || !fits(height))
+    throw UsageError(
+        fmt::format("--size: \"{}\" is no size of a movie; an example: 1280x720, even numbers from 240 to 4096", text));
+  return {width, height};
+}
+
+bool is_installed(const std::string& program) {
+  if (program.find('/') != std::string::npos) return ::access(program.c_str(), X_OK) == 0;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+/// The browser to call: $CHROMIUM, or the first of chromium, chromium-browser and google-chrome that is installed;
+/// empty if none is.
+std::string installed_browser() {
+  if (const char* named = std::getenv("CHROMIUM"); named != nullptr && *named != '\0') {
+    if (is_installed(named)) return named;
+    throw InputOutputError(fmt::format("CHROMIUM is {}, which is no program; unset it, or name a browser", named));
+  }
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+    if (is_installed(name)) return name;
+  return {};
+}
+
+json movie(const run::FinishedRun& run, const DrawnOptions& options) {
+  const double first = run.film.frames.front().t;
+  const double last = run.film.frames.back().t;
+  const double seconds = options.movie_seconds.value_or((last - first) / pace);
+  return {{"first", first},
+          {"last", last},
+          {"count", std::max(2.0, std::round(seconds * options.fps))},
+          {"fps", options.fps}};
+}
+
+json times_of(const run::FinishedRun& run) {
+  json times = json::array();
+  for (const observe::Frame& frame : run.film.frames) times.push_back(frame.t);
+  return times;
+}
+
+/// What viewer/drive.mjs is called with for one kind.
+json job(const DrawnOptions& options, std::string_view layer, std::string_view kind, json what) {
+  const auto [width, height] = size_of(options.size);
+  return {{"show",
+           {{"width", width},
+            {"height", height},
+            {"layer", options.layer.empty() ? layer : options.layer},
+            {"whole", kind == "frames"},
+            {"follow", options.follow}}},
+          {"scale", kind == "panel" ? 2 : 1}, // of its images of the matrix
+          {kind, std::move(what)}};
+}
+
+/// A folder that is gone with all that is in it at the end of this object. What an export has left in it whose process
+/// was killed goes before.
+struct Scratch {
+  std::filesystem::path path;
+  run::FolderLock lock;
+
+  explicit Scratch(const std::filesystem::path& in) : path(made(in)), lock(path, run::FolderLock::Kind::alone) {
+    for (const auto& left : std::filesystem::directory_iterator(path))
+      if (left.path().filename() != ".lock") std::filesystem::remove_all(left.path());
+    std::filesystem::create_directory(path / "made");
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+private:
+  static std::filesystem::path made(const std::filesystem::path& in) {
+    const std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
+    if (std::filesystem::is_symlink(folder)) // what it leads to is not ours to remove
+      throw InputOutputError(fmt::format("{}: is a symbolic link; remove it", folder.string()));
+    make_output_folder(folder, true);
+    return folder;
+  }
+};
+
+/// Has viewer/drive.mjs do a job.
+/// @throws InputOutputError with the last line that it says, if it fails
+void drive(const Scratch& scratch, const json& job) {
+  write_file(scratch.path / "job.json", job.dump());
+  const std::filesystem::path log = scratch.path / "said.txt";
+  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  Child child({"node", scratch.path / "drive.mjs", scratch.path / "job.json"}, output >= 0 ? output : STDERR_FILENO);
+  if (output >= 0) ::close(output);
+  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  if (child.ended() == 0) return;
+  std::ifstream said(log);
+  std::string last = fmt::format("node ended with exit code {}", *child.ended());
+  for (std::string line; std::getline(said, line);)
+    if (!line.empty()) last = line;
+  throw InputOutputError(last);
+}
+
+} // namespace
+
+void require_drawable(const run::FinishedRun& run, const DrawnOptions& options) {
+  size_of(options.size);
+  if (options.layer.empty()) return;
+  if (std::ranges::find(layers, options.layer) == layers.end())
+    throw UsageError(
+        fmt::format("there is no layer \"{}\"; the layers are: {}", options.layer, fmt::join(layers, ", ")));
+  const auto lacks = [](const observe::Frame& frame) { return frame.matrix.fibre_von_mises.empty(); };
+  if (options.layer == layers.back() && std::ranges::any_of(run.film.frames, lacks))
+    throw UsageError(fmt::format("the run has no layer \"{}\": its matrix has no fibres", options.layer));
+}
+
+void require_drawing_tools(const DrawnKinds& kinds) {
+  std::vector<std::string> missing;
+  std::vector<std::string> packages;
+  const auto need = [&](bool there, const std::string& program, const std::string& package) {
+    if (there) return;
+    missing.push_back(program);
+    packages.push_back(package);
+  };
+  need(!installed_browser().empty(), "chromium", "chromium");
+  need(is_installed("node"), "node", "nodejs");
+  need(!kinds.movie || is_installed("ffmpeg"), "ffmpeg", "ffmpeg");
+  if (missing.empty()) return;
+  throw InputOutputError(fmt::format("{} {} needed for {}; Debian: apt-get install {}", fmt::join(missing, " and "),
+                                     missing.size() > 1 ? "are" : "is",
+                                     kinds.movie ? "a movie" : "pictures of the player", fmt::join(packages, " ")));
+}
+
+void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const DrawnOptions& options,
+                  const std::filesystem::path& folder) {
+  if (!kinds.any()) return;
+  const Scratch scratch(folder);
+  write_file(scratch.path / "drive.mjs", drive_script());
+  write_file(scratch.path / "page.html", report_of(run, run_page_template()));
+  std::vector<json> jobs;
+  if (kinds.frames) jobs.push_back(job(options, "displacement", "frames", times_of(run)));
+  if (kinds.panel) jobs.push_back(job(options, "displacement", "panel", options.panel_times));
+  if (kinds.movie) jobs.push_back(job(options, "degradation", "movie", movie(run, options)));
+  for (json& one : jobs) {
+    one.update({{"browser", installed_browser()}, {"folder", scratch.path}});
+    drive(scratch, one);
+  }
+  for (const auto& file : std::filesystem::directory_iterator(scratch.path / "made"))
+    rename_file(file.path(), folder / file.path().filename());
+}
+
+} // namespace matrigrate::apps

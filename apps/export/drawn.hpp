@@ -1,0 +1,39 @@
+#pragma once
+
+#include "run/finished_run.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Exports that the page of the run draws in a browser without a window (viewer/drive.mjs).
+namespace matrigrate::apps {
+
+struct DrawnOptions {
+  std::string layer;                   ///< that the matrix is coloured by; empty: what the kind has by default
+  std::string size = "1280x720";       ///< of movies and pictures of frames [pixel]
+  bool follow = false;                 ///< the view stays on the cell
+  double fps = 30.0;                   ///< pictures a second
+  std::optional<double> movie_seconds; ///< by default one for 15 min of the run
+  std::vector<double> panel_times;     ///< of panel.svg [s]
+};
+
+/// What to draw.
+struct DrawnKinds {
+  bool movie = false, frames = false, panel = false;
+  bool any() const { return movie || frames || panel; }
+};
+
+/// @throws UsageError if layer or size are none, or the run has no such layer: one of fibres where there are none
+void require_drawable(const run::FinishedRun& run, const DrawnOptions& options);
+
+/// @throws InputOutputError naming the Debian packages of what is not installed: nodejs, chromium; ffmpeg for movies
+void require_drawing_tools(const DrawnKinds& kinds);
+
+/// Writes movie.mp4, frame_0000.png and frame_0000.svg and so on, panel.svg.
+/// @throws InputOutputError if a tool fails
+void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const DrawnOptions& options,
+                  const std::filesystem::path& folder);
+
+} // namespace matrigrate::apps
