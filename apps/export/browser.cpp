@@ -61,7 +61,8 @@ std::string address(const std::filesystem::path& file) {
 std::string installed_browser() {
   if (const char* named = std::getenv("CHROMIUM"); named != nullptr && *named != '\0') {
     if (is_installed(named)) return named;
-    throw InputOutputError(fmt::format("CHROMIUM is {}, which is no program; unset it, or name a browser", named));
+    throw InputOutputError(
+        fmt::format("CHROMIUM is {}, which is not a program; unset CHROMIUM, or set it to a browser", named));
   }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (is_installed(name)) return name;
@@ -89,7 +90,7 @@ void Browser::fail() {
   for (std::string line; std::getline(log, line);)
     if (!line.empty()) last = line;
   throw InputOutputError(
-      fmt::format("the browser ended{}", last.empty() ? std::string(" without a word") : "; it said: " + last));
+      fmt::format("the browser ended{}", last.empty() ? std::string(" without a message") : "; it said: " + last));
 }
 
 int Browser::send(const std::string& method, nlohmann::json parameters, const std::string& session) {

@@ -112,7 +112,7 @@ void set_size(MovieOptions& options, const std::string& text) {
   const auto fits = [](int side) { return side >= 240 && side <= 4096 && side % 2 == 0; };
   if (!read || !fits(options.width) || !fits(options.height))
     throw UsageError(
-        fmt::format("--size: \"{}\" is no size of a movie; an example: 1280x720, even numbers from 240 to 4096", text));
+        fmt::format("--size: \"{}\" is not a size; write two even numbers from 240 to 4096, such as 1280x720", text));
 }
 
 void require_movie_tools() {

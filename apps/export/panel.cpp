@@ -60,8 +60,8 @@ std::vector<std::size_t> frames_at(const run::FinishedRun& run, const std::strin
                                    time_text(run.p.output.field_interval)));
     constexpr double same = 0.5; // a frame of a run that was stopped may be a step off [s]
     if (std::abs(nearest->t - t) > same)
-      print_warning(
-          fmt::format("--panel: there is no frame at {}; the nearest is taken, at {}", text, time_text(nearest->t)));
+      print_warning(fmt::format("--panel: there is no frame at {}; the nearest one, at {}, is used", text,
+                                time_text(nearest->t)));
     chosen.push_back(static_cast<std::size_t>(nearest - frames.begin()));
   }
   if (chosen.empty()) throw UsageError("--panel: names no time; an example: --panel \"0 h, 1 h, 3 h, 6 h\"");

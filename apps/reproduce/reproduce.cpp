@@ -107,7 +107,7 @@ int reproduce(const ReproduceOptions& options) {
       if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
     all = gather_evidence(needed, options);
   } catch (const Stopped& stopped) {
-    print("stopped; the same command goes on\n");
+    print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
   rows = judged_rows(claims, all, std::move(rows), options);

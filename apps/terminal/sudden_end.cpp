@@ -48,8 +48,8 @@ void say(std::string_view text) {
 [[noreturn]] void end_at_once(std::string_view cause) {
   say("matrigrate: ended by ");
   say(cause);
-  say(", which is a fault of the program or of a library, or memory that ran out; the last checkpoint and the files up "
-      "to it are good, and resume goes on from there; if it comes again, please report it with what info prints\n");
+  say(": the program or a library has a fault, or memory ran out. The last checkpoint and the files up to it are good; "
+      "matrigrate resume continues from there. If this happens again, please report it with what info prints.\n");
   ::_exit(numerical);
 }
 

@@ -90,7 +90,7 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
         width = (after[2] - after[0]) / (prior[2] - prior[0]) if prior[2] > prior[0] else float("nan")
         rows[name] = [*prior, *after, width, bool(width < _told)]
         if not width < _told:
-            notes.append(f"the data cannot tell {name}: its 90 % interval is {width:.0%} of the prior's")
+            notes.append(f"the data do not constrain {name}: its 90 % interval is {width:.0%} of the prior's")
     columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]
     table = _pandas().DataFrame.from_dict(rows, orient="index", columns=columns)
     used = found.loc[whole, names]

@@ -263,7 +263,7 @@ class Scenario(Sections, Mapping[str, Value]):
             with open(path, "w" if overwrite else "x", encoding="utf-8") as out:
                 out.write(self.toml())
         except FileExistsError:
-            raise InputOutputError(f"{path}: exists, and is not overwritten; choose another name, or overwrite=True",
+            raise InputOutputError(f"{path}: exists and is not overwritten; choose another name, or overwrite=True",
                                    path.parent) from None
         except OSError as error:
             raise InputOutputError(f"{path}: cannot be written: {error.strerror}", path.parent) from None

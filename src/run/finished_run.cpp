@@ -59,9 +59,8 @@ store::Checkpoint checkpoint_in(const std::filesystem::path& folder, const std::
     std::string offer;
     try {
       if (file != before)
-        offer =
-            fmt::format("; {}, at {}, is whole, and is taken where {} is moved away", store::previous_checkpoint_name,
-                        time_text(store::read_checkpoint(before).state.t), store::checkpoint_name);
+        offer = fmt::format("; {}, at {}, is whole: move {} away to use it", store::previous_checkpoint_name,
+                            time_text(store::read_checkpoint(before).state.t), store::checkpoint_name);
     } catch (const InputOutputError&) { // neither is
     }
     throw InputOutputError(trouble.what() + offer);

@@ -115,7 +115,8 @@ void require_free(const fs::path& folder, const Parameters& p, RunObserver& obse
 void warn_of_other_files(const fs::path& folder, RunObserver& observer) {
   const std::vector<std::string> foreign = foreign_entries(folder);
   if (foreign.empty()) return;
-  observer.warn(fmt::format("{}: these are not files of a run, and stay: {}", folder.string(), listed(foreign, ", ")));
+  observer.warn(
+      fmt::format("{}: these are not files of a run and are kept: {}", folder.string(), listed(foreign, ", ")));
 }
 
 } // namespace matrigrate::run

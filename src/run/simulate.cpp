@@ -159,10 +159,10 @@ private:
       return std::filesystem::exists(m_options.folder / name, error);
     };
     if (is_there(store::checkpoint_name))
-      return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
+      return fmt::format("results up to {} are safe in {}; continue with: matrigrate resume {}",
                          time_text(*m_folder->safe_until()), store::checkpoint_name, m_options.folder.string());
     if (is_there(store::previous_checkpoint_name))
-      return fmt::format("there is only the checkpoint before, {}; go on with: matrigrate resume {}",
+      return fmt::format("only the previous checkpoint is left, {}; continue with: matrigrate resume {}",
                          store::previous_checkpoint_name, m_options.folder.string());
     return "the checkpoint is gone as well";
   }

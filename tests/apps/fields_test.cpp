@@ -116,7 +116,7 @@ TEST_F(Fields, ArePutSideBySideForAPublication) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
   const Ended figure = run("export here --panel '0, 0.25 min, 36 s' -o out");
   ASSERT_EQ(figure.code, 0);
-  EXPECT_EQ(figure.err, "matrigrate: --panel: there is no frame at 0.25 min; the nearest is taken, at 16 s\n");
+  EXPECT_EQ(figure.err, "matrigrate: --panel: there is no frame at 0.25 min; the nearest one, at 16 s, is used\n");
   const std::string panel = text_of(folder / "out/panel.svg");
   EXPECT_TRUE(contains(panel, ">0 s</text>") && contains(panel, ">16 s</text>") && contains(panel, ">36 s</text>"));
   EXPECT_TRUE(contains(panel, "displacement [um]"));
@@ -140,7 +140,7 @@ TEST_F(Fields, NeedsToolsForPixels) {
   ASSERT_EQ(::setenv("CHROMIUM", "/nope", 1), 0);
   const Ended browser = run("export here --movie -o no");
   EXPECT_EQ(browser.code, 5);
-  EXPECT_TRUE(contains(browser.err, "CHROMIUM is /nope, which is no program")) << browser.err;
+  EXPECT_TRUE(contains(browser.err, "CHROMIUM is /nope, which is not a program")) << browser.err;
   ::unsetenv("CHROMIUM");
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");

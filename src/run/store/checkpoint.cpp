@@ -51,8 +51,8 @@ void require_readable(std::string_view start, const std::string& name) {
   if (!ours || std::from_chars(start.data() + checkpoint_magic.size(), end, version).ec != std::errc())
     throw InputOutputError(fmt::format("{}: is no checkpoint of matrigrate", name));
   if (version != checkpoint_version)
-    throw InputOutputError(fmt::format("{}: is a checkpoint of format {}; this program reads format {}: go on with the "
-                                       "version that wrote it, or start the run again from its scenario",
+    throw InputOutputError(fmt::format("{}: is a checkpoint of format {}; this program reads format {}: resume with "
+                                       "the version that wrote it, or start the run again from its scenario",
                                        name, version, checkpoint_version));
 }
 
@@ -68,7 +68,8 @@ std::string_view checked_content(std::string_view image, const std::string& name
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
   if (image.substr(0, block) == first_line(content)) return content;
-  refuse(image.starts_with(promise_of(content.size())) ? "has been changed: its fingerprint is another" : other_length);
+  refuse(image.starts_with(promise_of(content.size())) ? "has been changed: its fingerprint does not match"
+                                                       : other_length);
   return {};
 }
 
@@ -203,15 +204,16 @@ void require_consistent(const State& s) {
            && has_entries(cell.nucleus, cell.nucleus.size());
   });
   if (n == 0 || !has_entries(s.ecm, n) || !lags || !cells || !knows_before)
-    throw std::invalid_argument("its arrays do not belong together");
+    throw std::invalid_argument("its arrays do not match in length");
   for (const Cell& cell : s.cells)
     for (const Protrusion& p : cell.protrusions)
-      if (p.centre >= cell.cortex.size()) throw std::invalid_argument("a protrusion has no place on the cortex");
+      if (p.centre >= cell.cortex.size())
+        throw std::invalid_argument("the centre of a protrusion is not on the cortex");
   if (!std::ranges::all_of(s.ecm.E_ratio, [](double ratio) { return std::isfinite(ratio) && ratio > 0.0; }))
     throw std::invalid_argument("a Young's modulus of the matrix is not above 0");
   if (!std::isfinite(s.ecm.V0) || !std::isfinite(s.ecm.period_x))
     throw std::invalid_argument("the area or the period of its matrix is not a number");
-  if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is no time");
+  if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is negative or not finite");
 }
 
 } // namespace
