@@ -29,7 +29,7 @@ nlohmann::ordered_json to_json(const Outcome& outcome);
 /// The chapter of the report.
 report::Statement to_statement(const Outcome& outcome);
 
-/// Writes NAME.csv and NAME-<picture>.svg of each picture; nothing if there is no result.
+/// Writes NAME.csv, and NAME-<picture>.svg for each picture; nothing without a result.
 void write_outcome(const Outcome& outcome, const std::filesystem::path& folder);
 
 } // namespace matrigrate::apps

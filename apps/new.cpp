@@ -55,7 +55,7 @@ void write_schema(const std::filesystem::path& scenario) {
 int write_scenario(const NewArguments& options) {
   const Preset& preset = preset_of(options.preset);
   if (excerpt(options.schema, options.schema.size()) != options.schema)
-    throw UsageError("--schema: the path holds a character that does not fit into one line of text");
+    throw UsageError("--schema: the path holds a line break, a control character, or bytes that are not UTF-8");
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
     throw InputOutputError(options.file
                            + ": exists and is not overwritten; choose another name, or delete the file first");

@@ -25,7 +25,7 @@ struct ResumeArguments {
   std::vector<std::string> command_line;
 };
 
-/// Whether a branch is asked for.
+/// True if the options ask for a branch.
 bool branches(const ResumeArguments& options) {
   const ParameterOptions& p = options.parameters;
   return !options.at.empty() || !p.overrides.empty() || p.seed || p.hours;

@@ -62,7 +62,7 @@ std::string hash_with_threads(const Parameters& p, int threads) {
   return hash.text();
 }
 
-/// The same with a break at two thirds: the state goes through a checkpoint.
+/// The run with a break at two thirds: the state goes through a checkpoint.
 std::string hash_with_break(const Parameters& p) {
   Simulation first(p);
   store::TrajectoryHash hash;

@@ -25,7 +25,7 @@ void require_layer(const run::FinishedRun& run, Layer layer);
 /// A layer's value of each particle, NaN in fluid that has none.
 std::vector<double> values_of(const observe::Frame& frame, Layer layer);
 
-/// The range of a layer that all but one in a thousand values of the film lie in.
+/// The range of a layer that holds all but one in a thousand values of the film.
 report::Limits limits_of(const observe::Film& film, Layer layer);
 
 } // namespace matrigrate::apps

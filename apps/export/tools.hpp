@@ -16,7 +16,7 @@ void require_tool(const std::string& program, const std::string& purpose, const 
 /// @throws InputOutputError if it fails
 void call(const std::vector<std::string>& command);
 
-/// A folder that is gone with all that is in it at the end of this object. One whose process was killed goes when the
+/// A temporary folder, removed with its contents by the destructor. The folder of a killed process is removed when the
 /// next one is made beside it.
 struct TemporaryFolder {
   /// @throws InputOutputError if it cannot be made

@@ -23,7 +23,7 @@ struct ReproduceOptions {
   bool quiet = false;
   std::string command; ///< as it was typed
 
-  /// Whether a row of the claims, by its id, was asked for.
+  /// True if a row of the claims, by its id, was asked for.
   bool chooses(std::string_view row) const { return id == "all" || row.starts_with(id); }
 };
 

@@ -18,14 +18,13 @@ using ReproducedRow = study::JudgedClaim;
 void require_own_files(const ReproduceOptions& options, const std::vector<const study::Claim*>& claims);
 
 /// Writes claims.csv (the table), claims-<id>.csv (every mean and condition) and report-<id>.html into the
-/// folder. Beside each verdict on runs that are not the paper's stands that they are not: in the column `caveat`,
-/// and on the page.
-/// @param command  that made them
+/// folder. Runs that deviate from the paper's set-up are marked, in the column `caveat` and on the page.
+/// @param command  that made the runs
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<ReproducedRow>& rows, const study::Evidence& evidence,
                         const ReproducedFigures& figures, const std::string& setting, const std::string& command);
 
-/// The table for people. Where runs are not the paper's, that stands beside the verdict.
+/// The table for people. Runs that deviate from the paper's set-up are marked beside the verdict.
 std::string reproduction_text(const std::vector<ReproducedRow>& rows);
 
 /// How the runs of each study ended, the verdicts in a table, a line per row, and the bottom line.

@@ -42,7 +42,7 @@ void check_id(const std::string& id) {
                                fmt::join(ids, ", ")));
 }
 
-/// Whether the studies are run as the paper ran them.
+/// True if the studies are run as the paper ran them.
 bool as_published(const ReproduceOptions& options) { return !options.replicates && options.overrides.empty(); }
 
 std::string setting_text(const ReproduceOptions& options) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What a study has come to, for its page and for people. Test: tests/apps/study_test.cpp
+/// The results of a study, for its page and for people. Test: tests/apps/study_test.cpp
 namespace matrigrate::apps {
 
 using study::collect_tables;
@@ -14,15 +14,15 @@ using study::gathered;
 using study::StudyFolder;
 
 /// Writes report.html, with the paper's claims about the study.
-/// @param played  names of the runs it is to play; none: typical ones
-/// @throws UsageError if one of them is none of the study, or is not done
+/// @param played  names of the runs that the page plays; none: typical runs
+/// @throws UsageError if a name is not a run of the study, or its run is not done
 void write_study_report(const StudyFolder& study, const Collected& collected,
                         const std::vector<std::string>& played = {});
 
-/// All of its files.
+/// Writes all files of results of the study.
 Collected collect(const StudyFolder& study);
 
-/// Means of all points and what differs, for people.
+/// Means of all points, and their differences, for people.
 std::string collected_text(const StudyFolder& study, const Collected& collected);
 
 } // namespace matrigrate::apps

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array<int, 8> codes{done, internal, usage, configuration, numerical, input_output, requeue, interrupted};
 
-/// Whether a signal has come; what a signal handler may write to.
+/// True once a signal has come; of a type that a signal handler may write.
 std::atomic_flag& come() {
   static constinit std::atomic_flag the_flag;
   return the_flag;

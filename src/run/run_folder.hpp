@@ -28,7 +28,7 @@ public:
   /// Writes scenario.resolved.toml, run.json and the tables with the rows that there are already. Removes temporary
   /// files of processes that were killed and, for a run from the start, the files of an older run.
   /// @param folder  exists; it is locked against other processes
-  /// @param memory  of a run that goes on; a new one has none
+  /// @param memory  output state of a resumed run; none for a new run
   /// @param from    the folder whose frames a branch takes over; empty: `folder`
   RunFolder(std::filesystem::path folder, const Parameters& p, const RunRecord& record, const State& s,
             store::RunMemory memory, const std::filesystem::path& from);
@@ -41,18 +41,18 @@ public:
   void see(const State& s, const Workspace& w, const RunRecord& record);
 
   /// Writes checkpoint.h5, if the run may go on.
-  /// @param keep  under its time too
-  /// @throws NumericalFailure if it may not; the checkpoint is then still the last good one
+  /// @param keep  writes a second file, named by its time, for branches
+  /// @throws NumericalFailure if the run must not go on; checkpoint.h5 then stays the last good one
   void write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep = false);
 
   /// Removes fields.part, which only resuming needs. Call it after run.json says that the run is done.
   void remove_log();
 
-  /// Whether checkpoints are written at their intervals; they are, unless told otherwise.
+  /// Switches the checkpoints at intervals on or off; they are on by default.
   void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
 
   /// Writes the row, the snapshot and the frame of the last state, as far as they have not been due.
-  /// @param stopped  before its end: then no snapshot, which would stay when the run is resumed
+  /// @param stopped  true if stopped before the end: then no snapshot, since a resumed run would keep it
   void see_last(const State& s, const Workspace& w, bool stopped);
 
   /// Writes all that is made at the end: fields.h5, read-outs, contact sheet and report.

@@ -9,7 +9,7 @@ namespace matrigrate::store {
 /// base64 with padding (RFC 4648).
 std::string base64(std::string_view bytes);
 
-/// The bytes that such a text stands for; it ends at the first character that is no digit.
+/// The bytes of a base64 text, up to its first character that is not a digit of base64.
 std::string from_base64(std::string_view text);
 
 } // namespace matrigrate::store

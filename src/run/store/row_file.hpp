@@ -24,7 +24,7 @@ std::string csv_line(const std::vector<Field>& fields);
 
 class RowFile {
 public:
-  /// Makes the file anew, with its header and the rows there are already; it is replaced as a whole or not at all.
+  /// Writes the header and the rows so far; an older file is replaced as a whole or not at all.
   /// @param columns  names ending in their unit
   /// @throws InputOutputError naming the path and the reason
   /// @throws std::invalid_argument if the number of fields of a row is not that of the columns

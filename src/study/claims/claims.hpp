@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// The claims of Heck et al. 2020 that ensembles of runs can bear out, one entry a row of the table to reproduce. The
+/// The claims of Heck et al. 2020 that ensembles of runs can test, one entry a row of the table to reproduce. The
 /// rule of a claim follows from its sentence, was written before the runs that it judges, and is not changed after
 /// them.
 ///
@@ -28,8 +28,8 @@ enum class RowKind { calibration, predicted, verification, experiment };
 /// The sets of closures (MODEL.md, "The choice of the closures").
 enum class ClosureSet { first, second };
 
-/// Of a row by its id: A1 to A7 and D are for calibration, and E with the second set, whose choice they served; V and F
-/// are for verification, X are experiments.
+/// The kind of a row by its id: A1 to A7 and D are for calibration, and E with the second set, whose choice they
+/// served; V and F are for verification, X are experiments.
 RowKind row_kind(std::string_view id, ClosureSet set = ClosureSet::second);
 std::string to_string(RowKind kind);
 

@@ -18,14 +18,14 @@ std::optional<std::string_view> shipped_name(const study::Study& study);
 /// lie beside its folder; none if it is no shipped study.
 std::vector<study::JudgedClaim> claims_about(const StudyFolder& study, const std::vector<study::Result>& results);
 
-/// In what this study is not the shipped one, and what follows for the verdicts; "" if in nothing.
+/// How this study differs from the shipped one, and what follows for the verdicts; "" if it does not differ.
 std::string claims_note(const study::Study& study);
 
 /// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".
 std::string claims_caveat(const study::Study& study);
 
-/// The same of the studies that a claim needs, as far as they are among the evidence, and for F1 of the study whose
-/// frames it is judged by; "" for other ids.
+/// claims_caveat() of the studies that a claim needs, as far as they are among the evidence, and for F1 of the study
+/// whose frames decide; "" for other ids.
 std::string claims_caveat(const std::string& id, const study::Evidence& evidence);
 
 } // namespace matrigrate::study

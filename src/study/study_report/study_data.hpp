@@ -39,8 +39,8 @@ struct StudyReport {
 /// A verdict in the data of pages: "holds", "fails" or "open".
 std::string verdict_word(Verdict verdict);
 
-/// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
-/// were wanted.
+/// The result of the first read-out, in a sentence: its extremes, and the number of significant comparisons if
+/// points are compared.
 std::string result_sentence(const StudyReport& report);
 
 /// @throws InputOutputError if a table of a run that is done cannot be read

@@ -11,8 +11,8 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr int seconds_to_stop = 120;     ///< before its time limit a task is told to stop
-constexpr int shortest_time_limit = 300; ///< a task with less would be told to stop when it has hardly begun [s]
+constexpr int seconds_to_stop = 120;     ///< time before its limit at which a task is stopped [s]
+constexpr int shortest_time_limit = 300; ///< a task with less would be stopped when it has hardly begun [s]
 
 constexpr std::string_view time_formats = "minutes, minutes:seconds, hours:minutes:seconds, days-hours, "
                                           "days-hours:minutes or days-hours:minutes:seconds, as in 12:00:00";

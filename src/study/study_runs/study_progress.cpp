@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
 
-/// Whether a process works in the folder of a run. Whoever begins to waits long enough for this look to be over.
+/// True if a process works in the folder of a run. A process that begins a run waits until this test is over.
 bool is_worked_on(const fs::path& folder) {
   const int descriptor = ::open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;

@@ -114,7 +114,7 @@ export interface StudyClaim {
   /** The paper's numbers; "" where it gives none. */
   published: string;
   verdict: "holds" | "fails" | "open";
-  /** What was found: means with their intervals. */
+  /** Our results: means with their intervals. */
   ours: string[];
   /** Conditions with their statistics, and whether each is met. */
   statistic: string[];
@@ -141,7 +141,7 @@ export interface StudyFactorSet {
   judged: number;
   /** Finished runs without a value of a target's read-out. */
   undefined: number;
-  /** One a target. */
+  /** One number per target. */
   z: (number | null)[];
   means: (number | null)[];
 }
@@ -190,7 +190,7 @@ export interface StudyScatter {
     name: string;
     label: string;
     unit: string;
-    /** One a point. */
+    /** One value per point. */
     values: number[];
     /** Spearman's rank correlation over the means of points, p after Holm over all factors and read-outs. */
     correlations: { readout: string; rho: number | null; p_holm: number | null; n: number }[];
@@ -219,20 +219,20 @@ export interface StudyData {
   msd: StudyMsd[];
 }
 
-/** Its title has the size of the study: "Stiffness: 4 points x 12 replicates". */
+/** The page of a study. The title has its size: "Stiffness: 4 points x 12 replicates". */
 export interface StudyPage extends StudyData {
   format: "matrigrate-study";
   version: 1;
   status: string;
-  /** What came out, in a sentence; "" for nothing. */
+  /** The result, in a sentence; "" for nothing. */
   summary?: string;
   /** Command, date, version of the program, runs done. */
   facts?: Fact[];
   correlation?: StudyCorrelation | null;
   claims?: StudyClaim[];
-  /** In what the study is not the published one; "" for nothing. */
+  /** How the study differs from the published one; "" for nothing. */
   claims_note?: string;
-  /** What stands beside each verdict: "not the paper's runs"; "" for nothing. */
+  /** The caveat beside each verdict: "not the paper's runs"; "" for none. */
   claims_caveat?: string;
   screening?: StudyScreening | null;
   scatter?: StudyScatter | null;

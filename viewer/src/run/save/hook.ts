@@ -5,7 +5,7 @@ import type { Stage } from "../stage";
 import { paintPicture, stripHeight } from "./picture";
 
 export interface Wanted {
-  /** Of the whole picture [pixels of the page]. */
+  /** Size of the whole picture [pixels of the page]. */
   width: number;
   height: number;
   /** A key of `layers`; left out: as it is. */
@@ -51,7 +51,7 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
     },
     frame: (time) => {
       const shown = there();
-      // Only the picture is wanted: nothing else on the page is told.
+      // Only the picture changes: the rest of the page gets no event.
       clock.time = Math.min(clock.end, Math.max(0, time));
       paintPicture(canvas, shown.view());
       return canvas;
