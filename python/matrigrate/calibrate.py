@@ -30,7 +30,7 @@ _told = 0.8
 
 @dataclass(frozen=True)
 class Posterior:
-    """What measured read-outs say of parameters."""
+    """Posterior of the parameters, given measured read-outs."""
 
     weights: np.ndarray[Any, Any]  #: of the points; their sum is 1
     table: pandas.DataFrame
@@ -103,7 +103,7 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
 
 
 def by_tracks(study: Study, measured: _tracks.Tracks, readouts: Sequence[str], *, error: float = 0.0) -> Posterior:
-    """What measured tracks say of the parameters of a study. A point is its runs that are done: more replicates make it
+    """Posterior of the parameters of a study, given measured tracks. A point is its finished runs: more replicates make it
     scatter less.
 
     :param study: a Latin hypercube over the prior, whose runs are as long as the tracks

@@ -1,4 +1,4 @@
-"""What can go wrong, with the words of the program. Each exit code of the program has its exception."""
+"""Exceptions with the messages of the program. Each exit code of the program has its exception."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ class MatrigrateError(Exception):
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong with a scenario.
+    """One fault of a scenario.
 
     >>> print(Fault("ecm.radius", "-1 um is out of range; allowed is >= 10 and <= 2000 um"))
     ecm.radius: -1 um is out of range; allowed is >= 10 and <= 2000 um

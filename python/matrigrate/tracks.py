@@ -33,7 +33,7 @@ _longest = 10_000  # intervals of a track
 
 
 def meaning(readout: str) -> str:
-    """What a read-out of tracks is, in words."""
+    """The meaning of a read-out of tracks, in words."""
     return _motility.meanings.get(readout, readout)
 
 
@@ -47,7 +47,7 @@ class Tracks(Mapping[str, Any]):
         self.interval = interval
         """Time between positions [s]."""
         self.notes = notes
-        """What was left out or changed, a sentence each."""
+        """What was left out or changed, one sentence for each change."""
 
     def __getitem__(self, track: str) -> np.ndarray[Any, Any]:
         return self._positions[track]
