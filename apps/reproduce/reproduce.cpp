@@ -22,7 +22,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-/// Of the paper's claims and, where they are asked for by name, of the experiments beside it.
+/// Rows of the paper's claims and, if asked for by name, of the experiments beside the paper.
 std::vector<const study::Claim*> chosen_claims(const ReproduceOptions& options) {
   std::vector<const study::Claim*> chosen;
   for (const study::Claim& claim : study::claims())

@@ -38,7 +38,7 @@ double number_of(const Json& record, const char* key) {
   return record.contains(key) && record.at(key).is_number() ? record.at(key).get<double>() : 0.0;
 }
 
-/// What the run in the folder is, and in what it differs.
+/// The run in the folder, and how it differs from the new one.
 std::string description(const fs::path& folder, const Json& record, const Parameters& p, RunObserver& observer) {
   std::string text = fmt::format("{}: holds another run ({}, {} of {}):\n", folder.string(), text_of(record, "status"),
                                  time_text(number_of(record, "t_s")), time_text(number_of(record, "duration_s")));

@@ -151,7 +151,7 @@ private:
     return end == RunEnd::told_to_terminate ? "a signal to terminate" : "the limit of wall time";
   }
 
-  /// What the user still has.
+  /// The results that the user still has.
   std::string safe_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     std::error_code error;

@@ -183,7 +183,7 @@ State state_from(const std::string& text, const MemoryFile* file) {
   return s;
 }
 
-/// Whether each array has n entries, or none where that is allowed.
+/// True if each array has n entries, or is empty where an empty array is allowed.
 bool has_entries(const Listed auto& s, std::size_t n) {
   bool all = true;
   each_member(s, [&](const StateMember& member, const auto& value) {
@@ -193,7 +193,7 @@ bool has_entries(const Listed auto& s, std::size_t n) {
   return all;
 }
 
-/// What a whole file may still have wrong: arrays that do not belong together.
+/// Refuses faults that a whole file may still have: arrays that do not match, values out of range.
 void require_consistent(const State& s) {
   const std::size_t n = s.ecm.size();
   const SolverMemory& memory = s.solver_memory;

@@ -67,7 +67,7 @@ HealthRow health_of(const Json& json) {
           .force_imbalance = number(json.at(17))};
 }
 
-/// What is not defined is null.
+/// An undefined value is null.
 Json json_of(const GroupRow& row) {
   return {row.t,     row.step,      to_json(row.centre), row.spread, row.speed,
           row.order, row.direction, row.nearest,         row.gap,    row.contacts};

@@ -62,7 +62,7 @@ std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
   }
 }
 
-/// Of all runs together, from those that are done and those that are running.
+/// Time left for all runs together, from the done and the running runs.
 std::optional<double> time_left(const StudyProgress& progress, const std::vector<Standing>& standings) {
   double left = 0.0;
   double whole = 0.0;
