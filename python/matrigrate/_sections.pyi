@@ -125,9 +125,9 @@ class Cell(Section):
     centre_of_mass: Literal["area", "particles"]
     """Centre of mass: centroid of the area inside the cortex, or mean position of the cortex particles (x_cm); "area" or "particles". Default: "particles" (MODEL.md, I41)."""
     start_x: _Quantity
-    """Centre of the cell at the start; >= -2000 and <= 2000 um. A bare number is in um. Default: "0 um" (this program)."""
+    """x of the cell's centre at the start; >= -2000 and <= 2000 um. A bare number is in um. Default: "0 um" (this program)."""
     start_y: _Quantity
-    """Centre of the cell at the start; >= -2000 and <= 2000 um. A bare number is in um. Default: "0 um" (this program)."""
+    """y of the cell's centre at the start; >= -2000 and <= 2000 um. A bare number is in um. Default: "0 um" (this program)."""
     spring_stiffness: _Quantity
     """Stiffness of the springs of the cortex (k_s); >= 0 and <= 1 N/m. A bare number is in N/m. Default: "0.0028 N/m" (Heck et al. 2020, Table 1)."""
     dashpot: _Quantity
@@ -145,7 +145,7 @@ class Cell(Section):
     crowding: float
     """Fraction of its initial length below which a segment stiffens in compression; > 0 and < 1. Default: 0.5 (MODEL.md, I10)."""
     particles: int
-    """Particles of the cortex; >= 20 and <= 10000. Default: 235 (Heck et al. 2020, Table 1)."""
+    """Number of particles of the cortex; >= 20 and <= 10000. Default: 235 (Heck et al. 2020, Table 1)."""
 
 class Contact(Section):
     """Contact of cell and matrix."""
@@ -195,7 +195,7 @@ class Nucleus(Section):
     repulsion_range: _Quantity
     """Gap below which nucleus and cortex repel each other; > 0 and <= 20 um. A bare number is in um. Default: "0.5 um" (MODEL.md, I40)."""
     particles: int
-    """Particles of the lamina; >= 12 and <= 2000. Default: 72 (MODEL.md, I40)."""
+    """Number of particles of the lamina; >= 12 and <= 2000. Default: 72 (MODEL.md, I40)."""
 
 class Actomyosin(Section):
     """Contraction of the cortex."""
@@ -219,7 +219,7 @@ class Protrusion(Section):
     growth_time: _Quantity
     """Duration of growth (T_prot); > 0 and <= 1e6 s. A bare number is in s. Default: "400 s" (Heck et al. 2020, Table 1)."""
     finishing_time: _Quantity
-    """Time of contraction after the adhesion is gone (T_finish); >= 0 and <= 1e6 s. A bare number is in s. Default: "400 s" (Heck et al. 2020, Table 1)."""
+    """Duration of contraction after the adhesion is lost (T_finish); >= 0 and <= 1e6 s. A bare number is in s. Default: "400 s" (Heck et al. 2020, Table 1)."""
     spring_stiffness: _Quantity
     """Stiffness of the springs of a growing or maturing protrusion (k_s,prot); >= 0 and <= 1 N/m. A bare number is in N/m. Default: "2.8e-06 N/m" (Heck et al. 2020, Table 1)."""
     deflection_rate: _Quantity
