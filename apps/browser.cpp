@@ -28,7 +28,7 @@ fs::path page_of(const fs::path& folder) {
     if (page && (newest.empty() || entry.last_write_time() > fs::last_write_time(newest))) newest = entry.path();
   }
   if (newest.empty())
-    throw InputOutputError(fmt::format("{}: has no report.html; of a run or a study, `matrigrate report {}` makes it",
+    throw InputOutputError(fmt::format("{}: has no report.html; for a run or a study, `matrigrate report {}` writes it",
                                        folder.string(), folder.string()));
   return newest;
 }

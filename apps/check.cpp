@@ -31,7 +31,7 @@ struct CheckArguments {
   bool values = false;
 };
 
-/// What a file is, and what is wrong with it.
+/// The kind of a file, and its faults.
 struct Finding {
   std::string file;
   bool study = false;

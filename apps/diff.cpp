@@ -48,7 +48,7 @@ Side side(const std::string& name) {
     return {.name = name, .p = read_parameters(name), .record = {}, .summary = {}, .tracks = {}};
   const fs::path folder = name;
   if (!fs::exists(folder / "run.json"))
-    throw InputOutputError(fmt::format("{}: is the folder of no run (no run.json)", name));
+    throw InputOutputError(fmt::format("{}: is not the folder of a run (it has no run.json)", name));
   Side one{.name = name,
            .p = read_parameters(folder / "scenario.resolved.toml"),
            .record = run::read_record(folder),

@@ -137,7 +137,7 @@ Json to_json(const ExplainArguments& options, const Parameters& p, const Derived
 void draw_fields(const Parameters& p, const std::string& folder) {
   const FieldSummaries given = field_summaries(p);
   if (given.fields.empty())
-    throw UsageError("the scenario has no fields to draw; docs/how-to/fields.md says how to give it some");
+    throw UsageError("the scenario has no fields to draw; docs/how-to/fields.md shows how to add them");
   make_output_folder(folder, false);
   const std::vector<Vec2> outline = round_cortex(p.cell).x;
   for (const FieldSummary& field : given.fields) {

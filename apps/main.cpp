@@ -87,7 +87,7 @@ int complain(std::string_view what, ExitCode code) {
 
 /// Takes no memory, as there is none.
 [[noreturn]] void end_without_memory() {
-  constexpr std::string_view text = "matrigrate: not enough memory; explain tells what a scenario needs\n";
+  constexpr std::string_view text = "matrigrate: not enough memory; matrigrate explain prints what a scenario needs\n";
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
   std::_Exit(numerical);
 }

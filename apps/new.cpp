@@ -42,8 +42,8 @@ void write_schema(const std::filesystem::path& scenario) {
     const std::string there = read_file(file, largest);
     if (there == text) return;
     if (!there.starts_with(start)) { // not ours
-      print_error(fmt::format("{} {}: is not the schema of this version, and is left as it is; matrigrate "
-                              "list --schema-json prints the one of this version\n",
+      print_error(fmt::format("{} {}: is not the schema of this version and was not changed; matrigrate "
+                              "list --schema-json prints the schema of this version\n",
                               coloured("matrigrate:", Colour::warning, Stream::err), file.string()));
       return;
     }
@@ -55,9 +55,10 @@ void write_schema(const std::filesystem::path& scenario) {
 int write_scenario(const NewArguments& options) {
   const Preset& preset = preset_of(options.preset);
   if (excerpt(options.schema, options.schema.size()) != options.schema)
-    throw UsageError("--schema: is no path that can stand in a line of text");
+    throw UsageError("--schema: the path holds a line break, a control character, or bytes that are not UTF-8");
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
-    throw InputOutputError(options.file + ": exists, and is not overwritten; choose another name or delete it first");
+    throw InputOutputError(options.file
+                           + ": exists and is not overwritten; choose another name, or delete the file first");
   write_file(options.file, new_scenario(preset, options.schema.empty() ? schema_file : options.schema));
   if (options.schema.empty()) write_schema(options.file);
   print(fmt::format("{}: written from the preset {}; next: matrigrate explain {}\n", options.file, preset.name,

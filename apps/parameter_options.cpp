@@ -63,7 +63,7 @@ double seconds_of(const std::string& text) {
     if (unit.dimension == units::Dimension{.time = 1000} && seconds > 0.0) return seconds;
   } catch (const std::invalid_argument&) { // said below
   }
-  throw UsageError(fmt::format("\"{}\" is no time: something like \"90 s\" or \"2 h\" is wanted", text));
+  throw UsageError(fmt::format("\"{}\" is not a time; write it like \"90 s\" or \"2 h\"", text));
 }
 
 } // namespace matrigrate::apps

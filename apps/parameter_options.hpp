@@ -18,10 +18,10 @@ struct ParameterOptions {
   std::optional<int> threads;
 };
 
-/// All of them as "key=value", those of --set first.
+/// All options as "key=value", the changes by --set first.
 std::vector<std::string> all_overrides(const ParameterOptions& options);
 
-/// The same faults, naming the option that was given: "--hours" where run.duration was not given by --set.
+/// The faults of an error, naming the option that was given: "--hours" where run.duration was not given by --set.
 ConfigurationError naming_options(const ConfigurationError& error, const ParameterOptions& options);
 
 /// What a change by --set adds to the name of a folder: "-youngs_modulus-50Pa" of "ecm.youngs_modulus=50 Pa"; nothing

@@ -25,7 +25,7 @@ struct ResumeArguments {
   std::vector<std::string> command_line;
 };
 
-/// Whether a branch is asked for.
+/// True if the options ask for a branch.
 bool branches(const ResumeArguments& options) {
   const ParameterOptions& p = options.parameters;
   return !options.at.empty() || !p.overrides.empty() || p.seed || p.hours;
@@ -51,7 +51,8 @@ int resume_run(const ResumeArguments& options) {
   const OutcomeStyle style{.json = options.json, .quiet = options.quiet};
   if (branches(options)) return print_outcome(branch_off(options, how, display), style);
   if (!options.output.empty())
-    throw UsageError("-o is for branches: with --at, --set, --seed or --hours; a run goes on in its own folder");
+    throw UsageError(
+        "-o is only for branches (--at, --set, --seed or --hours); otherwise a run continues in its own folder");
   return print_outcome(resume(how, {.previous = options.previous, .threads = options.parameters.threads}, display),
                        style);
 }

@@ -102,7 +102,7 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
       ->allow_extra_args(false);
   verb->add_option("--wall-time", options->wall_time, "Stop with a checkpoint after this time of the clock: \"2 h\"");
   verb->add_flag("--force", options->force,
-                 "Start again in a folder that is not empty: files of an older run are removed, others stay");
+                 "Start again in a folder that is not empty: files of an older run are removed, others are kept");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");
   verb->add_flag("--quiet", options->quiet, "Show no progress; print only where the report is");
   verb->callback([options, &chosen] { chosen = [options] { return run_scenario(*options); }; });

@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-// Of a release build with g++ 12 on x86-64 with FMA, and of the first set of closures (MODEL.md).
+// Hashes of a release build with g++ 12 on x86-64 with FMA; the second with the first set of closures (MODEL.md).
 constexpr std::string_view known_hash = "e7894ccb3e2d9338";
 constexpr std::string_view known_hash_of_first = "b6eaa68b0da11b09";
 constexpr std::size_t largest_answer = 1U << 20U;
@@ -62,7 +62,7 @@ std::string hash_with_threads(const Parameters& p, int threads) {
   return hash.text();
 }
 
-/// The same with a break at two thirds: the state goes through a checkpoint.
+/// The run with a break at two thirds: the state goes through a checkpoint.
 std::string hash_with_break(const Parameters& p) {
   Simulation first(p);
   store::TrajectoryHash hash;
@@ -75,7 +75,7 @@ std::string hash_with_break(const Parameters& p) {
   return later.text();
 }
 
-/// What another build of the program finds. @throws InputOutputError if it does not tell
+/// The result of the self-test of another build. @throws InputOutputError if the build prints none
 Json found_by(const std::string& program) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(std::tmpfile(), &std::fclose);
   if (!output) throw InputOutputError("no temporary file can be made");

@@ -81,7 +81,7 @@ void add_validate(CLI::App& app, Action& chosen) {
   verb->add_option("--set", options->overrides, "key=value, over the scenario; may be repeated")
       ->allow_extra_args(false);
   verb->add_flag("--force", options->force,
-                 "Write into a folder that is not empty: files of the same name are replaced, others stay");
+                 "Write into a folder that is not empty: files of the same name are replaced, others are kept");
   verb->add_flag("--json", options->json, "Print the results as JSON");
   verb->add_flag("--quiet", options->quiet, "Print only the verdict");
   verb->callback([options, &chosen] { chosen = [options] { return validate(*options); }; });

@@ -17,7 +17,7 @@ namespace matrigrate::apps {
 
 using namespace run;
 
-/// Those of a run are in run.json too (run/status.hpp).
+/// Exit codes of the program. run.json records the exit code of a run too (run/status.hpp).
 enum ExitCode : int {
   done = 0,
   internal = 1,
@@ -33,7 +33,7 @@ static_assert(run::exit_code(RunEnd::completed) == done && run::exit_code(RunEnd
               && run::exit_code(RunEnd::told_to_terminate) == requeue
               && run::exit_code(RunEnd::stopped_by_user) == interrupted);
 
-/// The command line asks for something that there is not. Exit code 2.
+/// The command line asks for something that does not exist. Exit code 2.
 class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

@@ -63,7 +63,7 @@ complete -c matrigrate -n '__matrigrate_at run' -l hours -x -d 'Simulated time i
 complete -c matrigrate -n '__matrigrate_at run' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
 complete -c matrigrate -n '__matrigrate_at run' -l set -x -d 'key=value, over the file; may be repeated'
 complete -c matrigrate -n '__matrigrate_at run' -l wall-time -x -d 'Stop with a checkpoint after this time of the clock: "2 h"'
-complete -c matrigrate -n '__matrigrate_at run' -l force -d 'Start again in a folder that is not empty: files of an older run are removed, others stay'
+complete -c matrigrate -n '__matrigrate_at run' -l force -d 'Start again in a folder that is not empty: files of an older run are removed, others are kept'
 complete -c matrigrate -n '__matrigrate_at run' -l json -d 'Print the outcome as one JSON object'
 complete -c matrigrate -n '__matrigrate_at run' -l quiet -d 'Show no progress; print only where the report is'
 
@@ -119,7 +119,7 @@ complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this
 complete -c matrigrate -n '__matrigrate_at validate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: validate-NAME)'
 complete -c matrigrate -n '__matrigrate_at validate' -l scenario -r -F -d 'Take material and numerics from this scenario file'
 complete -c matrigrate -n '__matrigrate_at validate' -l set -x -d 'key=value, over the scenario; may be repeated'
-complete -c matrigrate -n '__matrigrate_at validate' -l force -d 'Write into a folder that is not empty: files of the same name are replaced, others stay'
+complete -c matrigrate -n '__matrigrate_at validate' -l force -d 'Write into a folder that is not empty: files of the same name are replaced, others are kept'
 complete -c matrigrate -n '__matrigrate_at validate' -l json -d 'Print the results as JSON'
 complete -c matrigrate -n '__matrigrate_at validate' -l quiet -d 'Print only the verdict'
 
@@ -166,7 +166,7 @@ complete -c matrigrate -n '__matrigrate_at study submit' -l partition -x -d 'Slu
 complete -c matrigrate -n '__matrigrate_at study submit' -l qos -x -d 'Slurm\'s quality of service'
 complete -c matrigrate -n '__matrigrate_at study submit' -l time -x -d 'Time limit of a task, as in 12:00:00'
 complete -c matrigrate -n '__matrigrate_at study submit' -l mem -x -d 'Memory of a task, as in 500M'
-complete -c matrigrate -n '__matrigrate_at study submit' -l mail-user -x -d 'Who is told by mail when the job ends or fails'
+complete -c matrigrate -n '__matrigrate_at study submit' -l mail-user -x -d 'Address that Slurm mails to when the job ends or fails'
 complete -c matrigrate -n '__matrigrate_at study submit' -l throttle -x -d 'Largest number of tasks at a time (default: as Slurm decides)'
 complete -c matrigrate -n '__matrigrate_at study submit' -l cpus -x -d 'Threads per task; never changes a result (default: 1)'
 complete -c matrigrate -n '__matrigrate_at study submit' -l chunk -x -d 'Runs per task, one after the other (default: as few as fit into 1000 tasks)'

@@ -52,7 +52,7 @@ void require_frames(const FinishedRun& run, const std::string& folder) {
   if (!run.film.frames.empty()) return;
   const bool kept = run.p.output.field_interval > 0.0;
   throw InputOutputError(fmt::format("{}: holds no frames: {}", folder,
-                                     kept ? "neither fields.part nor fields.h5 has a whole one"
+                                     kept ? "neither fields.part nor fields.h5 has a complete frame"
                                           : "the run was made with output.field_interval = 0"));
 }
 

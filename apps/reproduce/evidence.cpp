@@ -87,8 +87,8 @@ void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceO
           return run.hash == r.run.hash && run.seed == r.run.seed && run.point == r.run.point
                  && run.replicate == r.run.replicate;
         }))
-      throw InputOutputError(
-          fmt::format("{}: run {} is not one of the study: its parameters were others", file.string(), r.run.hash));
+      throw InputOutputError(fmt::format("{}: run {} does not belong to the study: its parameters are different",
+                                         file.string(), r.run.hash));
   evidence.emplace(name, study::Ensemble{std::move(study.study), std::move(results)});
 }
 

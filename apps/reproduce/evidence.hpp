@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-/// What the studies behind claims have come to. Test: tests/apps/reproduce_test.cpp
+/// The results of the studies behind claims. Test: tests/apps/reproduce_test.cpp
 namespace matrigrate::apps {
 
-/// The evidence, and a second one in which runs that ended at the rim are replaced by the same ones (point, seed) in a
-/// disc of larger_disc times the radius; that has only studies with such runs.
+/// The evidence, and a second one in which each run that ended at the rim is replaced by the run of the same point and
+/// seed in a disc of larger_disc times the radius. The second evidence has only studies with such runs.
 struct ClaimEvidence {
   study::Evidence evidence;
   study::Evidence larger;

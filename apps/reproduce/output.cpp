@@ -106,7 +106,7 @@ void require_own_files(const ReproduceOptions& options, const std::vector<study:
     if (!own) foreign.push_back(name);
   }
   if (!foreign.empty())
-    throw InputOutputError(fmt::format("{}: {} would be replaced, and {} not written by this program; choose another "
+    throw InputOutputError(fmt::format("{}: {} would be replaced, but {} not written by this program; choose another "
                                        "folder with -o",
                                        options.folder, fmt::join(foreign, ", "), foreign.size() == 1 ? "was" : "were"));
 }

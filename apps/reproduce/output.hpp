@@ -15,9 +15,8 @@ namespace matrigrate::apps {
 void require_own_files(const ReproduceOptions& options, const std::vector<study::Claim>& claims);
 
 /// Writes claims.csv (the table), claims-<id>.csv (every mean and condition) and report-<id>.html into the
-/// folder. Beside each verdict on runs that are not the paper's stands that they are not: in the column `caveat`,
-/// and on the page.
-/// @param command  that made them
+/// folder. Runs that deviate from the paper's set-up are marked, in the column `caveat` and on the page.
+/// @param command  that made the runs
 void write_reproduction(const std::filesystem::path& folder, const std::string& id,
                         const std::vector<study::JudgedClaim>& rows, const study::Evidence& evidence,
                         const ReproducedFigures& figures, const std::string& setting, const std::string& command);

@@ -41,7 +41,7 @@ void check_id(const std::string& id) {
                                fmt::join(ids, ", ")));
 }
 
-/// Whether the studies are run as the paper ran them.
+/// True if the studies are run as the paper ran them.
 bool as_published(const ReproduceOptions& options) { return !options.replicates && options.overrides.empty(); }
 
 std::string setting_text(const ReproduceOptions& options) {
@@ -100,7 +100,7 @@ int reproduce(const ReproduceOptions& options) {
       if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
     all = gather_evidence(needed, options);
   } catch (const Stopped& stopped) {
-    print("stopped; the same command goes on\n");
+    print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
   rows = judged_rows(claims, all, std::move(rows), options);

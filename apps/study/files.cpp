@@ -70,7 +70,7 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
   return "\n" + text + (left_out > 0 ? fmt::format("  and {} more in statistics.csv\n", left_out) : std::string());
 }
 
-/// What to know of the numbers above.
+/// Notes on the numbers above.
 std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
   if (comparisons.empty()) return {};
   const bool few = std::ranges::any_of(comparisons, few_runs);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What a study has come to, for its page and for people. Test: tests/apps/study_test.cpp
+/// The results of a study, for its page and for people. Test: tests/apps/study_test.cpp
 namespace matrigrate::apps {
 
 using study::collect_tables;
@@ -18,7 +18,7 @@ using study::StudyFolder;
 /// @throws UsageError if one of them is none of the study, or is not done
 void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {});
 
-/// All of its files.
+/// Writes all files of results of the study.
 Collected collect(const StudyFolder& study);
 
 /// Means of all points, what differs, and the verdicts on claims, for people.

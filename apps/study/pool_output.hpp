@@ -15,7 +15,7 @@ struct ShownPoolOptions {
   bool quiet = false;        ///< show no progress
 };
 
-/// Computes those of the given runs that are not done, as study::compute does; signals to this program stop it, and the
+/// Computes the given runs that are not done, as study::compute does; signals to this program stop it, and the
 /// standard error shows how far it is.
 study::PoolOutcome compute(const study::StudyFolder& study, const std::vector<std::size_t>& runs,
                            const ShownPoolOptions& options);

@@ -76,7 +76,7 @@ void add_slurm_options(CLI::App& verb, SubmitOptions& options) {
   verb.add_option("--qos", slurm.qos, "Slurm's quality of service");
   verb.add_option("--time", slurm.time, "Time limit of a task, as in 12:00:00");
   verb.add_option("--mem", slurm.memory, "Memory of a task, as in 500M");
-  verb.add_option("--mail-user", slurm.mail_user, "Who is told by mail when the job ends or fails");
+  verb.add_option("--mail-user", slurm.mail_user, "Address that Slurm mails to when the job ends or fails");
   verb.add_option("--throttle", slurm.throttle, "Largest number of tasks at a time (default: as Slurm decides)");
   verb.add_option("--cpus", slurm.cpus, "Threads per task; never changes a result (default: 1)")
       ->check(CLI::Range(1, 1024));

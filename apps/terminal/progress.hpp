@@ -33,7 +33,7 @@ private:
   Clock::time_point m_last;
 };
 
-/// What the bar of a run tells.
+/// The text beside the bar of a run.
 struct ProgressText {
   double share = 0.0; ///< done of the whole, 0 to 1
   std::string where;  ///< "12 min of 1 h"
@@ -51,7 +51,7 @@ std::size_t terminal_width();
 /// A bar of `width` characters: "####----".
 std::string bar(double share, int width);
 
-/// The time left for the rest of something, judged by the part done so far: "12 min left"; empty if nothing was done.
+/// The time left, estimated from the part done so far: "12 min left"; empty if nothing was done.
 /// @param elapsed  on the clock [s]   @param done  in that time   @param rest  still to be done, in the same unit
 std::string time_left(double elapsed, double done, double rest);
 

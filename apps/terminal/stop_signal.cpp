@@ -8,7 +8,7 @@ namespace matrigrate::apps {
 
 namespace {
 
-/// What a signal handler may write to.
+/// Variables of a type that a signal handler may write.
 struct Note {
   std::atomic<int> number;         // of the signal that came first
   std::atomic<std::int64_t> since; // ms; when it came

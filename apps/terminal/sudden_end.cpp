@@ -19,7 +19,7 @@ namespace {
 constexpr std::array signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array<int, 8> codes{done, internal, usage, configuration, numerical, input_output, requeue, interrupted};
 
-/// Whether a signal has come; what a signal handler may write to.
+/// True once a signal has come; of a type that a signal handler may write.
 std::atomic_flag& come() {
   static constinit std::atomic_flag the_flag;
   return the_flag;
@@ -48,8 +48,8 @@ void say(std::string_view text) {
 [[noreturn]] void end_at_once(std::string_view cause) {
   say("matrigrate: ended by ");
   say(cause);
-  say(", which is a fault of the program or of a library, or memory that ran out; the last checkpoint and the files up "
-      "to it are good, and resume goes on from there; if it comes again, please report it with what info prints\n");
+  say(": the program or a library has a fault, or memory ran out. The last checkpoint and the files up to it are good; "
+      "matrigrate resume continues from there. If this happens again, please report it with what info prints.\n");
   ::_exit(numerical);
 }
 

@@ -1,4 +1,4 @@
-"""What functions are called with: of the right type, or a TypeError that names the argument."""
+"""Checks of arguments: an argument of a wrong type raises a TypeError that names it."""
 from __future__ import annotations
 
 import os
@@ -47,6 +47,6 @@ def one_of(name: str, value: Any, *types: type) -> Any:
 
 
 def function(name: str, value: Any) -> None:
-    """A function, or None. :raises TypeError: if it is neither"""
+    """Checks that a value is a function or None. :raises TypeError: if the value is neither"""
     if value is not None and not callable(value):
         raise wrong(name, value, "a function")

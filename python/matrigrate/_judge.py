@@ -1,4 +1,4 @@
-"""What the program says of values and names: the compiled module is asked, or without it the program."""
+"""Judges values and names, by the compiled module or, without the module, by the program."""
 from __future__ import annotations
 
 import json

@@ -62,7 +62,7 @@ class Parts:
         return np.divide(sums, counts, out=np.full(len(sums), np.nan), where=counts > 0)
 
     def readouts(self, which: Any = slice(None), error: float = 0.0) -> dict[str, float]:
-        """All read-outs of the tracks of these numbers; NaN where they do not define one.
+        """All read-outs of the tracks with these numbers; NaN for a read-out that the tracks do not define.
 
         :param error: localisation error of a coordinate [um]; the mean square displacement is less by 4 error^2
         """
@@ -138,7 +138,7 @@ def _windowed(track: Track, size: int) -> float:
 
 
 def _directionality_time(ratios: Track) -> float:
-    """In intervals, between two of them by interpolation; NaN if the ratio stays above one half."""
+    """Directionality time, in intervals, interpolated between two intervals; NaN if the ratio stays above one half."""
     mean = np.array([_mean(column) for column in ratios.T])
     below = np.flatnonzero(mean < 0.5)
     if not below.size or below[0] == 0:

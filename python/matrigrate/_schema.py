@@ -49,7 +49,7 @@ class Parameter:
         return judge([(self.path, value)])[0].number if isinstance(value, str) else float(value)
 
     def fault(self, value: Any) -> str:
-        """What is wrong with a value, in the words of the program; empty if nothing is."""
+        """The fault of a value, in the words of the program; empty for a good value."""
         return judge([(self.path, value)])[0].fault
 
 
@@ -138,7 +138,7 @@ def table(name: str) -> Any:
 
 
 def judge(values: Iterable[tuple[str, Any]]) -> list[Answer]:
-    """What the program says of values of parameters; all that is not known yet is asked at once."""
+    """The program's answers on values of parameters; all unknown answers are asked for at once."""
     return ask([*(_question(path, value) for path, value in values), *_defaults()])
 
 
@@ -161,5 +161,5 @@ def _question(path: str, value: Any) -> str:
 
 
 def unknown_words(path: str, is_section: bool = False) -> str:
-    """What is said of a name that nothing has."""
+    """The message on a name that does not exist."""
     return ask([json.dumps({"path": path, "section": is_section})])[0].fault

@@ -49,7 +49,7 @@ class Section:
 
 
 def help_text(p: Parameter) -> str:
-    """What a parameter means, its unit and range, and where its default is from."""
+    """Meaning, unit and range of a parameter, and the source of its default."""
     unit = f" A bare number is in {p.unit}." if p.kind in ("quantity", "angle") else ""
     return f"{p.meaning}; {p.allowed}.{unit} Default: {_schema.toml_text(p.default)} ({p.source})."
 

@@ -34,7 +34,7 @@ class Position:
 
 @dataclass
 class Content:
-    """What a file holds."""
+    """The content of a file of tracks."""
 
     positions: list[Position] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)

@@ -30,7 +30,7 @@ _told = 0.8
 
 @dataclass(frozen=True)
 class Posterior:
-    """What measured read-outs say of parameters."""
+    """Posterior of the parameters, given measured read-outs."""
 
     weights: np.ndarray[Any, Any]  #: of the points; their sum is 1
     table: pandas.DataFrame
@@ -90,7 +90,7 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
         width = (after[2] - after[0]) / (prior[2] - prior[0]) if prior[2] > prior[0] else float("nan")
         rows[name] = [*prior, *after, width, bool(width < _told)]
         if not width < _told:
-            notes.append(f"the data cannot tell {name}: its 90 % interval is {width:.0%} of the prior's")
+            notes.append(f"the data do not constrain {name}: its 90 % interval is {width:.0%} of the prior's")
     columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]
     table = _pandas().DataFrame.from_dict(rows, orient="index", columns=columns)
     used = found.loc[whole, names]
@@ -103,7 +103,7 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
 
 
 def by_tracks(study: Study, measured: _tracks.Tracks, readouts: Sequence[str], *, error: float = 0.0) -> Posterior:
-    """What measured tracks say of the parameters of a study. A point is its runs that are done: more replicates make it
+    """Posterior of the parameters of a study, given measured tracks. A point is its finished runs: more replicates make it
     scatter less.
 
     :param study: a Latin hypercube over the prior, whose runs are as long as the tracks

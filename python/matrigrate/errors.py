@@ -1,4 +1,4 @@
-"""What can go wrong, with the words of the program. Each exit code of the program has its exception."""
+"""Exceptions with the messages of the program. Each exit code of the program has its exception."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ class MatrigrateError(Exception):
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong with a scenario.
+    """One fault of a scenario.
 
     >>> print(Fault("ecm.radius", "-1 um is out of range; allowed is >= 10 and <= 2000 um"))
     ecm.radius: -1 um is out of range; allowed is >= 10 and <= 2000 um
@@ -43,7 +43,7 @@ class UnknownParameter(ConfigurationError, AttributeError):
 
 
 class _OfFolder(MatrigrateError):
-    """A failure of a run; ``folder`` holds what there is of it, if anything was written."""
+    """A failure of a run; ``folder`` holds its partial results, if any were written."""
 
     def __init__(self, words: str, folder: Path | None = None) -> None:
         super().__init__(words)
@@ -81,7 +81,7 @@ class KeyboardStop(KeyboardInterrupt):
     """Ctrl-C, after the program has written its checkpoint: a KeyboardInterrupt that names the folder to go on with."""
 
     def __init__(self, folder: Path) -> None:
-        super().__init__(f"stopped; what there is, with a checkpoint, is in {folder}: the same call goes on")
+        super().__init__(f"stopped; partial results and a checkpoint are in {folder}; the same call continues")
         self.folder = folder
 
 

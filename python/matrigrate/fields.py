@@ -23,7 +23,7 @@ _aliases = {"matrix/degradation": "matrix/f_degr"}  # the layers of the command 
 
 
 class Field:
-    """One array of fields.h5. Nothing is read before it is indexed: ``field[-1]`` is that of the last frame."""
+    """One array of fields.h5. Indexing reads it: ``field[-1]`` is the last frame."""
 
     def __init__(self, file: Path, name: str, shape: tuple[int, ...], dtype: np.dtype[Any], units: str) -> None:
         self._file, self.name, self.shape, self.dtype, self.units = file, name, shape, dtype, units
@@ -126,7 +126,7 @@ class Fields(Mapping[str, Field]):
         return data.assign_coords(axis=["x", "y", "z"]) if "axis" in data.dims else data
 
     def has_frames(self, name: str) -> bool:
-        """Whether a field has values of each particle in each frame."""
+        """True if a field has a value of each particle in each frame."""
         return self._has_frames(self[name])
 
     def _has_frames(self, field: Field) -> bool:

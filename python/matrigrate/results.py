@@ -32,12 +32,12 @@ def _known() -> dict[str, dict[str, Any]]:
 
 
 def _is_shown(name: str, values: Iterable[float]) -> bool:
-    """Whether a read-out is printed: those that only uniaxial fibres have are not where no cell has a value."""
+    """True if a read-out is printed: read-outs of uniaxial fibres are printed only if a cell has a value."""
     return not _known().get(name, {}).get("of_uniaxial_fibres") or not all(math.isnan(value) for value in values)
 
 
 def meaning(readout: str) -> str:
-    """What a read-out is, in words.
+    """The meaning of a read-out, in words.
 
     >>> meaning("tau_prot_min")
     'life of a mature adhesion, mean'
@@ -83,7 +83,7 @@ class Readouts(Mapping[str, float]):
         return unit_of(name)
 
     def meaning(self, name: str) -> str:
-        """What a read-out is, in words."""
+        """The meaning of a read-out, in words."""
         self[name]
         return meaning(name)
 
@@ -142,7 +142,7 @@ class ReadoutsOfCells(Mapping[int, Readouts]):
         return unit_of(name)
 
     def meaning(self, name: str) -> str:
-        """What a read-out is, in words."""
+        """The meaning of a read-out, in words."""
         self[name]
         return meaning(name)
 
@@ -229,7 +229,7 @@ class Run:
 
     @functools.cached_property
     def group(self) -> pandas.DataFrame:
-        """Of a run of several cells what they do together, a row each minute: ``t_s`` [s], centroid and spread [um], speed
+        """Collective measures of several cells, a row each minute: ``t_s`` [s], centroid and spread [um], speed
         [um/h], order, distances [um], contacts.
 
         :raises InputOutputError: of a run of one cell, which has none
@@ -292,7 +292,7 @@ class Run:
         return path
 
     def _is_worked_on(self) -> bool:
-        """Whether a process of this machine works in the folder; it holds a lock while it does."""
+        """True if a process of this machine works in the folder, that is, holds its lock."""
         if fcntl is None:
             return False
         try:

@@ -42,7 +42,7 @@ def _plain(value: Any) -> Any:
 
 
 class Scenario(Sections, Mapping[str, Value]):
-    """All parameters of a simulation. What is not set has its default.
+    """All parameters of a simulation. A parameter that is not set has its default.
 
     >>> scenario = Scenario()
     >>> scenario.ecm.youngs_modulus                       # Pa
@@ -209,11 +209,11 @@ class Scenario(Sections, Mapping[str, Value]):
         return self.copy()
 
     def given(self) -> dict[str, Value]:
-        """What was set, as it was typed; all else has its default."""
+        """The values that were set, as typed; all other parameters have their defaults."""
         return dict(self._given)
 
     def changed(self) -> dict[str, Value]:
-        """What differs from the defaults, as it was typed."""
+        """The values that differ from the defaults, as typed."""
         rows = _schema.parameters()
         return {path: value for path, value in self._given.items()
                 if self[path] != rows[path].number(rows[path].default)}
@@ -225,7 +225,7 @@ class Scenario(Sections, Mapping[str, Value]):
         return made
 
     def help(self, path: str) -> str:
-        """What a parameter means, its unit, range and default.
+        """Meaning, unit, range and default of a parameter.
 
         >>> print(Scenario().help("ecm.viscosity"))
         Viscosity of the matrix, intact or degraded (mu); > 0 and <= 1e9 Pa s. A bare number is in Pa s. Default: "1000 Pa s" (Heck et al. 2020, Table 1).
@@ -263,7 +263,7 @@ class Scenario(Sections, Mapping[str, Value]):
             with open(path, "w" if overwrite else "x", encoding="utf-8") as out:
                 out.write(self.toml())
         except FileExistsError:
-            raise InputOutputError(f"{path}: exists, and is not overwritten; choose another name, or overwrite=True",
+            raise InputOutputError(f"{path}: exists and is not overwritten; choose another name, or overwrite=True",
                                    path.parent) from None
         except OSError as error:
             raise InputOutputError(f"{path}: cannot be written: {error.strerror}", path.parent) from None

@@ -104,7 +104,7 @@ def _override(value: Any) -> str:
 
 
 def _default_folder(file: Path, seed: int | None, overrides: Mapping[str, Any]) -> Path:
-    """As the program names it; what cannot be read it will tell itself."""
+    """The folder that the program would choose. Unreadable values are left to the program, which reports them."""
     if seed is None:
         seed = overrides.get("run.seed")
     if seed is None:

@@ -71,7 +71,7 @@ class Cell:
 
     @property
     def index(self) -> int:
-        """Its place among the cells of the simulation, from 0."""
+        """Index of the cell in the simulation, from 0."""
         return self._index
 
     @property
@@ -101,7 +101,7 @@ class Cell:
 
     @property
     def protrusions(self) -> list[dict[str, Any]]:
-        """Those that live: id, centre (index of the central particle), phase, since_s [s], and anchor_um [um] while
+        """Living protrusions: id, centre (index of the central particle), phase, since_s [s], and anchor_um [um] while
         adhered.
 
         :raises RuntimeError: while the simulation computes in another thread
@@ -199,7 +199,7 @@ class Simulation:
 
     @property
     def trajectory_hash(self) -> str:
-        """What run.json of a run that ended now would say: equal ones mean equal bits.
+        """The hash that run.json would have if the run ended now. Equal hashes mean equal bits.
 
         :raises RuntimeError: while the simulation computes in another thread
         """
@@ -242,7 +242,7 @@ def _alive(me: weakref.ref[Simulation]) -> Simulation:
 
 
 def _unmasked(what: str, returned: Floats | None) -> Floats | None:
-    """What a function of the user's returned. :raises ValueError: if it is masked, since a mask would be ignored"""
+    """The array that a user's function returned. :raises ValueError: if it is masked, since a mask would be ignored"""
     if isinstance(returned, np.ma.MaskedArray):
         raise ValueError(f"{what} returned a masked array, whose mask would be ignored; a plain one is expected, such as "
                          ".filled(0)")

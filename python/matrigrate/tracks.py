@@ -33,7 +33,7 @@ _longest = 10_000  # intervals of a track
 
 
 def meaning(readout: str) -> str:
-    """What a read-out of tracks is, in words."""
+    """The meaning of a read-out of tracks, in words."""
     return _motility.meanings.get(readout, readout)
 
 
@@ -47,7 +47,7 @@ class Tracks(Mapping[str, Any]):
         self.interval = interval
         """Time between positions [s]."""
         self.notes = notes
-        """What was left out or changed, a sentence each."""
+        """What was left out or changed, one sentence for each change."""
 
     def __getitem__(self, track: str) -> np.ndarray[Any, Any]:
         return self._positions[track]
@@ -187,7 +187,7 @@ def of(result: Run | Study, interval: float | None = None) -> Tracks:
         positions += [Position(name, *row, 0) for row in
                       zip(times, rows["x_um"].to_numpy(float), rows["y_um"].to_numpy(float), strict=True)]
     if last:
-        notes.append(f"{last} last positions, less than an interval after the one before, are left out")
+        notes.append(f"{last} last positions are left out: they come less than an interval after the one before")
     faults = Faults(result.folder)
     tracks = _on_grid(positions, 2, notes, faults)
     faults.raise_if_any()
@@ -234,7 +234,7 @@ def _on_grid(positions: list[Position], shortest: int, notes: list[str], faults:
         gaps += len(array) - len(own)
         result[name], starts[name] = array, round((own[0].t - start) / interval)
     if gaps:
-        notes.append(f"{gaps} positions are missing in gaps; nothing is put in their place")
+        notes.append(f"{gaps} positions are missing; gaps are not filled")
     return Tracks(result, interval, notes, starts)
 
 

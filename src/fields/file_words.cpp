@@ -94,7 +94,7 @@ void read_options(FileWords& words, std::istringstream& in, const std::string& t
            && spaces.find(static_cast<char>(in.peek())) == std::string_view::npos && in.peek() != '=')
       key += static_cast<char>(in.get());
     if (in.peek() != '=' || std::ranges::find(known, key) == known.end())
-      throw std::invalid_argument(fmt::format("\"{}\" is not known; after the file may stand {}=...",
+      throw std::invalid_argument(fmt::format("\"{}\" is not known; allowed after the file: {}=...",
                                               key + (in.peek() == '=' ? "=" : ""), fmt::join(known, "=..., ")));
     in.get();
     std::string value;
@@ -143,7 +143,7 @@ std::optional<std::size_t> FileWords::count(const std::string& key) const {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value == 0)
-    throw std::invalid_argument(fmt::format("{0}={1} is no whole number from 1; the first {0} is {0}=1", key, text));
+    throw std::invalid_argument(fmt::format("{0}={1} is not a whole number >= 1; the first {0} is {0}=1", key, text));
   return value;
 }
 

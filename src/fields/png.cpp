@@ -101,7 +101,7 @@ private:
 Raster read_png(std::string_view bytes) {
   PngReader png(bytes);
   if (!png.begin()) refuse(png);
-  if (png.animated()) throw std::invalid_argument("is an animation; save the one picture that is wanted");
+  if (png.animated()) throw std::invalid_argument("is an animation; save one of its pictures");
   Raster raster = png.description();
   raster.allocate();
   const std::size_t bytes_of_row = raster.data.size() / raster.height;

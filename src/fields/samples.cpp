@@ -61,7 +61,7 @@ std::vector<double> levels(std::vector<double> coordinates, const char* axis) {
 
 double spacing_of(const std::vector<double>& level, const char* axis) {
   if (level.size() < 2)
-    throw std::invalid_argument(fmt::format("has one value of {} only; a grid has two at least", axis));
+    throw std::invalid_argument(fmt::format("has only one value of {}; a grid needs at least two", axis));
   const double step = (level.back() - level.front()) / static_cast<double>(level.size() - 1);
   for (std::size_t k = 0; k < level.size(); ++k)
     if (std::abs(level[k] - level.front() - step * static_cast<double>(k)) > relative_slack * step)

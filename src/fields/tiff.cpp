@@ -103,12 +103,12 @@ SampleType type_of(std::size_t bits, std::uint16_t format) {
     if (bits == 16) return SampleType::whole_16;
     if (bits == 32) return SampleType::whole_32;
   }
-  const char* kind = format == SAMPLEFORMAT_INT      ? "whole numbers with a sign"
+  const char* kind = format == SAMPLEFORMAT_INT      ? "signed integers"
                      : format == SAMPLEFORMAT_IEEEFP ? "floating point"
-                     : format == SAMPLEFORMAT_UINT   ? "whole numbers"
+                     : format == SAMPLEFORMAT_UINT   ? "unsigned integers"
                                                      : "another kind";
-  throw std::invalid_argument(fmt::format("has samples of {} bits, {}; whole numbers without a sign of 8, 16 or 32 "
-                                          "bits and floating point of 32 or 64 bits can be read",
+  throw std::invalid_argument(fmt::format("has samples of {} bits, {}; allowed are unsigned integers of 8, 16 or 32 "
+                                          "bits and floating point of 32 or 64 bits",
                                           bits, kind));
 }
 
@@ -126,8 +126,7 @@ void describe_colours(TIFF* tiff, Raster& raster, Layout& layout) {
     layout.palette = true;
     break;
   default:
-    throw std::invalid_argument(
-        "stores its colours neither as grey nor as red, green and blue; save it as one of them");
+    throw std::invalid_argument("stores its colours neither as greyscale nor as RGB; save it as one of these");
   }
   if (raster.colour && raster.channels < 3)
     throw std::invalid_argument(
@@ -147,7 +146,7 @@ Layout describe(TIFF* tiff, Raster& raster) {
   layout.separate = value_of<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) == PLANARCONFIG_SEPARATE;
   layout.orientation = value_of<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   if (layout.orientation > ORIENTATION_BOTLEFT)
-    throw std::invalid_argument("lies on its side by its tag of orientation; save it upright");
+    throw std::invalid_argument("is turned by a quarter, as its orientation tag says; save it upright");
   raster.width = value_of<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH, 0);
   raster.height = value_of<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH, 0);
   raster.channels = value_of<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
@@ -191,7 +190,7 @@ struct Blocks {
     blocks.bytes_of_row = blocks.tiled ? TIFFTileRowSize64(tiff) : TIFFScanlineSize64(tiff);
     if (blocks.width == 0 || blocks.height == 0 || blocks.bytes == 0 || blocks.bytes > max_block_bytes
         || blocks.bytes_of_row > blocks.bytes / blocks.height)
-      throw std::invalid_argument("cannot be read as TIFF: its strips or tiles have no possible size");
+      throw std::invalid_argument("cannot be read as TIFF: its strips or tiles have an impossible size");
     return blocks;
   }
 };

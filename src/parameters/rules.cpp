@@ -26,7 +26,7 @@ std::string room(const Parameters& p) {
   const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
   if (free_radius >= 2.0 * p.ecm.particle_spacing) return {};
   return fmt::format(
-      "a disc of {:.4g} um is all clamped rim, which is 2 smoothing lengths wide; allowed is >= {:.4g} um",
+      "a disc of {:.4g} um is clamped throughout: its rim is 2 smoothing lengths wide; allowed is >= {:.4g} um",
       p.ecm.radius, 2.0 * (p.ecm.smoothing_length + p.ecm.particle_spacing));
 }
 
@@ -62,18 +62,18 @@ std::string guidance(const Parameters& p) {
 
 std::string fibre_stiffness(const Parameters& p) {
   if (p.fibres.field.stiffness.empty() || p.fibres.stiffness > 0.0) return {};
-  return "a field of the stiffness of fibres is taken relative to fibres.stiffness; set that above 0 Pa";
+  return "a field of fibre stiffness is taken relative to fibres.stiffness, which must be above 0 Pa";
 }
 
 std::string source(const Parameters& p) {
   if (p.ecm.fields.attractant_source.empty() || p.cues.diffusion > 0.0) return {};
-  return "attractant that is released but does not diffuse would pile up where it is; set cues.diffusion above 0 "
+  return "attractant that is released without diffusion would accumulate at its source; set cues.diffusion above 0 "
          "um^2/s";
 }
 
 std::string one_start(const Parameters& p) {
   if (p.cells.empty() || (p.cell.start_x == 0.0 && p.cell.start_y == 0.0)) return {};
-  return "is the start of a single cell, but [[cells]] says where several start; leave it out, or at 0";
+  return "is the start of a single cell, but [[cells]] gives the starts of all cells; leave this key out, or at 0";
 }
 
 std::string several_cells(const Parameters& p) {
@@ -99,9 +99,10 @@ std::string nucleus_spacing(const Parameters& p) {
   const double l = 2.0 * p.nucleus.radius * std::sin(std::numbers::pi / p.nucleus.particles);
   const double most = 2.0 * p.nucleus.repulsion_range;
   if (l <= most) return {};
-  return fmt::format("particles of the nucleus lie {:.3g} um apart; allowed is <= {:.3g} um, twice the range of its "
-                     "repulsion, or the cortex could come between them: take {} particles or more",
-                     l, most, static_cast<long>(std::ceil(2.0 * std::numbers::pi * p.nucleus.radius / most)));
+  return fmt::format(
+      "particles of the nucleus lie {:.3g} um apart, so the cortex could pass between them; allowed is <= {:.3g} um, "
+      "twice the range of the repulsion: take {} particles or more",
+      l, most, static_cast<long>(std::ceil(2.0 * std::numbers::pi * p.nucleus.radius / most)));
 }
 
 std::string resolution(const Parameters& p) {
@@ -191,10 +192,9 @@ std::vector<CellFault> cell_faults(const Parameters& p) {
     const double off = std::hypot(a.x, a.y);
     if (off >= most)
       faults.push_back(
-          {k,
-           fmt::format("lies {:.4g} um from the centre of the disc, and with its radius and its margin it needs matrix "
-                       "that is free; allowed is < {:.4g} um, or a larger ecm.radius",
-                       off, most)});
+          {k, fmt::format("lies {:.4g} um from the centre of the disc, so the cell with its margin reaches the clamped "
+                          "rim; allowed is < {:.4g} um, or a larger ecm.radius",
+                          off, most)});
     for (std::size_t j = 0; j < k; ++j) {
       const double distance = std::hypot(a.x - p.cells[j].x, a.y - p.cells[j].y);
       if (distance < least * (1.0 - 1e-12))

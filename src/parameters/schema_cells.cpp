@@ -18,33 +18,33 @@ double& start_y(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back(
 
 // clang-format off
 constexpr std::array rows_of_cells{
-    Row{"cells.x", start_x, "um", from(-2000, 2000), "", by_us, "Centre of a cell at the start"},
-    Row{"cells.y", start_y, "um", from(-2000, 2000), "", by_us, "Centre of a cell at the start"},
+    Row{"cells.x", start_x, "um", from(-2000, 2000), "", by_us, "x of a cell's centre at the start"},
+    Row{"cells.y", start_y, "um", from(-2000, 2000), "", by_us, "y of a cell's centre at the start"},
 };
 
 constexpr std::array rows_of_nucleus{
     Row{"nucleus.radius", [](Parameters& p) -> double& { return p.nucleus.radius; }, "um", from(0, 500),
-        "R_n", d40, "Radius of the nucleus at the start, 0 for a cell without one", aside},
+        "R_n", d40, "Radius of the nucleus at the start; 0: no nucleus", aside},
     Row{"nucleus.shear_modulus", [](Parameters& p) -> double& { return p.nucleus.shear_modulus; }, "Pa", from(0, 1e7),
         "", d40, "Shear modulus of the chromatin, which resists a change of shape", aside},
     Row{"nucleus.stretch_stiffness", [](Parameters& p) -> double& { return p.nucleus.stretch_stiffness; }, "nN", beyond(0, 1000),
-        "", d40, "Tension of the lamina over its strain", aside},
+        "", d40, "Stretch stiffness of the lamina: tension per strain", aside},
     Row{"nucleus.bending_stiffness", [](Parameters& p) -> double& { return p.nucleus.bending_stiffness; }, "nN um^2", from(0, 1000),
         "", d40, "Bending stiffness of the lamina", aside},
     Row{"nucleus.bulk_modulus", [](Parameters& p) -> double& { return p.nucleus.bulk_modulus; }, "Pa", from(0, 1e7),
-        "", d40, "Pressure in the nucleus over the lost share of its area", aside},
+        "", d40, "Bulk modulus of the nucleus: pressure per relative loss of area", aside},
     Row{"nucleus.retardation_time", [](Parameters& p) -> double& { return p.nucleus.retardation_time; }, "s", from(0, 1e6),
-        "", d40, "Time in which lamina and chromatin give way to a load", aside},
+        "", d40, "Kelvin-Voigt retardation time of lamina and chromatin", aside},
     Row{"nucleus.centring_stiffness", [](Parameters& p) -> double& { return p.nucleus.centring_stiffness; }, "N/m", from(0, 1),
         "", d40, "Stiffness of the filaments that hold the nucleus in the middle of the cell", aside},
     Row{"nucleus.drag", [](Parameters& p) -> double& { return p.nucleus.drag; }, "N s/m", from(0, 1000),
-        "", d40, "Drag of the nucleus in the cytoplasm, which moves with the cortex", aside},
+        "", d40, "Drag coefficient of the nucleus relative to the cytoplasm; the cytoplasm moves with the cortex", aside},
     Row{"nucleus.repulsion", [](Parameters& p) -> double& { return p.nucleus.repulsion; }, "Pa", beyond(0, 1e7),
-        "", d40, "Pressure between nucleus and cortex where they touch", aside},
+        "", d40, "Repulsive pressure between nucleus and cortex at zero gap", aside},
     Row{"nucleus.repulsion_range", [](Parameters& p) -> double& { return p.nucleus.repulsion_range; }, "um", beyond(0, 20),
         "", d40, "Gap below which nucleus and cortex repel each other", aside},
     Row{"nucleus.particles", [](Parameters& p) -> int& { return p.nucleus.particles; }, "1", from(12, 2000),
-        "", d40, "Particles of the lamina", Audience::numerical},
+        "", d40, "Number of particles of the lamina", Audience::numerical},
 };
 // clang-format on
 

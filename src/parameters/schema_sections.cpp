@@ -8,9 +8,9 @@ namespace {
 
 // clang-format off
 constexpr std::array all_sections{
-    Section{"run", "The run: how long, in which steps, with which random numbers"},
+    Section{"run", "The run: duration, time steps, random numbers"},
     Section{"ecm", "The extracellular matrix"},
-    Section{"ecm.fields", "Fields of the matrix: values that differ from place to place"},
+    Section{"ecm.fields", "Fields of the matrix: properties that vary in space"},
     Section{"fibres", "Strain-stiffening fibres of the matrix"},
     Section{"fibres.field", "Fields of the fibres"},
     Section{"cell", "The cell"},
@@ -22,7 +22,7 @@ constexpr std::array all_sections{
     Section{"adhesion", "Adhesion, maturation and disassembly"},
     Section{"polarization", "Polarization of the cell"},
     Section{"degradation", "Degradation of the matrix by the cell"},
-    Section{"cues", "What tells the cell where to begin protrusions; off in the paper"},
+    Section{"cues", "Cues that bias where protrusions are initiated; off in the paper"},
     Section{"output", "What a run writes, and how often"},
     Section{"solver", "The linear system of every step"},
 };

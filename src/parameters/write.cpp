@@ -176,9 +176,9 @@ std::string new_scenario(const Preset& preset, const std::string& schema) {
   const Parameters p = parameters_of(preset);
   std::string text =
       fmt::format("#:schema {}\n# {}.\n#\n"
-                  "# A value has its unit (\"200 Pa\", \"0.2 kPa\", \"6 h\"); a bare number is in the unit of the "
-                  "comment above it.\n# What is left out, or commented out, has its default. Check the file "
-                  "with: matrigrate check FILE\n",
+                  "# A value has a unit: \"200 Pa\", \"0.2 kPa\", \"6 h\". A bare number is in the unit of the comment "
+                  "above it.\n# A parameter that is left out or commented out has its default. Check the file with: "
+                  "matrigrate check FILE\n",
                   schema, preset.description);
   Audience audience{};
   for_each_section(
@@ -215,26 +215,19 @@ std::string parameters_markdown() {
       "Made from the table in `src/parameters/schema.cpp` by `matrigrate list --parameters`; do not edit.\n\n"
       "A quantity is a string with its unit: `youngs_modulus = \"200 Pa\"`. A bare number is in the unit of the "
       "column *allowed*. Times may be words and sums: `\"90 minutes\"`, `\"1 hour\"`, `\"6 h 30 min\"`. An angle is a "
-      "bare "
-      "number in the unit that its meaning names, or a string: `\"30 deg\"`, `\"30°\"`, `\"0.5 rad\"`. The decimal "
-      "sign is "
-      "a point.\n\n"
-      "A file has at most 1 MiB, 50,000 dotted keys and brackets 32 deep. A syntax error of TOML is told alone; all "
-      "other "
-      "faults are told at once, the first 200 of them in full.\n\n"
-      "Fibres lie on bonds, which join a matrix particle with its neighbours closer than 2 h. So `uniaxial` fibres "
-      "have the "
-      "directions of lattice bonds within `half_angle_deg` of `direction_deg`, and not `direction_deg` itself: "
-      "`matrigrate "
-      "explain` prints their number and mean direction. Directions that no bond meets are refused, and so is a "
-      "hexagonal "
-      "lattice with bonds exactly `half_angle_deg` off, which make the matrix stiff across its fibres.\n\n"
-      "The first line of a scenario, `#:schema PATH`, tells editors that know it (Even Better TOML, taplo) where the "
-      "JSON "
-      "schema is that completes and checks it. `matrigrate new FILE` names `scenario.schema.json` and writes it beside "
-      "the "
-      "file; `matrigrate new FILE --schema PATH` names another one and writes none. `scenarios/baseline.toml` "
-      "names `docs/scenario.schema.json`. The line changes no result.\n";
+      "string, `\"30 deg\"`, `\"30°\"` or `\"0.5 rad\"`, or a bare number in the unit that its meaning names. The "
+      "decimal sign is a point.\n\n"
+      "A file has at most 1 MiB, 50,000 dotted keys and brackets 32 deep. A syntax error of TOML is reported alone. "
+      "All other faults are reported together, the first 200 of them in full.\n\n"
+      "Fibres lie on bonds. A bond joins a matrix particle to a neighbour closer than 2 h. So `uniaxial` fibres have "
+      "the directions of lattice bonds within `half_angle_deg` of `direction_deg`, not `direction_deg` itself. "
+      "`matrigrate explain` prints their number and mean direction. A direction without any bond is refused. A "
+      "hexagonal lattice with bonds exactly `half_angle_deg` off is refused too: such bonds would make the matrix "
+      "stiff across its fibres.\n\n"
+      "The first line of a scenario, `#:schema PATH`, names a JSON schema. Editors that know the line (Even Better "
+      "TOML, taplo) complete and check the scenario with it. `matrigrate new FILE` names `scenario.schema.json` and "
+      "writes it beside the file; `matrigrate new FILE --schema PATH` names another one and writes none. "
+      "`scenarios/baseline.toml` names `docs/scenario.schema.json`. The line changes no result.\n";
   for_each_section(
       [&](const Section& s) {
         text += fmt::format("\n## [{}] {}\n\n| key | default | allowed | symbol | meaning | source of the default |\n"

@@ -79,10 +79,11 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
   require_multiple(until, before);
   require_multiple(until, after);
   if (until >= after.run.duration)
-    throw ConfigurationError({{.file = "--at",
-                               .key = {},
-                               .message = fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another",
-                                                      until, after.run.duration)}});
+    throw ConfigurationError(
+        {{.file = "--at",
+          .key = {},
+          .message = fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another end", until,
+                                 after.run.duration)}});
 
   const Json record = record_of(from);
   RunStart start;

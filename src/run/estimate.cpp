@@ -156,12 +156,12 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
                     p.run.time_step, limit));
   for (const FieldSummary& field : field_summaries(p).fields)
     if (field.row->path == "ecm.fields.obstacle" && !in_obstacle(field.high))
-      found.emplace_back("no particle lies in an obstacle: ecm.fields.obstacle is below 0.5 at all of them, which lie "
-                         "ecm.particle_spacing apart.");
+      found.emplace_back("no matrix particle lies in an obstacle: ecm.fields.obstacle is below 0.5 at every particle. "
+                         "Particles lie ecm.particle_spacing apart.");
   if (p.run.duration < d.shear_time)
     found.push_back(
-        fmt::format("the run of {:.3g} s is shorter than the relaxation of the matrix in shear, {:.3g} s: it will "
-                    "look like a fluid.",
+        fmt::format("the run of {:.3g} s is shorter than the relaxation of the matrix in shear, {:.3g} s: the "
+                    "matrix will look like a fluid.",
                     p.run.duration, d.shear_time));
   if (p.ecm.formulation == Formulation::updated_lagrangian)
     found.emplace_back(

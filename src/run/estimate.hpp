@@ -49,13 +49,13 @@ struct Derived {
 
 Derived derived(const Parameters& p);
 
-/// What the adaptive integrator would take.
+/// Step and wall time of the adaptive integrator.
 struct Quicker {
   double time_step; ///< [s]
   double wall_time; ///< estimate [s]
 };
 
-/// @return nothing if it is chosen already, or bears no longer step
+/// @return nothing if the adaptive integrator is chosen already, or allows no longer step
 std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d);
 
 /// What the reference steps cost, in one sentence: "takes the reference steps of 0.4 s throughout, about 3 min on one
@@ -66,7 +66,7 @@ std::string cost_of_reference_steps(const Parameters& p);
 /// What the estimate of the wall time rests on.
 std::string wall_time_basis();
 
-/// What will go wrong or mislead, a sentence or two each.
+/// Warnings of what will go wrong or mislead, a sentence or two each.
 std::vector<std::string> warnings(const Parameters& p, const Derived& d);
 
 } // namespace matrigrate::run

@@ -34,7 +34,7 @@ std::string status_text(const FinishedRun& run) {
                      reason, gone);
 }
 
-/// What made the numbers, as run.json has it.
+/// The program and machine behind the numbers, as in run.json.
 std::string provenance_of(const Json& record) {
   std::string text;
   for (const char* key : {"version", "git_hash", "compiler", "build_type", "flags", "start", "end", "trajectory_hash"})
@@ -43,7 +43,7 @@ std::string provenance_of(const Json& record) {
   return text;
 }
 
-/// Whether a run came to its end, or was stopped, at t: then it has written a frame there, due or not.
+/// True if a run came to its end, or was stopped, at t. It then wrote a frame at t, due or not.
 bool ended_at(const Json& record, double t) {
   const std::optional<RunStatus> status = status_of(record);
   const auto reached = record.find("t_s");
@@ -59,9 +59,8 @@ store::Checkpoint checkpoint_in(const std::filesystem::path& folder, const std::
     std::string offer;
     try {
       if (file != before)
-        offer =
-            fmt::format("; {}, at {}, is whole, and is taken where {} is moved away", store::previous_checkpoint_name,
-                        time_text(store::read_checkpoint(before).state.t), store::checkpoint_name);
+        offer = fmt::format("; {}, at {}, is whole: move {} away to use it", store::previous_checkpoint_name,
+                            time_text(store::read_checkpoint(before).state.t), store::checkpoint_name);
     } catch (const InputOutputError&) { // neither is
     }
     throw InputOutputError(trouble.what() + offer);

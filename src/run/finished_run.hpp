@@ -32,7 +32,7 @@ struct FinishedRun {
 /// @throws InputOutputError if the folder holds no run, or one of its files cannot be read
 FinishedRun read_run(const std::filesystem::path& folder);
 
-/// Frames that the run has written up to its last checkpoint, and that are not in its film.
+/// Frames that the run wrote up to its last checkpoint, and that its film lacks.
 store::LostFrames lost_frames(const FinishedRun& run);
 
 /// What the page of the run shows (viewer/src/contract.ts).

@@ -7,10 +7,10 @@
 
 namespace matrigrate::run {
 
-/// Who wants a run to stop after its current step.
+/// The source of a request to stop a run after its current step.
 enum class StopRequest { user, terminate };
 
-/// Follows a run from outside: is told what happens, and asked whether to stop.
+/// Follows a run from outside: receives its events, and may request a stop.
 /// The library itself prints nothing. Test: tests/unit/run/simulate_test.cpp
 class RunObserver {
 public:
@@ -19,14 +19,14 @@ public:
   RunObserver& operator=(const RunObserver&) = delete;
   virtual ~RunObserver() = default;
 
-  /// Something that a person should know of, in a sentence.
+  /// A warning for the user, in a sentence.
   virtual void warn(std::string_view /*text*/) {}
 
   /// The run begins: its folder is about to be written.
   virtual void begin() {}
 
-  /// The steps begin, and end however they end.
-  /// @param t      simulated time at their beginning [s]
+  /// The steps begin; the steps end, for whatever reason.
+  /// @param t      simulated time at the first step [s]
   /// @param t_end  at the end of the run [s]
   virtual void begin_steps(double /*t*/, double /*t_end*/) {}
   virtual void end_steps() {}

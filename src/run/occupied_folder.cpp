@@ -38,7 +38,7 @@ double number_of(const Json& record, const char* key) {
   return record.contains(key) && record.at(key).is_number() ? record.at(key).get<double>() : 0.0;
 }
 
-/// What the run in the folder is, and in what it differs.
+/// The run in the folder, and how it differs from the new one.
 std::string description(const fs::path& folder, const Json& record, const Parameters& p, RunObserver& observer) {
   std::string text = fmt::format("{}: holds another run ({}, {} of {}):\n", folder.string(), text_of(record, "status"),
                                  time_text(number_of(record, "t_s")), time_text(number_of(record, "duration_s")));
@@ -115,7 +115,8 @@ void require_free(const fs::path& folder, const Parameters& p, RunObserver& obse
 void warn_of_other_files(const fs::path& folder, RunObserver& observer) {
   const std::vector<std::string> foreign = foreign_entries(folder);
   if (foreign.empty()) return;
-  observer.warn(fmt::format("{}: these are not files of a run, and stay: {}", folder.string(), listed(foreign, ", ")));
+  observer.warn(
+      fmt::format("{}: these are not files of a run and are kept: {}", folder.string(), listed(foreign, ", ")));
 }
 
 } // namespace matrigrate::run

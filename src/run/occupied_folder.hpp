@@ -11,16 +11,16 @@
 /// What a folder holds that a new run would be written into. Test: tests/apps/run_test.cpp
 namespace matrigrate::run {
 
-/// Whether a folder is not there or empty, hidden files aside.
+/// True if a folder does not exist or is empty, hidden files aside.
 bool is_free(const std::filesystem::path& folder);
 
-/// The names that a folder holds, those of hidden files aside, sorted; none where there is no folder.
+/// The names in a folder, hidden files aside, sorted; none if the folder does not exist.
 std::vector<std::string> visible_entries(const std::filesystem::path& folder);
 
 /// "run.duration: 1 h there, 6 min here", one for each parameter that differs, threads aside.
 std::vector<std::string> differences(const Parameters& there, const Parameters& here);
 
-/// Items for a message: of many the first ones, and how many more there are.
+/// Items for a message; of many items the first ones and the number of the rest.
 std::string listed(std::vector<std::string> items, std::string_view separator);
 
 /// @throws InputOutputError if the folder is that of a study, whose files a run would replace

@@ -30,10 +30,10 @@ void remove_run_files(const std::filesystem::path& folder);
 ///         written, and removed, somewhere else
 void require_no_links(const std::filesystem::path& folder);
 
-/// What else than files of a run a folder holds, hidden files aside, sorted.
+/// The entries of a folder that are not files of a run, hidden files aside, sorted.
 std::vector<std::string> foreign_entries(const std::filesystem::path& folder);
 
-/// Removes the temporary files of a run that writers left behind when they were killed. Others must not be writing.
+/// Removes the temporary files of a run that killed writers left behind. No other process may be writing.
 void remove_temporaries(const std::filesystem::path& folder);
 
 /// Removes a file, if it is there.

@@ -103,7 +103,7 @@ std::string provenance_text() {
   const auto add = [&text](std::string_view name, std::string_view value) {
     text += fmt::format("{:<15}{}\n", name, value);
   };
-  add("commit", fmt::format("{}{}", build_info::git_hash, build_info::git_dirty ? ", with changes not committed" : ""));
+  add("commit", fmt::format("{}{}", build_info::git_hash, build_info::git_dirty ? ", with uncommitted changes" : ""));
   add("compiler", build_info::compiler);
   add("build", fmt::format("{}: {}", build_info::build_type, build_info::flags));
   if (*build_info::sanitizers != '\0') add("sanitizers", build_info::sanitizers);

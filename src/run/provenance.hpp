@@ -10,14 +10,14 @@ namespace matrigrate::run {
 /// "0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
 std::string version_text();
 
-/// The same after the program's name.
+/// version_text() after the name of the program.
 std::string version_line();
 
 /// {version, git_hash, git_dirty, compiler, flags, build_type, sanitizers, libraries: {name: version},
 ///  cpu: {model, threads, simd: [names]}}
 nlohmann::ordered_json provenance();
 
-/// The same for people.
+/// provenance() as text for people.
 std::string provenance_text();
 
 } // namespace matrigrate::run

@@ -8,7 +8,7 @@
 /// Runs that were interrupted. Test: tests/unit/run/simulate_test.cpp, tests/apps/resume_test.cpp
 namespace matrigrate::run {
 
-/// Whether a folder holds a run of these parameters, the number of threads aside, done or not.
+/// True if a folder holds a run, done or not, of these parameters; the number of threads may differ.
 bool holds_run(const std::filesystem::path& folder, const Parameters& p);
 
 struct ResumeOptions {
@@ -16,13 +16,13 @@ struct ResumeOptions {
   std::optional<int> threads; ///< none: as many as before
 };
 
-/// Resumes the run in options.folder from its last checkpoint, to the same bits as if it had never stopped; a run that
-/// is done is left as it is.
-/// @throws InputOutputError if there is no whole checkpoint, saying whether the one before is
+/// Resumes the run in options.folder from its last checkpoint, to the same bits as without the stop. A run that is
+/// done is not changed.
+/// @throws InputOutputError if the last checkpoint is not whole, saying whether the previous one is
 RunOutcome resume(const RunOptions& options, const ResumeOptions& from, RunObserver& observer);
 
-/// The same for where nobody may be there to choose: from its last whole checkpoint, or from the start if it was ended
-/// before its first one.
+/// Resumes a run without asking a user: from its last whole checkpoint, or from the start if the run ended before its
+/// first checkpoint.
 /// @param p  the parameters of the run in the folder
 /// @throws InputOutputError if there are checkpoints, but none that is whole
 RunOutcome resume(const RunOptions& options, const Parameters& p, RunObserver& observer);

@@ -21,7 +21,7 @@ public:
   /// Writes scenario.resolved.toml and run.json, and begins the outputs with what there is already. Removes temporary
   /// files of processes that were killed and, for a run from the start, the files of an older run.
   /// @param folder  exists; it is locked against other processes
-  /// @param memory  of a run that goes on; a new one has none
+  /// @param memory  output state of a resumed run; none for a new run
   /// @param from    the folder whose frames a branch takes over; empty: `folder`
   RunFolder(const std::filesystem::path& folder, const Parameters& p, const RunRecord& record, const State& s,
             store::RunMemory memory, const std::filesystem::path& from);
@@ -36,8 +36,8 @@ public:
   void see(const State& s, const Workspace& w, const RunRecord& record);
 
   /// Writes checkpoint.h5, if the run may go on.
-  /// @param keep  under its time too
-  /// @throws NumericalFailure if it may not; the checkpoint is then still the last good one
+  /// @param keep  writes a second file, named by its time, for branches
+  /// @throws NumericalFailure if the run must not go on; checkpoint.h5 then stays the last good one
   void write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep = false);
 
   /// Whether checkpoints are written at their intervals; they are, unless told otherwise.

@@ -58,7 +58,7 @@ nlohmann::ordered_json record_of(const std::filesystem::path& folder);
 /// @throws InputOutputError if it is no JSON object, or has a value of another type
 nlohmann::ordered_json parse_record(std::string_view text);
 
-/// run.json of a folder, for those who show it.
+/// run.json of a folder, to be shown.
 /// @throws InputOutputError naming the file, if it cannot be read, is no JSON object, or has a value of another type
 nlohmann::ordered_json read_record(const std::filesystem::path& folder);
 
@@ -80,8 +80,8 @@ std::string minute_text(std::chrono::system_clock::time_point time);
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 
-/// The scenario of a record. One that has none: the name of the scenario file in its command; of a run of a study the
-/// name of its folder, and that of the run's folder without its seed where the command names no file: "cell".
+/// The name of the scenario: "cell". Without one in the record: that of the scenario file in the command; of a run of a
+/// study the name of the run's folder; or, without a file, the name of the run's folder less its seed.
 /// @param record  as in run.json
 std::string scenario_name(const nlohmann::ordered_json& record, const std::filesystem::path& folder);
 

@@ -155,7 +155,7 @@ private:
     return end == RunEnd::told_to_terminate ? "a signal to terminate" : "the limit of wall time";
   }
 
-  /// What the user still has.
+  /// The results that the user still has.
   std::string safe_text() const {
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     std::error_code error;
@@ -163,10 +163,10 @@ private:
       return std::filesystem::exists(m_options.folder / name, error);
     };
     if (is_there(store::checkpoint_name))
-      return fmt::format("all up to {} is safe in {}; go on with: matrigrate resume {}",
+      return fmt::format("results up to {} are safe in {}; continue with: matrigrate resume {}",
                          time_text(*m_folder->safe_until()), store::checkpoint_name, m_options.folder.string());
     if (is_there(store::previous_checkpoint_name))
-      return fmt::format("there is only the checkpoint before, {}; go on with: matrigrate resume {}",
+      return fmt::format("only the previous checkpoint is left, {}; continue with: matrigrate resume {}",
                          store::previous_checkpoint_name, m_options.folder.string());
     return "the checkpoint is gone as well";
   }

@@ -39,7 +39,7 @@ struct RunStart {
   double earlier_wall_time = 0.0;                   ///< of the runs that this one continues [s]
 };
 
-/// How it is carried out.
+/// How a run is carried out.
 struct RunOptions {
   std::filesystem::path folder;                                     ///< exists, but for a branch
   double wall_time_limit = std::numeric_limits<double>::infinity(); ///< [s]
@@ -48,12 +48,12 @@ struct RunOptions {
                                                                     ///< empty: none is written
 };
 
-/// What came of it.
+/// The outcome of a run.
 struct RunOutcome {
   std::filesystem::path folder;
   RunEnd end = RunEnd::completed;
-  bool computed = true;          ///< false: it was done already, and what stands below
-                                 ///< is empty but for `record`
+  bool computed = true;          ///< false: the run was done already, and the members
+                                 ///< below are empty but for `record`
   nlohmann::ordered_json record; ///< run.json
   std::string sentence;          ///< how it ended, for people
   Parameters p;

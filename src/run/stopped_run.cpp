@@ -67,7 +67,7 @@ bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) 
                               (folder / "run.json").string(), time_text(t), time_text(found.p.run.duration)));
     return false;
   } catch (const InputOutputError& trouble) { // then there is nothing to go on from
-    observer.warn(fmt::format("{}; the run is done, but it cannot be extended from there", trouble.what()));
+    observer.warn(fmt::format("{}; the run is done, but cannot be extended", trouble.what()));
     return true;
   }
 }
@@ -110,14 +110,14 @@ FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
   if (!fs::exists(folder, error)) throw InputOutputError(fmt::format("{}: there is no such folder", folder.string()));
   if (previous || (!fs::exists(last, error) && fs::exists(before, error))) return read_checkpoint_of(folder, before);
   if (!fs::exists(last, error))
-    throw InputOutputError(fmt::format("{}: holds no checkpoint to go on from", folder.string()));
+    throw InputOutputError(fmt::format("{}: holds no checkpoint to resume from", folder.string()));
   try {
     return read_checkpoint_of(folder, last);
   } catch (const InputOutputError& trouble) {
-    std::string offer = "there is no other one";
+    std::string offer = "there is no other checkpoint";
     try {
       const FoundCheckpoint found = read_checkpoint_of(folder, before);
-      offer = fmt::format("the one before, at {}, is whole: go on from it with --previous",
+      offer = fmt::format("the previous checkpoint, at {}, is whole: resume from it with --previous",
                           time_text(found.checkpoint.state.t));
     } catch (const InputOutputError&) { // neither is
     }
@@ -182,7 +182,7 @@ Json event(std::string_view kind, const FoundCheckpoint& found) {
 
 void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer) {
   if (found.checkpoint.program == version_line()) return;
-  observer.warn(fmt::format("{} was written by {}, this is {}: the bits may differ from here on", found.file.string(),
+  observer.warn(fmt::format("{} was written by {}; this is {}. From here on the bits may differ", found.file.string(),
                             found.checkpoint.program, version_line()));
 }
 

@@ -13,7 +13,7 @@
 /// A resumable run: its record and its checkpoints. Test: tests/apps/resume_test.cpp
 namespace matrigrate::run {
 
-/// Whether a run is done: its record says so, and its checkpoint, if it is whole, does not say otherwise.
+/// True if a run is done: its record says so, and its checkpoint, if whole, does not contradict.
 /// @param record  run.json of the folder
 bool is_done(const std::filesystem::path& folder, const nlohmann::ordered_json& record, RunObserver& observer);
 
@@ -38,17 +38,17 @@ struct FoundCheckpoint {
 FoundCheckpoint read_checkpoint_of(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// The last checkpoint, or the one before.
-/// @throws InputOutputError if the run cannot be resumed from it, saying whether the one before can
+/// @throws InputOutputError if the run cannot be resumed from this checkpoint, saying whether the previous one can
 FoundCheckpoint last_checkpoint(const std::filesystem::path& folder, bool previous);
 
-/// The last checkpoint that is whole, for where nobody may be there to choose; says why if it is the one before.
-/// @throws InputOutputError if neither is
+/// The last whole checkpoint, chosen without asking a user; warns, with the reason, if it is the previous one.
+/// @throws InputOutputError if neither checkpoint is whole
 FoundCheckpoint whole_checkpoint(const std::filesystem::path& folder, RunObserver& observer);
 
-/// Whether there are checkpoints.
+/// True if the folder holds a checkpoint.
 bool has_checkpoint(const std::filesystem::path& folder);
 
-/// Whether there are checkpoints, but none that is whole.
+/// True if the folder holds checkpoints, but none that is whole.
 bool has_only_broken_checkpoints(const std::filesystem::path& folder);
 
 /// A start from a checkpoint.
@@ -60,7 +60,7 @@ nlohmann::ordered_json event(std::string_view kind, const FoundCheckpoint& found
 /// The time of day, for the lineage.
 std::string time_now();
 
-/// Warns where another program has written it.
+/// Warns if another version of the program wrote the checkpoint.
 void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer);
 
 } // namespace matrigrate::run

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// What the points of a study differ in. Test: tests/unit/study/comparison_test.cpp
+/// Differences between the points of a study. Test: tests/unit/study/comparison_test.cpp
 namespace matrigrate::study {
 
 /// Points that are compared, as indices, first the one that is subtracted. Adjacent ones differ in one parameter only,
@@ -57,7 +57,7 @@ std::string statistics_csv(const Study& study, const std::vector<Comparison>& co
 /// quartiles, whiskers.
 std::string groups_csv(const Study& study, const std::vector<Result>& results);
 
-/// correlations.csv: Pearson's r and p of each read-out of the study with each, over all runs that are done.
+/// correlations.csv: Pearson's r and p of each pair of read-outs of the study, over all runs that are done.
 std::string correlations_csv(const Study& study, const std::vector<Result>& results);
 
 std::string name(TestKind test);

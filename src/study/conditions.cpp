@@ -15,7 +15,7 @@ namespace {
 std::string label_in(const toml::table& table, FaultList& faults) {
   const toml::node* node = table.get("label");
   if (node == nullptr) {
-    faults.add(place_of(table), "conditions.label", "is missing; write label = \"soft\", by which targets name it");
+    faults.add(place_of(table), "conditions.label", "is missing; write label = \"soft\", the name for targets");
     return {};
   }
   std::string label = faults.text(*node, "conditions.label");

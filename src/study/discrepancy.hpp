@@ -65,7 +65,7 @@ public:
   /// The discrepancy in each draw; NaN where a term that was judged has no value left.
   std::vector<double> draws(std::size_t set) const;
 
-  /// What each replicate has at a point, from the first on; NaN where it has no value.
+  /// The value of each replicate at a point, from the first on; NaN where a replicate has none.
   /// @param readout  column of all_readouts()
   std::vector<double> replicates(std::size_t point, std::size_t readout) const;
 

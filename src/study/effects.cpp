@@ -102,7 +102,7 @@ private:
     return found;
   }
 
-  /// Of the replicates that have a value at both.
+  /// Over the replicates that have a value at both points.
   static std::vector<double> differences(const std::vector<double>& from, const std::vector<double>& to) {
     std::vector<double> all;
     for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i) all.push_back(to[i] - from[i]);

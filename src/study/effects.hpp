@@ -42,7 +42,7 @@ struct Effect {
 /// with the same design, read-out and condition by rank.
 std::vector<Effect> effects(const Study& study, const std::vector<Result>& results);
 
-/// What a study of factors has come to.
+/// The results of a study of factors.
 struct Screening {
   std::vector<Discrepancy> discrepancies; ///< one a factor set; empty without targets
   std::vector<Effect> effects;
@@ -60,7 +60,7 @@ std::string effects_csv(const Study& study, const std::vector<Effect>& effects);
 std::string set_text(const Study& study, std::size_t set);
 std::string point_text(const Study& study, std::size_t point);
 
-/// Whether an effect has enough behind it for an interval: least_runs trajectories, or replicates.
+/// True if an effect has enough data for an interval: least_runs trajectories, or replicates.
 bool has_interval(const Study& study, const Effect& effect);
 
 /// "youngs_modulus", or its whole path where two factors of the study end alike.

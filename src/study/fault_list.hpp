@@ -53,10 +53,10 @@ public:
   std::uint64_t whole(const toml::node& node, std::string_view key, std::uint64_t low, std::uint64_t high);
   /// A finite number; none with a fault.
   std::optional<double> number(const toml::node& node, std::string_view key);
-  /// Which of `names`; 0 with a fault.
+  /// Index of the value among `names`; 0 with a fault.
   std::size_t choice(const toml::node& node, std::string_view key, const std::vector<std::string>& names);
 
-  /// @throws ConfigurationError if there is any fault, those of this file by line, others behind
+  /// @throws ConfigurationError if there is any fault: faults of this file by line, then all others
   void raise() { m_faults.raise(); }
 
 private:

@@ -39,7 +39,7 @@ public:
     const auto found = m_set.find(named.row->path);
     if (found == m_set.end()) return;
     m_faults.add(place_of(*named.node), named.row->path,
-                 fmt::format("is set by the condition \"{}\" too; a factor is no part of a condition", found->second));
+                 fmt::format("is also set by the condition \"{}\"; a condition must not set a factor", found->second));
   }
 
 private:

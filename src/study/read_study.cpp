@@ -149,7 +149,7 @@ private:
     if ((scenario == nullptr) == (preset == nullptr))
       m_faults.add(preset == nullptr ? Place{} : place_of(*preset), "scenario",
                    fmt::format("{}; a study has one of scenario = \"FILE.toml\" and preset = \"NAME\"",
-                               preset == nullptr ? "is missing" : "stands beside a preset"));
+                               preset == nullptr ? "is missing" : "is given together with a preset"));
     if (preset != nullptr) read_preset(*preset);
     try {
       if (scenario != nullptr && preset == nullptr) read_scenario(*scenario);

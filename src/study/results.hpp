@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-/// What the runs of a study have come to, from the files of a study folder. May be read at any time.
+/// The results of the runs of a study, from the files of a study folder. They may be read at any time.
 /// Test: tests/unit/study/comparison_test.cpp, tests/apps/study_test.cpp
 namespace matrigrate::study {
 
@@ -38,8 +38,8 @@ struct Standing {
   double steps_done = 0.0;
 
   bool done() const { return status == RunState::done; }
-  /// It would fail again: a numerical failure is the same on every machine. One whose cause is not recorded is computed
-  /// again to learn it.
+  /// True if the run would fail again: a numerical failure is the same on every machine. A run without a recorded
+  /// cause is computed again.
   bool failed_for_good() const { return status == RunState::failed && cause.has_value(); }
 };
 

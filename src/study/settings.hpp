@@ -17,7 +17,7 @@
 /// Parameters named in a study file. Test: tests/unit/study/read_study_test.cpp
 namespace matrigrate::study {
 
-/// A parameter that a table of the file names, and what stands behind it.
+/// A parameter that a table of the file names, and its value there.
 struct Named {
   const Row* row;
   const toml::node* node;

@@ -20,13 +20,13 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-/// What a design varies, before it meets the conditions.
+/// A set of values that a design varies, without the conditions.
 struct FactorSet {
   std::string label;             ///< unique among the sets of its study
   std::vector<Setting> settings; ///< what differs from the base, by key
 };
 
-/// Under what each factor set is run: an experiment that measured something, as parameters.
+/// A condition under which each factor set is run: an experiment, as parameters.
 struct Condition {
   std::string label; ///< unique among the conditions of its study
   std::vector<Setting> settings;
@@ -114,7 +114,7 @@ std::size_t readout_column(std::string_view readout);
 /// The parameters that differ between points, each once, in the order in which they are first named.
 std::vector<std::string> swept_keys(const Study& study);
 
-/// Whether runs of a point have several cells.
+/// True if the runs of a point have several cells.
 bool has_several_cells(const Study& study);
 
 } // namespace matrigrate::study

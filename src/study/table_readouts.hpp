@@ -23,10 +23,10 @@ struct TableReadOut {
 };
 std::span<const TableReadOut> table_readout_table();
 
-/// The last of them, of several cells. parting_index: cosine of the angle between a cell's displacement over the run
-/// and the direction away from the cell that was nearest at the start, mean over the cells, from -1 to 1 (tracks.csv).
-/// share_in_contact: of the rows of group.csv, those with a contact between cells. nearest_um: its last value [um].
-/// order: its mean.
+/// The read-outs of several cells, last in the table above. parting_index: cosine of the angle between a cell's
+/// displacement over the run and the direction away from the cell that was nearest at the start, mean over the cells,
+/// from -1 to 1 (tracks.csv). share_in_contact: of the rows of group.csv, those with a contact between cells.
+/// nearest_um: its last value [um]. order: its mean.
 std::span<const TableReadOut> group_readout_table();
 
 /// @param folder  of a run

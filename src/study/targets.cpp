@@ -52,7 +52,8 @@ private:
     const toml::node* low = table.get("low");
     const toml::node* high = table.get("high");
     if (value != nullptr && (low != nullptr || high != nullptr))
-      return m_faults.add(place_of(*value), "targets.value", "stands beside a range; a target is one or the other");
+      return m_faults.add(place_of(*value), "targets.value",
+                          "is given together with a range; a target is either a value or a range");
     if (value != nullptr) {
       target.low = target.high = m_faults.number(*value, "targets.value").value_or(0.0);
       return;

@@ -55,7 +55,7 @@ TEST_F(Cells, CannotBeChangedInABranch) {
   ASSERT_EQ(run("run three.toml -o a --quiet").code, 0);
   const Ended ended = run("resume a --at '40 s' -o b --set 'cells=[{x = 0, y = 0}]'");
   EXPECT_EQ(ended.code, 3);
-  EXPECT_TRUE(contains(ended.err, "cells: a branch goes on with the cells that there are")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "cells: a branch keeps the cells of its run")) << ended.err;
 }
 
 TEST_F(Cells, AreRefusedWithEveryFault) {

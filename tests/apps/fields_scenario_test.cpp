@@ -86,8 +86,8 @@ TEST_F(FieldsOfScenarios, AnObstacleBetweenParticlesIsToldOf) {
                            + radius2 + " ? 1 : 0\"\n");
     return run("explain post.toml").out;
   };
-  EXPECT_TRUE(contains(explained("0.5"), "no particle lies in an obstacle"));
-  EXPECT_FALSE(contains(explained("9"), "no particle lies in an obstacle"));
+  EXPECT_TRUE(contains(explained("0.5"), "no matrix particle lies in an obstacle"));
+  EXPECT_FALSE(contains(explained("9"), "no matrix particle lies in an obstacle"));
   EXPECT_TRUE(contains(explained("9"), "E by a field"));
 }
 

@@ -131,7 +131,7 @@ TEST_F(Fields, NeedsToolsForPixels) {
   ASSERT_EQ(::setenv("CHROMIUM", "/nope", 1), 0);
   const Ended browser = run("export here --movie -o no");
   EXPECT_EQ(browser.code, 5);
-  EXPECT_TRUE(contains(browser.err, "CHROMIUM is /nope, which is no program")) << browser.err;
+  EXPECT_TRUE(contains(browser.err, "CHROMIUM is /nope, which is not a program")) << browser.err;
   ::unsetenv("CHROMIUM");
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");

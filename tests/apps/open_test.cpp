@@ -33,7 +33,7 @@ TEST_F(Open, SaysHowToMakeAPageThatIsMissing) {
   std::filesystem::create_directory(folder / "bare");
   const Ended ended = run("open bare");
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "`matrigrate report bare` makes it")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "`matrigrate report bare` writes it")) << ended.err;
 }
 
 class Diff : public Program {};

@@ -56,7 +56,7 @@ TEST_F(Reproduce, RefusesResultsOfOtherParameters) {
   write("kept/stiffness-results.csv", results);
   const Ended ended = run("reproduce A5 --closures first --from kept");
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "run 0123456789abcdef is not one of the study")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "run 0123456789abcdef does not belong to the study")) << ended.err;
 }
 
 TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {

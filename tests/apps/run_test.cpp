@@ -85,7 +85,7 @@ TEST_F(Run, RefusesAFolderThatIsNotEmpty) {
   EXPECT_FALSE(exists("here/run.json"));
   const Ended forced = run("run s.toml --hours 0.002 -o here --force --quiet");
   EXPECT_EQ(forced.code, 0);
-  EXPECT_TRUE(contains(forced.err, "these are not files of a run, and stay: mine")) << forced.err;
+  EXPECT_TRUE(contains(forced.err, "these are not files of a run and are kept: mine")) << forced.err;
   EXPECT_TRUE(exists("here/run.json"));
   EXPECT_EQ(text_of(folder / "here/mine"), "mine");
 }
@@ -185,7 +185,7 @@ TEST_F(Run, StopsAtASignal) {
     EXPECT_EQ(record(signal).at("status"), "interrupted");
     EXPECT_EQ(record(signal).at("exit_code"), code);
     EXPECT_GT(record(signal).at("steps"), 0);
-    EXPECT_TRUE(contains(record(signal).at("reason"), "is safe in checkpoint.h5"));
+    EXPECT_TRUE(contains(record(signal).at("reason"), "are safe in checkpoint.h5"));
     EXPECT_TRUE(exists(signal + "/report.html"));
   }
 }

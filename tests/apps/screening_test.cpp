@@ -99,7 +99,7 @@ TEST_F(ScreeningStudy, WritesNothingOnAFault) {
   EXPECT_EQ(ended.code, 3);
   for (const char* part :
        {"e.toml:5:10: morris.levels: 3 is odd", "e.toml:6:20: protrusion.force: \"0.6 nN\" is not below \"0.2 nN\"",
-        "e.toml:7:22: ecm.youngs_modulus: is set by the condition \"soft\" too", "did you mean n_protrusions?",
+        "e.toml:7:22: ecm.youngs_modulus: is also set by the condition \"soft\"", "did you mean n_protrusions?",
         "e.toml:17:9: targets.error: 0 is out of range; allowed is > 0", "did you mean soft?"})
     EXPECT_TRUE(contains(ended.err, part)) << part << '\n' << ended.err;
   EXPECT_EQ(entries(), 2U);

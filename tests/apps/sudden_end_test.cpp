@@ -44,8 +44,9 @@ TEST_F(SuddenEnd, EndsWithACodeOfTheTableAndIsResumedToTheSameBits) {
   for (const std::string signal : {"SEGV", "BUS", "FPE", "ILL", "ABRT"}) {
     EXPECT_EQ(told(signal, signal), 4) << signal;
     const std::string said = text_of(base / "err");
-    EXPECT_TRUE(said.starts_with("matrigrate: ended by SIG" + signal + ", ")) << said;
-    EXPECT_TRUE(contains(said, "the last checkpoint and the files up to it are good, and resume goes on from there"));
+    EXPECT_TRUE(said.starts_with("matrigrate: ended by SIG" + signal + ": ")) << said;
+    EXPECT_TRUE(contains(said, "The last checkpoint and the files up to it are good; matrigrate resume continues "
+                               "from there"));
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
     const Ended again = run("resume " + signal + " --quiet");
     EXPECT_EQ(again.code, 0) << again.err;

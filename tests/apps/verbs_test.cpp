@@ -76,7 +76,7 @@ TEST_F(Program, NewWritesAScenarioOnce) {
   write("mine.toml", "mine");
   const Ended again = run("new mine.toml");
   EXPECT_EQ(again.code, 5);
-  EXPECT_TRUE(contains(again.err, "mine.toml: exists, and is not overwritten")) << again.err;
+  EXPECT_TRUE(contains(again.err, "mine.toml: exists and is not overwritten")) << again.err;
   EXPECT_EQ(text_of(folder / "mine.toml"), "mine");
   EXPECT_EQ(run("new nowhere/a.toml").code, 5);
 }

@@ -30,7 +30,7 @@ code=0
 "$program" run s.toml -o small/run --quiet >/dev/null 2>said || code=$?
 cat said
 [ $code -eq 5 ] || { echo "exit code $code, not 5" && exit 1; }
-grep -q 'is safe in checkpoint.h5' said
+grep -q 'are safe in checkpoint.h5' said
 df --output=avail small | tail -n 1
 for file in tracks health protrusions; do # whole lines only, all with as many fields
   awk -F, -v file=$file 'NR == 1 { n = NF } NF != n { print file ": a broken row"; exit 1 }' small/run/$file.csv

@@ -94,7 +94,7 @@ class RunsFromPython(common.InTemporaryFolder):
         os.killpg(python.pid, signal.SIGINT)  # as a terminal does: to Python and the program
         words = python.communicate(timeout=60)[1]
         self.assertNotEqual(python.returncode, 0)
-        self.assertIn("with a checkpoint, is in x: the same call goes on", words)
+        self.assertIn("and a checkpoint are in x; the same call continues", words)
         run = matrigrate.load("x")
         self.assertEqual((run.status, run.record["exit_code"]), ("interrupted", 130))
 

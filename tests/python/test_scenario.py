@@ -142,7 +142,7 @@ class LikeTheProgram(common.InTemporaryFolder):
         self.assertEqual((done.returncode, done.stdout), (0, "mine.toml: good\n"), done.stderr)
         self.assertEqual(Scenario.load(path), scenario)
         self.assertEqual(tomllib.loads(path.read_text())["ecm"]["youngs_modulus"], "0.1 kPa")
-        with self.assertRaisesRegex(matrigrate.InputOutputError, "exists, and is not overwritten"):
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "exists and is not overwritten"):
             scenario.save("mine.toml")
         scenario.save("mine.toml", overwrite=True)
 

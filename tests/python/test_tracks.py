@@ -78,7 +78,7 @@ class Files(common.InTemporaryFolder):
         self.assertEqual(len(found), 2)
         self.assertTrue(np.isnan(found["0"][3]).all())
         self.assertEqual(found.notes, ["1 tracks of fewer than 4 positions are left out",
-                                       "1 positions are missing in gaps; nothing is put in their place"])
+                                       "1 positions are missing; gaps are not filled"])
         self.assertEqual(len(found.table()), 15)
 
     def refused(self, words, file, line=None, **options):

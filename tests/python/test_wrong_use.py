@@ -49,7 +49,7 @@ class WrongTypes(common.InTemporaryFolder):
                                       ({"hours": -1}, matrigrate.ConfigurationError, "--hours: run.duration"),
                                       ({"hours": float("nan")}, matrigrate.ConfigurationError, "--hours: run.duration"),
                                       ({"threads": "x"}, matrigrate.UsageError, "--threads"),
-                                      ({"wall_time": "soon"}, matrigrate.UsageError, '"soon" is no time'),
+                                      ({"wall_time": "soon"}, matrigrate.UsageError, '"soon" is not a time'),
                                       ({"overrides": {"ecm.radius": None}}, matrigrate.ConfigurationError, "ecm.radius"),
                                       ({"overrides": {3: 4}}, matrigrate.ConfigurationError, "3: there is no such parameter")):
             with self.subTest(words), self.assertRaisesRegex(error, words):

@@ -1,15 +1,15 @@
-/** Colours that people with any kind of colour vision can tell apart; where the program's pictures have one, the same. */
+/** Colours that people with any kind of colour vision can tell apart; they agree with the program's pictures. */
 
 export type Rgb = readonly [number, number, number];
 
 /** Okabe and Ito. */
 export const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#f0e442"];
-/** The same on a dark page, where blue and black would be lost. */
+/** The palette of a dark page, on which blue and black would be lost. */
 export const paletteOnDark = ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#f0f0f0", "#e69f00", "#0072b2", "#f0e442"];
 
 /** By the number of the phase. */
 export const phaseColours = ["#f0a500", "#d55e00", "#8b1a6b", "#6e7781"];
-/** The same on a dark page, where the plum of contraction would be lost. */
+/** Phase colours of a dark page, on which the plum of contraction would be lost. */
 export const phaseColoursOnDark = ["#f0a500", "#e8743b", "#d469b8", "#9aa4b0"];
 
 /** The front of a cell is lighter than its rear. */

@@ -1,5 +1,5 @@
 /**
- * What the program writes into the page of a run: the data contract, version 1. That of a study stands in
+ * What the program writes into the page of a run: the data contract, version 1. The contract of a study is in
  * `study/contract.ts`.
  *
  * Units are those of every file of the program: um, s, nN, radians; stress in Pa; speeds in um/h. A key says its unit
@@ -36,7 +36,7 @@ export interface FrameProtrusion {
   cell?: number;
   /** Index of its centre (tip) particle on the outline. */
   centre: number;
-  /** Where it adheres [um]; null while it does not. */
+  /** Where the protrusion adheres [um]; null while it does not adhere. */
   anchor: [number, number] | null;
   /** Maturation, 0 to 1 [-]. */
   f_mat: number;
@@ -58,11 +58,11 @@ export interface ParticleFrames {
   fibre_von_mises?: Packed;
   /** Concentration of the attractant, between its own limits; left out where there is none. */
   attractant?: Packed;
-  /** Properties that vary from place to place and not in time; left out where there are none. */
+  /** Properties that vary in space and not in time; left out if there are none. */
   layers?: (LayerWords & { values: Packed })[];
 }
 
-/** What a property of the matrix is called: its key, unit, title and a sentence. */
+/** The words for a property of the matrix: its key, unit, title and a sentence. */
 export interface LayerWords {
   name: string;
   unit: string;
@@ -167,7 +167,7 @@ export interface ChangedParameter {
   name: string;
   /** As in a scenario, with its unit. */
   value: string;
-  /** That of Table 1 or of the program. */
+  /** Default value, from Table 1 or of the program. */
   default: string;
   meaning: string;
 }
@@ -176,12 +176,12 @@ export interface RunPage {
   format: "matrigrate-run";
   version: 1;
   title: string;
-  /** One sentence: how far it came, and why it ended if it failed. */
+  /** One sentence: how far the run came, and why it ended if it failed. */
   status: string;
   /** Time that the run was to reach or, if it ended early, reached [s]. */
   t_end_s: number;
   geometry: { radius_um: number; spacing_um: number; n_particles: number; n_outline: number };
-  /** What came out, in a sentence: "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions."; "" for nothing. */
+  /** The result, in a sentence: "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions."; "" for nothing. */
   summary: string;
   /** What was run, when and how: scenario, stiffness, seed, command, date, wall time, trajectory hash. */
   facts: Fact[];
@@ -190,7 +190,7 @@ export interface RunPage {
   tracks: Tracks;
   protrusions: ProtrusionRow[];
   readouts: NamedValue[];
-  /** Those that differ from their default alone. */
+  /** Only the parameters that differ from their defaults. */
   parameters: ChangedParameter[];
   health: NamedValue[];
   /** Text with line breaks. */

@@ -4,14 +4,14 @@ let printing = false;
 let listening = false;
 let drawn: { element: Element; draw: () => void }[] = [];
 
-/** Whether the page is being printed. */
+/** True while the page is being printed. */
 export const onPaper = (): boolean => printing;
 
 function set(now: boolean): void {
   printing = now;
   document.documentElement.classList.toggle("on-paper", now);
   drawn = drawn.filter((one) => one.element.isConnected);
-  // What is drawn may bring new elements with it: they are appended, and drawn in their turn.
+  // Drawing may append new elements to the list; the loop draws these too.
   for (let i = 0; i < drawn.length; ++i) drawn[i].draw();
 }
 

@@ -40,7 +40,7 @@ public:
   /// @throws NumericalFailure
   Change change(const std::vector<std::string>& overrides);
 
-  /// Whether run.duration is reached.
+  /// True if run.duration is reached.
   bool done() const;
 
   const State& state() const { return m_simulation.s; }

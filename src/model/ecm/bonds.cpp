@@ -91,7 +91,7 @@ std::string fault_of_fibres(const Parameters& p) {
   if (hexagonal && std::ranges::any_of(directions, on_boundary))
     return fmt::format(
         "bonds of the hexagonal lattice lie exactly fibres.half_angle_deg = {:.4g} off "
-        "fibres.direction_deg = {:.4g}; joined, they make the matrix stiff across its fibres; take a half "
+        "fibres.direction_deg = {:.4g}; fibres on them would make the matrix stiff across its fibres; take a half "
         "angle of {:.4g}, without them, or {:.4g}, with them",
         half, direction, half - 1.0, half + 1.0);
   return {};

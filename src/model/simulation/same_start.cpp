@@ -32,13 +32,13 @@ std::vector<Fault> faults_of_change(const Parameters& before, const Parameters& 
     if (of_the_start(row, before) && value_text(row, before) != value_text(row, after))
       faults.push_back({.file = place,
                         .key = std::string(row.path),
-                        .message = fmt::format("a branch goes on with the bodies that there are, made with {}; only a "
-                                               "new run can have {}",
+                        .message = fmt::format("a branch keeps the bodies of its run, made with {}; only a new run "
+                                               "can have {}",
                                                value_text(row, before), value_text(row, after))});
   if (cells_text(before) != cells_text(after))
     faults.push_back({.file = place,
                       .key = "cells",
-                      .message = "a branch goes on with the cells that there are; only a new run can have others"});
+                      .message = "a branch keeps the cells of its run; only a new run can have others"});
   return faults;
 }
 

@@ -89,7 +89,7 @@ public:
       phase = Finishing();
       break;
     default:
-      throw std::invalid_argument("the saved state has a protrusion in no known phase");
+      throw std::invalid_argument("the saved state has a protrusion in an unknown phase");
     }
     std::visit([this](auto& one) { get(one); }, phase);
   }
@@ -115,7 +115,7 @@ private:
     if (bytes > 0) std::memcpy(to, m_rest.data(), bytes);
     m_rest.remove_prefix(bytes);
   }
-  [[noreturn]] static void cut_off() { throw std::invalid_argument("the saved state is cut off"); }
+  [[noreturn]] static void cut_off() { throw std::invalid_argument("the saved state is cut short"); }
 
   std::string_view m_rest;
 };

@@ -69,7 +69,7 @@ inline constexpr auto matrix_field_table = [] {
                   .layer = "youngs_modulus",
                   .layer_unit = "Pa",
                   .title = "Young's modulus",
-                  .meaning = "Of the intact matrix, where it was at the start.",
+                  .meaning = "Of the intact matrix, at its position at the start.",
                   .shown = [](double ratio, const Parameters& p) { return Pa * ratio * p.ecm.youngs_modulus; }},
       MatrixField{.path = "fibres.field.direction_deg",
                   .name = "fibre_direction",
@@ -101,7 +101,7 @@ inline constexpr auto matrix_field_table = [] {
                   .layer = "ligand",
                   .layer_unit = "1",
                   .title = "Ligand",
-                  .meaning = "On the solid, over the usual one; adhesions need it.",
+                  .meaning = "On the solid, relative to the usual amount; adhesions need it.",
                   .shown = as_given},
       MatrixField{.path = "ecm.fields.attractant_source",
                   .name = "attractant_source",
@@ -119,7 +119,7 @@ inline constexpr auto matrix_field_table = [] {
 /// @throws std::invalid_argument naming the place of a value that is out of range or not finite
 void apply(const MatrixFields& fields, EcmState& ecm);
 
-/// Whether a value of MatrixFields::obstacle makes a particle part of an obstacle.
+/// True if a value of MatrixFields::obstacle makes a particle part of an obstacle.
 inline bool in_obstacle(double value) { return value >= 0.5; }
 
 } // namespace matrigrate

@@ -8,7 +8,7 @@
 /// The pieces of which pictures of the cell are made. Test: tests/unit/draw/cell_picture_test.cpp
 namespace matrigrate::draw {
 
-/// Whether intact particles of the matrix are drawn one by one, or as one area, which takes far fewer bytes.
+/// Intact matrix is drawn particle by particle, or as one area, which takes far fewer bytes.
 enum class IntactMatrix { particles, area };
 
 inline constexpr double room_around_cell = 12.0; ///< [um]

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, living protrusions. They
+/// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, living protrusions. Numbers
 /// are stored as float32, rounded to their meaningful precision: 1/16384 um for displacements, four digits for
 /// velocities and stresses. Test: tests/unit/observe/frame_test.cpp
 namespace matrigrate::observe {
@@ -77,7 +77,7 @@ struct FrameHead {
   std::vector<Floats> layers = std::vector<Floats>(matrix_layers().size());
 
   std::size_t particles() const { return reference.size() / 2; }
-  /// Whether obstacle and layers are empty or have one entry a particle.
+  /// True if obstacle and layers are empty or have one entry a particle.
   bool consistent() const;
 };
 
@@ -87,7 +87,7 @@ struct Film {
   std::vector<Frame> frames;
 };
 
-/// Where a field stands, for all who write or read frames.
+/// Where a field stands in files: the one table for all writers and readers of frames.
 template <class Numbers>
 struct FrameField {
   std::string_view name;    ///< in files: "matrix/displacement"
@@ -96,11 +96,11 @@ struct FrameField {
   Numbers& (*of)(Frame&);
 
   bool of_protrusions() const { return name.starts_with("protrusions/"); }
-  /// Whether only frames of several cells have it.
+  /// True if only frames of several cells have the field.
   bool of_several_cells() const { return name.ends_with("/cell"); }
-  /// Whether only frames with attractant have it.
+  /// True if only frames with attractant have the field.
   bool of_attractant() const { return name == "matrix/attractant"; }
-  /// Whether only frames of cells with nuclei have it.
+  /// True if only frames of cells with nuclei have the field.
   bool of_nuclei() const { return name == "nucleus/position"; }
   bool of_all() const { return !of_several_cells() && !of_attractant() && !of_nuclei(); }
   const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
@@ -110,7 +110,7 @@ std::span<const FrameField<Bytes>> byte_fields();
 
 FrameHead frame_head(const State& s, const Parameters& p);
 
-/// @param w  for its fibres; all else is of the state, so that a run that goes on writes the same frames
+/// @param w  used for its fibres; all else comes from the state, so that a resumed run writes the same frames
 Frame frame(const State& s, const Parameters& p, const Workspace& w);
 
 } // namespace matrigrate::observe

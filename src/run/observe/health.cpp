@@ -141,8 +141,9 @@ std::optional<Alarm> alarm(const State& s, const Parameters& p, const HealthRow&
                  fmt::format("solid matrix lies {:.3g} um deep inside {}", row.deepest_solid,
                              place(s, [&](const CortexState& c) { return -solid_inside(s.ecm, c).deepest; }))};
   if (row.force_imbalance > max_imbalance)
-    return Alarm{Cause::imbalance, fmt::format("inner forces do not balance: their sum is {:.2g} of their magnitudes",
-                                               row.force_imbalance)};
+    return Alarm{
+        Cause::imbalance,
+        fmt::format("inner forces do not balance: their sum is {:.2g} of the sum of magnitudes", row.force_imbalance)};
   return {};
 }
 

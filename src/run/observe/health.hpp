@@ -50,7 +50,7 @@ struct Alarm {
   std::string text;
 };
 
-/// The first of these that is found, if any: something is not finite, a cell has turned inside out, collapsed or
+/// The first alarm that is found, if any: something is not finite, a cell has turned inside out, collapsed or
 /// crossed itself, solid matrix lies deep inside it, inner forces do not balance.
 std::optional<Alarm> alarm(const State& s, const Parameters& p, const HealthRow& row);
 
@@ -62,7 +62,7 @@ struct HealthWatch {
   /// To be called after each step.
   void see(const StepHealth& step);
 
-  /// The row of now; the next one gathers anew.
+  /// The row up to now; the next row starts empty.
   HealthRow row(const State& s, const Parameters& p, const StepHealth& last);
 };
 

@@ -12,7 +12,7 @@
 /// of a run. Test: tests/unit/observe/readouts_test.cpp
 namespace matrigrate {
 
-/// Mean over those for which a value is defined.
+/// Mean over the entries whose value is defined.
 struct Mean {
   double value = undefined; ///< NaN where there are none
   std::size_t n = 0;
@@ -59,7 +59,7 @@ double path_length(std::span<const TrackRow> rows, double interval);
 /// @param records  of all protrusions, ended or alive
 ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionRecord> records, const Parameters& p);
 
-/// What a run tells of one of its cells.
+/// Results of one cell of a run.
 struct CellResult {
   std::uint32_t cell = 0;                  ///< its id
   std::vector<TrackRow> rows{};            ///< in the order of time
@@ -67,7 +67,7 @@ struct CellResult {
   ReadOuts readouts{};
 };
 
-/// Of all cells, in their order.   @param rows  of all cells, in the order of time
+/// Results of all cells, in their order.   @param rows  of all cells, in the order of time
 std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, const Parameters& p);
 
 } // namespace matrigrate

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-/// Of all cells, cell after cell.
+/// Entries of all cells, cell after cell.
 Json tracks_json(std::span<const CellResult> cells) {
   Json json{{"t_s", Json::array()},           {"x_um", Json::array()},         {"y_um", Json::array()},
             {"area_um2", Json::array()},      {"perimeter_um", Json::array()}, {"polarization_rad", Json::array()},

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// The report on statements that hold or do not: verification cases, claims of the paper. As that of a run it is made
-/// of a template of viewer/ and of data. Test: tests/unit/report/verdict_page_test.cpp
+/// The report on statements that hold or do not: verification cases, claims of the paper. Like the report of a run, it
+/// is made of a template of viewer/ and of data. Test: tests/unit/report/verdict_page_test.cpp
 namespace matrigrate::report {
 
 /// Sentences under a heading.
@@ -20,7 +20,7 @@ struct Sentences {
   std::vector<std::string> list;
 };
 
-/// A statement with what became of it.
+/// A statement and its verdict.
 struct Statement {
   std::string id;       ///< "A2", "creep"
   std::string kind{};   ///< "calibration", "predicted", ...; empty for none

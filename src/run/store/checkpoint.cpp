@@ -51,8 +51,8 @@ void require_readable(std::string_view start, const std::string& name) {
   if (!ours || std::from_chars(start.data() + checkpoint_magic.size(), end, version).ec != std::errc())
     throw InputOutputError(fmt::format("{}: is no checkpoint of matrigrate", name));
   if (version != checkpoint_version)
-    throw InputOutputError(fmt::format("{}: is a checkpoint of format {}; this program reads format {}: go on with the "
-                                       "version that wrote it, or start the run again from its scenario",
+    throw InputOutputError(fmt::format("{}: is a checkpoint of format {}; this program reads format {}: resume with "
+                                       "the version that wrote it, or start the run again from its scenario",
                                        name, version, checkpoint_version));
 }
 
@@ -68,7 +68,8 @@ std::string_view checked_content(std::string_view image, const std::string& name
   if (image.size() < block) refuse("is cut short");
   const std::string_view content = image.substr(block);
   if (image.substr(0, block) == first_line(content)) return content;
-  refuse(image.starts_with(promise_of(content.size())) ? "has been changed: its fingerprint is another" : other_length);
+  refuse(image.starts_with(promise_of(content.size())) ? "has been changed: its fingerprint does not match"
+                                                       : other_length);
   return {};
 }
 
@@ -182,7 +183,7 @@ State state_from(const std::string& text, const MemoryFile* file) {
   return s;
 }
 
-/// Whether each array has n entries, or none where that is allowed.
+/// True if each array has n entries, or is empty where an empty array is allowed.
 bool has_entries(const Listed auto& s, std::size_t n) {
   bool all = true;
   each_member(s, [&](const StateMember& member, const auto& value) {
@@ -192,7 +193,7 @@ bool has_entries(const Listed auto& s, std::size_t n) {
   return all;
 }
 
-/// What a whole file may still have wrong: arrays that do not belong together.
+/// Refuses faults that a whole file may still have: arrays that do not match, values out of range.
 void require_consistent(const State& s) {
   const std::size_t n = s.ecm.size();
   const SolverMemory& memory = s.solver_memory;
@@ -203,16 +204,23 @@ void require_consistent(const State& s) {
            && has_entries(cell.nucleus, cell.nucleus.size());
   });
   if (n == 0 || !has_entries(s.ecm, n) || !lags || !cells || !knows_before)
-    throw std::invalid_argument("its arrays do not belong together");
+    throw std::invalid_argument("its arrays do not match in length");
   for (const Cell& cell : s.cells)
     for (const Protrusion& p : cell.protrusions)
+<<<<<<< HEAD
+      if (p.centre >= cell.cortex.size())
+        throw std::invalid_argument("the centre of a protrusion is not on the cortex");
+  if (!std::ranges::all_of(s.ecm.E_ratio, [](double ratio) { return std::isfinite(ratio) && ratio > 0.0; }))
+    throw std::invalid_argument("a Young's modulus of the matrix is not above 0");
+=======
       if (p.centre >= cell.cortex.size()) throw std::invalid_argument("a protrusion has no place on the cortex");
   for (const MatrixField& field : matrix_field_table)
     if (!std::ranges::all_of(s.ecm.*field.member, [&](double a) { return std::isfinite(a) && field.allowed(a); }))
       throw std::invalid_argument(fmt::format("{} of its matrix is out of range", field.name));
+>>>>>>> main
   if (!std::isfinite(s.ecm.V0) || !std::isfinite(s.ecm.period_x))
     throw std::invalid_argument("the area or the period of its matrix is not a number");
-  if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is no time");
+  if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is negative or not finite");
 }
 
 } // namespace

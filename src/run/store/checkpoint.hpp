@@ -43,7 +43,7 @@ State parse_state_parts(const std::string& text);
 Checkpoint read_checkpoint(const std::filesystem::path& file);
 
 /// Writes folder/checkpoint.h5 whole or not at all; the one before becomes checkpoint_prev.h5.
-/// @param kept  another file with it, written before: who resumes from the checkpoint would not make it again
+/// @param kept  a second file with the same content, written first, since a resumed run would not write it again
 /// @throws InputOutputError naming the path and the reason
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint,
                       const std::optional<std::filesystem::path>& kept = {});

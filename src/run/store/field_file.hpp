@@ -46,10 +46,10 @@ std::string field_file(const observe::Film& film, const FieldOrigin& origin = {}
 
 /// Writes fields.h5 and fields.xdmf of a run's log into its folder; takes one frame at a time.
 /// @param frames  that the log must hold
-/// @throws InputOutputError naming the path and the reason: also if some are no longer whole
+/// @throws InputOutputError naming the path and the reason, also if a frame is no longer whole
 void write_field_files(const std::filesystem::path& folder, std::size_t frames, const FieldOrigin& origin = {});
 
-/// Writes those of a film into the folder.
+/// Writes fields.h5 and fields.xdmf of a film into the folder.
 /// @throws InputOutputError naming the path and the reason
 void write_field_files(const std::filesystem::path& folder, const observe::Film& film, const FieldOrigin& origin = {});
 

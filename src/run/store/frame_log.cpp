@@ -50,7 +50,7 @@ public:
   template <class T>
   void take_planes(std::vector<T>& values) {
     const auto n = take<std::uint64_t>();
-    if (n > max_frame_bytes) throw InputOutputError("a frame is not what it says");
+    if (n > max_frame_bytes) throw InputOutputError("a frame states an impossible number of values");
     const std::string_view planes = some(n * sizeof(T));
     values.resize(n);
     auto* bytes = reinterpret_cast<char*>(values.data());
@@ -62,7 +62,7 @@ public:
 
 private:
   std::string_view some(std::size_t n) {
-    if (n > m_bytes.size()) throw InputOutputError("a frame is shorter than it says");
+    if (n > m_bytes.size()) throw InputOutputError("a frame is shorter than its stated length");
     const std::string_view part = m_bytes.substr(0, n);
     m_bytes.remove_prefix(n);
     return part;
@@ -213,8 +213,16 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   head.take_planes(m_head.reference);
   if (head.empty()) return; // the same matrix everywhere
   head.take_planes(m_head.obstacle);
+<<<<<<< HEAD
+  head.take_planes(m_head.youngs_modulus);
+  head.take_planes(m_head.ligand);
+  const auto one_each = [this](const auto& field) { return field.empty() || field.size() == m_head.particles(); };
+  if (!one_each(m_head.obstacle) || !one_each(m_head.youngs_modulus) || !one_each(m_head.ligand))
+    throw InputOutputError("its arrays do not match");
+=======
   for (observe::Floats& layer : m_head.layers) head.take_planes(layer);
   if (!m_head.consistent()) throw InputOutputError("its arrays do not belong together");
+>>>>>>> main
 }
 
 std::optional<observe::Frame> FrameReader::next() {

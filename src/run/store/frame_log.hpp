@@ -67,7 +67,7 @@ private:
 /// A log that grows.
 class FrameLog {
 public:
-  /// Makes the file anew with what there is already; it is replaced as a whole or not at all.
+  /// Writes the file with the frames so far; an older file is replaced as a whole or not at all.
   /// @param whole  from log_bytes()
   /// @throws InputOutputError naming the path and the reason
   FrameLog(std::filesystem::path path, std::string_view whole) : m_file(std::move(path), whole) {}
@@ -76,7 +76,7 @@ public:
   /// @throws InputOutputError naming the path and the reason
   void add(const observe::Frame& frame);
 
-  /// Waits until all of it is on the disk, which a checkpoint that counts on it needs.
+  /// Waits until the whole log is on the disk, as a checkpoint that counts its frames requires.
   /// @throws InputOutputError naming the path and the reason
   void flush() const { m_file.flush(); }
 

@@ -36,8 +36,8 @@ private:
   Close m_close;
 };
 
-/// A file held in memory, written as a whole. One that is read may come from anyone: arrays that are links, views, kept
-/// in another file, or larger than what the file holds are refused.
+/// A file held in memory, written as a whole. A file that is read is not trusted: arrays that are links, views, kept in
+/// another file, or larger than the file are refused.
 class MemoryFile {
 public:
   /// An empty file to be filled.
@@ -50,7 +50,7 @@ public:
   MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile() = default;
 
-  /// Its bytes, until it is written to again or gone.
+  /// The bytes of the file, valid until the next write or the end of this object.
   std::string_view view() const;
 
   /// Groups on the way to `name` are made. The array is 1-d, or n x 2 for vectors, n x 4 for matrices (row by row).
@@ -86,7 +86,7 @@ public:
   /// @param numbers  of a frame; 0: any
   /// @throws InputOutputError if it has another shape, or more numbers than its bytes can hold
   void require_frames(const std::string& name, std::size_t frames, std::size_t numbers) const;
-  /// What a FrameArray of frames has at one.
+  /// The numbers of one frame of a FrameArray.
   std::vector<float> float_frame(const std::string& name, std::size_t frame) const;
   std::vector<std::uint8_t> byte_frame(const std::string& name, std::size_t frame) const;
 

@@ -78,7 +78,7 @@ std::string frame_bytes(const Handle& frames, const std::string& name, std::size
     used = true;
   }
   const std::string numbers = deflated ? inflated(stored, bytes) : stored;
-  if (numbers.size() != bytes) refuse_array(fmt::format("{} is shorter than it says", name));
+  if (numbers.size() != bytes) refuse_array(fmt::format("{} is shorter than its stated length", name));
   if (!shuffled) return numbers;
   std::string ordered(bytes, '\0');
   const std::size_t n = bytes / number;

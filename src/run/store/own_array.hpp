@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-/// What is asked of an array before it is read from a file that may come from anyone.
+/// Checks of an array before it is read from an untrusted file.
 /// Test: tests/unit/store/foreign_fields_test.cpp
 namespace matrigrate::store {
 

@@ -38,13 +38,13 @@ void read_protrusions(const MemoryFile& file, observe::Film& film) {
       const observe::Floats stored = file.floats(fmt::format("/{}", field.name));
       columns.push_back(field.components == 2 ? in_plane(stored) : stored);
       if (columns.back().size() != frame_of_row.size() * field.components)
-        throw InputOutputError("its tables of protrusions do not belong together");
+        throw InputOutputError("its tables of protrusions do not match in length");
     }
-  if (phases.size() != frame_of_row.size()) throw InputOutputError("its tables of protrusions do not belong together");
+  if (phases.size() != frame_of_row.size()) throw InputOutputError("its tables of protrusions do not match in length");
   for (std::size_t row = 0; row < frame_of_row.size(); ++row) {
     const auto frame = static_cast<double>(frame_of_row[row]);
     if (!(frame >= 0.0 && frame < static_cast<double>(film.frames.size())))
-      throw InputOutputError("a protrusion is of no frame");
+      throw InputOutputError("a protrusion belongs to no frame");
     const auto k = static_cast<std::size_t>(frame);
     std::size_t column = 0;
     for (const auto& field : observe::float_fields()) {
@@ -66,10 +66,18 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
   if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
   film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
   if (file.has("/matrix/obstacle")) film.head.obstacle = file.bytes("/matrix/obstacle");
+<<<<<<< HEAD
+  if (file.has("/matrix/youngs_modulus")) film.head.youngs_modulus = file.floats("/matrix/youngs_modulus");
+  if (file.has("/matrix/ligand")) film.head.ligand = file.floats("/matrix/ligand");
+  const auto one_each = [&](const auto& field) { return field.empty() || field.size() == film.head.particles(); };
+  if (!one_each(film.head.obstacle) || !one_each(film.head.youngs_modulus) || !one_each(film.head.ligand))
+    throw InputOutputError("its arrays do not match");
+=======
   for (std::size_t k = 0; k < film.head.layers.size(); ++k)
     if (const std::string name = fmt::format("/matrix/{}", observe::matrix_layers()[k].layer); file.has(name.c_str()))
       film.head.layers[k] = file.floats(name.c_str());
   if (!film.head.consistent()) throw InputOutputError("its arrays do not belong together");
+>>>>>>> main
   for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
   if (whole != nullptr) whole->assign(times.size(), true);
   if (times.empty()) return film;
@@ -107,7 +115,7 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
   const std::size_t fibres = file.has("/matrix/fibre_von_mises") ? film.head.particles() : 0;
   for (std::size_t k = 0; k < film.frames.size(); ++k) {
     if (fits(film.frames[k], film.head, fibres)) continue;
-    if (whole == nullptr) throw InputOutputError("its arrays do not belong together");
+    if (whole == nullptr) throw InputOutputError("its arrays do not match");
     (*whole)[k] = false;
   }
   return film;

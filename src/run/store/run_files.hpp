@@ -57,14 +57,14 @@ struct NamedValue {
 };
 std::vector<NamedValue> named_values(const ReadOuts& r);
 
-/// Those that a run can have, for people: without those of uniaxial fibres where there are none.
+/// The read-outs that a run can have, for people: those of uniaxial fibres only if there are such fibres.
 std::vector<NamedValue> shown_values(const ReadOuts& r, const Parameters& p);
 
 /// "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions.": persistent above a slope of 1.2,
 /// confined below 0.8, between them like a random walk (slope 1). What is not defined is left out.
 std::string result_sentence(const ReadOuts& r);
 
-/// That of a single cell, or of each of several: "Cell 1: ... Cell 2: ..."
+/// The sentence of a single cell, or of each of several cells: "Cell 1: ... Cell 2: ..."
 std::string result_sentence(std::span<const CellResult> cells);
 
 /// A value for people: four digits, or "-" where it is not defined.

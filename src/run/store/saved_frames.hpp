@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// The whole frames of a run, for one that is resumed and for reports and exports, and those that are no longer there.
+/// The whole frames of a run, for its resumption, reports and exports; and the frames that are lost.
 /// Test: tests/unit/store/saved_frames_test.cpp
 namespace matrigrate::store {
 
@@ -29,12 +29,12 @@ struct FrameShape {
 SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times);
 
 /// All frames that a folder still holds whole, whether a checkpoint knows of them or not.
-/// @param times  of those that there should be: only where one is missing in the log is the field file read [s]
+/// @param times  of the expected frames; the field file is read only if the log lacks one of these [s]
 /// @param trouble  why the field file was refused, if it was
 observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times,
                          std::string* trouble = nullptr);
 
-/// Frames that were written once and are not there any longer.
+/// Frames that were written and are lost.
 struct LostFrames {
   std::size_t count = 0;
   std::size_t written = 0; ///< lost or not
@@ -43,7 +43,7 @@ struct LostFrames {
 };
 
 /// @param written  times of the frames that a run has written, ascending [s]
-/// @param there    times of those that are there, ascending [s]
+/// @param there    times of the frames that are still there, ascending [s]
 LostFrames lost_frames(std::span<const double> written, std::span<const double> there);
 
 /// "4 of 11 frames (from 30 s to 2 min) are lost: ..."; empty if none is lost.

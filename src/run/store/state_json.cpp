@@ -29,7 +29,7 @@ void require_shallow(std::string_view json) {
     else if (c == '"')
       in_text = !in_text;
     else if (!in_text && (c == '[' || c == '{') && ++levels > max_json_levels)
-      throw InputOutputError(fmt::format("has brackets within brackets, more than {} levels", max_json_levels));
+      throw InputOutputError(fmt::format("has brackets nested more than {} levels deep", max_json_levels));
     else if (!in_text && (c == ']' || c == '}') && levels > 0)
       --levels;
   }

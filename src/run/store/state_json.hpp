@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 // Files that may come from anyone. Test: tests/unit/store/json_text_test.cpp
 
-/// Levels of brackets within brackets: what is deeper would take the stack of those who copy, write or delete it. The
+/// Most levels of nested brackets: a deeper value would overflow the stack when it is copied, written or deleted. The
 /// program's own files have less than ten.
 inline constexpr std::size_t max_json_levels = 100;
 

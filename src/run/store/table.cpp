@@ -29,7 +29,7 @@ bool is_number(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Whether a spreadsheet would compute a field instead of showing it.
+/// True if a spreadsheet would compute a field instead of showing it.
 bool is_formula(std::string_view field) { return field.find_first_of("=+-@\t\r\n") == 0 && !is_number(field); }
 
 } // namespace

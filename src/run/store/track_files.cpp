@@ -13,7 +13,7 @@ namespace matrigrate::store {
 
 namespace {
 
-/// Of a disc of the same area [um].
+/// Radius of the disc of the same area [um].
 double radius(const TrackRow& row) { return std::sqrt(row.area / std::numbers::pi); }
 
 /// The ids of the cells, in the order of their first rows; without rows that of a single cell.

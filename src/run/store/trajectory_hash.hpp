@@ -19,9 +19,9 @@ public:
   /// Goes on with step and positions of a state.
   void add(const State& s);
 
-  /// Of all that was added so far.
+  /// Fingerprint of all that was added so far.
   std::uint64_t value() const { return m_hash; }
-  std::string text() const; ///< the same: 16 hexadecimal digits
+  std::string text() const; ///< value() as 16 hexadecimal digits
 
 private:
   std::uint64_t m_hash;

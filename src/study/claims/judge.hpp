@@ -21,7 +21,7 @@
 /// Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
-/// A study with what its runs have come to.
+/// A study and the results of its runs.
 struct Ensemble {
   Study study;
   std::vector<Result> results;
@@ -32,7 +32,7 @@ using Evidence = std::map<std::string, Ensemble, std::less<>>;
 
 using report::Verdict;
 
-/// What became of a claim.
+/// The verdict on a claim.
 struct Finding {
   Verdict verdict = Verdict::undecided;    ///< by the first edition, which knows no "in direction"
   std::vector<std::string> ours;           ///< means with their 95 % intervals

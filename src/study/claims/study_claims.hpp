@@ -13,7 +13,7 @@ namespace matrigrate::study {
 /// and by those of the other studies they need, as far as these lie beside its folder.
 std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results);
 
-/// In what this study is not the shipped one, and what follows for the verdicts; "" if in nothing.
+/// How this study differs from the shipped one, and what follows for the verdicts; "" if it does not differ.
 std::string claims_note(const study::Study& study);
 
 /// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".

@@ -93,9 +93,10 @@ std::size_t levels_of(const toml::table& ranges, FaultList& faults) {
   if (node == nullptr) return usual_levels;
   const std::size_t levels = faults.whole(*node, "morris.levels", 2, max_levels);
   if (levels % 2 == 0) return levels;
-  faults.add(place_of(*node), "morris.levels",
-             fmt::format("{} is odd; allowed are even numbers, so that a step of half the levels meets each as often",
-                         levels));
+  faults.add(
+      place_of(*node), "morris.levels",
+      fmt::format("{} is odd; allowed are even numbers, so that a step of half the levels reaches all of them alike",
+                  levels));
   return usual_levels;
 }
 

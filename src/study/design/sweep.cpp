@@ -69,11 +69,11 @@ bool Allowance::allows(double more, Place place, std::string_view key, FaultList
   const double points = m_points * static_cast<double>(std::max<std::size_t>(1, m_conditions));
   const double runs = points * static_cast<double>(m_replicates);
   if (runs <= static_cast<double>(max_runs)) return true;
-  const std::string made =
-      m_conditions > 0 ? fmt::format("{} factor sets, which times {} conditions and {} replicates",
-                                     count_text(m_points), m_conditions, m_replicates)
-                       : fmt::format("{} points, which times {} replicates", count_text(m_points), m_replicates);
-  faults.add(place, key, fmt::format("makes {} are {} runs; allowed are {}", made, count_text(runs), max_runs));
+  const std::string made = m_conditions > 0
+                               ? fmt::format("{} factor sets; with {} conditions and {} replicates",
+                                             count_text(m_points), m_conditions, m_replicates)
+                               : fmt::format("{} points; with {} replicates", count_text(m_points), m_replicates);
+  faults.add(place, key, fmt::format("makes {} these are {} runs; allowed are {}", made, count_text(runs), max_runs));
   return false;
 }
 

@@ -46,7 +46,7 @@ struct ValueList {
   std::vector<Setting> settings;
 };
 
-/// The lists of a section; what is no list, empty, at fault or listed twice is told.
+/// The lists of a section. Faults: no list, an empty list, a wrong value, a value listed twice.
 std::vector<ValueList> value_lists(const toml::table& table, std::string_view section, const Parameters& base,
                                    FaultList& faults);
 

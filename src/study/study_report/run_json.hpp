@@ -8,7 +8,7 @@
 
 namespace matrigrate::study {
 
-/// Of a run what does not need its folder: {id, point, seed, status, reason, report: null, readouts, path: null,
+/// The data of a run that do not need its folder: {id, point, seed, status, reason, report: null, readouts, path: null,
 /// outline: null, f_adh_rel: []}.
 /// @param place  of its point on the axes
 nlohmann::ordered_json readouts_of_run(const Study& study, const Result& result, const nlohmann::ordered_json& place);

@@ -13,7 +13,7 @@ namespace matrigrate::study {
 
 namespace {
 
-/// What computes the study again, from the file that its folder holds.
+/// The command that computes the study again, from the file in its folder.
 std::string command_of(const StudyFolder& study) {
   const std::filesystem::path folder = std::filesystem::absolute(study.folder).lexically_normal();
   const std::filesystem::path name = (folder.has_filename() ? folder : folder.parent_path()).filename();

@@ -12,7 +12,7 @@
 /// The tables and the page of a study. Test: tests/apps/study_test.cpp, tests/apps/study_report_test.cpp
 namespace matrigrate::study {
 
-/// What a study has come to so far.
+/// The results of a study so far.
 struct Collected {
   std::vector<Result> results;
   std::vector<Comparison> comparisons;

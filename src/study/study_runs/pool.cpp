@@ -100,7 +100,7 @@ private:
     m_outcome.troubles.push_back({run, status, std::move(reason)});
   }
 
-  /// Those that are to be computed.
+  /// The runs that are to be computed.
   std::vector<std::size_t> sorted_out(const std::vector<std::size_t>& runs) {
     std::vector<std::size_t> open;
     for (const std::size_t i : runs) {

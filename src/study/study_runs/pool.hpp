@@ -42,19 +42,19 @@ public:
   /// The first runs are about to be started.
   /// @param runs  that are to be computed   @param jobs  at a time
   virtual void begin(std::size_t /*runs*/, int /*jobs*/) {}
-  /// The last one has ended, however the pool ends.
+  /// The last run has ended, for whatever reason.
   virtual void end() {}
 
   /// Many times a second.
   /// @param ended  runs that have ended   @param failed  those of them that are not done
   virtual void show(std::size_t /*ended*/, std::size_t /*failed*/) {}
 
-  /// Asked as often. @return a signal that is passed on to the runs and stops the pool, or 0
+  /// Called as often. @return a signal that is passed on to the runs and stops the pool, or 0
   virtual int stop_signal() { return 0; }
 };
 
-/// Computes those of the given runs that are not done, in their order. A run that fails does not stop the others; one
-/// that cannot write its files does, and so does a signal that the observer tells of. Test: tests/apps/study_test.cpp
+/// Computes the given runs that are not done, in their order. A run that fails does not stop the others. A run that
+/// cannot write its files stops them, and so does a signal that the observer returns. Test: tests/apps/study_test.cpp
 PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const PoolOptions& options,
                     PoolObserver& observer);
 

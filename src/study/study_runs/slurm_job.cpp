@@ -11,8 +11,8 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr int seconds_to_stop = 120;     ///< before its time limit a task is told to stop
-constexpr int shortest_time_limit = 300; ///< a task with less would be told to stop when it has hardly begun [s]
+constexpr int seconds_to_stop = 120;     ///< time before its limit at which a task is stopped [s]
+constexpr int shortest_time_limit = 300; ///< a task with less would be stopped when it has hardly begun [s]
 
 constexpr std::string_view time_formats = "minutes, minutes:seconds, hours:minutes:seconds, days-hours, "
                                           "days-hours:minutes or days-hours:minutes:seconds, as in 12:00:00";
@@ -79,17 +79,16 @@ void check_time(Faults& faults, const std::string& time) {
     faults.add("--time", time, fmt::format("is no time limit of Slurm, which knows {}", time_formats));
   else if (*limit > 0 && *limit < shortest_time_limit)
     faults.add("--time", time,
-               fmt::format("is too short: a task is told to stop {} s before its time limit; allowed is 5:00 and more",
+               fmt::format("is too short: a task is stopped {} s before its time limit; allowed is 5:00 and more",
                            seconds_to_stop));
 }
 
 void check_folder(Faults& faults, const std::filesystem::path& folder) {
   const std::string name = std::filesystem::absolute(folder).string();
   if (std::ranges::any_of(name, [](char c) { return is_control(c) || c == '"' || c == '\\'; }))
-    faults.add(
-        "-o", name,
-        "holds a control character, a double quote or a backslash, which the name of Slurm's output file cannot; "
-        "choose another folder");
+    faults.add("-o", name,
+               "holds a control character, a double quote or a backslash, which the name of Slurm's output file cannot "
+               "hold; choose another folder");
 }
 
 void check_more(Faults& faults, const std::vector<std::string>& more) {

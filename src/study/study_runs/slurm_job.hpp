@@ -10,14 +10,14 @@
 /// The job array that `matrigrate study submit` hands to Slurm. Test: tests/apps/submit_test.cpp
 namespace matrigrate::study {
 
-/// What a user asks of Slurm; what is empty is left to the cluster.
+/// What a user asks of Slurm; empty members are left to the cluster.
 struct SlurmOptions {
   std::string account;
   std::string partition; ///< one or several, with commas between
   std::string qos;
   std::string time;                  ///< limit of a task, in one of Slurm's formats
   std::string memory;                ///< of a task, as in 500M
-  std::string mail_user;             ///< who is told when the job ends or fails
+  std::string mail_user;             ///< address for a mail when the job ends or fails
   std::size_t throttle = 0;          ///< tasks at a time; 0: no limit
   int cpus = 1;                      ///< per task
   std::vector<std::string> launcher; ///< what a task calls in place of this program, word by word; empty: this program
@@ -31,7 +31,7 @@ std::vector<Fault> slurm_faults(const SlurmOptions& options, const std::filesyst
 /// The command that submits the script, word by word.
 std::vector<std::string> sbatch_command(const SlurmOptions& options, const std::filesystem::path& script);
 
-/// The same as text for a shell.
+/// The command that submits the script, as text for a shell.
 std::string shell_text(const std::vector<std::string>& command);
 
 /// The job script: each task calls `matrigrate study task`, and is queued again if it was stopped before its end.

@@ -9,7 +9,7 @@
 /// What a study takes. Test: tests/unit/study_runs/study_folder_test.cpp
 namespace matrigrate::study {
 
-/// What a study will take, before anything is computed.
+/// Estimated cost of a study, before anything is computed.
 struct StudyCost {
   double wall_time = 0.0;        ///< of all runs, one after the other, one thread each [s]
   double memory_bytes = 0.0;     ///< of the largest run

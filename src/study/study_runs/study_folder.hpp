@@ -24,10 +24,10 @@ StudyFolder planned(Study study, std::filesystem::path folder);
 /// "stiffness.toml" -> "stiffness-study"; the folder itself for its own study.resolved.toml.
 std::filesystem::path default_study_folder(const std::filesystem::path& file);
 
-/// Whether the folder is the study's own: it is not there, empty but for hidden files and `runs` (of a pool that was
-/// killed early), or holds the same study, or one of which either has all the points of the other, with whatever
-/// replicates. Two points are the same if their runs are: parameters, content of the files of fields, seeds.
-/// @throws InputOutputError if it is not: says what the folder holds, and in what that differs. Nothing is written.
+/// Requires that the folder is free for the study: it does not exist, is empty but for hidden files and `runs` (of a
+/// pool that was killed early), or holds the same study, or one that contains all its points or is contained in it,
+/// with any replicates. Points are the same if their runs are: parameters, contents of files of fields, seeds.
+/// @throws InputOutputError if not: says what the folder holds, and how that differs. Nothing is written.
 void require_own_folder(const StudyFolder& study);
 
 /// Makes the folder, if there is none.
@@ -39,7 +39,7 @@ void make_study_folder(const StudyFolder& study);
 void write_study(const StudyFolder& study);
 
 /// The study that a folder holds.
-/// @throws InputOutputError if it holds none, ConfigurationError if that was changed to something wrong
+/// @throws InputOutputError if the folder holds none, ConfigurationError if the file was changed to a wrong study
 StudyFolder open_study(const std::filesystem::path& folder);
 
 /// The command that computes a run.

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
 
-/// Whether a process works in the folder of a run. Whoever begins to waits long enough for this look to be over.
+/// True if a process works in the folder of a run. A process that begins a run waits until this test is over.
 bool is_worked_on(const fs::path& folder) {
   const int descriptor = ::open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
@@ -62,7 +62,7 @@ std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
   }
 }
 
-/// Of all runs together, from those that are done and those that are running.
+/// Time left for all runs together, from the done and the running runs.
 std::optional<double> time_left(const StudyProgress& progress, const std::vector<Standing>& standings) {
   double left = 0.0;
   double whole = 0.0;

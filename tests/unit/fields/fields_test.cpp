@@ -79,7 +79,7 @@ TEST(Samples, RefuseWhatIsNoRegularGrid) {
   EXPECT_EQ(what("x_um,y_um,v\n"), "has no rows");
   EXPECT_EQ(what("x_um,y_um,v\n0,0,nan\n"), "line 2: \"nan\" is no finite number");
   EXPECT_EQ(what("x_um,y_um,v\n0,0\n"), "line 2: has 2 fields, its header 3");
-  EXPECT_EQ(what("x_um,y_um,v\n0,0,1\n0,1,1\n"), "has one value of x_um only; a grid has two at least");
+  EXPECT_EQ(what("x_um,y_um,v\n0,0,1\n0,1,1\n"), "has only one value of x_um; a grid needs at least two");
   EXPECT_NE(what("x_um,y_um,v\n0,0,1\n1,0,1\n3,0,1\n0,1,1\n1,1,1\n3,1,1\n").find("is no regular grid"),
             std::string::npos);
   EXPECT_NE(what("x_um,y_um,v\n0,0,1\n1.01,0,1\n2,0,1\n0,1,1\n1.01,1,1\n2,1,1\n").find("is no regular grid: x_um is"),

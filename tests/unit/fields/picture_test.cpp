@@ -234,10 +234,10 @@ TEST_F(Pictures, ThatCannotBeReadSayWhy) {
   EXPECT_EQ(refusal("\xff\xd8\xff\xe0 and so on"), "is neither PNG nor TIFF but JPEG, whatever its name says");
   EXPECT_EQ(refusal(""), "is neither PNG nor TIFF, whatever its name says");
   EXPECT_NE(refusal(tiff_of<std::int16_t>({.format = SAMPLEFORMAT_INT}, {{-1}}))
-                .find("has samples of 16 bits, whole numbers with a sign"),
+                .find("has samples of 16 bits, signed integers"),
             std::string::npos);
   const TiffPage inks{.channels = 4, .photometric = PHOTOMETRIC_SEPARATED};
-  EXPECT_NE(refusal(tiff_of<std::uint8_t>(inks, {{1, 2, 3, 4}})).find("neither as grey nor as red, green and blue"),
+  EXPECT_NE(refusal(tiff_of<std::uint8_t>(inks, {{1, 2, 3, 4}})).find("neither as greyscale nor as RGB"),
             std::string::npos);
 }
 

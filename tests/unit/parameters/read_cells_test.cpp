@@ -81,13 +81,12 @@ TEST(ReadCells, CellsNeedRoom) {
           "the range of the repulsion of cells",
           "f.toml:7:1: cells[3]: lies 14.14 um from cell 2, centre to centre; allowed is >= 31 um, two radii and "
           "the range of the repulsion of cells",
-          "f.toml:10:1: cells[4]: lies 140 um from the centre of the disc, and with its radius and its margin it "
-          "needs matrix that is free; allowed is < 127.9 um, or a larger ecm.radius"}));
+          "f.toml:10:1: cells[4]: lies 140 um from the centre of the disc, so the cell with its margin reaches "
+          "the clamped rim; allowed is < 127.9 um, or a larger ecm.radius"}));
   EXPECT_TRUE(faults_of("[[cells]]\nx = 0\ny = 0\n[[cells]]\nx = 31\ny = 0\n").empty());
-  EXPECT_EQ(
-      fault_of(two + "[cell]\nstart_x = 4\n"),
-      "f.toml:9:11: cell.start_x: is the start of a single cell, but [[cells]] says where several start; leave it "
-      "out, or at 0");
+  EXPECT_EQ(fault_of(two + "[cell]\nstart_x = 4\n"),
+            "f.toml:9:11: cell.start_x: is the start of a single cell, but [[cells]] gives the starts of all cells; "
+            "leave this key out, or at 0");
 }
 
 TEST(ReadCells, AnOverrideThatTakesTheirRoomIsBlamed) {

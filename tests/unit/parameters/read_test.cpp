@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
                "is 1 to 3: with less "
                "a particle has too few neighbours to carry stress, with more the matrix is smeared out"},
         Faulty{"ecm.cell_hole = false\necm.radius = 10\necm.particle_spacing=2.6",
-               "f.toml:2:14: ecm.radius: a disc of 10 um is all clamped rim, which is 2 smoothing lengths "
+               "f.toml:2:14: ecm.radius: a disc of 10 um is clamped throughout: its rim is 2 smoothing lengths "
                "wide; allowed is >= "
                "10.4 um"},
         Faulty{

@@ -131,7 +131,7 @@ TEST(Checkpoint, HoldsSeveralCells) {
   EXPECT_EQ(after.state.cells[1].protrusions.size(), 3U);
   EXPECT_EQ(after.state.cells[1].cortex.x[3], Vec2(1.0 / 3.0, -7.0));
   before.state.cells[1].cortex.l0.pop_back();
-  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not match in length"));
 }
 
 TEST(Checkpoint, HoldsNuclei) {
@@ -146,7 +146,7 @@ TEST(Checkpoint, HoldsNuclei) {
   EXPECT_EQ(after.state.cells[0].nucleus.x, cell.nucleus.x);
   EXPECT_EQ(after.state.cells[0].nucleus.l0, cell.nucleus.l0);
   cell.nucleus.l0.pop_back();
-  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not match in length"));
 }
 
 TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
@@ -174,7 +174,7 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   ecm.E_ratio[5] = 0.0;
   EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("E_ratio of its matrix is out of range"));
   ecm.E_ratio.pop_back();
-  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not match in length"));
 }
 
 TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
@@ -204,10 +204,10 @@ TEST(Checkpoint, RefusesEveryChangedByte) {
 TEST(Checkpoint, RefusesArraysThatDoNotBelongTogether) {
   Checkpoint broken = example();
   broken.state.ecm.rho.pop_back();
-  EXPECT_TRUE(refusal(store::checkpoint_image(broken)).ends_with("its arrays do not belong together"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(broken)).ends_with("its arrays do not match in length"));
   broken = example();
   broken.state.cells[0].protrusions[0].centre = 100000;
-  EXPECT_TRUE(refusal(store::checkpoint_image(broken)).ends_with("a protrusion has no place on the cortex"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(broken)).ends_with("the centre of a protrusion is not on the cortex"));
 }
 
 TEST(Checkpoint, KeepsTheOneBefore) {

@@ -40,7 +40,7 @@ TEST(JsonText, TellsWhatIsNoObject) {
   EXPECT_EQ(refusal("[1]"), file.string() + ": is no JSON object, but of type array");
   EXPECT_EQ(refusal("\"a\""), file.string() + ": is no JSON object, but of type string");
   EXPECT_EQ(refusal("{"), file.string() + ": is no JSON");
-  EXPECT_EQ(refusal(nested(200000)), file.string() + ": has brackets within brackets, more than 100 levels");
+  EXPECT_EQ(refusal(nested(200000)), file.string() + ": has brackets nested more than 100 levels deep");
   std::filesystem::remove(file);
 }
 

@@ -167,7 +167,7 @@ TEST(Morris, EachFault) {
   EXPECT_TRUE(fault_of("[morris]\ntrajectoris = 4\n" + number).starts_with("f.toml:4:1: morris.trajectoris: "));
   EXPECT_TRUE(fault_of("[morris]\necm.radius = [100.00001, 100.00002]\n").ends_with("give a wider range"));
   EXPECT_EQ(fault_of("[morris]\ntrajectories = 20000\n" + number),
-            "f.toml:3:1: morris: makes 40000 points, which times 3 replicates are 120000 runs; allowed are 100000");
+            "f.toml:3:1: morris: makes 40000 points; with 3 replicates these are 120000 runs; allowed are 100000");
   EXPECT_EQ(faults_of("replicates = 0\n[morris]\nlevels = 3\ntrajectories = 1\nprotrusion.number = [4, 1]\n"
                       "ecm.lattice = [\"square\"]\n")
                 .size(),

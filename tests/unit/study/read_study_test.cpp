@@ -50,8 +50,9 @@ TEST(ReadStudy, EachFaultOfTheHead) {
   EXPECT_EQ(fault_of("common_random_numbers = 1\n"),
             "f.toml:3:25: common_random_numbers: is a number; write true or false, without quotes");
   EXPECT_TRUE(fault_of("readouts = [\"n_protrusion\"]\n").ends_with("; did you mean n_protrusions?"));
-  EXPECT_EQ(fault_of("scenario = \"s.toml\"\n"), "f.toml:1:10: scenario: stands beside a preset; a study has one of "
-                                                 "scenario = \"FILE.toml\" and preset = \"NAME\"");
+  EXPECT_EQ(fault_of("scenario = \"s.toml\"\n"),
+            "f.toml:1:10: scenario: is given together with a preset; a study has one of "
+            "scenario = \"FILE.toml\" and preset = \"NAME\"");
   EXPECT_THROW(faults_of("scenario = \"nowhere.toml\"\nreplicates = 1\n"), InputOutputError);
   EXPECT_EQ(faults_of("preset = \"sotf\"\nreplicates = 1\n").size(), 1U);
   EXPECT_TRUE(faults_of("preset = \"sotf\"\nreplicates = 1\n")[0].ends_with("; did you mean soft?"));
@@ -148,23 +149,23 @@ TEST(ReadStudy, PointsAndRunsAreLimitedBeforeTheyAreMade) {
     return faults.size() == 1 ? faults.front() : fmt::format("{} faults", faults.size());
   };
   EXPECT_EQ(only("[latin_hypercube]\nsamples = 100000\necm.radius = [50, 60]\n"),
-            "f.toml:3:1: latin_hypercube.samples: makes 100000 points, which times 100000 replicates are 10000000000 "
+            "f.toml:3:1: latin_hypercube.samples: makes 100000 points; with 100000 replicates these are 10000000000 "
             "runs; allowed are 100000");
   EXPECT_EQ(only("[sweep]\necm.radius = [100, 110]\n"),
-            "f.toml:3:1: sweep: makes 2 points, which times 100000 replicates are 200000 runs; allowed are 100000");
+            "f.toml:3:1: sweep: makes 2 points; with 100000 replicates these are 200000 runs; allowed are 100000");
   EXPECT_EQ(only("[[points]]\nlabel = \"a\"\n[[points]]\necm.radius = 120\n").substr(0, 47),
-            "f.toml:3:1: points: makes 2 points, which times");
+            "f.toml:3:1: points: makes 2 points; with 100000");
   std::string wide = "[sweep]\n"; // beyond any 64-bit integer
   for (const char* key : {"ecm.radius", "ecm.youngs_modulus", "ecm.viscosity", "protrusion.growth_time",
                           "protrusion.finishing_time", "adhesion.maturation_time", "output.track_interval"})
     wide += fmt::format("{} = [{}]\n", key, list(1000));
   EXPECT_EQ(fault_of(wide),
-            "f.toml:3:1: sweep: makes 1e+21 points, which times 3 replicates are 3e+21 runs; allowed are 100000");
+            "f.toml:3:1: sweep: makes 1e+21 points; with 3 replicates these are 3e+21 runs; allowed are 100000");
   EXPECT_EQ(fault_of("[sweep]\necm.radius = [" + list(1001)
                      + "]\n[latin_hypercube]\nsamples = 33000\n"
                        "ecm.youngs_modulus = [50, 60]\n")
                 .substr(0, 68),
-            "f.toml:5:1: latin_hypercube.samples: makes 34001 points, which times")
+            "f.toml:5:1: latin_hypercube.samples: makes 34001 points; with 3 repl")
       << "both together";
 }
 

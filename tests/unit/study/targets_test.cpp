@@ -41,7 +41,7 @@ TEST(Conditions, EachFault) {
   EXPECT_EQ(fault_of("conditions = 3\n"),
             "f.toml:3:14: conditions: is no list of conditions; write [[conditions]] and a label and parameters below");
   EXPECT_EQ(fault_of("[[conditions]]\necm.viscosity = 500\n"),
-            "f.toml:3:1: conditions.label: is missing; write label = \"soft\", by which targets name it");
+            "f.toml:3:1: conditions.label: is missing; write label = \"soft\", the name for targets");
   EXPECT_EQ(fault_of("[[conditions]]\nlabel = \"\"\n"), "f.toml:4:9: conditions.label: is empty");
   EXPECT_EQ(fault_of(two + "[[conditions]]\nlabel = \"soft\"\n"),
             "f.toml:9:1: conditions: \"soft\" is the label of two conditions");
@@ -50,7 +50,7 @@ TEST(Conditions, EachFault) {
   EXPECT_TRUE(fault_of("[[conditions]]\nlabel = \"a\"\necm.viscosit = 500\n").ends_with("did you mean ecm.viscosity?"));
   EXPECT_TRUE(fault_of("[[conditions]]\nlabel = \"a\"\necm.radius = \"1 um\"\n")
                   .ends_with("\"1 um\" is out of range; allowed is >= 10 and <= 2000 um"));
-  const std::string both = "is set by the condition \"soft\" too; a factor is no part of a condition";
+  const std::string both = "is also set by the condition \"soft\"; a condition must not set a factor";
   EXPECT_EQ(fault_of(two + "[one_at_a_time]\necm.youngs_modulus = [50]\n"),
             "f.toml:10:22: ecm.youngs_modulus: " + both);
   EXPECT_EQ(fault_of(two + "[morris]\necm.youngs_modulus = [50, 100]\n"), "f.toml:10:22: ecm.youngs_modulus: " + both);
@@ -63,7 +63,7 @@ TEST(Conditions, EachFault) {
   const auto many =
       faults_of("preset = \"baseline\"\nreplicates = 10000\n" + two + "[sweep]\necm.viscosity = [1, 2, 3, 4, 5, 6]\n");
   ASSERT_EQ(many.size(), 1U);
-  EXPECT_EQ(many[0], "f.toml:9:1: sweep: makes 6 factor sets, which times 2 conditions and 10000 replicates are 120000 "
+  EXPECT_EQ(many[0], "f.toml:9:1: sweep: makes 6 factor sets; with 2 conditions and 10000 replicates these are 120000 "
                      "runs; allowed are 100000");
   EXPECT_EQ(fault_of("[set]\necm.radius = \"40 um\"\n[[conditions]]\nlabel = \"a\"\nactomyosin.force = 0.5\n"
                      "cell.radius = \"39 um\"\n")
@@ -107,7 +107,7 @@ TEST(Targets, EachFault) {
   EXPECT_EQ(target(readout + "low = 2\nhigh = 2\nerror = 1\n"), "f.toml:11:7: targets.low: 2 is not below high, 2");
   EXPECT_EQ(target(readout + "low = 2\nerror = 1\n"), "f.toml:9:1: targets.high: is missing; a range has low and high");
   EXPECT_EQ(target(good + "low = 2\n"),
-            "f.toml:11:9: targets.value: stands beside a range; a target is one or the other");
+            "f.toml:11:9: targets.value: is given together with a range; a target is either a value or a range");
   EXPECT_EQ(target(good + "at = \"sofft\"\n"),
             "f.toml:13:6: targets.at: \"sofft\" is not the label of a condition; the "
             "labels are \"soft\", \"one arm\"; did you mean soft?");

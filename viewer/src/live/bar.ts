@@ -15,7 +15,7 @@ export interface Acts {
 
 export interface Bar {
   element: HTMLElement;
-  /** Whether the duration is reached. */
+  /** Says whether the duration is reached. */
   done(yes: boolean): void;
   tell(text: string): void;
 }
@@ -42,7 +42,7 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
   const tell = (text: string) => {
     told.textContent = text;
   };
-  /** What the bar last showed: it is told with every picture, but changes only where that can be seen. */
+  /** What the bar last showed: update() runs with every picture, but changes the page only if the text differs. */
   let shown = "";
   let rate = "";
   let rateAt = 0;

@@ -8,7 +8,7 @@ export interface Engine {
 }
 
 export class LiveClock extends Clock {
-  /** Whether what is shown follows the simulation; false while a person looks at the past. */
+  /** True while the view follows the simulation; false while a person looks at the past. */
   atFront = true;
   private before = 0;
   /** Model seconds in a second of watching, as measured. */

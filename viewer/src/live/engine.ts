@@ -10,7 +10,7 @@ export class EngineWorker {
   private tickets = 0;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
 
-  /** @param hear  is told all that is no answer */
+  /** @param hear  receives every message that is not an answer */
   constructor(hear: (message: Exclude<FromWorker, Answer>) => void) {
     const source = document.getElementById("matrigrate-core")?.textContent ?? "";
     if (source.length < 1000) throw new Error("This is the empty page: the simulation has not been put into it (web/build.sh does).");

@@ -14,13 +14,13 @@ const history = 96;
 const newest = 6;
 /** Between moments of the past, at first [s]. */
 const firstInterval = 60;
-/** What colours reach to at first. */
+/** First upper limits of the colours. */
 const stressLimit = { pressure: 60, vonMises: 100, fibreVonMises: 100 };
 const forceLimit = 4;
 
 export type Numbers = Int16Array | Uint8Array;
 
-/** What is kept in the browser of a film, without its moments. */
+/** The part of a film that the browser keeps, without its moments. */
 export interface FilmIndex {
   id: string;
   times: number[];
@@ -114,7 +114,7 @@ export class LiveFilm {
     this.film.layers = layersOf(layers);
   }
 
-  /** All of it but its moments. */
+  /** The film without its moments. */
   index(): FilmIndex {
     const { id, interval, past } = this;
     return { id, times: [...this.film.times], protrusions: [...this.film.protrusions], interval, past };
@@ -135,7 +135,7 @@ export class LiveFilm {
     this.film.times.splice(0, Infinity, ...image.times);
     this.film.protrusions.splice(0, Infinity, ...image.protrusions);
     ({ interval: this.interval, past: this.past } = image);
-    // Of a film of its own from now on: another tab may go on with that one.
+    // From now on a film of its own: another tab may continue the old film.
     for (const t of image.times) this.unsaved.add(t);
   }
 

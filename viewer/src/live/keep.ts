@@ -3,7 +3,7 @@ import type { ProtrusionRow, Tracks } from "../contract";
 import type { FilmImage, FilmIndex, LiveFilm, Numbers } from "./film";
 import type { Scenario } from "./scenario";
 
-/** All but the film. */
+/** The kept simulation without its film. */
 interface KeptState {
   scenario: Scenario;
   /** Time of the state [s]. */

@@ -39,9 +39,9 @@ export class Live {
   private readonly engine: EngineWorker;
   private readonly times: number[] = [];
   private scenario: Scenario = fresh();
-  /** What has been sent to begin and is not yet confirmed. */
+  /** The scenario that was sent to the core and is not yet confirmed. */
   private wanted: { scenario: Scenario; kept?: Kept; play: boolean } | null = null;
-  /** What is wrong with the address, until it has been said. */
+  /** The fault of the address, until it has been shown. */
   private wrongAddress = "";
   private head: Head | null = null;
   private matrix: CoreMatrix = { reference: new Float32Array() };
@@ -159,7 +159,7 @@ export class Live {
     }
   }
 
-  /** What the address says, else what was kept, else the baseline. */
+  /** Opens the scenario of the address, else the kept simulation, else the baseline. */
   private async open(): Promise<void> {
     let asked: Scenario | null = null;
     try {

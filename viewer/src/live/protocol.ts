@@ -17,7 +17,7 @@ export interface Given {
   files: Record<string, string>;
 }
 
-/** What a simulation is, told when it begins and when it changes. */
+/** Properties of a simulation, sent when it begins and when it changes. */
 export interface Head {
   t_s: number;
   step: number;
@@ -27,14 +27,14 @@ export interface Head {
   n_particles: number;
   /** Points on the outlines of all cells. */
   n_outline: number;
-  /** Particles of the nuclei of all cells; 0: they have none. */
+  /** Number of particles of the nuclei of all cells; 0: no nuclei. */
   n_nucleus: number;
   /** Of several cells: the number of the cell of each point, from 1. */
   cell?: number[];
   duration_s: number;
   time_step_s: number;
   changed: Changed;
-  /** Of a change: the time from which on it holds. */
+  /** After a change: the time from which on it holds. */
   from_s?: number;
   /** From a particle to those that fibres join it to [um]; empty without fibres. */
   bonds_um: [number, number][];
@@ -43,7 +43,7 @@ export interface Head {
   obstacles_um: [number, number][];
 }
 
-/** What holds for the particles of the matrix at all times. */
+/** Constant properties of the particles of the matrix. */
 export interface CoreMatrix {
   /** x0, y0, x1, y1, ... [um] */
   reference: Float32Array;

@@ -123,7 +123,7 @@ export function now(scenario: Scenario): Settings {
 
 const short = (v: number): number => Number(v.toFixed(1));
 
-/** Of the address, behind the #. Changes on the way are no part of it: a link begins at the beginning. */
+/** The scenario of an address, behind the #. Later changes are not in a link: it starts at the beginning. */
 export function toHash({ toml, settings, strokes }: Scenario): string {
   const data = {
     v: 1,

@@ -16,10 +16,10 @@ import type { LiveFilm } from "./film";
 import type { Head, TrackRow } from "./protocol";
 import type { Stroke } from "./scenario";
 
-/** What arrows and colours are made for [um, um/h, nN]. */
+/** Typical values, which scale arrows and colours [um, um/h, nN]. */
 const usual = { displacement: 3, velocity: 40, force: 2 };
 
-/** What is seen at first [um]. */
+/** Width of the first view [um]. */
 const firstView = 120;
 
 export const noTracks = (): Tracks => ({ t_s: [], x_um: [], y_um: [], area_um2: [], perimeter_um: [], polarization_rad: [], n_simultaneous: [] });
@@ -27,7 +27,7 @@ export const noTracks = (): Tracks => ({ t_s: [], x_um: [], y_um: [], area_um2: 
 export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
   for (const [t, x, y, area, perimeter, polarization, alive, cell] of rows) {
     const last = tracks.t_s.length - 1;
-    // What a state that was taken up repeats.
+    // Rows that a resumed state repeats.
     if (last >= 0 && (t < tracks.t_s[last] || (t === tracks.t_s[last] && (cell ?? 0) <= (tracks.cell?.[last] ?? 0)))) continue;
     if (cell !== undefined) (tracks.cell ??= []).push(cell);
     tracks.t_s.push(t);
@@ -40,7 +40,7 @@ export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
   }
 }
 
-/** Where the camera was and what was seen, for a new start to be looked at alike. */
+/** Camera and visible layers, so that a new start has the same view. */
 export interface View {
   layer: string;
   x: number;

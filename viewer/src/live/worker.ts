@@ -48,7 +48,7 @@ const heartbeat = new MessageChannel();
 
 const read = <T>(text: string): T & Refusal => JSON.parse(text) as T & Refusal;
 
-/** Whether something went wrong, which is then told. */
+/** True if the core refused or failed; the page then gets the reason. */
 function refused(answer: Refusal, of: "start" | "change"): boolean {
   if (answer.faults) send({ kind: "faults", faults: answer.faults, of });
   else if (answer.failure) send({ kind: "failure", text: answer.failure });
@@ -67,7 +67,7 @@ function show(step: number, done: boolean): void {
   send({ kind: "frame", frame, tracks, protrusions, step, done }, buffersOf(frame));
 }
 
-/** Where it is, which may be later than what has been shown. */
+/** Where the simulation is, which may be later than what has been shown. */
 function showNow(): void {
   const { step, done } = read<{ step: number; done: boolean }>(core.march(0, 0));
   show(step, done);

@@ -3,11 +3,11 @@ import type { FibreData } from "../contract";
 import { valueAt, type Field } from "../unpack";
 
 export interface Fibres {
-  /** Particles at both ends of each. */
+  /** Particles at both ends of each fibre. */
   ends: Uint32Array;
   /** At rest [um]. */
   length: Float32Array;
-  /** Of a particle, each counted at one of its ends. */
+  /** Fibres per particle; each fibre is counted at one of its ends. */
   bonds: number;
   /** Strain from which on they stiffen. */
   onset: number;

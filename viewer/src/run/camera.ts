@@ -19,7 +19,7 @@ export class Camera {
   constructor(private readonly whole: Box) {}
 
   resize(width: number, height: number): void {
-    // The same stretch stays in view when a window or a phone is turned.
+    // The visible width in um is kept when a window or a phone is turned.
     this.scale *= Math.min(width, height) / Math.min(this.width, this.height);
     this.width = width;
     this.height = height;

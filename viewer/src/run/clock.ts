@@ -5,7 +5,7 @@ export class Clock {
   playing = false;
   /** Model seconds in a second of watching. */
   speed = 1200;
-  /** Whether it begins anew at its end. */
+  /** True if the clock starts again at its end. */
   loop = false;
   private readonly listeners = new Set<() => void>();
   private last = 0;

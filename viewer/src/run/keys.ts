@@ -20,7 +20,7 @@ const help: [string, string][] = [
 
 export interface Keys {
   element: HTMLElement;
-  /** Whether they act wherever on the page the focus is; else on the picture and the time bar alone. */
+  /** True if the keys act on the whole page; else only on the picture and the time bar. */
   anywhere: () => boolean;
 }
 
@@ -37,7 +37,7 @@ export function keyList(choosable: boolean): Keys {
   return { element, anywhere: () => choosable && box.checked };
 }
 
-/** Whether a control has a use of its own for a key. */
+/** True if a control uses the key itself. */
 function isTaken(target: Element, key: string): boolean {
   const letter = key.length === 1 && key !== " ";
   return letter

@@ -21,14 +21,14 @@ import type { LayerScale } from "./matrix/scale";
 
 const title = (layer: Layer): string => layer.name + (layer.unit ? ` [${layer.unit}]` : "");
 
-/** Its colours; an arrow at an end where values lie beyond it. */
+/** The colour bar of a layer; an arrow marks an end beyond which values lie. */
 function strip(scale: LayerScale): HTMLElement {
   const beyond = scale.clamped();
   const ends = `${beyond.low ? " more-low" : ""}${beyond.high ? " more-high" : ""}`;
   return h("div", { class: `bar${ends}`, style: `background:${gradient(scale.on(isDark()).map)}` });
 }
 
-/** What stands at the ends of a bar, and in its middle. */
+/** The numbers at the ends and in the middle of a bar. */
 function barNumbers(scale: LayerScale, middle: boolean): HTMLElement {
   const beyond = scale.clamped();
   const value = (share: number) => readable(scale.low + share * (scale.high - scale.low), 3);

@@ -46,7 +46,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   const { fibreLayer } = stage;
   const small = h("div", { class: "small-bar", "aria-hidden": "true" });
   stage.element.append(small);
-  /** What the bar says: in a film that grows, values come to lie beyond its ends. */
+  /** Whether values lie beyond the ends of the bar, which changes in a film that grows. */
   const ends = () => {
     const { low, high } = stage.scale().clamped();
     return `${low} ${high}`;

@@ -90,9 +90,9 @@ export interface Role {
   /** Has the controls of the clock. */
   leads: boolean;
   id: string;
-  /** What it has in common with other runs in view. */
+  /** Limits and lengths that it shares with other runs in view. */
   shared?: SharedScales;
-  /** Told the stage once there is one. */
+  /** Called with the stage once there is one. */
   opened: (stage: Stage) => void;
 }
 

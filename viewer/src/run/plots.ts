@@ -92,7 +92,7 @@ const line = (made: Frame, x: number[], y: number[]): string =>
 interface Curve {
   t: number[];
   values: number[];
-  /** Of several cells: which; its colour. */
+  /** With several cells: the number of the cell, and its colour. */
   name: string;
   colour: string | undefined;
 }
@@ -139,7 +139,7 @@ function overTime(
       if (values[i] === undefined) return;
       dots[k].setAttribute("cx", String(made.x(t[i] / 3600)));
       dots[k].setAttribute("cy", String(made.y(values[i])));
-      // Of several cells the curves say it.
+      // With several cells the curves alone show the values.
       if (curves.length === 1) words.textContent = readable(values[i], 3);
     });
     const leftward = at > 0.8 * width;
@@ -232,7 +232,7 @@ function path(clock: Clock, width: number, cells: CellTracks[], gone: AbortSigna
 
 const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
 
-/** Of several cells; of one the style sheet has it. */
+/** Colour of a curve with several cells; the style sheet has the colour of a single cell. */
 export const colour = (number: number, cells: number): string | undefined =>
   cells > 1 ? coloursOf(number, cells)[isDark() ? "front" : "rear"] : undefined;
 

@@ -4,7 +4,7 @@ import { h } from "../dom";
 import type { Layer } from "./matrix/layers";
 import type { LayerScale } from "./matrix/scale";
 
-/** Whether colours mean values below and above zero, so that both ends move together. */
+/** True if the colours are about zero; both ends then move together. */
 const isAboutZero = (scale: LayerScale, layer: Layer): boolean =>
   (scale.limits.map === "blueWhiteOrange" || scale.limits.map === "purpleGreen") && layer.low < 0;
 

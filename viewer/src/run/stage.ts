@@ -57,7 +57,7 @@ export class Stage {
   private readonly home: Box;
   private painter: ParticlePainter;
   private pixels = 1;
-  /** What is shown, as of the last picture. */
+  /** Place of the last picture between the stored frames. */
   place: Place = { frame: 0, next: 0, fraction: 0 };
   private patch: Patch | null = null;
   private viewListeners: (() => void)[] = [];
@@ -73,7 +73,7 @@ export class Stage {
     private readonly run: RunPage,
     readonly film: Film,
     private readonly clock: Clock,
-    /** All that it can be coloured by. */
+    /** All layers that the matrix can be coloured by. */
     readonly layers: Layer[],
     private readonly ownUsual: Usual,
     /** With other runs in view. */
@@ -104,7 +104,7 @@ export class Stage {
     });
     this.element.dataset["painter"] = this.painter.kind;
     attachGestures(this.element, this.camera, (panned) => {
-      // Whoever drags the picture away wants to look elsewhere.
+      // After a drag the camera no longer follows the cell.
       if (panned) this.follow = false;
       this.viewChanged();
     });
@@ -156,7 +156,7 @@ export class Stage {
     return scale;
   }
 
-  /** Of the strain of the fibres; in other colours than the layer beneath them. */
+  /** Limits and colours of the strain of the fibres; the colours differ from those of the layer beneath. */
   fibreScale(layer: Layer): LayerScale {
     const scale = this.scale(layer);
     const taken = this.scale().limits.map;
@@ -184,7 +184,7 @@ export class Stage {
     return this.shared?.on ? this.shared.usual : this.ownUsual;
   }
 
-  /** Of how many rows of particles fibres are drawn in this view: every one, every second. */
+  /** Fibres are drawn at every row of particles of this view (1), every second (2), and so on. */
   fibreRows(): number {
     return this.film.fibres ? fibreRows(this.film.fibres, this.run.geometry.spacing_um, this.camera) : 1;
   }
@@ -202,7 +202,7 @@ export class Stage {
     this.paintListeners.push(listener);
   }
 
-  /** Of the layer shown, at a point [um]: null without matrix, NaN in fluid that has no value. */
+  /** The value of the layer at a point [um]: null without matrix, NaN in fluid that has no value. */
   valueAt(x: number, y: number): number | null {
     if (this.patch) return valueOn(this.patch, x, y);
     return valueOfNearest(this.film, this.layer, this.place, x, y, this.run.geometry.spacing_um);
@@ -315,7 +315,7 @@ export class Stage {
     return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
   }
 
-  /** What lies over the matrix, by another pen. */
+  /** Draws all that lies over the matrix, with another pen. */
   drawOver(pen: Pen): void {
     paintCell(pen, this.cellScene(this.place, isDark()));
   }

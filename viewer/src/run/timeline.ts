@@ -42,7 +42,7 @@ function story(row: ProtrusionRow): string {
   return lines.join("\n");
 }
 
-/** What stands behind the bars of a row, as short as its room. */
+/** The remark behind the bars of a row, as short as its room. */
 function remark(row: ProtrusionRow, wide: boolean): string {
   if (row.cause === "unadhered") return wide ? "never adhered" : "\u2013";
   const parts = [];
@@ -100,7 +100,7 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
           width: Math.max(1, made.x(bar.to / 3600) - made.x(bar.from / 3600)),
         }),
       );
-    // Where there is room on neither side, the tooltip and the table still say it.
+    // Without room on either side, the tooltip and the table still have the remark.
     if (after || before)
       remarks.append(
         s(

@@ -1,4 +1,4 @@
-/** What a run is looked at with: player, path and protrusions, all at the same time. */
+/** The view of a run: player, path and protrusions, all at the same time. */
 import type { RunPage } from "../contract";
 import { h, onResize, section } from "../dom";
 import { onPrint } from "../paper";

@@ -5,7 +5,7 @@ import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown }
 import { axis, figure, ink, type Json } from "../figure";
 import { groupAt, seriesColour, values, withUnit, type Grid, type Group } from "./groups";
 
-/** Of a read-out at the point of a group, as the program computed it. */
+/** The summary of a read-out at the point of a group, as the program computed it. */
 const statisticsOf = (study: StudyData, group: Group, readout: string): StudyGroup | undefined =>
   study.groups.find((one) => one.readout === readout && one.point.join() === group.point.join());
 

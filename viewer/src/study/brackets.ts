@@ -22,7 +22,7 @@ const significant = (test: StudyTest): boolean => enoughRuns(test) && test.p_hol
 /** Over a bracket: stars after Holm's correction, or why there are none. */
 export const sign = (test: StudyTest): string => (enoughRuns(test) ? stars(test.p_holm) : `n < ${leastRuns}`);
 
-/** What the stars of a read-out are corrected for; "" where no comparison can have any. Holm counts those with a p alone. */
+/** The correction behind the stars of a read-out; "" if no comparison can have stars. Holm counts comparisons with a p. */
 export function starsNote(tests: StudyTest[], readout: string): string {
   const tested = tests.filter((t) => t.readout === readout && t.p !== null);
   if (!tested.some(enoughRuns)) return "";

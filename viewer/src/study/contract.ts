@@ -146,7 +146,7 @@ export interface StudyFactorSet {
   judged: number;
   /** Finished runs without a value of a target's read-out. */
   undefined: number;
-  /** One a target. */
+  /** One number per target. */
   z: (number | null)[];
   means: (number | null)[];
 }
@@ -195,7 +195,7 @@ export interface StudyScatter {
     name: string;
     label: string;
     unit: string;
-    /** One a point. */
+    /** One value per point. */
     values: number[];
     /** Spearman's rank correlation over the means of points, p after Holm over all factors and read-outs. */
     correlations: { readout: string; rho: number | null; p_holm: number | null; n: number }[];
@@ -224,18 +224,18 @@ export interface StudyData {
   msd: StudyMsd[];
 }
 
-/** Its title has the size of the study: "Stiffness: 4 points x 12 replicates". */
+/** The page of a study. The title has its size: "Stiffness: 4 points x 12 replicates". */
 export interface StudyPage extends StudyData {
   format: "matrigrate-study";
   version: 1;
   status: string;
-  /** What came out, in a sentence; "" for nothing. */
+  /** The result, in a sentence; "" for nothing. */
   summary?: string;
   /** Command, date, version of the program, runs done. */
   facts?: Fact[];
   correlation?: StudyCorrelation | null;
   claims?: StudyClaim[];
-  /** In what the study is not the published one; "" for nothing. */
+  /** How the study differs from the published one; "" for nothing. */
   claims_note?: string;
   screening?: StudyScreening | null;
   scatter?: StudyScatter | null;

@@ -21,7 +21,7 @@ export interface Group {
 export interface Grid {
   axisTitle: string;
   columns: string[];
-  /** The same with the name of the axis and its unit. */
+  /** The columns with the name of the axis and its unit. */
   columnLabels: string[];
   series: string[];
   groups: Group[];

@@ -37,7 +37,7 @@ export function claims(study: StudyPage): HTMLElement | null {
 export const safe = (address: string | null): string | null =>
   address !== null && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(address) ? address : null;
 
-/** By its place in the study; the name of its folder is a hash, and on hover. */
+/** A run is named by its place in the study; hovering shows the name of its folder, a hash. */
 const nameOf = (run: StudyRun): string => (run.replicate ? `replicate ${run.replicate}` : run.id);
 
 const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];

@@ -16,7 +16,7 @@ export interface Layer {
   range?: { low: number; high: number };
   low: number;
   high: number;
-  /** Of the matrix as it was at the start: what most of the picture shows. */
+  /** Value of the matrix at the start, which most of the picture has. */
   rest: number;
   /** Colour maps that suit it; the first is taken until another is chosen. */
   maps: readonly MapKey[];
@@ -35,7 +35,7 @@ function stress(key: string, name: string, note: string, field: Field): Layer {
   return { key, name, unit: "Pa", note, field, low, high, rest: 0, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
 }
 
-/** What the scenario gives the matrix from place to place; solid and fluid have it. */
+/** A layer of a field that the scenario gives the matrix; solid and fluid have a value. */
 function given(key: string, name: string, unit: string, note: string, field: Field): Layer {
   const [low, high] = limits(field);
   return { key, name, unit, note, field, low, high, rest: low, maps: sequential, cut: { low: false, high: false }, solidOnly: false };
@@ -102,12 +102,12 @@ export function layers(film: Film): Layer[] {
   return out;
 }
 
-/** Smallest and largest value over the whole run, as far as it was stored.   @param first  frame, to leave out those before */
+/** Smallest and largest value over the stored frames.   @param first  the frames before are left out */
 export function extremes(film: Film, layer: Layer, first = 0): { low: number; high: number } {
   return layer.range ?? extremesOf(film, layer, first, film.growing ? film.times.length : Infinity);
 }
 
-/** Those of the frames from `first` up to, but without, `end`. */
+/** Smallest and largest value of the frames from `first` up to, but without, `end`. */
 export function extremesOf(film: Film, layer: Layer, first: number, end: number): { low: number; high: number } {
   if (layer.field) {
     let [low, high] = [Infinity, -Infinity];
@@ -130,7 +130,7 @@ export function extremesOf(film: Film, layer: Layer, first: number, end: number)
   return { low: 0, high: Math.sqrt(high) };
 }
 
-/** What is drawn over the matrix. */
+/** The overlays, drawn over the matrix. */
 export const overlays = [
   { key: "fibres", name: "Fibres", on: true },
   { key: "cell", name: "Cell", on: true },

@@ -111,7 +111,7 @@ export function resample(film: Film, layer: Layer, place: Place, camera: Camera,
   return { columns, rows, left, bottom, step, sums };
 }
 
-/** What a patch has at a point [um]: null without matrix, NaN in fluid that has no value. */
+/** The value of a patch at a point [um]: null without matrix, NaN in fluid that has no value. */
 export function valueOn(patch: Patch, x: number, y: number): number | null {
   const [gx, gy] = [(x - patch.left) / patch.step, (y - patch.bottom) / patch.step];
   const [i, j] = [Math.floor(gx), Math.floor(gy)];

@@ -7,7 +7,7 @@ export interface Scale {
   low: number;
   high: number;
   map: readonly Rgb[];
-  /** Whether areas beyond the limits are hatched: once a person has set limits of their own. */
+  /** True if areas beyond the limits are hatched: after a person has set limits. */
   hatched: boolean;
 }
 
@@ -16,7 +16,7 @@ export class Limits {
   low: number;
   high: number;
   map: MapKey;
-  /** Those that it begins with. */
+  /** Limits and colour map at the start. */
   private readonly home: { low: number; high: number; map: MapKey };
 
   constructor(layer: Layer) {
@@ -81,7 +81,7 @@ export class LayerScale {
     return this.range;
   }
 
-  /** At which ends of the bar values of this run lie beyond it, or were cut off when they were stored. */
+  /** The ends of the bar beyond which values lie, or at which stored values were cut off. */
   clamped(): { low: boolean; high: boolean } {
     const { layer } = this;
     const range = this.reach();
@@ -100,7 +100,7 @@ export class LayerScale {
   }
 }
 
-/** Whether most of a layer is dark, so that what is drawn on it should be light. */
+/** True if most of a layer is dark, so that the signs on it should be light. */
 export function isDarkGround(layer: Layer, { map, low, high }: Scale): boolean {
   return !isBright(...mapped(map, (layer.rest - low) / (high - low)));
 }

@@ -10,7 +10,7 @@ export class SharedScales {
   private readonly limits = new Map<string, Limits>();
   private readonly members = new Map<object, () => void>();
 
-  /** Whether they are shared; else each run has its own. */
+  /** True if limits are shared; else each run has its own. */
   get on(): boolean {
     return this.shared;
   }

@@ -122,7 +122,7 @@ export interface ArrowKey {
   /** Pixels of one unit. */
   unit: number;
   name: string;
-  /** It stands on a dark ground: arrows that are white do. */
+  /** True on a dark ground: white arrows. */
   dark: boolean;
 }
 

@@ -43,8 +43,8 @@ export interface CellScene {
   darkGround: boolean;
 }
 
-/** Runs of entries that fulfil a condition around a ring, each as indices in order. */
-function runs(n: number, has: (i: number) => boolean): number[][] {
+/** Arcs of a ring: stretches of neighbouring entries that fulfil a condition, each as indices in order. */
+function arcs(n: number, has: (i: number) => boolean): number[][] {
   let start = 0;
   while (start < n && has(start)) ++start;
   if (start === n) return [Array.from({ length: n }, (_, i) => i)];
@@ -69,9 +69,9 @@ function trace(c: Pen, camera: Camera, outline: Float32Array, indices: Iterable<
   }
 }
 
-/** Runs of points of one cell, as indices on the outline of all. */
-const runsOf = ({ first, end }: CellPart, has: (i: number) => boolean): number[][] =>
-  runs(end - first, (i) => has(first + i)).map((run) => run.map((i) => first + i));
+/** Arcs of one cell, as indices on the outline of all cells. */
+const arcsOf = ({ first, end }: CellPart, has: (i: number) => boolean): number[][] =>
+  arcs(end - first, (i) => has(first + i)).map((arc) => arc.map((i) => first + i));
 
 function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32Array, cell: CellPart): void {
   const { rear, front } = coloursOf(cell.number, film.cells.length);
@@ -83,9 +83,9 @@ function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32A
   c.fill();
   c.clip();
   c.fillStyle = front;
-  for (const run of runsOf(cell, (i) => valueAt(film.outline.front, place.frame, i) > 0.5)) {
+  for (const arc of arcsOf(cell, (i) => valueAt(film.outline.front, place.frame, i) > 0.5)) {
     c.beginPath();
-    trace(c, camera, outline, run);
+    trace(c, camera, outline, arc);
     c.closePath();
     c.fill();
   }
@@ -128,9 +128,9 @@ function paintProtrusion(c: Pen, scene: CellScene, outline: Float32Array, p: Fra
   const { film, place, camera, dark } = scene;
   const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
   const cell = film.cells.find(({ first, end }) => p.centre >= first && p.centre < end) ?? film.cells[0];
-  for (const run of runsOf(cell, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
+  for (const arc of arcsOf(cell, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
     c.beginPath();
-    trace(c, camera, outline, run);
+    trace(c, camera, outline, arc);
     edged(
       c,
       colour,

@@ -63,7 +63,7 @@ const levels = 25;
 /** Lines in a path: one of thousands takes a browser several times as long. */
 const together = 100;
 
-/** In a picture, so that it is drawn in time; and apart, so that they are told from each other [pixels of the page]. */
+/** Most lines in a picture, so that it is drawn in time; and least distance of lines [pixels of the page]. */
 const mostLines = 30000;
 const leastApart = 7;
 

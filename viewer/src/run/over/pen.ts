@@ -1,4 +1,4 @@
-/** What the signs are drawn with: the part of a canvas's context that a writer of vector pictures can follow too. */
+/** The pen of the signs: the part of a canvas's context that a writer of vector pictures can implement too. */
 export type Pen = Pick<
   CanvasRenderingContext2D,
   | "lineJoin"

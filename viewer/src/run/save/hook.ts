@@ -6,7 +6,7 @@ import { panel } from "./panel";
 import { paintPicture, stripHeight, svg } from "./picture";
 
 export interface Wanted {
-  /** Of the whole picture [pixels of the page]. */
+  /** Size of the whole picture [pixels of the page]. */
   width: number;
   height: number;
   /** A key of `layers`; left out: as it is. */

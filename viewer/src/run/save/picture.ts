@@ -9,7 +9,7 @@ import { escaped, SvgPen } from "../over/svg_pen";
 const row = 44;
 const ground = (dark: boolean): string => (dark ? "#14171a" : "#ffffff");
 
-/** Of the strip beneath a view so wide, with so many colour bars. */
+/** Height of the strip beneath a view of this width, with this number of colour bars. */
 export const stripHeight = (width: number, bars: number): number => row * (width < 700 ? bars : 1);
 
 /** @param right, y  upper right corner */
