@@ -13,7 +13,7 @@ from . import _arguments, _emulator
 from . import tracks as _tracks
 from ._emulator import Array, Emulator, Prior
 from ._files import _pandas
-from ._measurement import Points, differences, measurement, simulated
+from ._measurement import Means, Points, differences, measurement, simulated
 from .errors import ConfigurationError, InputOutputError
 from .studies import Study
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _told = 0.8  # of the width of the prior
 _implausible = 3.0
+_least_told = 0.05  # of the variance of points, for a read-out that depends on parameters
 _least_points = 10  # for each parameter
 
 
@@ -88,16 +89,17 @@ class Emulators:
         return "\n".join(f"{name}: predicts {one.told:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
                          for name, one in zip(self.names, self.processes, strict=True))
 
-    def fit(self, measured: _tracks.Tracks | Mapping[str, tuple[float, float]], *,
+    def fit(self, measured: _tracks.Tracks | Means, *, besides: Means | None = None,
             discrepancy: Mapping[str, float] | None = None, seed: int = 1) -> Fit:
         """The posterior of the parameters: the likelihood has the errors of the measured read-outs, of the emulators and of
         the model.
 
         :param measured: tracks; or published means and standard errors by the names of read-outs
+        :param besides: means and standard errors of read-outs that tracks do not have: ``{"l_prot_um": (13.1, 0.4)}``
         :param discrepancy: standard error of the model itself, by the names of read-outs
         :raises ConfigurationError: with all that is wrong
         """
-        wanted = measurement(measured, self.names)
+        wanted = measurement(measured, self.names, besides)
         own = dict(discrepancy or {})
         faults = [f"discrepancy: {name}: is no read-out of the emulators" for name in own if name not in self.names]
         faults += [f"discrepancy: {name}: {value:g} is no standard error" for name, value in own.items()
@@ -150,8 +152,8 @@ def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = N
     return of_points(simulated(study, list(readouts), interval, error), prior, seed)
 
 
-def fit(study: Study, measured: _tracks.Tracks | Mapping[str, tuple[float, float]], readouts: Sequence[str] | None = None, *,
-        interval: float | None = None, error: float = 0.0,
+def fit(study: Study, measured: _tracks.Tracks | Means, readouts: Sequence[str] | None = None, *,
+        besides: Means | None = None, interval: float | None = None, error: float = 0.0,
         prior: Mapping[str, tuple[float, float] | tuple[float, float, str]] | None = None,
         discrepancy: Mapping[str, float] | None = None, seed: int = 1) -> Fit:
     """``emulate`` and ``Emulators.fit`` in one: the posterior of the parameters of a study.
@@ -159,13 +161,15 @@ def fit(study: Study, measured: _tracks.Tracks | Mapping[str, tuple[float, float
     :param measured: tracks, whose interval is taken; or published means and standard errors by the names of read-outs, such
         as ``{"l_prot_um": (8.2, 0.5)}``
     :param readouts: of tracks; those of published means if left out
+    :param besides: means and standard errors of read-outs that tracks do not have: ``{"l_prot_um": (13.1, 0.4)}``
     """
     if isinstance(measured, _tracks.Tracks):
-        measurement(measured, list(readouts or ()))  # its faults come before the work
         interval = measured.interval
-    names = list(readouts if readouts is not None or isinstance(measured, _tracks.Tracks) else measured)
+    given = {} if isinstance(measured, _tracks.Tracks) else measured
+    names = list(dict.fromkeys([*(given if readouts is None else readouts), *(besides or {})]))
+    measurement(measured, names, besides)  # its faults come before the work
     emulators = emulate(study, names, interval=interval, error=error, prior=prior, seed=seed)
-    return emulators.fit(measured, discrepancy=discrepancy, seed=seed)
+    return emulators.fit(measured, besides=besides, discrepancy=discrepancy, seed=seed)
 
 
 def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int = 1) -> Emulators:
@@ -186,6 +190,8 @@ def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int 
         notes.append(f"{int((~whole).sum())} points without all read-outs are left out")
     cube = ranges.to_cube(points.parameters[whole].to_numpy(float))
     processes = [Emulator(cube, points.values.loc[whole, name].to_numpy(float), points.runs[whole], seed) for name in names]
+    notes += [f"{name}: depends on no parameter, as far as the points can tell: its Sobol indices are left out"
+              for name, process in zip(names, processes, strict=True) if process.told < _least_told]
     return Emulators(ranges, names, processes, points, _sensitivity(names, parameters, processes, seed), notes)
 
 
@@ -233,7 +239,8 @@ def _log_likelihood(emulators: Sequence[Emulator], value: Array, covariance: Arr
 def _sensitivity(names: list[str], parameters: list[str], emulators: Sequence[Emulator], seed: int) -> pandas.DataFrame:
     rows = []
     for name, emulator in zip(names, emulators, strict=True):
-        first, total = _emulator.sobol(emulator, len(parameters), seed)
+        first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.told >= _least_told else \
+            np.full((2, len(parameters), 3), np.nan)
         rows += [[name, parameter, *first[k], *total[k]] for k, parameter in enumerate(parameters)]
     return _pandas().DataFrame(rows, columns=["readout", "parameter", "first", "first_5", "first_95", "total", "total_5",
                                               "total_95"])
@@ -261,6 +268,7 @@ def _untold(table: pandas.DataFrame, correlations: pandas.DataFrame, sensitivity
         if row["told"]:
             continue
         total = sensitivity.loc[sensitivity["parameter"] == name, "total_95"].max()
+        total = 0.0 if np.isnan(total) else total
         reason = f"no read-out depends on it (total index below {max(total, 0.01):.2f})" if total < 0.1 else \
             "the read-outs depend on it, but their errors are too large" if not tied else "see the correlation"
         notes.append(f"the data cannot tell {name}: its 90 % interval is {row['width']:.0%} of the prior's; {reason}")

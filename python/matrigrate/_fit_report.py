@@ -62,7 +62,9 @@ def _table(table: pandas.DataFrame) -> str:
     def cell(value: Any) -> str:
         if isinstance(value, (bool, np.bool_)):
             return "yes" if value else "no"
-        return f"{value:.3g}" if isinstance(value, float) else html.escape(str(value))
+        if isinstance(value, float):
+            return f"{value:.3g}" if np.isfinite(value) else ""
+        return html.escape(str(value))
 
     head = "".join(f"<th>{html.escape(str(name))}</th>" for name in ["", *table.columns])
     rows = "".join("<tr>" + "".join(f"<td>{cell(value)}</td>" for value in (name, *row)) + "</tr>"

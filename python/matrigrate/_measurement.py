@@ -42,28 +42,41 @@ class Points:
     notes: list[str]
 
 
-def measurement(measured: _tracks.Tracks | Mapping[str, tuple[float, float]], names: Sequence[str]) -> Measurement:
+Means = Mapping[str, tuple[float, float]]
+
+
+def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides: Means | None = None) -> Measurement:
     """:param measured: tracks, or by the name of a read-out its mean and standard error
     :param names: of the read-outs
+    :param besides: means and standard errors of read-outs that tracks do not have
     :raises ConfigurationError: with all that is wrong
     """
-    if not isinstance(measured, _tracks.Tracks):
-        table = _pandas().DataFrame.from_dict(dict(measured), orient="index", columns=["value", "standard_error"], dtype=float)
-        if faults := [f"{name}: has no measured value" for name in names if name not in table.index] + _faults(table):
-            raise ConfigurationError("\n".join(faults))
-        return Measurement(table.loc[list(names)], np.diag(table.loc[list(names), "standard_error"].to_numpy(float)**2), 0, 0, [])
-    table = measured.readouts()
-    unknown = [name for name in names if name not in table.index]
-    faults = [f"there is no read-out {', '.join(unknown)}; there are {', '.join(table.index)}"] if unknown else []
-    faults += _faults(table.loc[[name for name in names if name not in unknown]])
+    is_tracks = isinstance(measured, _tracks.Tracks)
+    means = dict(besides or {}) if is_tracks else {**measured, **(besides or {})}
+    table = _pandas().DataFrame.from_dict(means, orient="index", columns=["value", "standard_error"], dtype=float)
+    own = [name for name in names if name in _motility.meanings and name not in means] if is_tracks else []
+    if own:
+        n = len(measured)
+        share = n / max(1, n - 1)  # the bootstrap's variance is too small by it
+        found = measured.readouts().loc[own, ["value", "standard_error"]] * [1.0, share**0.5]
+        table = _pandas().concat([found, table])
+    lacking = [name for name in names if name not in table.index]
+    known = f"; tracks have {', '.join(_motility.meanings)}" if is_tracks else ""
+    faults = [f"{name}: has no measured value{known}" for name in lacking]
+    faults += _faults(table.loc[[name for name in names if name not in lacking]])
     if not names:
         faults.append("one read-out is needed")
     if faults:
         raise ConfigurationError("\n".join(faults))
-    n = len(measured)
-    share = n / (n - 1)  # the bootstrap's variance is too small by it
-    return Measurement(table.loc[list(names), ["value", "standard_error"]] * [1.0, share**0.5], share * measured.covariance(names), n,
-                       int(np.median([len(track) for track in measured.values()])), list(measured.notes))
+    table = table.loc[list(names)]
+    covariance = np.diag(table["standard_error"].to_numpy(float)**2)
+    if own:
+        at = [list(names).index(name) for name in own]
+        covariance[np.ix_(at, at)] = share * measured.covariance(own)
+    if not is_tracks:
+        return Measurement(table, covariance, 0, 0, [])
+    return Measurement(table, covariance, len(measured), int(np.median([len(track) for track in measured.values()])),
+                       list(measured.notes))
 
 
 def _faults(table: pandas.DataFrame) -> list[str]:

@@ -21,7 +21,7 @@ from matrigrate import calibrate, tracks  # noqa: E402
 
 ranges = {"ecm.youngs_modulus": (50.0, 400.0, "Pa"), "protrusion.force": (0.16, 0.64, "nN"),
           "polarization.rate": (3e-4, 4e-3, "1/s")}  # the last acts only on cells that run for longer
-readouts = ["speed_um_per_h", "net_speed_um_per_h", "straightness", "turning_cosine"]
+readouts = ["speed_um_per_h", "net_speed_um_per_h", "straightness", "l_prot_um"]  # the last is measured beside the tracks
 interval = 60.0
 small_disc = """preset = "baseline"
 
@@ -65,6 +65,26 @@ def simulated(options: argparse.Namespace) -> tuple[matrigrate.Study, matrigrate
     return studies[0], studies[1]
 
 
+def recovered(design: matrigrate.Study, truths: matrigrate.Study) -> pandas.DataFrame:
+    """A row for each draw and parameter."""
+    emulators = calibrate.emulate(design, readouts, interval=interval, seed=1)
+    print(emulators)
+    done = truths.results[truths.results["status"] == "done"]
+    rows = []
+    for label, runs in done.groupby("label", sort=False):
+        cells = tracks.Tracks({name: next(iter(tracks.of(truths.runs[name], interval).values())) for name in runs["run"]},
+                              interval, [])
+        length = runs["l_prot_um"].dropna()
+        fit = emulators.fit(cells, besides={"l_prot_um": (length.mean(), length.sem())})
+        for name, row in fit.table.iterrows():
+            truth = float(runs[name].iloc[0])
+            rows.append({"draw": label, "cells": len(cells), "parameter": name, "truth": truth,
+                         **{k: row[f"posterior_{k}"] for k in (5, 50, 95)},
+                         "inside": int(row["posterior_5"] <= truth <= row["posterior_95"]), "width": row["width"],
+                         "told": int(row["told"])})
+    return pandas.DataFrame(rows)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -73,10 +93,17 @@ def main() -> None:
     parser.add_argument("--draws", type=int, default=20)
     parser.add_argument("--cells", type=int, default=12)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--results", type=pathlib.Path, default=source / "docs/calibration-recovery.csv")
+    parser.add_argument("--results", type=pathlib.Path, default=source / "docs/how-to/recovery.csv")
     options = parser.parse_args()
     os.environ["MATRIGRATE"] = options.program
-    simulated(options)
+    table = recovered(*simulated(options))
+    table.to_csv(options.results, index=False, float_format="%.4g")
+    summary = table.groupby("parameter", sort=False).agg(draws=("inside", "size"), inside=("inside", "sum"),
+                                                         width=("width", "mean"), told=("told", "sum"))
+    print(summary)
+    share = table["inside"].mean()
+    print(f"{share:.1%} of {len(table)} intervals of 90 % hold the truth")
+    sys.exit(0 if 0.75 <= share <= 1.0 else 1)
 
 
 if __name__ == "__main__":

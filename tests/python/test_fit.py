@@ -151,7 +151,7 @@ class OfAStudy(unittest.TestCase):
         self.refused("there is no read-out l_prot; there are speed_um_per_h", measured={"l_prot": (5, 1)})
         self.refused("interval: that of the measured tracks is needed", measured={"speed_um_per_h": (5, 1)})
         self.refused("one read-out is needed", measured=tracks.of(self.study))
-        self.refused("there is no read-out sped", measured=tracks.of(self.study), readouts=["sped"])
+        self.refused("sped: has no measured value; tracks have speed_um_per_h", measured=tracks.of(self.study), readouts=["sped"])
 
     def test_read_outs_of_tracks_and_of_runs(self):
         from matrigrate._measurement import simulated as of_study
