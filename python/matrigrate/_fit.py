@@ -44,6 +44,8 @@ class Fit:
     worth: float  #: independent draws that the sample is worth
     notes: list[str]
     prior: Prior
+    measured: _tracks.Tracks | None = None  #: if tracks were measured
+    simulated: _tracks.Tracks | None = None  #: of the points that fit best
 
     def __repr__(self) -> str:
         shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]
@@ -132,7 +134,16 @@ class Emulators:
             "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high, "implausibility": best,
             "predicted": [one.told for one in self.processes], "coverage": [one.coverage for one in self.processes]}, index=self.names)
         sample = _pandas().DataFrame(self.prior.from_cube(drawn), columns=parameters)
-        return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), worth, notes, self.prior)
+        both = (measured, self._nearest(value, covariance, len(measured))) if isinstance(measured, _tracks.Tracks) else ()
+        return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), worth, notes, self.prior, *both)
+
+    def _nearest(self, value: Array, covariance: Array, many: int) -> _tracks.Tracks | None:
+        """As many tracks of the points whose emulated read-outs are nearest to the measured ones."""
+        if not self.points.tracks:
+            return None
+        likely = _log_likelihood(self.processes, value, covariance, 0, self.prior.to_cube(self.points.parameters.to_numpy(float)))
+        chosen = {name: track for k in np.argsort(-likely)[:many] for name, track in self.points.tracks[k].items()}
+        return _tracks.Tracks(dict(list(chosen.items())[:many]), self.points.tracks[0].interval, [])
 
 
 def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = None, error: float = 0.0,

@@ -46,6 +46,8 @@ def page(fit: Fit) -> str:
 <i>predicted</i>: share of the variance of points that an emulator predicts when they are left out; the rest is scatter of cells.
 <i>coverage</i>: share of points within its 90 % interval.</small></p>
 {_figure(lambda: _against_data(fit), "Measured with two standard errors (red), and 90 % of the posterior (blue)")}
+{_figure(lambda: _paths(fit), "Measured tracks (red) over simulated ones of the points that fit best (blue), each from its start [um]")
+ if fit.measured is not None and fit.simulated is not None else ""}
 <h2>Which parameters the read-outs depend on</h2>
 {_figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
 {_table(fit.sensitivity.set_index("readout"))}
@@ -144,6 +146,16 @@ def _against_data(fit: Fit) -> Any:
     ax.set_yticks(at, [f"{name} = {row.measured:.3g}" for name, row in zip(table.index, table.itertuples(), strict=True)])
     ax.set_xlabel("distance from the measured value, in standard errors")
     ax.set_ylim(len(table) - 0.4, -0.6)
+    return figure
+
+
+def _paths(fit: Fit) -> Any:
+    figure = _new(6, 6)
+    ax = figure.subplots()
+    for cells, colour in ((fit.simulated, _blue), (fit.measured, _red)):
+        for track in (cells or {}).values():
+            ax.plot(*(track - track[0]).T, color=colour, linewidth=1, alpha=0.7)
+    ax.set_aspect("equal")
     return figure
 
 

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -40,6 +40,7 @@ class Points:
     runs: np.ndarray[Any, Any]  #: that are done
     positions: int  #: of a track, median; 0 if no read-out is one of tracks
     notes: list[str]
+    tracks: list[_tracks.Tracks] = field(default_factory=list)  #: of each point; none if no read-out is one of tracks
 
 
 Means = Mapping[str, tuple[float, float]]
@@ -106,24 +107,25 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
         faults.append("one read-out is needed")
     if faults:
         raise ConfigurationError("\n".join(faults))
-    rows, points, counts, lengths = [], [], [], []
+    rows, points, counts, all_seen = [], [], [], list[_tracks.Tracks]()
     for _, runs in results[results["status"] == "done"].groupby("label", sort=False):
         row = {name: runs[name].mean() for name in of_runs}
         if of_tracks:
             cells = {f"{run}/{track}": positions for run in runs["run"]
                      for track, positions in _tracks.of(study.runs[run], interval).items()}
             seen = _tracks.Tracks(cells, interval or 1.0, [])
-            lengths += [len(track) for track in cells.values()]
             seen = seen.with_error(error, seed=len(rows) + 1) if error > 0 else seen
+            all_seen.append(seen)
             row |= dict(seen.readouts(resamples=0)["value"][of_tracks])
         rows.append(row)
         points.append(runs[study.parameters].iloc[0])
         counts.append(len(runs))
     undone = int((results["status"] != "done").sum())
     notes = [f"{undone} runs of the study are not done, and left out"] if undone else []
+    lengths = [len(track) for seen in all_seen for track in seen.values()]
     frame = _pandas().DataFrame
     return Points(frame(points, columns=study.parameters).reset_index(drop=True), frame(rows, columns=list(names)).reset_index(drop=True),
-                  np.array(counts, dtype=float), int(np.median(lengths)) if lengths else 0, notes)
+                  np.array(counts, dtype=float), int(np.median(lengths)) if lengths else 0, notes, all_seen)
 
 
 def differences(points: Points, wanted: Measurement) -> list[str]:

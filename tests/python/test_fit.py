@@ -111,6 +111,36 @@ class OfAKnownModel(unittest.TestCase):
                 fit.write(page.parent)
 
 
+class OfTracks(unittest.TestCase):
+    """Walks of a speed [um/min] and a spread of turning angles [rad]; no track tells the third."""
+
+    @staticmethod
+    def walks(speed, turning, n, random, start=0):
+        angles = np.cumsum(random.normal(0, turning, (n, 40)), axis=1)
+        steps = speed * random.gamma(4, 0.25, (n, 40, 1)) * np.stack([np.cos(angles), np.sin(angles)], axis=2)
+        return tracks.Tracks({str(start + k): np.cumsum(one, axis=0) for k, one in enumerate(steps)}, 60.0, [])
+
+    def test_tracks_tell_what_made_them(self):
+        random = np.random.default_rng(2)
+        parameters = pandas.DataFrame(random.uniform([0.5, 0.1, 0.0], [3.0, 1.0, 1.0], (60, 3)), columns=["speed", "turning", "idle"])
+        seen = [self.walks(row.speed, row.turning, 1, random, k) for k, row in enumerate(parameters.itertuples())]
+        names = ["speed_um_per_h", "turning_cosine"]
+        values = pandas.DataFrame([one.readouts(resamples=0)["value"][names] for one in seen]).reset_index(drop=True)
+        process = _fit.of_points(Points(parameters, values, np.ones(60), 40, [], seen))
+        measured = self.walks(1.4, 0.6, 20, random)
+        fit = process.fit(measured)
+        self.assertEqual(list(fit.table["told"]), [True, True, False])
+        self.assertLess(abs(fit.table.loc["speed", "posterior_50"] - 1.4), 0.2)
+        self.assertLess(abs(fit.table.loc["turning", "posterior_50"] - 0.6), 0.15)
+        self.assertEqual(len(fit.simulated), 20)
+        speeds = [3600 / 60 * tracks._motility._mean(tracks._motility._lengths(one)) for one in fit.simulated.values()]
+        self.assertLess(abs(np.mean(speeds) - 84), 40, "those like the measured ones, of speeds from 30 to 180")
+        with common.tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(fit.write(pathlib.Path(folder) / "fit").read_text().count("<img"), 5)
+        short = tracks.Tracks({name: one[:20] for name, one in measured.items()}, 60.0, [])
+        self.assertIn("measured tracks have 20 positions, simulated ones 40: ratios and slopes depend on it", process.fit(short).notes)
+
+
 class Refused(unittest.TestCase):
     def refused(self, words, call):
         with self.assertRaises(matrigrate.ConfigurationError) as caught:
