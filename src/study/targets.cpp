@@ -92,7 +92,7 @@ private:
       m_faults.add(place_of(node), "targets.tracks",
                    fmt::format("{} of {} tracks of \"{}\" have a {}: it may need longer tracks or a shorter interval",
                                m.n, values.size(), excerpt(name), target.readout));
-    else if (!(target.error > 0.0))
+    else if (!(target.error > 1e-9 * std::abs(m.mean))) // rounding is no scatter
       m_faults.add(place_of(node), "targets.tracks",
                    fmt::format("all tracks of \"{}\" have the same {}", excerpt(name), target.readout));
   }

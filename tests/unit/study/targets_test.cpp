@@ -200,7 +200,7 @@ TEST_F(MeasuredTracks, OfAnyReadoutOfAPath) {
 TEST_F(MeasuredTracks, EachFaultHasItsLine) {
   const std::string good = "1,0,0,0\n1,600,3,4\n2,0,0,0\n2,600,9,12\n";
   EXPECT_EQ(faults(head + good), "none");
-  EXPECT_EQ(faults("track,t,x_um,y\n1,0,0,0\n").substr(0, 84),
+  EXPECT_EQ(faults("track,t,x_um,y\n1,0,0,0\n").substr(0, 83),
             "c.csv:1:1: has no column t_s; its columns are track, t, x_um, y. In Python, matrigr");
   EXPECT_EQ(faults(head + "1,0,0,0\n1,600,nan,4\n1,x,3,4\n"),
             "c.csv:3:1: x_um: \"nan\" is no finite number\nc.csv:4:1: t_s: \"x\" is no finite number");
