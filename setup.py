@@ -1,4 +1,4 @@
-"""Takes the compiled module of matrigrate.Simulation into the package, where a build has made it; pyproject.toml has all else."""
+"""Takes the schema into the package, and the compiled module of matrigrate.Simulation where a build has made it; pyproject.toml has all else."""
 import os
 import shutil
 from pathlib import Path
@@ -14,6 +14,8 @@ _built = [Path(_named)] if _named else sorted(_root.glob("build/*/python/_core*.
 class WithCore(build_py):
     def run(self):
         super().run()
+        for table in ("scenario.schema.json", "readouts.json"):
+            shutil.copy2(_root / "docs" / table, Path(self.build_lib) / "matrigrate")
         for module in _built:
             shutil.copy2(module, Path(self.build_lib) / "matrigrate" / module.name)
 

@@ -3,6 +3,7 @@
 #include "claims/shipped_studies.hpp"
 #include "parameters/write.hpp"
 #include "study/read_study.hpp"
+#include "study/table_readouts.hpp"
 #include "validation/case.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,7 @@ namespace {
 struct ListArguments {
   bool parameters = false;
   bool schema = false;
+  bool readouts = false;
 };
 
 /// A name and what it stands for.
@@ -39,7 +41,8 @@ std::string title_of(const study::ShippedStudy& s) {
 int print_list(const ListArguments& options) {
   if (options.parameters) print(parameters_markdown());
   if (options.schema) print(json_schema());
-  if (options.parameters || options.schema) return done;
+  if (options.readouts) print(study::readouts_json());
+  if (options.parameters || options.schema || options.readouts) return done;
   Entries entries;
   for (const Preset& preset : presets()) entries.emplace_back(preset.name, preset.description);
   print_entries("Presets", "matrigrate new FILE --preset NAME", entries);
@@ -59,8 +62,12 @@ void add_list(CLI::App& app, Action& chosen) {
   const auto options = std::make_shared<ListArguments>();
   auto* parameters =
       verb->add_flag("--parameters", options->parameters, "Instead: all parameters, as a Markdown table a section");
-  verb->add_flag("--schema-json", options->schema, "Instead: the JSON schema of a scenario file, for editors")
-      ->excludes(parameters);
+  auto* schema =
+      verb->add_flag("--schema-json", options->schema, "Instead: the JSON schema of a scenario file, for editors")
+          ->excludes(parameters);
+  verb->add_flag("--readouts-json", options->readouts, "Instead: all read-outs with label, unit and meaning, as JSON")
+      ->excludes(parameters)
+      ->excludes(schema);
   verb->callback([options, &chosen] { chosen = [options] { return print_list(*options); }; });
 }
 

@@ -6,8 +6,7 @@
 #include "parameters/presets.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
-#include "simulation/march.hpp"
-#include "simulation/start.hpp"
+#include "simulation/simulation.hpp"
 #include "store/checkpoint.hpp"
 #include "store/trajectory_hash.hpp"
 
@@ -48,9 +47,8 @@ Parameters short_migration(Integrator integrator, Parameters p = {}) {
 }
 
 /// Goes on until t_end, and adds each step to the hash.
-void go(State& s, const Parameters& p, double t_end, store::TrajectoryHash& hash) {
-  Workspace w(s, p);
-  march(s, p, w, t_end, {}, [&](const State& now) {
+void go(Simulation& simulation, double t_end, store::TrajectoryHash& hash) {
+  simulation.march(t_end, {}, [&](const State& now) {
     hash.add(now);
     return true;
   });
@@ -58,22 +56,22 @@ void go(State& s, const Parameters& p, double t_end, store::TrajectoryHash& hash
 
 std::string hash_with_threads(const Parameters& p, int threads) {
   const ThreadLimit limit(threads);
-  State s = initial_state(p);
+  Simulation simulation(p);
   store::TrajectoryHash hash;
-  go(s, p, p.run.duration, hash);
+  go(simulation, p.run.duration, hash);
   return hash.text();
 }
 
 /// The same with a break at two thirds: the state goes through a checkpoint.
 std::string hash_with_break(const Parameters& p) {
-  State s = initial_state(p);
+  Simulation first(p);
   store::TrajectoryHash hash;
-  go(s, p, std::round(2.0 / 3.0 * p.run.duration / p.run.time_step) * p.run.time_step, hash);
+  go(first, std::round(2.0 / 3.0 * p.run.duration / p.run.time_step) * p.run.time_step, hash);
   const std::string image = store::checkpoint_image(
-      {.state = s, .scenario = to_toml(p), .configuration_hash = {}, .program = version_line(), .memory = {}});
-  State read = store::parse_checkpoint(image, "checkpoint").state;
+      {.state = first.s, .scenario = to_toml(p), .configuration_hash = {}, .program = version_line(), .memory = {}});
+  Simulation second(p, store::parse_checkpoint(image, "checkpoint").state);
   store::TrajectoryHash later(hash.value());
-  go(read, p, p.run.duration, later);
+  go(second, p.run.duration, later);
   return later.text();
 }
 

@@ -1,8 +1,9 @@
 # `cpack` in the folder of a build (`cpack --config build/release/CPackConfig.cmake`) makes a Debian package of what
 # `cmake --install` installs: program, libraries, headers, Python package, manual page, completions, schema, studies.
 install(DIRECTORY python/matrigrate DESTINATION lib/python3/dist-packages # Debian's place for every version of Python 3
-        FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN *.json
+        FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
         PATTERN __pycache__ EXCLUDE)
+install(FILES docs/scenario.schema.json docs/readouts.json DESTINATION lib/python3/dist-packages/matrigrate)
 install(FILES R/matrigrate.R DESTINATION ${data}/R)
 install(FILES CITATION.cff MODEL.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.md)

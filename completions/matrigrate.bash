@@ -82,7 +82,7 @@ _matrigrate() {
   matrigrate_new)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json" -- "$cur")); else COMPREPLY=(); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json --readouts-json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_check)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json --values" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_explain)

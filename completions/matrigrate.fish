@@ -43,6 +43,7 @@ complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON sch
 complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at list' -l parameters -d 'Instead: all parameters, as a Markdown table a section'
 complete -c matrigrate -n '__matrigrate_at list' -l schema-json -d 'Instead: the JSON schema of a scenario file, for editors'
+complete -c matrigrate -n '__matrigrate_at list' -l readouts-json -d 'Instead: all read-outs with label, unit and meaning, as JSON'
 
 complete -c matrigrate -n '__matrigrate_at check' -F
 complete -c matrigrate -n '__matrigrate_at check' -s h -l help -d 'Print this help message and exit'

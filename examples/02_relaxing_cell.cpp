@@ -5,8 +5,7 @@
 /// Check     The time constant, within 3 %.
 /// Libraries Matrigrate::simulation
 #include "cell/geometry.hpp"
-#include "simulation/march.hpp"
-#include "simulation/start.hpp"
+#include "simulation/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -39,9 +38,9 @@ double stretch(const State& s, const Parameters& p) {
 
 int main() {
   const Parameters p = parameters();
-  State s = initial_state(p);
-  for (Vec2& x : s.cells.front().cortex.x) x *= 1.03;
-  Workspace w(s, p);
+  Simulation cell(p);
+  const State& s = cell.s;
+  for (Vec2& x : cell.s.cells.front().cortex.x) x *= 1.03;
 
   const double gamma = p.cell.liquid_drag * p.ecm.thickness;
   const double a = 2.0 * std::sin(std::numbers::pi / p.cell.particles);
@@ -50,7 +49,7 @@ int main() {
   const double before = stretch(s, p);
   fmt::print("time [s]  stretch [%]\n");
   for (int k = 0; k <= 4; ++k) {
-    march(s, p, w, 0.25 * k * expected);
+    cell.march(0.25 * k * expected);
     fmt::print("{:8.1f}  {:.3f}\n", s.t, 100.0 * stretch(s, p));
   }
 

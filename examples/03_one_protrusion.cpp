@@ -9,8 +9,7 @@
 #include "observe/cell_scene.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/initiation.hpp"
-#include "simulation/march.hpp"
-#include "simulation/start.hpp"
+#include "simulation/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -27,20 +26,20 @@ int main(int argc, char** argv) {
 
   // Particle 15 stands at 23 degrees: the protrusion grows away from the centre of mass, off the axes of the lattice,
   // along which protrusions are a little shorter.
-  State s = initial_state(p);
+  Simulation simulation(p);
+  const State& s = simulation.s;
   constexpr std::size_t centre = 15;
-  Cell& cell = s.cells.front();
+  Cell& cell = simulation.s.cells.front();
   begin_protrusion(cell, centre, centre_of_mass(cell.cortex, p.cell.centre_of_mass), s.t, p.protrusion);
-  Workspace w(s, p);
 
   fmt::print("time [s]  length [um]\n");
   for (double t = 50.0; t < p.protrusion.growth_time; t += 50.0) {
-    march(s, p, w, t);
+    simulation.march(t);
     fmt::print("{:8.0f}  {:.2f}\n", s.t, protrusion_length(cell.cortex, centre, p.protrusion));
   }
 
   // Growth ends by itself: the tip adheres, and the record has the length at that moment.
-  march(s, p, w, p.protrusion.growth_time + 10.0);
+  simulation.march(p.protrusion.growth_time + 10.0);
   const Protrusion& grown = cell.protrusions.at(0);
   fmt::print("{} since {:.1f} s, l_prot = {:.2f} um\n", name(grown.phase), grown.since, grown.record.length);
   if (argc > 1) {

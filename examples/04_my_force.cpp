@@ -5,7 +5,7 @@
 /// Libraries Matrigrate::simulation, Matrigrate::observe (the force on the rim)
 #include "ecm/law/material.hpp"
 #include "observe/reaction.hpp"
-#include "simulation/march.hpp"
+#include "simulation/simulation.hpp"
 #include "sph/interpolate.hpp"
 #include "state/initial.hpp"
 
@@ -34,20 +34,18 @@ int main() {
   Parameters p;
   p.ecm.radius = 40.0;
   p.ecm.cell_hole = false;
-  State s;
-  s.ecm = disc(p);
-  Workspace w(s, p);
+  Simulation gel(p, disc(p));
 
   // Loads are called once a step, with the state at its start and the forces of all nodes: the particles of the matrix,
   // then those of the cortex of each cell, if there are any (state/dof.hpp).
-  const PointWeights at_bead = solid_weights(s.ecm, Kernel(p.ecm.smoothing_length), bead);
+  const PointWeights at_bead = solid_weights(gel.s.ecm, Kernel(p.ecm.smoothing_length), bead);
   const Loads my_force = [&](const State& now, std::span<Vec2> force) {
     spread(at_bead, trap_force(now.ecm, at_bead), force);
   };
-  march(s, p, w, 12.0 * p.ecm.viscosity / moduli(p.ecm).G, my_force);
+  gel.march(12.0 * p.ecm.viscosity / moduli(p.ecm).G, my_force);
 
-  const Vec2 pull = trap_force(s.ecm, at_bead);
-  const Vec2 held = clamp_force(s, p, w, [](const Vec2&) { return true; }); // by the whole rim
+  const Vec2 pull = trap_force(gel.s.ecm, at_bead);
+  const Vec2 held = clamp_force(gel.s, p, gel.w, [](const Vec2&) { return true; }); // by the whole rim
   const double off = (pull + held).norm() / pull.norm();
   fmt::print("the trap pulls with ({:.5f}, {:.5f}) nN, the rim with ({:.5f}, {:.5f}) nN: {:.2f} % off\n", pull.x(),
              pull.y(), held.x(), held.y(), 100.0 * off);

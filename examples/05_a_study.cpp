@@ -4,8 +4,7 @@
 /// Check     Protrusions that grow for 400 s are longer than those that grow for 200 s, with p < 0.01 (Fig 8).
 /// Libraries Matrigrate::simulation, Matrigrate::observe, Matrigrate::statistics
 #include "observe/readouts.hpp"
-#include "simulation/march.hpp"
-#include "simulation/start.hpp"
+#include "simulation/simulation.hpp"
 #include "statistics/compare.hpp"
 
 #include <fmt/format.h>
@@ -31,10 +30,9 @@ Parameters parameters(double growth_time, int seed) {
 
 /// Mean length at the end of growth of the protrusions that have adhered within ten minutes [um].
 double mean_length(const Parameters& p) {
-  State s = initial_state(p);
-  Workspace w(s, p);
-  march(s, p, w, 600.0);
-  return readouts({}, protrusion_records(s.cells.front()), p).l_prot.value;
+  Simulation simulation(p);
+  simulation.march(600.0);
+  return readouts({}, protrusion_records(simulation.s.cells.front()), p).l_prot.value;
 }
 
 std::vector<double> lengths(double growth_time) {

@@ -1,12 +1,11 @@
 // The module matrigrate._core: a simulation that is stepped from Python. What users see is matrigrate.Simulation
 // (python/matrigrate/simulation.py); its words and checks are there.
+#include "simulation/simulation.hpp"
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
 #include "parameters/judge.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"
-#include "simulation/march.hpp"
-#include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/dof.hpp"
@@ -101,22 +100,23 @@ private:
   PyThreadState* m_thread;
 };
 
-class Simulation {
+/// A simulation with the functions of the user's that it calls.
+class SteppedSimulation {
 public:
-  Simulation(const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
-      : m_p(parse_parameters(text, name, overrides, start_rules())), m_state(initial_state(m_p)),
-        m_workspace(m_state, m_p), m_rows(m_p.output.track_interval, m_p.run.time_step) {
+  SteppedSimulation(const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
+      : m_simulation(parse_parameters(text, name, overrides, start_rules())),
+        m_rows(parameters().output.track_interval, parameters().run.time_step) {
     see();
   }
 
-  const State& state() const { return m_state; }
-  const Parameters& parameters() const { return m_p; }
+  const State& state() const { return m_simulation.s; }
+  const Parameters& parameters() const { return m_simulation.p; }
 
   /// As in run.json of a run that ends now.
   std::string trajectory_hash() const {
     require_rest();
     store::TrajectoryHash hash(m_hash);
-    if (m_seen < m_state.step) hash.add(m_state);
+    if (m_seen < state().step) hash.add(state());
     return hash.text();
   }
 
@@ -143,7 +143,7 @@ public:
     using Clock = std::chrono::steady_clock;
     auto next = Clock::now();
     std::uint64_t done = 0;
-    const double last_start = t_end - 0.5 * shortest_step(m_p); // as march() has it
+    const double last_start = t_end - 0.5 * shortest_step(parameters()); // as march() has it
     Loads loads;
     if (!m_matrix_force.is_none() || !m_cell_force.is_none())
       loads = [&](const State& s, std::span<Vec2> forces) { add_forces(self, s, forces); };
@@ -161,8 +161,8 @@ public:
     const Set computing(m_computing);
     Unlocked unlocked;
     m_unlocked = &unlocked;
-    if (m_state.t < last_start) ask_cue(self);
-    march(m_state, m_p, m_workspace, t_end, loads, each_step);
+    if (state().t < last_start) ask_cue(self);
+    m_simulation.march(t_end, loads, each_step);
   }
 
   /// @throws std::runtime_error  while a thread without Python's lock changes the state
@@ -211,11 +211,11 @@ private:
 
   /// Adds to the hash what a run adds to it at its rows of tracks.csv.
   void see() {
-    if (!m_rows.due(m_state.t)) return;
+    if (!m_rows.due(state().t)) return;
     store::TrajectoryHash hash(m_hash);
-    hash.add(m_state);
+    hash.add(state());
     m_hash = hash.value();
-    m_seen = m_state.step;
+    m_seen = state().step;
   }
 
   /// Ctrl-C, and what the user wants to be told.
@@ -229,13 +229,13 @@ private:
   /// The propensities of the next step, where new ones are due.
   void ask_cue(const py::object& self) {
     if (m_cue.is_none()) return;
-    if (!m_workspace.propensity.empty() && m_state.step < m_cued_at + m_cue_every) return;
+    if (!m_simulation.w.propensity.empty() && state().step < m_cued_at + m_cue_every) return;
     with_python([&] {
       std::vector<std::vector<double>> propensity;
-      for (std::size_t k = 0; k < m_state.cells.size(); ++k)
-        propensity.push_back(factors(m_cue(self, k), m_state.cells[k].cortex.size()));
-      m_workspace.propensity = std::move(propensity);
-      m_cued_at = m_state.step;
+      for (std::size_t k = 0; k < state().cells.size(); ++k)
+        propensity.push_back(factors(m_cue(self, k), state().cells[k].cortex.size()));
+      m_simulation.w.propensity = std::move(propensity);
+      m_cued_at = state().step;
     });
   }
 
@@ -286,9 +286,7 @@ private:
     });
   }
 
-  Parameters m_p;
-  State m_state;
-  Workspace m_workspace;
+  Simulation m_simulation;
   run::Cadence m_rows;
   std::uint64_t m_hash = 0; ///< of the trajectory so far
   std::uint64_t m_seen = 0; ///< step of the last state in it
@@ -350,27 +348,29 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
   module.def("judged", &judged);
-  const auto of = [](const py::object& self) -> const State& { return self.cast<const Simulation&>().state(); };
+  const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
     const std::vector<Cell>& cells = of(self).cells;
     if (k >= cells.size()) throw py::index_error("there is no cell " + std::to_string(k));
     return cells[k];
   };
-  py::class_<Simulation>(module, "Simulation")
+  py::class_<SteppedSimulation>(module, "Simulation")
       .def(py::init<const std::string&, const std::string&, const std::vector<std::string>&>())
-      .def("march_to", [](const py::object& self, double t_end,
-                          const py::object& each) { self.cast<Simulation&>().march_to(self, t_end, each, all_steps); })
+      .def("march_to",
+           [](const py::object& self, double t_end, const py::object& each) {
+             self.cast<SteppedSimulation&>().march_to(self, t_end, each, all_steps);
+           })
       .def("step",
            [](const py::object& self) {
-             self.cast<Simulation&>().march_to(self, std::numeric_limits<double>::infinity(), py::none(), 1);
+             self.cast<SteppedSimulation&>().march_to(self, std::numeric_limits<double>::infinity(), py::none(), 1);
            })
-      .def("set_force", &Simulation::set_force)
-      .def("set_cue", &Simulation::set_cue)
-      .def("trajectory_hash", &Simulation::trajectory_hash)
-      .def_property_readonly("t", [](const Simulation& s) { return s.state().t; })
-      .def_property_readonly("step_count", [](const Simulation& s) { return s.state().step; })
-      .def_property_readonly("duration", [](const Simulation& s) { return s.parameters().run.duration; })
-      .def_property_readonly("cell_count", [](const Simulation& s) { return s.state().cells.size(); })
+      .def("set_force", &SteppedSimulation::set_force)
+      .def("set_cue", &SteppedSimulation::set_cue)
+      .def("trajectory_hash", &SteppedSimulation::trajectory_hash)
+      .def_property_readonly("t", [](const SteppedSimulation& s) { return s.state().t; })
+      .def_property_readonly("step_count", [](const SteppedSimulation& s) { return s.state().step; })
+      .def_property_readonly("duration", [](const SteppedSimulation& s) { return s.parameters().run.duration; })
+      .def_property_readonly("cell_count", [](const SteppedSimulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
       .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })
       .def("matrix_v", [of](const py::object& self) { return vectors(of(self).ecm.v, self); })
@@ -391,7 +391,7 @@ PYBIND11_MODULE(_core, module) {
       .def("cell_l0", [cell](const py::object& self, std::size_t k) { return view(cell(self, k).cortex.l0, self); })
       .def("cell_polarization", [cell](const py::object& self, std::size_t k) { return cell(self, k).polarization; })
       .def("cell_protrusions", [cell](const py::object& self, std::size_t k) {
-        self.cast<const Simulation&>().require_rest();
+        self.cast<const SteppedSimulation&>().require_rest();
         py::list list;
         for (const Protrusion& protrusion : cell(self, k).protrusions) list.append(described(protrusion));
         return list;

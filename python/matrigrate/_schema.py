@@ -8,7 +8,7 @@ import math
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
-from importlib import resources
+from pathlib import Path
 from typing import Any
 
 from ._judge import Answer, ask
@@ -126,9 +126,15 @@ def _section_entries() -> list[tuple[str, dict[str, Any]]]:
 
 @functools.cache
 def _document() -> dict[str, Any]:
-    text = resources.files(__package__).joinpath("scenario.schema.json").read_text(encoding="utf-8")
-    document: dict[str, Any] = json.loads(text)
+    document: dict[str, Any] = table("scenario.schema.json")
     return document
+
+
+def table(name: str) -> Any:
+    """A table that the program wrote: of an installed package, or of the source tree."""
+    folder = Path(__file__).parent
+    places = (folder / name, folder.parents[1] / "docs" / name)
+    return json.loads(next(place for place in places if place.exists()).read_text(encoding="utf-8"))
 
 
 def judge(values: Iterable[tuple[str, Any]]) -> list[Answer]:

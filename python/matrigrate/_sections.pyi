@@ -241,7 +241,7 @@ class Protrusion(Section):
     tip_half_width: int
     """Pushing particles to each side of the centre (w_f); >= 0 and <= 5000. Default: 3 (Heck et al. 2020, Table 1)."""
     deflection_cone: _Quantity
-    """Half opening of the cone ahead in which degraded matrix deflects growth, in radians; > 0 and <= 3.1415926536. A bare number is in rad. Default: 1.0471975511965976 (MODEL.md, I17)."""
+    """Half opening of the cone ahead in which degraded matrix deflects growth; a bare number is in radians; > 0 and <= 180 deg. A bare number is in rad. Default: "60 deg" (MODEL.md, I17)."""
     spreading_rate: _Quantity
     """Rate at which growing particles slide towards equal spacing; >= 0 and <= 10 1/s. A bare number is in 1/s. Default: "0.5 1/s" (MODEL.md, I16)."""
 

@@ -1,17 +1,18 @@
 """Folders of runs."""
 from __future__ import annotations
 
+import functools
 import math
 import os
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from . import _arguments
+from ._schema import table
 from ._files import read_json, read_table, read_text, unit_of
 from .errors import InputOutputError
 from .fields import Fields
@@ -24,44 +25,15 @@ try:
 except ImportError:  # results can be read where the program does not run
     fcntl = None  # type: ignore[assignment]
 
-_meanings = {
-    "duration_s": "simulated time",
-    "v_migr_abs_um_per_h": "speed, start to end",
-    "v_migr_path_60s_um_per_h": "speed along the path, sampled every 60 s",
-    "v_migr_path_600s_um_per_h": "speed along the path, sampled every 600 s",
-    "n_protrusions": "protrusions initiated",
-    "n_unadhered": "of them, never adhered",
-    "tau_prot_min": "life of a mature adhesion, mean",
-    "n_tau_prot": "adhesions in this mean",
-    "n_censored": "mature adhesions still alive, not in this mean",
-    "l_prot_um": "length at the end of growth, mean",
-    "f_mat": "maturation, mean",
-    "force_nN": "force at disassembly, mean",
-    "f_adh_rel": "force at disassembly over f_mat F_am, mean",
-    "n_simultaneous_mean": "protrusions at a time, mean",
-    "n_simultaneous_max": "protrusions at a time, most",
-    "msd_slope": "log-log slope of the mean square displacement, lags of 10 min to half the run",
-    "path_angle_deg": "mean angle of the path, sampled every 600 s, to uniaxial fibres",
-    "f_mat_along": "maturation of protrusions along uniaxial fibres, mean",
-    "f_mat_across": "maturation of protrusions across uniaxial fibres, mean",
-    "share_ruptured_along": "share of adhesions along uniaxial fibres that ended by rupture",
-    "share_ruptured_across": "share of adhesions across uniaxial fibres that ended by rupture",
-    "share_f_adh_rel_low": "share of mature adhesions that ended below f_adh_rel = 0.5",
-    "share_2_or_3_protrusions": "share of times with two or three protrusions",
-    "migration_index_x": "way along x over the length of the path, sampled every 600 s",
-    "parting_index": "cosine between displacement and the direction away from the nearest cell at the start",
-    "share_in_contact": "share of times with a contact between cells",
-    "nearest_um": "distance of the nearest other cell at the end",
-    "order": "length of the mean unit vector of displacements over 10 min, mean over time",
-}
 
-_of_uniaxial_fibres = frozenset(("path_angle_deg", "f_mat_along", "f_mat_across", "share_ruptured_along",
-                                 "share_ruptured_across"))
+@functools.cache
+def _known() -> dict[str, dict[str, Any]]:
+    return {entry["name"]: entry for entry in table("readouts.json")}
 
 
 def _is_shown(name: str, values: Iterable[float]) -> bool:
     """Whether a read-out is printed: those that only uniaxial fibres have are not where no cell has a value."""
-    return name not in _of_uniaxial_fibres or not all(math.isnan(value) for value in values)
+    return not _known().get(name, {}).get("of_uniaxial_fibres") or not all(math.isnan(value) for value in values)
 
 
 def meaning(readout: str) -> str:
@@ -70,7 +42,7 @@ def meaning(readout: str) -> str:
     >>> meaning("tau_prot_min")
     'life of a mature adhesion, mean'
     """
-    return _meanings.get(readout, readout)
+    return _known()[readout]["meaning"] if readout in _known() else readout
 
 
 class Readouts(Mapping[str, float]):
@@ -233,29 +205,29 @@ class Run:
         """Fingerprint of all that the cell did: the same for the same bits; empty while the run goes on."""
         return str(self.record.get("trajectory_hash", ""))
 
-    @cached_property
+    @functools.cached_property
     def tracks(self) -> pandas.DataFrame:
         """A row each minute, and of each cell: ``track`` (its number, from 1), ``t_s`` [s], ``x_um``, ``y_um`` [um], area,
         perimeter, polarization, protrusions."""
         return self._table("tracks.csv")
 
-    @cached_property
+    @functools.cached_property
     def protrusions(self) -> pandas.DataFrame:
         """A row for each protrusion: times [s], length [um], maturation, force [nN], cause of its end."""
         return self._table("protrusions.csv", ["cause"])
 
-    @cached_property
+    @functools.cached_property
     def health(self) -> pandas.DataFrame:
         """A row each minute: solver, balance of forces, area, density, solid inside the cell."""
         return self._table("health.csv")
 
-    @cached_property
+    @functools.cached_property
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement [um^2] over lags [s] of 10 min to half the run, of several cells for each ``cell``;
         written when the run ends."""
         return self._table("msd.csv")
 
-    @cached_property
+    @functools.cached_property
     def group(self) -> pandas.DataFrame:
         """Of a run of several cells what they do together, a row each minute: ``t_s`` [s], centroid and spread [um], speed
         [um/h], order, distances [um], contacts.
@@ -266,7 +238,7 @@ class Run:
             raise InputOutputError(f"{self.folder}: has no group.csv, which runs of several cells have", self.folder)
         return self._table("group.csv")
 
-    @cached_property
+    @functools.cached_property
     def readouts(self) -> Readouts | ReadoutsOfCells:
         """The paper's read-outs by name, with units; of several cells those of each. Written when the run ends."""
         path = self._existing("summary.json")
@@ -285,7 +257,7 @@ class Run:
                                    self.folder)
         return ReadoutsOfCells(cells)
 
-    @cached_property
+    @functools.cached_property
     def scenario(self) -> dict[str, Any]:
         """Every parameter, as in scenario.resolved.toml: ``run.scenario["ecm"]["youngs_modulus"]`` is "200 Pa".
 
@@ -297,7 +269,7 @@ class Run:
         except tomllib.TOMLDecodeError as error:
             raise InputOutputError(f"{path}: is damaged: it is no TOML: {error}", self.folder) from None
 
-    @cached_property
+    @functools.cached_property
     def fields(self) -> Fields:
         """Frames of cell and matrix, read when they are asked for."""
         for name in ("fields.h5", "export/fields.h5"):

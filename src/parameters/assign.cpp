@@ -29,7 +29,7 @@ std::string wrong_type(const Row& row, const Given& given) {
 }
 
 std::string out_of_range(const Row& row, std::string_view shown) {
-  const std::string unit = kind(row) == Kind::angle ? fmt::format(" {}", row.unit) : "";
+  const std::string unit = row.unit == "deg" ? fmt::format(" {}", row.unit) : "";
   return fmt::format("{} is out of range; allowed is {}{}", shown, allowed_text(row), unit);
 }
 

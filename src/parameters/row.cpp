@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numbers>
 
 namespace matrigrate {
 
@@ -24,6 +25,9 @@ using Flag = bool& (*)(Parameters&);
 using Text = std::string& (*)(Parameters&);
 
 std::string quantity_text(const Row& row, double value) {
+  if (row.unit == "rad")
+    if (const std::string degrees = units::from_internal(value, units::parse_unit("deg")); !degrees.empty())
+      return fmt::format("\"{} deg\"", degrees);
   if (kind(row) != Kind::quantity) return fmt::format("{}", value);
   const std::string number = units::from_internal(value, units::parse_unit(row.unit));
   if (!number.empty()) return fmt::format("\"{} {}\"", number, row.unit);
@@ -97,6 +101,9 @@ std::string allowed_text(const Row& row) {
   const std::string unit =
       kind(row) == Kind::quantity || (field && row.unit != "1") ? fmt::format(" {}", row.unit) : "";
   const std::string form = field ? "a formula in x and y, or a file (.csv, .png, .tif), of values " : "";
+  if (row.unit == "rad") // people think in degrees
+    return fmt::format("{} {:g} and {} {:g} deg", range.low_allowed ? ">=" : ">", range.low * 180.0 / std::numbers::pi,
+                       range.high_allowed ? "<=" : "<", range.high * 180.0 / std::numbers::pi);
   return form
          + fmt::format("{} {} and {} {}{}", range.low_allowed ? ">=" : ">", short_number(range.low),
                        range.high_allowed ? "<=" : "<", short_number(range.high), unit);

@@ -218,7 +218,7 @@ constexpr std::array rows{
     Row{"protrusion.tip_half_width", [](Parameters& p) -> int& { return p.protrusion.tip_half_width; }, "1", closed(0, 5000),
         "w_f", table_1, "Pushing particles to each side of the centre", numerical},
     Row{"protrusion.deflection_cone", [](Parameters& p) -> double& { return p.protrusion.deflection_cone; }, "rad", above(0, 3.1415926536),
-        "", "MODEL.md, I17", "Half opening of the cone ahead in which degraded matrix deflects growth, in radians", numerical},
+        "", "MODEL.md, I17", "Half opening of the cone ahead in which degraded matrix deflects growth; a bare number is in radians", numerical},
     Row{"protrusion.spreading_rate", [](Parameters& p) -> double& { return p.protrusion.spreading_rate; }, "1/s", closed(0, 10),
         "", "MODEL.md, I16", "Rate at which growing particles slide towards equal spacing", numerical},
 

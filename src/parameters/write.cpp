@@ -156,8 +156,11 @@ std::string to_toml(const Parameters& p) {
 
 std::string values_text(const Parameters& p) {
   std::string text;
+  Parameters q = p;
   for (const Row& row : schema()) {
-    const std::string value = value_text(row, p);
+    const std::string value = row.unit == "rad" // as hashes of configurations have had it
+                                  ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
+                                  : value_text(row, p);
     if (kind(row) == Kind::field && value == "\"\"") continue; // here and below: as if there were no such parameter
     if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
     if (p.nucleus.radius == 0.0 && section_of(row) == "nucleus") continue;

@@ -4,7 +4,7 @@
 #include "base/threads.hpp"
 #include "base/time_text.hpp"
 #include "run/run_folder.hpp"
-#include "simulation/march.hpp"
+#include "simulation/simulation.hpp"
 #include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -37,12 +38,13 @@ private:
 };
 
 /// One run, from its start to however it ends.
-class Simulation {
+class Computation {
 public:
-  Simulation(RunStart start, const RunOptions& options, RunObserver& observer)
-      : m_options(options), m_observer(observer), m_s(std::move(start.s)), m_p(start.p), m_before(start.before),
+  Computation(RunStart start, const RunOptions& options, RunObserver& observer)
+      : m_options(options), m_observer(observer), m_p(start.p), m_before(start.before),
         m_new(start.memory.rows.empty()), m_earlier_march_time(start.memory.march_wall_time),
-        m_counts(start.memory.counts) {
+        m_simulation(std::make_unique<Simulation>(m_before ? m_before->p : m_p, std::move(start.s))) {
+    m_simulation->w.health = start.memory.counts;
     m_record.configuration_hash = configuration_hash(m_p);
     m_record.command_line = options.command_line;
     m_record.scenario = std::move(start.scenario);
@@ -52,7 +54,7 @@ public:
     if (m_record.commands.empty()) m_record.commands.push_back(options.command_line);
     m_record.lineage = std::move(start.lineage);
     m_record.earlier_wall_time = start.earlier_wall_time;
-    m_folder.emplace(options.folder, m_p, m_record, m_s, std::move(start.memory), start.frames_from);
+    m_folder.emplace(options.folder, m_p, m_record, m_simulation->s, std::move(start.memory), start.frames_from);
     m_record.lost_frames = m_folder->lost_frames();
     if (m_record.lost_frames.count == 0) return;
     m_folder->write_record(m_record);
@@ -63,12 +65,13 @@ public:
     try {
       march_to_end();
       const RunStatus status = m_record.status();
-      m_folder->see_last(m_s, *m_w, status == RunStatus::interrupted);
+      m_folder->see_last(m_simulation->s, m_simulation->w, status == RunStatus::interrupted);
       m_record.lost_frames = m_folder->lost_frames();
-      m_w.reset();      // frees the memory that all frames together need,
-      ::malloc_trim(0); // and gives it back
+      const State last = std::move(m_simulation->s);
+      m_simulation.reset(); // frees the memory that all frames together need,
+      ::malloc_trim(0);     // and gives it back
       m_record.trajectory_hash = m_folder->trajectory_hash();
-      m_folder->finish(m_s, status_text(), status == RunStatus::failed, m_record, m_options.page_template);
+      m_folder->finish(last, status_text(), status == RunStatus::failed, m_record, m_options.page_template);
       m_record.note_end();
       m_folder->write_record(m_record);
       if (status == RunStatus::done) m_folder->remove_log();
@@ -89,34 +92,28 @@ public:
   }
 
 private:
-  void work_with(const Parameters& p) {
-    m_w.emplace(m_s, p);
-    m_w->health = m_counts;
-  }
-
   void march_to_end() {
-    const Steps steps(m_observer, m_s.t, m_p.run.duration);
+    State& s = m_simulation->s;
+    Workspace& w = m_simulation->w;
+    const Steps steps(m_observer, s.t, m_p.run.duration);
     const Clock::time_point start = Clock::now();
     const auto note_time = [&] {
-      m_record.steps = m_s.step;
-      m_record.t = m_s.t;
+      m_record.steps = s.step;
+      m_record.t = s.t;
       m_record.march_wall_time = m_earlier_march_time + seconds_since(start);
     };
     const auto each_step = [&](const State& now) {
       note_time();
-      m_folder->see(now, *m_w, m_record);
+      m_folder->see(now, w, m_record);
       m_observer.step(now);
       m_stop = m_observer.stop_request();
       return !m_stop && seconds_since(start) < m_options.wall_time_limit;
     };
     try {
+      m_folder->keep_checkpoints(!m_before);
+      if (m_new) m_folder->begin(s, w);
       if (m_before) march_before(each_step);
-      if (!m_before || m_s.t >= m_before->until) {
-        work_with(m_p);
-        if (m_new && !m_before) m_folder->begin(m_s, *m_w);
-        if (m_before) m_folder->write_checkpoint(m_s, *m_w, m_record.march_wall_time);
-        march(m_s, m_p, *m_w, m_p.run.duration, {}, each_step);
-      }
+      if (has_branched()) m_simulation->march(m_p.run.duration, {}, each_step);
       note_time();
       note_end();
     } catch (const NumericalFailure& failure) {
@@ -130,17 +127,18 @@ private:
 
   /// The part of a branch's run that has no checkpoint yet.
   void march_before(const std::function<bool(const State&)>& each_step) {
-    m_folder->keep_checkpoints(false);
-    work_with(m_before->p);
-    if (m_new) m_folder->begin(m_s, *m_w);
-    march(m_s, m_before->p, *m_w, m_before->until, {}, each_step);
-    m_counts = m_w->health;
+    m_simulation->march(m_before->until, {}, each_step);
     m_folder->keep_checkpoints(true);
+    if (!has_branched()) return;
+    m_simulation->change(m_p);
+    m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time);
   }
 
+  bool has_branched() const { return !m_before || m_simulation->s.t >= m_before->until; }
+
   void note_end() {
-    const bool stopped = m_s.t < m_p.run.duration - 0.5 * m_p.run.time_step;
-    if (!m_before || m_s.t >= m_before->until) m_folder->write_checkpoint(m_s, *m_w, m_record.march_wall_time);
+    const bool stopped = m_simulation->s.t < m_p.run.duration - 0.5 * m_p.run.time_step;
+    if (has_branched()) m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time);
     m_record.ended = !stopped                           ? RunEnd::completed
                      : m_stop == StopRequest::user      ? RunEnd::stopped_by_user
                      : m_stop == StopRequest::terminate ? RunEnd::told_to_terminate
@@ -199,15 +197,13 @@ private:
 
   const RunOptions& m_options;
   RunObserver& m_observer;
-  State m_s;
-  Parameters m_p;
+  Parameters m_p; ///< of the run; those of the simulation are others until a branch begins
   std::optional<BranchPoint> m_before;
   bool m_new;
   double m_earlier_march_time;
-  StepHealth m_counts;
+  std::unique_ptr<Simulation> m_simulation;
   RunRecord m_record;
   std::optional<RunFolder> m_folder;
-  std::optional<Workspace> m_w;
   std::optional<StopRequest> m_stop;
 };
 
@@ -216,7 +212,7 @@ private:
 RunOutcome run(RunStart start, const RunOptions& options, RunObserver& observer) {
   const ThreadLimit limit(start.p.run.threads);
   observer.begin();
-  return Simulation(std::move(start), options, observer).compute();
+  return Computation(std::move(start), options, observer).compute();
 }
 
 } // namespace matrigrate::run

@@ -83,7 +83,7 @@ double summary_readout(const json& summary, const char* name) {
 
 /// Read-outs of groups only where a point has several cells.
 std::size_t columns_of(const Study& study) {
-  return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_names().size());
+  return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_table().size());
 }
 
 } // namespace

@@ -23,7 +23,7 @@ const std::vector<std::string>& default_readouts() {
 std::vector<std::string> all_readouts() {
   std::vector<std::string> names;
   for (const ReadOutSpec& spec : readout_table()) names.emplace_back(spec.name);
-  for (const std::string_view name : table_readout_names()) names.emplace_back(name);
+  for (const TableReadOut& readout : table_readout_table()) names.emplace_back(readout.name);
   return names;
 }
 

@@ -1,9 +1,12 @@
 #include "study/table_readouts.hpp"
 
 #include "base/file.hpp"
+#include "observe/readout_table.hpp"
 #include "statistics/sample.hpp"
 #include "store/csv.hpp"
 #include "study/cell_tracks.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
@@ -15,13 +18,15 @@ namespace {
 
 constexpr std::size_t largest_table = std::size_t{1} << 28;
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<std::string_view, 7> names{"share_f_adh_rel_low",
-                                                "share_2_or_3_protrusions",
-                                                "migration_index_x",
-                                                "parting_index",
-                                                "share_in_contact",
-                                                "nearest_um",
-                                                "order"};
+constexpr std::array<TableReadOut, 7> table{{
+    {"share_f_adh_rel_low", "share of mature adhesions that ended below f_adh_rel = 0.5"},
+    {"share_2_or_3_protrusions", "share of times with two or three protrusions"},
+    {"migration_index_x", "way along x over the length of the path, sampled every 600 s"},
+    {"parting_index", "cosine between displacement and the direction away from the nearest cell at the start"},
+    {"share_in_contact", "share of times with a contact between cells"},
+    {"nearest_um", "distance of the nearest other cell at the end"},
+    {"order", "length of the mean unit vector of displacements over 10 min, mean over time"},
+}};
 constexpr std::size_t group_names = 4;
 
 /// Share of the finite values that fulfil a condition.
@@ -66,9 +71,9 @@ double parting(const std::vector<CellTrack>& tracks, const CellTrack& own) {
 
 } // namespace
 
-std::span<const std::string_view> table_readout_names() { return names; }
+std::span<const TableReadOut> table_readout_table() { return table; }
 
-std::span<const std::string_view> group_readout_names() { return table_readout_names().last(group_names); }
+std::span<const TableReadOut> group_readout_table() { return table_readout_table().last(group_names); }
 
 std::vector<double> table_readouts(const std::filesystem::path& folder) {
   const auto column = [&](const char* file, std::string_view name) {
@@ -82,7 +87,7 @@ std::vector<double> table_readouts(const std::filesystem::path& folder) {
       share(column("tracks.csv", "n_simultaneous"), [](double n) { return n == 2.0 || n == 3.0; }),
       statistics::mean_of_defined(index)};
   if (tracks.size() < 2) {
-    values.resize(names.size(), not_defined);
+    values.resize(table.size(), not_defined);
     return values;
   }
   std::vector<double> away;
@@ -93,6 +98,19 @@ std::vector<double> table_readouts(const std::filesystem::path& folder) {
                                nearest.empty() ? not_defined : nearest.back(),
                                statistics::mean_of_defined(column("group.csv", "order"))});
   return values;
+}
+
+std::string readouts_json() {
+  using Json = nlohmann::ordered_json;
+  Json all = Json::array();
+  const auto add = [&](std::string_view name, std::string_view label, std::string_view unit, std::string_view meaning,
+                       bool of_fibres) {
+    all.push_back(
+        {{"name", name}, {"label", label}, {"unit", unit}, {"meaning", meaning}, {"of_uniaxial_fibres", of_fibres}});
+  };
+  for (const ReadOutSpec& r : readout_table()) add(r.name, r.label, r.unit, r.meaning, r.of_fibres);
+  for (const TableReadOut& r : table) add(r.name, r.name, r.name == "nearest_um" ? "um" : "", r.meaning, false);
+  return all.dump(1) + "\n";
 }
 
 } // namespace matrigrate::study

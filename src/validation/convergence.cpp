@@ -45,7 +45,7 @@ double static_error(const Parameters& p, double dp, bool exact_walls) {
   EcmState ecm = strip(q.ecm, length, height - dp + (exact_walls ? 2.0 * support + 2.0 * dp : 0.0));
   if (exact_walls)
     for (std::size_t i = 0; i < ecm.size(); ++i) ecm.clamped[i] = std::abs(ecm.X[i].y()) > 0.5 * height - 0.1 * dp;
-  Specimen a(std::move(ecm), q);
+  Simulation a(q, std::move(ecm));
   const Loads load = [&](const State& s, std::span<Vec2> force) {
     for (std::size_t i = 0; i < s.ecm.size(); ++i) force[i] += s.ecm.V0 * q.ecm.thickness * field.b(s.ecm.X[i]);
   };
@@ -70,7 +70,7 @@ double creep_displacement(const Parameters& p, int n) {
   q.run.time_step = tau / n;
   q.solver.tolerance = 1e-12;
   const double dp = p.ecm.particle_spacing;
-  Specimen a(strip(q.ecm, 12 * dp, 12 * dp), q);
+  Simulation a(q, strip(q.ecm, 12 * dp, 12 * dp));
   a.march_for(tau, body_force(q, Vec2(1e-5, 0.0)));
   return mid_displacement(a.s.ecm, q.ecm).x();
 }

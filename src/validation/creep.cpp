@@ -23,7 +23,7 @@ Creep creep_of(const Parameters& p, int rows, const Vec2& b, double dt, double s
   Parameters q = p;
   q.run.time_step = dt;
   const double dp = p.ecm.particle_spacing;
-  Specimen a(strip(p.ecm, 12 * dp, rows * dp), q);
+  Simulation a(q, strip(p.ecm, 12 * dp, rows * dp));
   Creep c{.t = {0.0}, .u = {0.0}, .walls = wall_distance(a.s.ecm)};
   const Vec2 direction = b.normalized();
   a.march_for(seconds, body_force(q, b), [&](const State& s) {

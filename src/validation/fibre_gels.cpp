@@ -83,7 +83,7 @@ Vec2 lattice_stresses(double along, double across, const Parameters& p) {
 }
 
 /// Stretch of the strip between its ends, and the pull on the upper one.
-Stretch read(const Specimen& a) {
+Stretch read(const Simulation& a) {
   std::vector<double> Y, u;
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i) {
     if (a.s.ecm.clamped[i]) continue;
@@ -121,7 +121,7 @@ std::vector<Stretch> affine_lattice(const Parameters& p, double largest, int inc
 std::vector<Stretch> pull_strip(const Parameters& p, double largest, int increments) {
   Parameters q = p;
   q.fibres.direction_deg += 90.0; // the strip is pulled along y
-  Specimen a(strip(q.ecm, columns * q.ecm.particle_spacing, rows * q.ecm.particle_spacing), q);
+  Simulation a(q, strip(q.ecm, columns * q.ecm.particle_spacing, rows * q.ecm.particle_spacing));
   const double tau = q.ecm.viscosity / moduli(q.ecm).longitudinal(); // fibres only shorten it
   const double increment = largest / increments;
   std::vector<Stretch> curve;

@@ -30,7 +30,7 @@ Loaded loaded(const Parameters& p, double pull) {
   q.ecm.radius = loaded_radius;
   q.ecm.cell_hole = false;
   q.run.integrator = Integrator::adaptive; // halves its steps where a large weight of the penalty asks for it
-  Specimen a(disc(q), q);
+  Simulation a(q, disc(q));
   const Kernel kernel(q.adhesion.spread * q.ecm.smoothing_length);
   Vec2 point = site;
   const auto weights = [&](const State& s) {

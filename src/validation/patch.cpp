@@ -29,14 +29,14 @@ double gradient_error(const Parameters& p, const Mat2& H) {
 }
 
 /// A disc clamped two supports deep.
-Specimen deep_rimmed_disc(const Parameters& p) {
+Simulation deep_rimmed_disc(const Parameters& p) {
   Parameters q = p;
   q.ecm.radius = 25.0 * p.ecm.particle_spacing;
   q.ecm.cell_hole = false;
   EcmState ecm = disc(q);
   for (std::size_t i = 0; i < ecm.size(); ++i)
     ecm.clamped[i] = ecm.X[i].norm() > q.ecm.radius - 4.0 * q.ecm.smoothing_length;
-  return {std::move(ecm), q};
+  return {q, std::move(ecm)};
 }
 
 double displacement_error(const EcmState& ecm, const Mat2& H) {
@@ -79,7 +79,7 @@ Result patch(const Parameters& p) {
                            0.0, 1e-12, "exact by construction of the gradient correction: round-off alone"});
 
   const double size = 1e-5;
-  Specimen a = deep_rimmed_disc(p);
+  Simulation a = deep_rimmed_disc(p);
   result.table.columns = {"time_s", "relative_error"};
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
   drive_clamped(

@@ -16,12 +16,12 @@ namespace {
 constexpr double pull = 0.06;   // [nN]
 constexpr double radius = 80.0; // of the disc [um]
 
-Specimen pulled_disc(const Parameters& p, double E) {
+Simulation pulled_disc(const Parameters& p, double E) {
   Parameters q = p;
   q.ecm.radius = radius;
   q.ecm.youngs_modulus = E;
   q.ecm.cell_hole = false;
-  Specimen a(disc(q), q);
+  Simulation a(q, disc(q));
   const PointWeights centre = solid_weights(a.s.ecm, Kernel(q.ecm.smoothing_length), Vec2::Zero());
   a.march_for(12.0 * q.ecm.viscosity / moduli(q.ecm).G,
               [&](const State&, std::span<Vec2> force) { spread(centre, Vec2(pull, 0.0), force); });
@@ -34,7 +34,7 @@ double clamp_radius(const Parameters& p) {
 
 /// Root-mean-square difference of the field from the closed form with clamp radius a, over the field, from four
 /// smoothing lengths off the load to half the radius.
-double field_error(const Specimen& s, double a) {
+double field_error(const Simulation& s, double a) {
   double difference = 0.0, field = 0.0;
   for (std::size_t i = 0; i < s.s.ecm.size(); ++i) {
     const Vec2& X = s.s.ecm.X[i];
@@ -48,7 +48,7 @@ double field_error(const Specimen& s, double a) {
 }
 
 /// How much the closed form itself changes if the clamp stands a spacing further out or in, by the same measure.
-double clamp_uncertainty(const Specimen& s) {
+double clamp_uncertainty(const Simulation& s) {
   const double a = clamp_radius(s.p);
   double difference = 0.0, field = 0.0;
   for (const Vec2& X : s.s.ecm.X) {
@@ -63,14 +63,14 @@ double clamp_uncertainty(const Specimen& s) {
 }
 
 /// Displacement of the point that carries the load [um].
-double point_displacement(const Specimen& s) {
+double point_displacement(const Simulation& s) {
   const PointWeights centre = solid_weights(s.s.ecm, Kernel(s.p.ecm.smoothing_length), Vec2::Zero());
   std::vector<Vec2> u(s.s.ecm.size());
   for (std::size_t i = 0; i < u.size(); ++i) u[i] = s.s.ecm.displacement(i);
   return interpolate(centre, u).x();
 }
 
-draw::Picture picture(const Specimen& s) {
+draw::Picture picture(const Simulation& s) {
   draw::ParticlePicture map{.title = "Point force: displacement at 200 Pa",
                             .value_label = "displacement [um]",
                             .position = s.s.ecm.x,
@@ -92,7 +92,7 @@ Result point_force(const Parameters& p) {
   std::vector<double> compliance;
   for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
     const double E = scale * p.ecm.youngs_modulus;
-    const Specimen s = pulled_disc(p, E);
+    const Simulation s = pulled_disc(p, E);
     const double a = clamp_radius(s.p);
     const std::string label = fmt::format("{:.0f} Pa", 1e3 * E);
     const double clamp = clamp_uncertainty(s);

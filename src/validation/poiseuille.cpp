@@ -30,7 +30,7 @@ Result poiseuille(const Parameters& p) {
   Result result;
   const double dp = p.ecm.particle_spacing;
   const double mu = lattice_viscosity(p.ecm);
-  Specimen a(strip(p.ecm, 16 * dp, 24 * dp), p);
+  Simulation a(p, strip(p.ecm, 16 * dp, 24 * dp));
   std::fill(a.s.ecm.f.begin(), a.s.ecm.f.end(), 0.0);
   const double H = wall_distance(a.s.ecm);
   const double wall_rate = 0.02; // shear rate at the wall [1/s]

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double rate = 1e-4; // shear rate of the ramp [1/s]
 
-void drive_top_wall(Specimen& a, double speed) {
+void drive_top_wall(Simulation& a, double speed) {
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i)
     if (a.s.ecm.clamped[i] && a.s.ecm.X[i].y() > 0.0) a.s.ecm.v[i] = Vec2(speed, 0.0);
 }
@@ -29,7 +29,7 @@ struct RampAndHold {
 /// Shears a layer at a constant rate, then holds it; wall stress over time goes into the table.
 RampAndHold ramp_and_hold(const Parameters& p, double ramp, double hold, store::Table& table) {
   const double dp = p.ecm.particle_spacing;
-  Specimen a(strip(p.ecm, 12 * dp, 49 * dp), p);
+  Simulation a(p, strip(p.ecm, 12 * dp, 49 * dp));
   const double H = wall_distance(a.s.ecm);
   RampAndHold r;
   const auto record = [&](const State& s) {
@@ -50,7 +50,7 @@ RampAndHold ramp_and_hold(const Parameters& p, double ramp, double hold, store::
 /// Loads a layer for a while, takes the load off, and gives the time constant of the way back.
 double recovery_time(const Parameters& p, double tau) {
   const double dp = p.ecm.particle_spacing;
-  Specimen a(strip(p.ecm, 12 * dp, 49 * dp), p);
+  Simulation a(p, strip(p.ecm, 12 * dp, 49 * dp));
   a.march_for(2.0 * tau, body_force(p, Vec2(1e-5, 0.0)));
   std::vector<double> t{0.0}, u{mid_displacement(a.s.ecm, p.ecm).x()};
   const double start = a.s.t;

@@ -39,20 +39,20 @@ State initial(const Parameters& p, const std::function<bool(const Vec2&)>& fluid
 } // namespace
 
 PlacedProtrusions::PlacedProtrusions(Parameters p, const Vec2& start, const std::function<bool(const Vec2&)>& fluid)
-    : m_specimen(initial(lasting(p, start), fluid), lasting(p, start)) {}
+    : m_simulation(lasting(p, start), initial(lasting(p, start), fluid)) {}
 
 void PlacedProtrusions::begin(double angle, double tilt) {
-  Cell& cell = m_specimen.s.cells.front();
+  Cell& cell = m_simulation.s.cells.front();
   const CortexState& c = cell.cortex;
   const double turns = angle / (2.0 * std::numbers::pi);
   const auto i = static_cast<std::size_t>(std::lround(turns * static_cast<double>(c.size()))) % c.size();
   const Vec2 out = c.x[i] - centroid(c);
-  begin_protrusion(cell, i, c.x[i] - Eigen::Rotation2Dd(tilt) * out, m_specimen.s.t, m_specimen.p.protrusion);
+  begin_protrusion(cell, i, c.x[i] - Eigen::Rotation2Dd(tilt) * out, m_simulation.s.t, m_simulation.p.protrusion);
 }
 
 void PlacedProtrusions::march_for(double seconds, const std::function<bool(const State&)>& each_step,
                                   const Loads& loads) {
-  m_specimen.march_for(seconds, loads, each_step);
+  m_simulation.march_for(seconds, loads, each_step);
 }
 
 double PlacedProtrusions::length(std::size_t k) const {

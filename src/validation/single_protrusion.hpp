@@ -27,12 +27,12 @@ public:
   double base_width(std::size_t k) const; ///< between the two ends of the base, now [um]
   double slack(std::size_t k) const;      ///< contour over its two sides, laid straight, now [-]
 
-  const Parameters& parameters() const { return m_specimen.p; }
-  const State& state() const { return m_specimen.s; }
+  const Parameters& parameters() const { return m_simulation.p; }
+  const State& state() const { return m_simulation.s; }
   const Cell& cell() const { return state().cells.front(); }
 
 private:
-  Specimen m_specimen;
+  Simulation m_simulation;
 };
 
 /// A cell whose only protrusion has just begun to grow. It starts off the centre, so that the tip stays clear of the

@@ -6,24 +6,6 @@
 
 namespace matrigrate::validation {
 
-namespace {
-
-State started(EcmState ecm) {
-  State s;
-  s.ecm = std::move(ecm);
-  return s;
-}
-
-} // namespace
-
-Specimen::Specimen(State state, const Parameters& parameters) : p(parameters), s(std::move(state)), w(s, p) {}
-
-Specimen::Specimen(EcmState ecm, const Parameters& parameters) : Specimen(started(std::move(ecm)), parameters) {}
-
-void Specimen::march_for(double seconds, const Loads& loads, const std::function<bool(const State&)>& each_step) {
-  march(s, p, w, s.t + seconds, loads, each_step);
-}
-
 Loads body_force(const Parameters& p, const Vec2& b) {
   return [t_z = p.ecm.thickness, b](const State& s, std::span<Vec2> force) {
     for (std::size_t i = 0; i < s.ecm.size(); ++i)
@@ -31,7 +13,7 @@ Loads body_force(const Parameters& p, const Vec2& b) {
   };
 }
 
-void drive_clamped(Specimen& a, const std::function<Vec2(const Vec2&)>& u, double seconds, const Loads& loads) {
+void drive_clamped(Simulation& a, const std::function<Vec2(const Vec2&)>& u, double seconds, const Loads& loads) {
   EcmState& ecm = a.s.ecm;
   const double steps = std::round(seconds / a.p.run.time_step);
   for (std::size_t i = 0; i < ecm.size(); ++i)

@@ -20,7 +20,7 @@ bool stable(const Parameters& p, double dt) {
   Parameters q = p;
   q.run.time_step = dt;
   const double dp = p.ecm.particle_spacing;
-  Specimen a(strip(q.ecm, 20 * dp, 20 * dp), q);
+  Simulation a(q, strip(q.ecm, 20 * dp, 20 * dp));
   const double size = 1e-6 * dp;
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i) { // all wave lengths at once
     const double s = static_cast<double>(i);

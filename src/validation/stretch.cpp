@@ -27,7 +27,7 @@ struct Reading {
   double grip_stress; // nominal, from the force on the right grip [kPa]
 };
 
-Reading read(const Specimen& a) {
+Reading read(const Simulation& a) {
   const EcmState& ecm = a.s.ecm;
   std::vector<double> X, Y, u_x, u_y;
   double P_xx = 0.0;
@@ -48,7 +48,7 @@ Reading read(const Specimen& a) {
 }
 
 /// Pulls the grips apart at a constant rate for a while, then lets the specimen come to rest.
-void pull(Specimen& a, double strain, double seconds, double rest) {
+void pull(Simulation& a, double strain, double seconds, double rest) {
   const double speed = 0.5 * strain * length / seconds;
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i)
     if (a.s.ecm.clamped[i]) a.s.ecm.v[i] = Vec2(a.s.ecm.X[i].x() > 0.0 ? speed : -speed, 0.0);
@@ -58,7 +58,7 @@ void pull(Specimen& a, double strain, double seconds, double rest) {
   a.march_for(rest);
 }
 
-draw::Picture picture(const Specimen& a) {
+draw::Picture picture(const Simulation& a) {
   draw::ParticlePicture shape{.title = "Stretch: the specimen at the last strain",
                               .value_label = "von Mises stress [Pa]",
                               .position = a.s.ecm.x,
@@ -71,7 +71,7 @@ draw::Picture picture(const Specimen& a) {
 
 Result stretch(const Parameters& p) {
   Result result;
-  Specimen a(rectangle(p.ecm, length, height, 2.0 * p.ecm.smoothing_length), p);
+  Simulation a(p, rectangle(p.ecm, length, height, 2.0 * p.ecm.smoothing_length));
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
   const double E = p.ecm.youngs_modulus, nu = p.ecm.poissons_ratio;
   const double E_plane = E / (1.0 - nu * nu); // plane strain

@@ -36,7 +36,7 @@ Pulled pull_at_anchor(const Parameters& p, Formulation formulation) {
   q.ecm.radius = 60.0;
   q.ecm.cell_hole = true;
   q.ecm.formulation = formulation;
-  Specimen a(disc(q), q);
+  Simulation a(q, disc(q));
   const Kernel kernel(q.ecm.smoothing_length);
   Vec2 anchor(q.cell.radius + q.degradation.body_distance + ahead, 0.0);
   const double start = anchor.x();

@@ -29,12 +29,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using emscripten::val;
 
-std::unique_ptr<Simulation>& running() {
-  static std::unique_ptr<Simulation> one;
+std::unique_ptr<Followed>& running() {
+  static std::unique_ptr<Followed> one;
   return one;
 }
 
-Simulation& simulation() {
+Followed& simulation() {
   if (!running()) throw std::logic_error("there is no simulation yet");
   return *running();
 }
@@ -66,7 +66,7 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 /// Where the simulation is.
 Json now_json() {
-  const Simulation& s = simulation();
+  const Followed& s = simulation();
   return {{"t_s", s.state().t}, {"step", s.state().step}, {"done", s.done()}};
 }
 
@@ -111,7 +111,7 @@ Json obstacles_json(const EcmState& ecm) {
 }
 
 Json head_json() {
-  const Simulation& s = simulation();
+  const Followed& s = simulation();
   const Parameters& p = s.parameters();
   Json head = now_json();
   head["radius_um"] = p.ecm.radius;
@@ -162,7 +162,7 @@ std::string start(const std::string& toml, const std::string& overrides) {
   return answer([&] {
     const Parameters p = read(toml, overrides);
     running().reset(); // two at a time need twice the memory
-    running() = std::make_unique<Simulation>(p);
+    running() = std::make_unique<Followed>(p);
     return head_json();
   });
 }
@@ -171,7 +171,7 @@ std::string take_up(const std::string& toml, const std::string& overrides, const
   return answer([&] {
     const Parameters p = read(toml, overrides);
     running().reset();
-    running() = std::make_unique<Simulation>(p, image);
+    running() = std::make_unique<Followed>(p, image);
     return head_json();
   });
 }

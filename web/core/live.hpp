@@ -3,17 +3,16 @@
 #include "observe/frame.hpp"
 #include "observe/tracks.hpp"
 #include "parameters/parameters.hpp"
-#include "simulation/workspace.hpp"
-#include "state/state.hpp"
+#include "run/cadence.hpp"
+#include "simulation/simulation.hpp"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// A simulation that a page follows: it is advanced piece by piece, its parameters may change on the way, and its
-/// state can be kept and taken up again. Test: web/tests/core.mjs
+/// A simulation that a page follows, with the rows of its tracks; its state can be kept and taken up again. Test:
+/// web/tests/core.mjs
 namespace matrigrate::live {
 
 /// Parameters that changed on the way.
@@ -22,13 +21,13 @@ struct Change {
   std::vector<std::string> overrides;
 };
 
-class Simulation {
+class Followed {
 public:
   /// From the beginning.
-  explicit Simulation(const Parameters& p);
+  explicit Followed(const Parameters& p);
   /// From a state kept by image(), with the parameters that it then had.
   /// @throws std::invalid_argument if the bytes are no such state, or one of another size
-  Simulation(const Parameters& p, std::string_view image);
+  Followed(const Parameters& p, std::string_view image);
 
   /// Advances until t_end [s], run.duration, or `enough`, which is asked after each step.
   /// @throws NumericalFailure
@@ -44,9 +43,9 @@ public:
   /// Whether run.duration is reached.
   bool done() const;
 
-  const State& state() const { return m_s; }
-  const Parameters& parameters() const { return m_p; }
-  observe::Frame frame() const { return observe::frame(m_s, m_p, *m_w); }
+  const State& state() const { return m_simulation.s; }
+  const Parameters& parameters() const { return m_simulation.p; }
+  observe::Frame frame() const { return observe::frame(m_simulation.s, m_simulation.p, m_simulation.w); }
 
   /// Rows at the multiples of output.track_interval that were passed since the last call.
   std::vector<TrackRow> take_tracks();
@@ -57,11 +56,9 @@ public:
 private:
   void keep_track();
 
-  Parameters m_p;
-  State m_s;
-  std::optional<Workspace> m_w;
+  Simulation m_simulation;
   std::vector<TrackRow> m_tracks;
-  double m_next_track = 0.0; ///< [s]
+  run::Cadence m_rows; ///< of the tracks
 };
 
 } // namespace matrigrate::live

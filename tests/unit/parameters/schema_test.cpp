@@ -106,7 +106,10 @@ TEST(Schema, KindFollowsFromTypeAndUnit) {
   EXPECT_EQ(kind(*find_row("ecm.youngs_modulus")), Kind::quantity);
   EXPECT_EQ(kind(*find_row("ecm.poissons_ratio")), Kind::ratio);
   EXPECT_EQ(kind(*find_row("fibres.direction_deg")), Kind::angle);
-  EXPECT_EQ(value_text(*find_row("protrusion.deflection_cone"), {}), "1.0471975511965976");
+  EXPECT_EQ(value_text(*find_row("protrusion.deflection_cone"), {}), "\"60 deg\"");
+  Parameters p;
+  p.protrusion.deflection_cone = 1.05; // whose degrees have no short decimal
+  EXPECT_EQ(value_text(*find_row("protrusion.deflection_cone"), p), "1.05");
   EXPECT_EQ(allowed_text(*find_row("fibres.half_angle_deg")), "> 0 and <= 90");
   EXPECT_EQ(kind(*find_row("run.seed")), Kind::integer);
   EXPECT_EQ(kind(*find_row("ecm.cell_hole")), Kind::boolean);

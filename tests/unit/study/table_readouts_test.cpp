@@ -49,8 +49,8 @@ TEST(TableReadouts, NeedTimesAndPlaces) {
 
 TEST(TableReadouts, OfASingleCellThereIsNoGroup) {
   const auto values = of_tracks("t_s,x_um,y_um,n_simultaneous\n0,0,0,1\n600,3,4,1\n");
-  ASSERT_EQ(values.size(), table_readout_names().size());
-  for (std::size_t k = 3; k < values.size(); ++k) EXPECT_TRUE(std::isnan(values[k])) << table_readout_names()[k];
+  ASSERT_EQ(values.size(), table_readout_table().size());
+  for (std::size_t k = 3; k < values.size(); ++k) EXPECT_TRUE(std::isnan(values[k])) << table_readout_table()[k].name;
 }
 
 TEST(TableReadouts, OfSeveralCellsAreMeansAndWhatTheyDoTogether) {

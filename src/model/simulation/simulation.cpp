@@ -1,0 +1,47 @@
+#include "simulation/simulation.hpp"
+
+#include "simulation/march.hpp"
+#include "simulation/same_start.hpp"
+#include "simulation/start.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace matrigrate {
+
+namespace {
+
+State without_cells(EcmState matrix) {
+  State s;
+  s.ecm = std::move(matrix);
+  return s;
+}
+
+} // namespace
+
+Simulation::Simulation(const Parameters& parameters) : Simulation(parameters, initial_state(parameters)) {}
+
+Simulation::Simulation(const Parameters& parameters, State state) : p(parameters), s(std::move(state)), w(s, p) {}
+
+Simulation::Simulation(const Parameters& parameters, EcmState matrix)
+    : Simulation(parameters, without_cells(std::move(matrix))) {}
+
+void Simulation::march(double t_end, const Loads& loads, const Observer& each_step) {
+  matrigrate::march(s, p, w, t_end, loads, each_step);
+}
+
+void Simulation::march_for(double seconds, const Loads& loads, const Observer& each_step) {
+  march(s.t + seconds, loads, each_step);
+}
+
+void Simulation::change(const Parameters& after, const Loads& loads, const Observer& each_step) {
+  if (auto faults = faults_of_change(p, after, ""); !faults.empty()) throw ConfigurationError(std::move(faults));
+  const double dt = p.run.time_step;
+  march(dt * std::ceil(s.t / dt - 1e-6), loads, each_step);
+  const StepHealth counts = w.health;
+  p = after;
+  w = Workspace(s, p);
+  w.health = counts;
+}
+
+} // namespace matrigrate
