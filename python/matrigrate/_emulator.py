@@ -139,15 +139,18 @@ def _jansen(values: Array, parameters: int) -> Array:
     return np.array([1.0 - ((b - mixed)**2).mean(axis=1) / 2 / variance, ((a - mixed)**2).mean(axis=1) / 2 / variance])
 
 
-def sampled(log_likelihood: Callable[[Array], Array], parameters: int, size: int = 4000,
+def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array, size: int = 4000,
             seed: int = 1) -> tuple[Array, float]:
     """Points of the unit cube drawn from the posterior of a uniform prior, and how many independent ones they are worth:
-    importance sampling, from a normal distribution about the earlier points where the prior alone meets too few."""
+    importance sampling, from a normal distribution about the earlier points where the prior alone meets too few.
+
+    :param cube: drawn from the prior   :param known: their log likelihoods
+    """
     random = np.random.default_rng(seed)
-    tries = 12000
-    cube, log_prior = random.random((tries, parameters)), np.zeros(tries)
+    tries, parameters = cube.shape
+    log_prior = np.zeros(tries)
     for last in range(6):
-        log_weight = log_likelihood(cube) - log_prior
+        log_weight = (known if last == 0 else log_likelihood(cube)) - log_prior
         weight = np.exp(log_weight - log_weight.max())
         weight /= weight.sum()
         worth = float(1.0 / np.sum(weight**2))

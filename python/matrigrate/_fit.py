@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 _told = 0.8  # of the width of the prior
 _implausible = 3.0
+_draws = 12000  # from the prior
 _least_told = 0.05  # of the variance of points, for a read-out that depends on parameters
 _least_points = 10  # for each parameter
 
@@ -111,13 +113,13 @@ class Emulators:
         value = wanted.table["value"].to_numpy(float)
         covariance = wanted.covariance + np.diag([own.get(name, 0.0)**2 for name in self.names])
         parameters = self.prior.names
-        drawn, worth = _emulator.sampled(lambda at: _log_likelihood(self.processes, value, covariance, wanted.cells, at),
-                                         len(parameters), seed=seed)
+        even, means, errors = self._of_prior
+        drawn, worth = _emulator.sampled(
+            lambda at: _log_likelihood(*_predictions(self.processes, at), value, covariance, wanted.cells), even,
+            _log_likelihood(means, errors, value, covariance, wanted.cells), seed=seed)
         notes = [*wanted.notes, *self.notes, *differences(self.points, wanted)]
         if worth < 200:
             notes.append(f"the sample is worth {worth:.0f} independent draws only: its quantiles are rough")
-        even = np.random.default_rng(seed).random((8000, len(parameters)))
-        means, errors = _predictions(self.processes, even)
         far = np.abs(means - value) / np.sqrt(errors**2 + np.diag(covariance))
         kept = even[far.max(axis=1) < _implausible]
         best = far[np.argmin(far.max(axis=1))]
@@ -137,11 +139,18 @@ class Emulators:
         both = (measured, self._nearest(value, covariance, len(measured))) if isinstance(measured, _tracks.Tracks) else ()
         return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), worth, notes, self.prior, *both)
 
+    @cached_property
+    def _of_prior(self) -> tuple[Array, Array, Array]:
+        """Points drawn from the prior, and what the emulators say there: the same for all fits."""
+        cube = np.random.default_rng(1).random((_draws, len(self.prior.names)))
+        return cube, *_predictions(self.processes, cube)
+
     def _nearest(self, value: Array, covariance: Array, many: int) -> _tracks.Tracks | None:
         """As many tracks of the points whose emulated read-outs are nearest to the measured ones."""
         if not self.points.tracks:
             return None
-        likely = _log_likelihood(self.processes, value, covariance, 0, self.prior.to_cube(self.points.parameters.to_numpy(float)))
+        at = self.prior.to_cube(self.points.parameters.to_numpy(float))
+        likely = _log_likelihood(*_predictions(self.processes, at), value, covariance, 0)
         chosen = {name: track for k in np.argsort(-likely)[:many] for name, track in self.points.tracks[k].items()}
         return _tracks.Tracks(dict(list(chosen.items())[:many]), self.points.tracks[0].interval, [])
 
@@ -234,10 +243,9 @@ def _predictions(emulators: Sequence[Emulator], at: Array) -> tuple[Array, Array
     return np.column_stack([mean for mean, _ in both]), np.column_stack([error for _, error in both])
 
 
-def _log_likelihood(emulators: Sequence[Emulator], value: Array, covariance: Array, cells: int, at: Array) -> Array:
+def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array, cells: int) -> Array:
     """Errors of emulators are correlated as those of the measured read-outs, since both stem from the scatter of cells. A
     covariance that is itself estimated from n tracks makes a t distribution of the normal one (Sellentin and Heavens 2016)."""
-    means, errors = _predictions(emulators, at)
     root = np.sqrt(np.diag(covariance))
     correlation = covariance / np.outer(root, root)
     whole = covariance + errors[:, :, None] * correlation * errors[:, None, :]

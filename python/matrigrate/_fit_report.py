@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import results, tracks
 from ._version import __version__
-from .tracks import meaning
 
 if TYPE_CHECKING:
     import pandas
@@ -57,7 +57,7 @@ def page(fit: Fit) -> str:
 
 
 def _meanings(fit: Fit) -> str:
-    return " ".join(f"<i>{html.escape(name)}</i>: {html.escape(meaning(name))}." for name in fit.readouts.index)
+    return " ".join(f"<i>{html.escape(name)}</i>: {html.escape(results.meaning(tracks.meaning(name)))}." for name in fit.readouts.index)
 
 
 def _table(table: pandas.DataFrame) -> str:
