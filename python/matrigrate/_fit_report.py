@@ -115,7 +115,10 @@ def _corner(fit: Fit) -> Any:
                 ax.set_yscale("log" if prior.is_log[row] else "linear")
             ax.set_xlim(ends)
             ax.set_xscale("log" if prior.is_log[column] else "linear")
-            ax.tick_params(labelsize=7, which="both")
+            ticks = prior.from_cube(np.array([[0.1], [0.5], [0.9]]) * np.ones(n)).T
+            for axis, k in ((ax.xaxis, column), *(((ax.yaxis, row),) if row != column else ())):
+                axis.set_ticks(ticks[k], [f"{tick:.3g}" for tick in ticks[k]], fontsize=7)
+                axis.set_ticks([], minor=True)
             if row == n - 1:
                 ax.set_xlabel(names[column], fontsize=8)
             if column == 0 and row > 0:
