@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -114,9 +114,13 @@ class Emulators:
         covariance = wanted.covariance + np.diag([own.get(name, 0.0)**2 for name in self.names])
         parameters = self.prior.names
         even, means, errors = self._of_prior
-        drawn, worth = _emulator.sampled(
-            lambda at: _log_likelihood(*_predictions(self.processes, at), value, covariance, wanted.cells), even,
-            _log_likelihood(means, errors, value, covariance, wanted.cells), seed=seed)
+        used = np.flatnonzero([one.told >= _least_told for one in self.processes])  # others would add their noise only
+
+        def likelihood(means: Array, errors: Array) -> Array:
+            return _log_likelihood(means[:, used], errors[:, used], value[used], covariance[np.ix_(used, used)], wanted.cells)
+
+        drawn, worth = _emulator.sampled(lambda at: likelihood(*_predictions(self.processes, at)), even, likelihood(means, errors),
+                                         seed=seed)
         notes = [*wanted.notes, *self.notes, *differences(self.points, wanted)]
         if worth < 200:
             notes.append(f"the sample is worth {worth:.0f} independent draws only: its quantiles are rough")
@@ -136,7 +140,7 @@ class Emulators:
             "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high, "implausibility": best,
             "predicted": [one.told for one in self.processes], "coverage": [one.coverage for one in self.processes]}, index=self.names)
         sample = _pandas().DataFrame(self.prior.from_cube(drawn), columns=parameters)
-        both = (measured, self._nearest(value, covariance, len(measured))) if isinstance(measured, _tracks.Tracks) else ()
+        both = (measured, self._nearest(likelihood, len(measured))) if isinstance(measured, _tracks.Tracks) else ()
         return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), worth, notes, self.prior, *both)
 
     @cached_property
@@ -145,12 +149,12 @@ class Emulators:
         cube = np.random.default_rng(1).random((_draws, len(self.prior.names)))
         return cube, *_predictions(self.processes, cube)
 
-    def _nearest(self, value: Array, covariance: Array, many: int) -> _tracks.Tracks | None:
+    def _nearest(self, likelihood: Callable[[Array, Array], Array], many: int) -> _tracks.Tracks | None:
         """As many tracks of the points whose emulated read-outs are nearest to the measured ones."""
         if not self.points.tracks:
             return None
         at = self.prior.to_cube(self.points.parameters.to_numpy(float))
-        likely = _log_likelihood(*_predictions(self.processes, at), value, covariance, 0)
+        likely = likelihood(*_predictions(self.processes, at))
         chosen = {name: track for k in np.argsort(-likely)[:many] for name, track in self.points.tracks[k].items()}
         return _tracks.Tracks(dict(list(chosen.items())[:many]), self.points.tracks[0].interval, [])
 
@@ -210,7 +214,7 @@ def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int 
         notes.append(f"{int((~whole).sum())} points without all read-outs are left out")
     cube = ranges.to_cube(points.parameters[whole].to_numpy(float))
     processes = [Emulator(cube, points.values.loc[whole, name].to_numpy(float), points.runs[whole], seed) for name in names]
-    notes += [f"{name}: depends on no parameter, as far as the points can tell: its Sobol indices are left out"
+    notes += [f"{name}: depends on no parameter, as far as the points can tell: it is left out of the likelihood, and so are its Sobol indices"
               for name, process in zip(names, processes, strict=True) if process.told < _least_told]
     return Emulators(ranges, names, processes, points, _sensitivity(names, parameters, processes, seed), notes)
 
@@ -244,11 +248,9 @@ def _predictions(emulators: Sequence[Emulator], at: Array) -> tuple[Array, Array
 
 
 def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array, cells: int) -> Array:
-    """Errors of emulators are correlated as those of the measured read-outs, since both stem from the scatter of cells. A
-    covariance that is itself estimated from n tracks makes a t distribution of the normal one (Sellentin and Heavens 2016)."""
-    root = np.sqrt(np.diag(covariance))
-    correlation = covariance / np.outer(root, root)
-    whole = covariance + errors[:, :, None] * correlation * errors[:, None, :]
+    """Errors of emulators are independent: each read-out has its own. A covariance that is itself estimated from n tracks
+    makes a t distribution of the normal one (Sellentin and Heavens 2016)."""
+    whole = covariance + errors[:, :, None] * np.eye(len(value)) * errors[:, None, :]
     off = means - value
     squared = np.einsum("ij,ij->i", off, np.linalg.solve(whole, off[:, :, None])[:, :, 0])
     fit = -0.5 * squared if cells < 2 else -0.5 * cells * np.log1p(squared / (cells - 1))
