@@ -15,7 +15,13 @@ for folder in "$from"/*/; do
     echo "$study: not kept, since some of its runs have not ended" >&2
     continue
   fi
-  for table in results statistics paths msd adhesions shapes centres; do
+  tables=results
+  case $study in # beside the results what the figures are drawn from
+  stiffness) tables="results paths msd shapes centres adhesions" ;;
+  kept-protrusions | kept-protrusions-fibres) tables="results paths msd shapes centres" ;;
+  sensitive-adhesions | insensitive-adhesions) tables="results adhesions" ;;
+  esac
+  for table in $tables; do
     [ ! -e "$folder/$table.csv" ] || cp "$folder/$table.csv" "$to/$study-$table.csv"
   done
 done

@@ -102,7 +102,7 @@ def against(rows: list[dict[str, str]]) -> list[str]:
     """Claims of which a stated direction comes out the other way, by the whole interval of the difference."""
     found = []
     for row in rows:
-        for words, low, high in re.findall(r"\b(above|below) that at [^;]*?\(difference \S+ \[(\S+), (\S+)\]", row["statistic"]):
+        for words, low, high in re.findall(r"(?<!not significantly )\b(above|below) that at [^;]*?\(difference \S+ \[(\S+), (\S+)\]", row["statistic"]):
             if (float(high) < 0.0 if words == "above" else float(low) > 0.0) and row["id"] not in found:
                 found.append(row["id"])
     return found

@@ -39,13 +39,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
     const matrigrate::observe::Film film = data[0] % 2 == 0 ? read_log(bytes) : read_log(sealed(bytes));
-    const auto one_each = [&](const auto& field) { return field.empty() || field.size() == film.head.particles(); };
     const auto whole = [&](const auto& frame) {
       return fits(frame, film.head, frame.matrix.fibre_von_mises.empty() ? 0 : film.head.particles());
     };
-    if (!one_each(film.head.obstacle) || !one_each(film.head.youngs_modulus) || !one_each(film.head.ligand)
-        || !std::ranges::all_of(film.frames, whole))
-      std::abort();
+    if (!film.head.consistent() || !std::ranges::all_of(film.frames, whole)) std::abort();
     const std::string again = log_bytes(film);
     if (log_bytes(read_log(again)) != again) std::abort(); // what is whole, stays
   } catch (const matrigrate::InputOutputError&) {          // refused

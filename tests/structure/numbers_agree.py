@@ -1,6 +1,6 @@
 """What several pages say, they say alike: python3 numbers_agree.py ROOT
 
-README.md has the bottom line of docs/validation.md word for word, and phrases that several pages say stand in all of them.
+README.md and docs/limits.md have the bottom line of docs/validation.md word for word, and phrases that several pages say stand in all of them.
 """
 import re
 import sys
@@ -18,8 +18,10 @@ def main():
     bottom_line = re.search(r"<!-- generated: bottom line -->\n(.*?)\n", (root / "docs/validation.md").read_text())
     if not bottom_line or not bottom_line[1].strip("*.;").split("**")[0]:
         faults.append("docs/validation.md: has no bottom line")
-    elif (first := bottom_line[1].split("**")[1]) not in " ".join((root / "README.md").read_text().split()):
-        faults.append(f"README.md: does not say '{first}'")
+    else:
+        first = bottom_line[1].split("**")[1]
+        faults += [f"{page}: does not say '{first}'" for page in ("README.md", "docs/limits.md")
+                   if first not in " ".join((root / page).read_text().split())]
     print("\n".join(faults) or "the pages agree")
     return 1 if faults else 0
 

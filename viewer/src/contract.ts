@@ -58,9 +58,16 @@ export interface ParticleFrames {
   fibre_von_mises?: Packed;
   /** Concentration of the attractant, between its own limits; left out where there is none. */
   attractant?: Packed;
-  /** Young's modulus of the intact matrix [Pa], and ligand over the usual one: the same in all frames; left out where the same everywhere. */
-  youngs_modulus?: Packed;
-  ligand?: Packed;
+  /** Properties that vary from place to place and not in time; left out where there are none. */
+  layers?: (LayerWords & { values: Packed })[];
+}
+
+/** What a property of the matrix is called: its key, unit, title and a sentence. */
+export interface LayerWords {
+  name: string;
+  unit: string;
+  title: string;
+  meaning: string;
 }
 
 /** Particles of the cortex, around the cell, one entry a particle; those of one cell after those of the other. */

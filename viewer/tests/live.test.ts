@@ -75,15 +75,16 @@ test("a film that grows keeps the newest moments and evenly spaced old ones, in 
 
 test("a stiffness that was drawn is a layer, the same at all times; where it is uniform there is none", () => {
   const reference = Float32Array.of(10, 20, -30, -40);
-  assert.equal(new LiveFilm(head, { reference }).film.youngsModulus, null);
-  const live = new LiveFilm(head, { reference, youngsModulus: Float32Array.of(50, 200) });
+  assert.deepEqual(new LiveFilm(head, { reference }).film.layers, []);
+  const drawn = (...E: number[]) => [{ name: "youngs_modulus", unit: "Pa", title: "Young's modulus", meaning: "", values: Float32Array.of(...E) }];
+  const live = new LiveFilm(head, { reference, layers: drawn(50, 200) });
   for (const t of [0, 10, 20]) live.add(moment(t));
   const layer = layers(live.film).find(({ key }) => key === "youngs_modulus")!;
   assert.deepEqual([layer.low, layer.high], [50, 200]);
   for (const frame of [0, 1, 2]) assert.deepEqual([0, 1].map((i) => valueAt(layer.field!, frame, i)), [50, 200]);
   assert.deepEqual(extremes(live.film, layer, 2), { low: 50, high: 200 });
-  live.setMatrix({ reference, youngsModulus: Float32Array.of(100, 400) });
-  assert.deepEqual([0, 1].map((i) => valueAt(live.film.youngsModulus!, 2, i)), [100, 400]);
+  live.setMatrix({ reference, layers: drawn(100, 400) });
+  assert.deepEqual([0, 1].map((i) => valueAt(live.film.layers[0].field, 2, i)), [100, 400]);
 });
 
 test("a film that was kept is the same again, and grows on", () => {

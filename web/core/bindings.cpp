@@ -217,13 +217,25 @@ void put(val& out, const val& spare, const char* name, const char* type, const s
   out.set(name, old);
 }
 
-/// What holds for the particles at all times: reference positions [um], and Young's modulus where it varies [Pa].
+/// What holds for the particles at all times: reference positions [um], and the layers of properties that vary.
 val matrix() {
   const observe::FrameHead head = observe::frame_head(simulation().state(), simulation().parameters());
   const val none = val::undefined();
   val out = val::object();
   put(out, none, "reference", "Float32Array", head.reference);
-  if (!head.youngs_modulus.empty()) put(out, none, "youngsModulus", "Float32Array", head.youngs_modulus);
+  val layers = val::array();
+  for (std::size_t k = 0; k < head.layers.size(); ++k) {
+    if (head.layers[k].empty()) continue;
+    const MatrixField& known = observe::matrix_layers()[k];
+    val layer = val::object();
+    layer.set("name", std::string(known.layer));
+    layer.set("unit", std::string(known.layer_unit == "1" ? "" : known.layer_unit));
+    layer.set("title", std::string(known.title));
+    layer.set("meaning", std::string(known.meaning));
+    put(layer, none, "values", "Float32Array", head.layers[k]);
+    layers.call<void>("push", layer);
+  }
+  out.set("layers", layers);
   return out;
 }
 

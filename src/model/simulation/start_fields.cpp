@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
 namespace matrigrate {
@@ -18,16 +16,15 @@ namespace {
 
 using Text = std::string& (*)(Parameters&);
 
-std::string text_of(const Parameters& p, const Row& row) {
-  Parameters all = p; // the table's accessors give access to write
-  return std::get<Text>(row.member)(all);
+const std::string& text_of(const Parameters& p, const Row& row) {
+  return std::get<Text>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
 }
 
 /// @return nothing where the scenario gives no such field
 /// @throws ConfigurationError
 std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_view path) {
   const Row& row = *find_row(path);
-  const std::string text = text_of(p, row);
+  const std::string& text = text_of(p, row);
   if (text.empty()) return nullptr;
   try {
     return std::make_shared<const fields::Field>(text, "", p.grids.get());
@@ -50,28 +47,19 @@ MatrixFields matrix_fields(const Parameters& p) {
         faults.push_back({"", 0, 0, std::string(row.path), std::move(fault)});
   if (!faults.empty()) throw ConfigurationError(std::move(faults));
   MatrixFields given;
-  const auto E = field_of(p, "ecm.fields.youngs_modulus");
-  if (E) {
-    const double uniform = p.ecm.youngs_modulus;
-    const auto ratio = [E, uniform](const Vec2& X) { return E->at(X) / 1000.0 / uniform; }; // Pa to kPa
-    if (std::ranges::any_of(places(p), [&](const Vec2& X) { return ratio(X) != 1.0; })) given.E_ratio = ratio;
+  for (const MatrixField& row : matrix_field_table) {
+    const auto field = field_of(p, row.path);
+    if (!field || !row.is_read(p)) continue;
+    const OfPlace of_place = [field, row, p](const Vec2& X) { return row.from_given(field->at(X), p); };
+    const auto varies = [&](const Vec2& X) { return of_place(X) != 1.0; };
+    if (!row.one_is_uniform || std::ranges::any_of(places(p), varies)) given.*row.given = of_place;
   }
-  const auto k_0 = field_of(p, "fibres.field.stiffness");
-  if (k_0 && p.fibres.arrangement != FibreArrangement::none && p.fibres.stiffness > 0.0) {
-    const double uniform = p.fibres.stiffness;
-    given.fibre_ratio = [k_0, uniform](const Vec2& X) { return k_0->at(X) / 1000.0 / uniform; }; // Pa to kPa
-  }
-  const auto as_it_is = [&](std::string_view path, std::function<double(const Vec2&)>& field) {
+  const auto as_it_is = [&](std::string_view path, OfPlace& field) {
     if (const auto of_text = field_of(p, path)) field = [of_text](const Vec2& X) { return of_text->at(X); };
   };
   as_it_is("ecm.fields.f_degr", given.f_degr);
-  as_it_is("ecm.fields.ligand", given.ligand);
   as_it_is("ecm.fields.attractant", given.attractant);
-  as_it_is("ecm.fields.attractant_source", given.attractant_source);
   as_it_is("ecm.fields.obstacle", given.obstacle);
-  if (p.fibres.arrangement == FibreArrangement::uniaxial)
-    if (const auto direction = field_of(p, "fibres.field.direction_deg"))
-      given.fibre_direction = [direction](const Vec2& X) { return direction->at(X) * std::numbers::pi / 180.0; };
   return given;
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/vector.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,12 +39,6 @@ struct EcmState {
   /// x_i - x_j, to the nearest image of j where the matrix is periodic [um].
   Vec2 separation(std::size_t i, std::size_t j) const;
 };
-
-/// a - b along the nearest image of a lattice that repeats along x with `period` (0: does not) [um].
-inline Vec2 nearest_image(Vec2 a_minus_b, double period) {
-  if (period > 0.0) a_minus_b.x() -= period * std::nearbyint(a_minus_b.x() / period);
-  return a_minus_b;
-}
 
 inline Vec2 EcmState::separation(std::size_t i, std::size_t j) const { return nearest_image(x[i] - x[j], period_x); }
 

@@ -105,47 +105,4 @@ EcmState rectangle(const EcmParameters& ecm, double width, double height, double
   return at_rest(std::move(s));
 }
 
-namespace {
-
-/// The values of a field at all particles; none without a field.
-/// @param allowed  whether a value is
-template <class Allowed>
-std::vector<double> values(const std::function<double(const Vec2&)>& field, const EcmState& ecm, std::string_view name,
-                           const Allowed& allowed) {
-  std::vector<double> all;
-  if (!field) return all;
-  for (const Vec2& X : ecm.X) {
-    const double value = field(X);
-    if (!std::isfinite(value) || !allowed(value))
-      throw std::invalid_argument(
-          fmt::format("{} of the matrix is {} at ({:.4g}, {:.4g}) um", name, value, X.x(), X.y()));
-    all.push_back(value);
-  }
-  return all;
-}
-
-} // namespace
-
-void apply(const MatrixFields& fields, EcmState& ecm) {
-  ecm.E_ratio = values(fields.E_ratio, ecm, "E_ratio", [](double ratio) { return ratio > 0.0; });
-  ecm.fibre_direction = values(fields.fibre_direction, ecm, "fibre_direction", [](double) { return true; });
-  const std::vector<double> f = values(fields.f_degr, ecm, "f_degr", [](double a) { return a >= 0.0 && a <= 1.0; });
-  for (std::size_t i = 0; i < f.size(); ++i)
-    if (!ecm.clamped[i]) ecm.f[i] = std::min(ecm.f[i], f[i]);
-  const auto not_negative = [](double a) { return a >= 0.0; };
-  ecm.fibre_ratio = values(fields.fibre_ratio, ecm, "fibre_ratio", not_negative);
-  ecm.ligand = values(fields.ligand, ecm, "ligand", not_negative);
-  ecm.attractant = values(fields.attractant, ecm, "attractant", not_negative);
-  ecm.attractant_source = values(fields.attractant_source, ecm, "attractant_source", not_negative);
-  if (!ecm.attractant_source.empty() && ecm.attractant.empty()) ecm.attractant.assign(ecm.size(), 0.0);
-  const std::vector<double> o = values(fields.obstacle, ecm, "obstacle", [](double a) { return a >= 0.0 && a <= 1.0; });
-  if (std::ranges::none_of(o, in_obstacle)) return;
-  for (std::size_t i = 0; i < o.size(); ++i) {
-    ecm.obstacle.push_back(in_obstacle(o[i]) ? 1 : 0);
-    if (ecm.obstacle[i] == 0) continue;
-    ecm.clamped[i] = 1;
-    ecm.f[i] = 1.0;
-  }
-}
-
 } // namespace matrigrate

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "state/matrix_field.hpp"
 #include "state/state.hpp"
 
 #include <concepts>
@@ -93,11 +94,8 @@ void each_member(Like<EcmState> auto& s, auto&& visit) {
   visit(StateMember{"f", "1"}, s.f);
   visit(StateMember{"attractant", "1", may_be_empty}, s.attractant);
   visit(StateMember{"clamped"}, s.clamped);
-  visit(StateMember{"E_ratio", "1", may_be_empty}, s.E_ratio);
-  visit(StateMember{"fibre_direction", "rad", may_be_empty}, s.fibre_direction);
-  visit(StateMember{"fibre_ratio", "1", may_be_empty}, s.fibre_ratio);
-  visit(StateMember{"ligand", "1", may_be_empty}, s.ligand);
-  visit(StateMember{"attractant_source", "1/s", may_be_empty}, s.attractant_source);
+  for (const MatrixField& field : matrix_field_table)
+    visit(StateMember{field.name.data(), field.unit.data(), may_be_empty}, s.*field.member);
   visit(StateMember{"obstacle", "", may_be_empty}, s.obstacle);
 }
 

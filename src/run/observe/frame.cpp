@@ -11,9 +11,11 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 namespace matrigrate::observe {
 
@@ -198,13 +200,29 @@ std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame) {
   return nuclei;
 }
 
+const std::vector<MatrixField>& matrix_layers() {
+  static const std::vector<MatrixField> layers = [] {
+    std::vector<MatrixField> found;
+    std::ranges::copy_if(matrix_field_table, std::back_inserter(found),
+                         [](const MatrixField& field) { return !field.layer.empty(); });
+    return found;
+  }();
+  return layers;
+}
+
+bool FrameHead::consistent() const {
+  const auto one_each = [this](const auto& field) { return field.empty() || field.size() == particles(); };
+  return one_each(obstacle) && std::ranges::all_of(layers, one_each);
+}
+
 FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{
       .radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}, .obstacle = s.ecm.obstacle};
   for (const Vec2& X : s.ecm.X) add(head.reference, X);
-  for (const double ratio : s.ecm.E_ratio)
-    head.youngs_modulus.push_back(static_cast<float>(Pa * ratio * p.ecm.youngs_modulus));
-  for (const double ligand : s.ecm.ligand) head.ligand.push_back(static_cast<float>(ligand));
+  for (std::size_t k = 0; k < head.layers.size(); ++k) {
+    const MatrixField& layer = matrix_layers()[k];
+    for (const double value : s.ecm.*layer.member) head.layers[k].push_back(static_cast<float>(layer.shown(value, p)));
+  }
   return head;
 }
 

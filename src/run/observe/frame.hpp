@@ -1,6 +1,7 @@
 #pragma once
 
 #include "simulation/workspace.hpp"
+#include "state/matrix_field.hpp"
 
 #include <cstdint>
 #include <span>
@@ -66,16 +67,21 @@ struct Frame {
 /// Outlines of the nuclei of the cells, in their order; empty without nuclei [um].
 std::vector<std::vector<Vec2>> nuclei_of(const Frame& frame);
 
+/// Properties of the matrix that are kept with frames: those with a layer (state/matrix_field.hpp).
+const std::vector<MatrixField>& matrix_layers();
+
 /// What is the same in all frames.
 struct FrameHead {
-  double radius = 0.0;     ///< of the disc [um]
-  double spacing = 0.0;    ///< of the matrix particles [um]
-  Floats reference;        ///< reference positions of the matrix particles [um]
-  Bytes obstacle{};        ///< 1: particle of a rigid obstacle; empty where there is none
-  Floats youngs_modulus{}; ///< of the intact matrix; empty where it is the same everywhere [Pa]
-  Floats ligand{};         ///< over the usual one; empty where it is the same everywhere [-]
+  double radius = 0.0;  ///< of the disc [um]
+  double spacing = 0.0; ///< of the matrix particles [um]
+  Floats reference;     ///< reference positions of the matrix particles [um]
+  Bytes obstacle{};     ///< 1: particle of a rigid obstacle; empty where there is none
+  /// Parallel to matrix_layers(); empty where the property is the same everywhere.
+  std::vector<Floats> layers = std::vector<Floats>(matrix_layers().size());
 
   std::size_t particles() const { return reference.size() / 2; }
+  /// Whether obstacle and layers are empty or have one entry a particle.
+  bool consistent() const;
 };
 
 /// All that was kept of a run.

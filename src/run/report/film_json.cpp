@@ -72,8 +72,15 @@ Json particles_json(const observe::Film& film) {
   const auto of_head = [&](const observe::Floats& field) {
     return everywhere(film, [&](const observe::Frame&) -> const observe::Floats& { return field; });
   };
-  if (!film.head.youngs_modulus.empty()) json["youngs_modulus"] = of_head(film.head.youngs_modulus);
-  if (!film.head.ligand.empty()) json["ligand"] = of_head(film.head.ligand);
+  for (std::size_t k = 0; k < film.head.layers.size(); ++k) {
+    if (film.head.layers[k].empty()) continue;
+    const MatrixField& layer = observe::matrix_layers()[k];
+    json["layers"].push_back({{"name", layer.layer},
+                              {"unit", layer.layer_unit == "1" ? "" : layer.layer_unit},
+                              {"title", layer.title},
+                              {"meaning", layer.meaning},
+                              {"values", of_head(film.head.layers[k])}});
+  }
   return json;
 }
 

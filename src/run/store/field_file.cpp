@@ -187,8 +187,9 @@ void write_head(MemoryFile& file, const observe::FrameHead& head, std::span<cons
   file.write("/matrix/spacing", std::array{head.spacing}, "um");
   file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
   if (!head.obstacle.empty()) file.write("/matrix/obstacle", head.obstacle, "1");
-  if (!head.youngs_modulus.empty()) file.write_rows("/matrix/youngs_modulus", head.youngs_modulus, 1, "Pa");
-  if (!head.ligand.empty()) file.write_rows("/matrix/ligand", head.ligand, 1, "1");
+  for (std::size_t k = 0; k < head.layers.size(); ++k)
+    if (const MatrixField& layer = observe::matrix_layers()[k]; !head.layers[k].empty())
+      file.write_rows(fmt::format("/matrix/{}", layer.layer), head.layers[k], 1, layer.layer_unit);
 }
 
 } // namespace

@@ -16,9 +16,9 @@
 ///   /time [s], one per frame
 ///   /matrix/reference, a position per particle; /matrix/position, displacement, velocity, f_degr, pressure, von_mises,
 ///   fibre_von_mises, solid: (frames, particles), vectors (frames, particles, 3) with z = 0
-///   /matrix/obstacle, 1 for the particles of rigid obstacles, /matrix/youngs_modulus and /matrix/ligand: only where
-///   they are not the same everywhere; /matrix/attractant (frames, particles): only where there is any
-///   /nucleus/position: (frames, particles of the nuclei), only of cells with nuclei
+///   /matrix/obstacle, 1 for the particles of rigid obstacles, /matrix/youngs_modulus and other layers of
+///   state/matrix_field.hpp: only where they are not the same everywhere; /matrix/attractant (frames, particles): only
+///   where there is any /nucleus/position: (frames, particles of the nuclei), only of cells with nuclei
 ///   /outline/position, front, protrusion, phase, f_mat, curvature, actomyosin_force: (frames, particles of the cortex)
 ///   /outline/cell and /protrusions/cell, the number of the cell from 1: only where there are several
 ///   /frames/<k>/matrix/position and so on: the same numbers frame by frame, as views (virtual datasets) of the above

@@ -156,11 +156,11 @@ std::string log_head(const observe::FrameHead& head) {
   put(content, head.radius);
   put(content, head.spacing);
   put_planes(content, head.reference);
-  if (head.obstacle.empty() && head.youngs_modulus.empty() && head.ligand.empty())
+  const auto is_empty = [](const observe::Floats& layer) { return layer.empty(); };
+  if (head.obstacle.empty() && std::ranges::all_of(head.layers, is_empty))
     return std::string(frame_log_magic) + as_block(content);
   put_planes(content, head.obstacle);
-  put_planes(content, head.youngs_modulus);
-  put_planes(content, head.ligand);
+  for (const observe::Floats& layer : head.layers) put_planes(content, layer);
   return std::string(frame_log_magic) + as_block(content);
 }
 
@@ -213,11 +213,8 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   head.take_planes(m_head.reference);
   if (head.empty()) return; // the same matrix everywhere
   head.take_planes(m_head.obstacle);
-  head.take_planes(m_head.youngs_modulus);
-  head.take_planes(m_head.ligand);
-  const auto one_each = [this](const auto& field) { return field.empty() || field.size() == m_head.particles(); };
-  if (!one_each(m_head.obstacle) || !one_each(m_head.youngs_modulus) || !one_each(m_head.ligand))
-    throw InputOutputError("its arrays do not belong together");
+  for (observe::Floats& layer : m_head.layers) head.take_planes(layer);
+  if (!m_head.consistent()) throw InputOutputError("its arrays do not belong together");
 }
 
 std::optional<observe::Frame> FrameReader::next() {

@@ -20,7 +20,7 @@ namespace {
 
 bool same(const observe::FrameHead& a, const observe::FrameHead& b) {
   return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference && a.obstacle == b.obstacle
-         && a.youngs_modulus == b.youngs_modulus && a.ligand == b.ligand;
+         && a.layers == b.layers;
 }
 
 /// Calls with each whole frame of the log, and then, while some are `missing`, with each one of the field file.

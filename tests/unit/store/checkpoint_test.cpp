@@ -172,7 +172,7 @@ TEST(Checkpoint, HoldsFieldsOfTheMatrix) {
   EXPECT_EQ(after.state.ecm.attractant, ecm.attractant);
   EXPECT_EQ(after.state.ecm.attractant_source, ecm.attractant_source);
   ecm.E_ratio[5] = 0.0;
-  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("a Young's modulus of the matrix is not above 0"));
+  EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("E_ratio of its matrix is out of range"));
   ecm.E_ratio.pop_back();
   EXPECT_TRUE(refusal(store::checkpoint_image(before)).ends_with("its arrays do not belong together"));
 }

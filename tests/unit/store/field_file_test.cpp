@@ -90,14 +90,14 @@ TEST(FieldFile, HoldsWhatVariesFromPlaceToPlace) {
   EXPECT_FALSE(MemoryFile(field_file(film)).has("/matrix/obstacle"));
   film.head.obstacle.assign(film.head.particles(), 0);
   film.head.obstacle[7] = 1;
-  film.head.youngs_modulus.assign(film.head.particles(), 150.0F);
-  film.head.ligand.assign(film.head.particles(), 2.0F);
+  for (observe::Floats& layer : film.head.layers) layer.assign(film.head.particles(), 150.0F);
   for (observe::Frame& frame : film.frames) frame.matrix.attractant.assign(film.head.particles(), 0.25F);
   const observe::Film read = read_field_file(field_file(film));
   EXPECT_EQ(difference(read, film), "");
   EXPECT_EQ(read.head.obstacle, film.head.obstacle);
-  EXPECT_EQ(read.head.youngs_modulus, film.head.youngs_modulus);
-  EXPECT_EQ(read.head.ligand, film.head.ligand);
+  EXPECT_EQ(read.head.layers, film.head.layers);
+  EXPECT_TRUE(MemoryFile(field_file(film)).has("/matrix/youngs_modulus"));
+  EXPECT_TRUE(MemoryFile(field_file(film)).has("/matrix/ligand"));
   film.head.obstacle.pop_back();
   EXPECT_THROW(read_field_file(field_file(film)), InputOutputError);
 }

@@ -23,20 +23,20 @@ TEST(FrameLog, HoldsWhatVariesFromPlaceToPlace) {
   observe::Film film = SmallRun().film();
   film.head.obstacle.assign(film.head.particles(), 0);
   film.head.obstacle[7] = 1;
-  film.head.ligand.assign(film.head.particles(), 0.5F);
+  film.head.layers.back().assign(film.head.particles(), 0.5F);
   for (observe::Frame& frame : film.frames)
     frame.matrix.attractant.assign(film.head.particles(), static_cast<float>(frame.t));
   const observe::Film read = read_log(log_bytes(film));
   EXPECT_EQ(difference(read, film), "");
   EXPECT_EQ(read.head.obstacle, film.head.obstacle);
-  EXPECT_EQ(read.head.ligand, film.head.ligand);
-  EXPECT_TRUE(read.head.youngs_modulus.empty());
+  EXPECT_EQ(read.head.layers, film.head.layers);
+  EXPECT_TRUE(read.head.layers.front().empty());
 }
 
 TEST(FrameLog, RefusesAHeadWhoseArraysDoNotBelongTogether) {
-  for (const auto wrong : {&observe::FrameHead::youngs_modulus, &observe::FrameHead::ligand}) {
+  for (std::size_t wrong = 0; wrong < observe::matrix_layers().size(); ++wrong) {
     observe::Film film = SmallRun().film();
-    (film.head.*wrong).assign(film.head.particles() - 1, 1.0F);
+    film.head.layers[wrong].assign(film.head.particles() - 1, 1.0F);
     EXPECT_THROW(read_log(log_bytes(film)), InputOutputError);
   }
   observe::Film film = SmallRun().film();

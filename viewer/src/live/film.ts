@@ -46,7 +46,7 @@ export class LiveFilm {
   private readonly X: Float32Array;
   private readonly fields: Field[];
 
-  constructor(head: Head, { reference, youngsModulus }: CoreMatrix) {
+  constructor(head: Head, { reference, layers }: CoreMatrix) {
     const { n_particles: n, n_outline: m, n_nucleus: k, radius_um: radius } = head;
     const frames = history + newest;
     const field = (wide: boolean, entries: number, components: number, scale: number): Field => {
@@ -81,8 +81,7 @@ export class LiveFilm {
       vonMises,
       fibreVonMises,
       attractant: null,
-      youngsModulus: youngsModulus ? steady(youngsModulus) : null,
-      ligand: null,
+      layers: layersOf(layers),
       obstacles: head.obstacles_um,
       cells: cellParts(m, head.cell),
       fibres: withFibres ? fibresOf({ bonds_um: head.bonds_um, onset: head.onset }, fixed) : null,
@@ -110,9 +109,9 @@ export class LiveFilm {
     this.write(at, frame);
   }
 
-  /** Another stiffness of the matrix, which was set on the way. */
-  setMatrix({ youngsModulus }: CoreMatrix): void {
-    this.film.youngsModulus = youngsModulus ? steady(youngsModulus) : null;
+  /** Other properties of the matrix, which were set on the way. */
+  setMatrix({ layers }: CoreMatrix): void {
+    this.film.layers = layersOf(layers);
   }
 
   /** All of it but its moments. */
@@ -212,6 +211,9 @@ export class LiveFilm {
 }
 
 /** Values that hold at all times, from the lowest to the highest in 255 steps. */
+const layersOf = (layers: CoreMatrix["layers"]): Film["layers"] =>
+  (layers ?? []).map(({ values, ...words }) => ({ ...words, field: steady(values) }));
+
 function steady(values: Float32Array): Field {
   const [low, high] = [values.reduce((a, b) => Math.min(a, b), Infinity), values.reduce((a, b) => Math.max(a, b), -Infinity)];
   const scale = high > low ? (high - low) / 255 : 1;

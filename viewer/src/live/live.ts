@@ -124,7 +124,7 @@ export class Live {
         this.head = head;
         this.matrix = matrix;
         if (this.film && fibres !== (this.film.film.fibres !== null)) this.newFilm(head);
-        else if (matrix.youngsModulus) {
+        else if (matrix.layers?.length) {
           this.film?.setMatrix(matrix);
           this.lookAway(); // its limits are others now
         }

@@ -1,5 +1,5 @@
 /** What page and worker say to each other. */
-import type { ProtrusionRow } from "../contract";
+import type { LayerWords, ProtrusionRow } from "../contract";
 
 export interface Fault {
   line: number;
@@ -47,8 +47,8 @@ export interface Head {
 export interface CoreMatrix {
   /** x0, y0, x1, y1, ... [um] */
   reference: Float32Array;
-  /** Where it differs from place to place [Pa]. */
-  youngsModulus?: Float32Array;
+  /** Properties that vary from place to place. */
+  layers?: (LayerWords & { values: Float32Array })[];
 }
 
 /** A moment as the core gives it. */

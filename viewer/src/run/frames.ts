@@ -1,5 +1,5 @@
 /** The stored frames, unpacked, and the place of a time among them. */
-import type { FrameProtrusion, Frames, RunPage } from "../contract";
+import type { FrameProtrusion, Frames, LayerWords, RunPage } from "../contract";
 import { unpack, valueAt, type Field } from "../unpack";
 import { fibresOf, type Fibres } from "./bonds";
 import type { Box } from "./camera";
@@ -14,8 +14,8 @@ export interface Film {
   vonMises: Field;
   fibreVonMises: Field | null;
   attractant: Field | null;
-  youngsModulus: Field | null;
-  ligand: Field | null;
+  /** Properties that vary from place to place and not in time. */
+  layers: (LayerWords & { field: Field })[];
   /** null: none, or a page of an earlier version. */
   fibres: Fibres | null;
   /** Places of the particles of rigid obstacles [um]. */
@@ -47,7 +47,7 @@ export async function film(run: RunPage): Promise<Film | null> {
   if (!frames || frames.times_s.length === 0) return null;
   const n = frames.times_s.length;
   const { particles: p, outline: o } = frames;
-  const [reference, x, f, pressure, vonMises, fibreVonMises, attractant, youngsModulus, ligand] = await Promise.all([
+  const [reference, x, f, pressure, vonMises, fibreVonMises, attractant, layers] = await Promise.all([
     unpack(frames.reference, "reference positions", 1),
     unpack(p.x, "particle positions", n),
     unpack(p.f, "degradation", n),
@@ -55,8 +55,7 @@ export async function film(run: RunPage): Promise<Film | null> {
     unpack(p.von_mises, "von Mises stress", n),
     p.fibre_von_mises ? unpack(p.fibre_von_mises, "von Mises stress of the fibres", n) : null,
     p.attractant ? unpack(p.attractant, "attractant", n) : null,
-    p.youngs_modulus ? unpack(p.youngs_modulus, "Young's modulus", n) : null,
-    p.ligand ? unpack(p.ligand, "ligand", n) : null,
+    Promise.all((p.layers ?? []).map(async ({ values, ...words }) => ({ ...words, field: await unpack(values, words.title, n) }))),
   ]);
   const [ox, front, protrusion, fMat, force, nucleus] = await Promise.all([
     unpack(o.x, "outline", n),
@@ -77,8 +76,7 @@ export async function film(run: RunPage): Promise<Film | null> {
     vonMises,
     fibreVonMises,
     attractant,
-    youngsModulus,
-    ligand,
+    layers,
     fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, reference) : null,
     obstacles: frames.obstacles_um ?? [],
     outline: { x: ox, front, protrusion, fMat, force },

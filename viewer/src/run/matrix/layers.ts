@@ -96,11 +96,9 @@ export function layers(film: Film): Layer[] {
         film.fibreVonMises,
       ),
     );
-  const { attractant, youngsModulus, ligand } = film;
-  if (youngsModulus)
-    out.push(given("youngs_modulus", "Young's modulus", "Pa", "Of the intact matrix, where it was at the start.", youngsModulus));
+  for (const { name, title, unit, meaning, field } of film.layers) out.push(given(name, title, unit, meaning, field));
+  const { attractant } = film;
   if (attractant) out.push(given("attractant", "Attractant", "", "Concentration of the chemoattractant.", attractant));
-  if (ligand) out.push(given("ligand", "Ligand", "", "On the solid, over the usual one; adhesions need it.", ligand));
   return out;
 }
 
