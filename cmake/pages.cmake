@@ -1,6 +1,10 @@
-# The pages of viewer/ become part of the program: built by npm below build/viewer, or ready-made ones are taken.
+# The pages of viewer/ become part of the program: built by npm below build/viewer, or ready-made ones are taken. The archive of
+# a release (tools/release.sh) holds them in its folder pages/; a clone has no such folder.
 
 set(MATRIGRATE_PAGES "" CACHE PATH "Folder with run.html, study.html and verdicts.html, where npm cannot be used")
+if(NOT MATRIGRATE_PAGES AND EXISTS ${PROJECT_SOURCE_DIR}/pages/run.html)
+  set(MATRIGRATE_PAGES ${PROJECT_SOURCE_DIR}/pages)
+endif()
 set(viewer ${PROJECT_BINARY_DIR}/viewer)
 set(pages ${MATRIGRATE_PAGES})
 if(NOT pages)

@@ -1,7 +1,9 @@
 find_package(Git QUIET)
 set(HASH "unknown")
 set(DIRTY "false")
-if(GIT_FOUND)
+if(EXISTS ${SOURCE_DIR}/COMMIT) # the archive of a release, which may lie in somebody else's repository
+  file(STRINGS ${SOURCE_DIR}/COMMIT HASH LIMIT_COUNT 1)
+elseif(GIT_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE_DIR} rev-parse HEAD OUTPUT_VARIABLE out RESULT_VARIABLE rc
                   OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   if(rc EQUAL 0)

@@ -85,11 +85,12 @@ TEST_F(Reproduce, KeptVerdictsFollowFromKeptTables) {
   std::size_t drawn = 0; // X rows, which may be kept as well, are left out of all
   const json page = json::parse(page_data("again/report-all.html"));
   for (const json& one : page.at("studies")) {
-    drawn += studies.contains(one.at("name")) ? 1U : 0U;
+    if (!studies.contains(one.at("name"))) continue;
+    ++drawn;
     for (const json& run : one.at("study").at("runs"))
       EXPECT_EQ(run.at("path").is_null(), run.at("status") != "done") << one.at("name");
   }
-  EXPECT_GE(drawn, 5U);
+  EXPECT_GE(drawn, 3U);
 }
 
 TEST_F(Reproduce, VerdictsOfTheFirstSetFollowFromItsTables) {

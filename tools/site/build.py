@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Builds the documentation site: build.py FOLDER [--program PATH]
+"""Builds the documentation site: build.py FOLDER [--program PATH] [--live PAGE]
 
 Gathers the pages in a temporary folder (docs/, the pages at the root of the project, and reference pages made from the
 sources), and calls mkdocs. With --program, the gallery holds report pages that the program makes from short runs.
@@ -62,11 +62,11 @@ def make_reports(program: pathlib.Path, folder: pathlib.Path) -> None:
             shutil.copy(pathlib.Path(work) / name / "report.html", folder / f"{name}.html")
 
 
-def gallery_text(program: pathlib.Path | None) -> str:
+def gallery_text(program: pathlib.Path | None, live: pathlib.Path | None) -> str:
     """What the site adds to docs/gallery.md."""
+    parts = ['## The live page\n\n<p><a href="live/index.html">Simulate a cell in this browser</a></p>\n'] if live else []
     if program is None:
-        return "This site was built without the program, so it holds no report pages."
-    parts = []
+        return "\n".join([*parts, "This site was built without the program, so it holds no report pages."])
     for name, title, commands in reports:
         lines = "\n".join("matrigrate " + " ".join(f'"{word}"' if " " in word else word for word in command)
                           for command in commands)
@@ -80,6 +80,7 @@ def main() -> None:
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("folder", type=pathlib.Path, help="where the site goes; an older site there is replaced")
     options.add_argument("--program", type=pathlib.Path, help="matrigrate, for the report pages of the gallery")
+    options.add_argument("--live", type=pathlib.Path, help="the live page that web/build.sh has made, which the site then holds")
     given = options.parse_args()
     if importlib.util.find_spec("mkdocs") is None or not katex.is_dir():
         print("not here: mkdocs, mkdocs-material or katex; tools/site.sh installs them")
@@ -95,10 +96,13 @@ def main() -> None:
         docs = pathlib.Path(temporary) / "docs"
         texts = gather.pages(root)
         texts |= reference.python_pages(root) | reference.cpp_pages(root)
-        texts["gallery.md"] = texts["gallery.md"].replace("<!-- reports -->", gallery_text(given.program))
+        texts["gallery.md"] = texts["gallery.md"].replace("<!-- reports -->", gallery_text(given.program, given.live))
         files = gather.with_links_of_the_site(texts, root)
         if given.program:
             make_reports(given.program.resolve(), docs / "reports")
+        if given.live:
+            (docs / "live").mkdir(parents=True, exist_ok=True)
+            shutil.copy(given.live, docs / "live" / "index.html")
         for name, content in texts.items():
             (docs / name).parent.mkdir(parents=True, exist_ok=True)
             (docs / name).write_text(content, encoding="utf-8")

@@ -8,7 +8,7 @@ import reference
 
 at_the_root = {"MODEL.md": "model.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md",
                "README.md": "readme.md", "examples/README.md": "examples.md", "viewer/README.md": "viewer.md",
-               "web/README.md": "web.md"}
+               "web/README.md": "web.md", "SECURITY.md": "security.md"}
 _commands = ("matrigrate", "cmake", "ctest", "apt-get", "export", "npm", "program=", "GLIBC", "./", "python3", "tools/",
              "build/")
 _shown = {".cpp": "cpp", ".hpp": "cpp", ".toml": "toml", ".py": "python", ".sh": "sh", ".ts": "ts", ".cmake": "cmake",

@@ -35,12 +35,12 @@ Finding x3(const Evidence& e) {
 }
 
 Finding x4(const Evidence& e) {
-  // A width stands for four points: no degradation, with a nucleus and none, with degradation, with a nucleus and it.
-  constexpr std::size_t at_5_2_um = 4, at_17_2_um = 16; // 5.2 um is half of the nucleus's diameter
-  const Group narrow{"channel-width", at_5_2_um};
-  const Group nucleus_narrow{"channel-width", at_5_2_um + 1};
-  const Group nucleus_wide{"channel-width", at_17_2_um + 1};
-  const Group nucleus_narrow_degrading{"channel-width", at_5_2_um + 3};
+  // Five widths without degradation, five with a nucleus, and both with degradation; 5.2 um is half of the nucleus's
+  // diameter.
+  const Group narrow{"channel-width", 1};
+  const Group nucleus_narrow{"channel-width", 6};
+  const Group nucleus_wide{"channel-width", 9};
+  const Group nucleus_narrow_degrading{"channel-width", 16};
   return Judge(e)
       .differs(nucleus_wide, nucleus_narrow, v_abs, Sign::down)
       .differs(narrow, nucleus_narrow, v_abs, Sign::down)

@@ -1,0 +1,85 @@
+"""The lesson sheet: its links hold the presets that it names, and its numbers are those of docs/validation.md: test_lesson.py"""
+import base64
+import json
+import pathlib
+import re
+import unittest
+
+source = pathlib.Path(__file__).resolve().parents[2]
+page = (source / "docs/lesson.md").read_text(encoding="utf-8")
+validation = (source / "docs/validation.md").read_text(encoding="utf-8")
+questions = re.split(r"^## (?=\d\. )", page, flags=re.MULTILINE)[1:]
+
+# The words of the sheet, and what stands in the tables of validation.md.
+read_outs = {"speed from start to end, um/h": "v_migr_abs, um/h", "speed along the path, every 60 s, um/h": "v_migr_path, 60 s, um/h",
+             "how mature protrusions become, 0 to 1": "f_mat", "lifetime of a protrusion, min": "tau_prot, min",
+             "protrusions in six hours": "n_protrusions", "slope of the mean square displacement": "slope of the MSD"}
+tables = {"1": "A1 to A7", "2": "D: protrusions", "3": "A8:"}
+
+
+def settings_of(link: str) -> dict[str, str]:
+    return json.loads(base64.urlsafe_b64decode(link + "=" * (-len(link) % 4)))["set"]
+
+
+def rows_of(text: str) -> dict[str, list[str]]:
+    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("| ")]
+    return {row[0]: row[1:] for row in cells}
+
+
+def results(start: str) -> dict[str, list[str]]:
+    """The table of results whose title begins so."""
+    found = re.search(rf"^\*\*{re.escape(start)}.*?\n\n(.*?)\n\n", validation, re.MULTILINE | re.DOTALL)
+    return rows_of(found[1])
+
+
+class Lesson(unittest.TestCase):
+    def test_links_hold_the_presets_that_are_named(self):
+        cpp = (source / "src/parameters/presets.cpp").read_text(encoding="utf-8")
+        fibres = re.findall(r'"([^"]+)"', re.search(r"uniaxial\{(.*?)\};", cpp, re.DOTALL)[1])
+        self.assertEqual(len(questions), 5)
+        for question in questions:
+            name = re.search(r"\(`([\w-]+)`\)", question)[1]
+            entry = re.search(rf'{{"{name}",\s*"[^"]*",\s*(\{{.*?\}}|kept\([^)]*\))\}}', cpp, re.DOTALL)[1]
+            wanted = dict(one.split("=", 1) for one in re.findall(r'"([^"]+)"', entry) + (fibres if "uniaxial" in entry else []))
+            if kept := re.match(r"kept\((\d)", entry):
+                wanted |= {"protrusion.number": kept[1], "adhesion.rupture": "true"}
+            link, = re.findall(r"^#scenario=([\w-]+)$", question, re.MULTILINE)
+            self.assertEqual(settings_of(link), wanted | {"run.integrator": "adaptive", "run.seed": "1"}, name)
+
+    def test_presets_and_sliders_have_these_names(self):
+        cpp = (source / "src/parameters/presets.cpp").read_text(encoding="utf-8")
+        for name in re.findall(r"`([a-z]+-[a-z-]+|soft|baseline)`", page):
+            self.assertIn(f'"{name}"', cpp)
+        controls = (source / "viewer/src/live/controls.ts").read_text(encoding="utf-8")
+        for name in re.findall(r'\*\*Change\*\* "([^"]+)"', page):
+            self.assertIn(f'name: "{name}"', controls)
+
+    def test_numbers_of_the_tables_are_those_of_the_results(self):
+        compared = 0
+        for question in questions:
+            if question[0] in tables:
+                known = results(tables[question[0]])
+                for row, cells in rows_of(question).items():
+                    if row:
+                        self.assertEqual(cells, known[read_outs[row]], row)
+                        compared += len(cells)
+        self.assertEqual(compared, 42)
+
+    def test_other_numbers_are_those_of_the_results(self):
+        with_fibres, without = results("E: protrusions")["v_migr_abs, um/h"], results("D: protrusions")["v_migr_abs, um/h"]
+        self.assertEqual(rows_of(questions[3])["speed from start to end, um/h"], [without[1], with_fibres[1]])
+        self.assertIn(f"gave**: {results('A1 to A7')['v_migr_abs, um/h'][2]} um/h", questions[4])
+        claims = {row: " ".join(cells) for row, cells in rows_of(validation).items() if re.fullmatch(r"[A-F]\d", row)}
+        shares = [float(re.search(rf"{name} ([\d.]+)", claims["E5"])[1]) for name in ("share_ruptured_along", "share_ruptured_across")]
+        self.assertIn("of the protrusions along them {:.0f} % tear off, of those across {:.0f} %".format(*(100 * share for share in shares)), questions[3])
+        maturation = [re.search(rf"f_mat_{way} ([\d.]+)", claims["E5"])[1] for way in ("along", "across")]
+        self.assertIn("maturation is {} along the fibres and {} across them".format(*maturation), questions[3])
+        angles = re.search(r"path_angle ([\d.]+) \[.*?\), ([\d.]+) \[", claims["E4"]).groups()
+        self.assertIn("\nis {:.0f} degrees and with four {:.0f},".format(*map(float, angles)), questions[3])
+        ends = {stiffness: (low, high) for low, high, stiffness in re.findall(r"\[([\d.]+), ([\d.]+)\] \((\d+) Pa\)", claims["A2"])}
+        for stiffness in ("50", "200", "400"):
+            self.assertIn("{} to {}".format(*ends[stiffness]), questions[4])
+
+
+if __name__ == "__main__":
+    unittest.main()

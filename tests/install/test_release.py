@@ -1,0 +1,78 @@
+"""The steps of tools/release.sh that need no new build, made twice: the same bytes, all files in the checksums: test_release.py BUILD"""
+import hashlib
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+
+source = pathlib.Path(__file__).resolve().parents[2]
+build = pathlib.Path(sys.argv.pop()).resolve()
+if not (source / ".git").exists():
+    print("not here: a release is made of a commit, and this is no clone")
+    sys.exit(77)
+temporary = tempfile.TemporaryDirectory()
+folders = [pathlib.Path(temporary.name) / name for name in ("first", "second")]
+for folder in folders:
+    subprocess.run([source / "tools/release.sh", "--build", build, "--to", folder, "source", "containers", "sbom", "checksums"], check=True)
+first, second = folders
+version = re.search(r'__version__ = "(.*)"', (source / "python/matrigrate/_version.py").read_text())[1]
+commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=source, capture_output=True, text=True, check=True).stdout.strip()
+
+
+class Release(unittest.TestCase):
+    def test_same_bytes(self):
+        names = sorted(path.name for path in first.iterdir())
+        self.assertEqual(names, sorted(path.name for path in second.iterdir()))
+        for name in names:
+            self.assertEqual((first / name).read_bytes(), (second / name).read_bytes(), name)
+
+    def test_archive_builds_without_git_and_npm(self):
+        with tarfile.open(first / f"matrigrate-{version}.tar.gz") as archive:
+            top = f"matrigrate-{version}"
+            self.assertEqual(archive.extractfile(f"{top}/COMMIT").read().decode().strip(), commit)
+            for page in ("run", "study", "verdicts"):
+                self.assertEqual(archive.extractfile(f"{top}/pages/{page}.html").read(), (build / f"viewer/dist/{page}.html").read_bytes())
+            files = {member.name.removeprefix(f"{top}/") for member in archive if member.isfile()}
+            tracked = subprocess.run(["git", "ls-tree", "-r", "--name-only", "-z", "HEAD"], cwd=source, capture_output=True, text=True,
+                                     check=True).stdout.strip("\0").split("\0")
+            self.assertEqual(files - set(tracked), {"COMMIT", "pages/run.html", "pages/study.html", "pages/verdicts.html"})
+            self.assertLessEqual(set(tracked), files)
+            self.assertEqual({(member.uid, member.uname) for member in archive}, {(0, "")})
+
+    def test_every_file_has_its_checksum_and_size(self):
+        sums = dict(reversed(line.split("  ")) for line in (first / "SHA256SUMS").read_text().splitlines())
+        sizes = dict(reversed(match) for match in re.findall(r"^ *(\d+)  (\S+)$", (first / "CONTENTS").read_text(), re.MULTILINE))
+        files = {path.name for path in first.iterdir()}
+        self.assertEqual(files, sums.keys() | {"SHA256SUMS"})
+        self.assertEqual(files, sizes.keys() | {"SHA256SUMS", "CONTENTS"})
+        for name, digest in sums.items():
+            self.assertEqual(hashlib.sha256((first / name).read_bytes()).hexdigest(), digest, name)
+        for name, size in sizes.items():
+            self.assertEqual((first / name).stat().st_size, int(size), name)
+
+    def test_parts_are_those_that_the_program_names(self):
+        parts = json.loads((first / f"matrigrate-{version}.spdx.json").read_text())
+        known = {package["SPDXID"]: package for package in parts["packages"]}
+        linked = {known[one["relatedSpdxElement"]]["name"] for one in parts["relationships"] if one["relationshipType"] == "DYNAMIC_LINK"}
+        needed = subprocess.run(["objdump", "-p", build / "bin/matrigrate"], capture_output=True, text=True, check=True).stdout
+        for word in ("hdf5", "fmt", "tbb", "muparser", "png", "tiff"):
+            self.assertEqual(any(word in name for name in linked), bool(re.search(rf"NEEDED.*{word}", needed)), word)
+        self.assertGreater(len(linked), 8)
+        for one in parts["relationships"]:
+            self.assertLessEqual({one["spdxElementId"], one["relatedSpdxElement"]}, known.keys() | {"SPDXRef-DOCUMENT"})
+        plotly = json.loads((source / "viewer/package.json").read_text())["devDependencies"]["plotly.js-cartesian-dist-min"]
+        contained = [known[one["relatedSpdxElement"]]["versionInfo"] for one in parts["relationships"] if one["relationshipType"] == "CONTAINS"]
+        self.assertEqual(contained, [plotly])
+
+    def test_unknown_steps_are_refused(self):
+        done = subprocess.run([source / "tools/release.sh", "--to", first / "no", "sbmo"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, (first / "no").exists()), (1, False))
+        self.assertIn("no such step: sbmo", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
