@@ -57,6 +57,7 @@ int run_program(int argc, char** argv) {
   add_explain(app, chosen);
   add_run(app, chosen, {argv, argv + argc});
   add_resume(app, chosen, {argv, argv + argc});
+  add_sample(app, chosen, {argv, argv + argc});
   add_demo(app, chosen, {argv, argv + argc});
   add_report(app, chosen);
   add_open(app, chosen);

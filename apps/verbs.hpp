@@ -47,6 +47,7 @@ void add_list(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_explain(CLI::App& app, Action& chosen);
 void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
+void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_demo(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_diff(CLI::App& app, Action& chosen);

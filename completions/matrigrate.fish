@@ -6,7 +6,7 @@ function __matrigrate_at
   set -l verbs
   for word in (commandline -opc)[2..]
     switch (string join -- _ matrigrate $verbs $word)
-      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_demo matrigrate_report matrigrate_open matrigrate_diff matrigrate_export matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
+      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_sample matrigrate_demo matrigrate_report matrigrate_open matrigrate_diff matrigrate_export matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
         set -a verbs $word
     end
   end
@@ -21,6 +21,7 @@ complete -c matrigrate -n '__matrigrate_at' -a check -d 'Validate scenarios and 
 complete -c matrigrate -n '__matrigrate_at' -a explain -d 'What a scenario means and needs, before anything is computed'
 complete -c matrigrate -n '__matrigrate_at' -a run -d 'Simulate a cell, or several; write tracks, protrusions, read-outs and pictures'
 complete -c matrigrate -n '__matrigrate_at' -a resume -d 'Go on with a run from its last checkpoint, or branch off from it'
+complete -c matrigrate -n '__matrigrate_at' -a sample -d 'Simulate once with given parameters; print the read-outs as JSON'
 complete -c matrigrate -n '__matrigrate_at' -a demo -d 'Simulate a cell for three hours, in about 20 s, and open its page'
 complete -c matrigrate -n '__matrigrate_at' -a report -d 'Make report.html of a run or a study anew, from its files'
 complete -c matrigrate -n '__matrigrate_at' -a open -d 'Open the page of a run, a study or `reproduce` in the browser'
@@ -79,6 +80,14 @@ complete -c matrigrate -n '__matrigrate_at resume' -l wall-time -x -d 'Stop with
 complete -c matrigrate -n '__matrigrate_at resume' -l previous -d 'Go on, or branch, from checkpoint_prev.h5'
 complete -c matrigrate -n '__matrigrate_at resume' -l json -d 'Print the outcome as one JSON object'
 complete -c matrigrate -n '__matrigrate_at resume' -l quiet -d 'Show no progress; print only where the report is'
+
+complete -c matrigrate -n '__matrigrate_at sample' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What they change: see `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change this scenario file instead'
+complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs to tell the distance from'
+complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
+complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours: run.duration'
+complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
 
 complete -c matrigrate -n '__matrigrate_at demo' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: matrigrate-demo, or -2, -3, ...)'

@@ -50,6 +50,7 @@ pybind11-dev: the compiled module of the Python package
 python3-dev: the same
 python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
+python3-sklearn: emulators in the tests of calibration
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
 dpkg-dev: makes the Debian package in its test
 file: tells programs from scripts while that is made

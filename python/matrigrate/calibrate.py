@@ -4,7 +4,8 @@
 
     cells = tracks.read("spots.csv", pixel=0.65, interval=120)
     study = matrigrate.load_study("design-study")         # a Latin hypercube: its ranges are the prior
-    print(calibrate.by_tracks(study, cells, ["speed_um_per_h", "straightness"]))
+    fit = calibrate.fit(study, cells, ["speed_um_per_h", "straightness"])
+    fit.write("fit")                                      # fit/report.html, and tables
 """
 from __future__ import annotations
 
@@ -16,13 +17,15 @@ import numpy as np
 
 from . import tracks as _tracks
 from ._files import _pandas
+from ._fit import Emulators, Fit, emulate, fit
+from ._measurement import differences, measurement, simulated
 from .errors import ConfigurationError
 from .studies import Study
 
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Posterior", "by_tracks", "weigh"]
+__all__ = ["Emulators", "Fit", "Posterior", "by_tracks", "emulate", "fit", "weigh"]
 
 _least_sample = 20.0
 _told = 0.8
@@ -103,31 +106,18 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
 
 
 def by_tracks(study: Study, measured: _tracks.Tracks, readouts: Sequence[str], *, error: float = 0.0) -> Posterior:
-    """Posterior of the parameters of a study, given measured tracks. A point is its finished runs: more replicates make it
-    scatter less.
+    """What measured tracks say of the parameters of a study, by ``weigh``: without an emulator, and so with wider intervals
+    than those of ``fit``.
 
     :param study: a Latin hypercube over the prior, whose runs are as long as the tracks
     :param readouts: those of tracks to compare, such as ``["speed_um_per_h", "straightness"]``
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     """
-    of_cells = measured.readouts()
-    unknown = [name for name in readouts if name not in of_cells.index]
-    if unknown:
-        raise ConfigurationError(f"there is no read-out {', '.join(unknown)}; there are {', '.join(of_cells.index)}")
-    done = study.results[study.results["status"] == "done"]
-    rows, points = [], []
-    for _, runs in done.groupby("label", sort=False):
-        cells = {}
-        for name in runs["run"]:
-            one = _tracks.of(study.runs[name], measured.interval)
-            cells |= {f"{name}/{track}": positions for track, positions in one.items()}
-        simulated = _tracks.Tracks(cells, measured.interval, [])
-        if error > 0:
-            simulated = simulated.with_error(error, seed=len(rows) + 1)
-        rows.append(simulated.readouts(resamples=0)["value"])
-        points.append(runs[study.parameters].iloc[0])
-    frame = _pandas().DataFrame
-    return weigh(frame(points).reset_index(drop=True), frame(rows).reset_index(drop=True), of_cells.loc[list(readouts)])
+    wanted = measurement(measured, readouts)
+    points = simulated(study, readouts, measured.interval, error)
+    posterior = weigh(points.parameters, points.values, wanted.table)
+    posterior.notes[:0] = [*points.notes, *differences(points, wanted)]
+    return posterior
 
 
 def _quantiles(values: Any, weights: Any) -> tuple[float, float, float]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import os
 from collections import Counter, defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -117,25 +117,35 @@ class Tracks(Mapping[str, Any]):
         """
         if error < 0 or not math.isfinite(error):
             raise ConfigurationError(f"error: {error:g} um is no localisation error")
-        tracks = list((self if interval is None else self.every(interval)).values())
-        step = self.interval if interval is None else interval
-        parts = _motility.Parts(tracks, step)
+        parts = _motility.Parts(list((self if interval is None else self.every(interval)).values()), interval or self.interval)
         values = parts.readouts(error=error)
         errors = dict.fromkeys(values, float("nan"))
-        if len(tracks) > 1 and resamples > 1:
-            random = np.random.default_rng(1)
-            drawn = [parts.readouts(random.integers(len(tracks), size=len(tracks)), error) for _ in range(resamples)]
-            for name in values:
-                known = [one[name] for one in drawn if math.isfinite(one[name])]
-                if math.isfinite(values[name]) and len(known) >= 0.9 * resamples:
-                    errors[name] = float(np.std(known, ddof=1))
+        drawn = _resampled(parts, error, resamples)
+        for name in values:
+            known = [one[name] for one in drawn if math.isfinite(one[name])]
+            if math.isfinite(values[name]) and len(known) > 1 and len(known) >= 0.9 * resamples:
+                errors[name] = float(np.std(known, ddof=1))
         return _pandas().DataFrame({"value": values, "standard_error": errors,
                                     "unit": {name: unit_of(name) for name in values}, "meaning": _motility.meanings})
+
+    def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
+        """Of the errors of these read-outs, by the bootstrap of ``readouts()``."""
+        drawn = _resampled(_motility.Parts(list(self.values()), self.interval), 0.0, 200)
+        table = np.array([[one[name] for name in readouts] for one in drawn])
+        return np.atleast_2d(np.cov(table[np.isfinite(table).all(axis=1)].T))
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
         square = _motility.Parts(list(self.values()), self.interval).msd()
         return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
+
+
+def _resampled(parts: _motility.Parts, error: float, resamples: int) -> list[dict[str, float]]:
+    """Read-outs of sets of tracks drawn with replacement: always the same ones; none of a single track."""
+    n, random = len(parts.lengths), np.random.default_rng(1)
+    if n < 2 or resamples < 2:
+        return []
+    return [parts.readouts(random.integers(n, size=n), error) for _ in range(resamples)]
 
 
 def read(file: str | os.PathLike[str], *, pixel: float | None = None, interval: float | None = None, shortest: int = 4,

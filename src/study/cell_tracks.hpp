@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
-/// The paths of the cells of a run. Test: tests/unit/study/table_readouts_test.cpp
+/// The paths of the cells of a run, and those of measured cells. Test: tests/unit/study/table_readouts_test.cpp,
+/// tests/unit/study/targets_test.cpp
 namespace matrigrate::study {
 
 /// The rows of tracks.csv that belong to one cell, in the order of time.
@@ -18,5 +21,17 @@ struct CellTrack {
 /// @return  a track for each cell, in the order in which they first occur
 /// @throws InputOutputError if tracks.csv cannot be read, or has no times or places
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder);
+
+/// Tracks of a CSV file with the columns track, t_s, x_um and y_um; others are passed over. A track has any name, and
+/// its rows are together or not, in the order of time, at one interval. Times count from the start of each track.
+/// @throws InputOutputError if the file cannot be read
+/// @throws ConfigurationError with all faults, each with its line
+std::vector<CellTrack> measured_tracks(const std::filesystem::path& file);
+
+/// Read-outs of a run that its path alone defines: those that measured tracks have too.
+const std::vector<std::string>& readouts_of_tracks();
+
+/// One of them, as of a run with this path; NaN where it is not defined.
+double readout_of(const CellTrack& track, std::string_view readout);
 
 } // namespace matrigrate::study

@@ -5,6 +5,7 @@
 #include "study/settings.hpp"
 #include "study/study.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,15 @@ std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionD
 void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, FaultList& faults);
 
 /// [[targets]]: `readout`, `value` or a range of `low` and `high`, `error`, and, if wanted, `weight` and `at`, the
-/// label of a condition or a list of them.
-std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions, FaultList& faults);
+/// label of a condition or a list of them. `tracks`, a file of measured tracks, stands for value and error: the mean of
+/// the read-out over its tracks, and the standard error of this mean.
+/// @param folder  that names of files count from
+std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions,
+                                 const std::filesystem::path& folder, FaultList& faults);
+
+/// The [[targets]] of a TOML file, whatever else it holds; at no condition.
+/// @throws InputOutputError if a file cannot be read
+/// @throws ConfigurationError with all faults; also if there is no target
+std::vector<Target> read_target_file(const std::filesystem::path& file);
 
 } // namespace matrigrate::study

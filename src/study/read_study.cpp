@@ -243,7 +243,7 @@ private:
 
   void read_targets_and_steps() {
     if (const auto* tables = list("targets", "a readout, its value and error"))
-      m_study.targets = read_targets(*tables, m_study.conditions, m_faults);
+      m_study.targets = read_targets(*tables, m_study.conditions, m_folder, m_faults);
     if (const auto* tables = list("steps", "its factor")) {
       std::vector<Step> steps = read_steps(*tables, m_study.sets, m_faults);
       std::ranges::move(steps, std::back_inserter(m_study.steps));

@@ -81,6 +81,13 @@ double summary_readout(const json& summary, const char* name) {
   return statistics::mean_of_defined(values);
 }
 
+/// Read-outs of groups only where a point has several cells.
+std::size_t columns_of(const Study& study) {
+  return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_table().size());
+}
+
+} // namespace
+
 std::vector<double> readouts_of(const std::filesystem::path& folder) {
   const json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
   if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
@@ -90,13 +97,6 @@ std::vector<double> readouts_of(const std::filesystem::path& folder) {
   values.insert(values.end(), more.begin(), more.end());
   return values;
 }
-
-/// Read-outs of groups only where a point has several cells.
-std::size_t columns_of(const Study& study) {
-  return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_table().size());
-}
-
-} // namespace
 
 std::string_view to_string(RunState state) {
   switch (state) {

@@ -52,6 +52,10 @@ struct Result {
   std::vector<double> readouts; ///< in the order of all_readouts(); NaN where not defined or the run is not done
 };
 
+/// The read-outs in the folder of a run that is done, in the order of all_readouts(); NaN where not defined.
+/// @throws InputOutputError if a table cannot be read
+std::vector<double> readouts_of(const std::filesystem::path& run_folder);
+
 /// All runs, point by point.
 /// @throws InputOutputError if a table of a run that is done cannot be read
 std::vector<Result> results(const Study& study, const std::vector<Run>& runs,

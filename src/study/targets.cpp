@@ -1,12 +1,16 @@
+#include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
 #include "parameters/scan.hpp"
+#include "statistics/sample.hpp"
+#include "study/cell_tracks.hpp"
 #include "study/conditions.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace matrigrate::study {
@@ -14,14 +18,14 @@ namespace matrigrate::study {
 namespace {
 
 const std::vector<std::string>& target_keys() {
-  static const std::vector<std::string> keys{"readout", "value", "low", "high", "error", "weight", "at"};
+  static const std::vector<std::string> keys{"readout", "value", "low", "high", "error", "weight", "at", "tracks"};
   return keys;
 }
 
 class TargetReader {
 public:
-  TargetReader(const std::vector<Condition>& conditions, FaultList& faults)
-      : m_faults(faults), m_readouts(all_readouts()) {
+  TargetReader(const std::vector<Condition>& conditions, std::filesystem::path folder, FaultList& faults)
+      : m_faults(faults), m_folder(std::move(folder)), m_readouts(all_readouts()) {
     for (const Condition& c : conditions) m_labels.push_back(c.label);
   }
 
@@ -30,10 +34,10 @@ public:
     Target target;
     if (const auto* node = m_faults.wanted(table, "targets", "readout", "; write readout = \"v_migr_abs_um_per_h\""))
       target.readout = readout(*node);
-    read_range(table, target);
-    if (const auto* node =
-            m_faults.wanted(table, "targets", "error", "; write error = 1.0, the standard error of what was measured"))
-      target.error = positive(*node, "targets.error");
+    if (const auto* node = table.get("tracks"))
+      read_tracks(*node, table, target);
+    else
+      read_value(table, target);
     if (const auto* node = table.get("weight")) target.weight = positive(*node, "targets.weight");
     if (const auto* node = table.get("at")) target.at = conditions(*node);
     check_twins(target, place_of(table));
@@ -45,6 +49,45 @@ private:
     const auto* typed = node.as_string();
     const std::size_t found = m_faults.choice(node, "targets.readout", m_readouts);
     return typed != nullptr && typed->get() == m_readouts[found] ? typed->get() : std::string();
+  }
+
+  void read_value(const toml::table& table, Target& target) {
+    read_range(table, target);
+    if (const auto* node =
+            m_faults.wanted(table, "targets", "error", "; write error = 1.0, the standard error of what was measured"))
+      target.error = positive(*node, "targets.error");
+  }
+
+  /// Mean and standard error over measured tracks.
+  void read_tracks(const toml::node& node, const toml::table& table, Target& target) {
+    for (const char* key : {"value", "low", "high", "error"})
+      if (const auto* other = table.get(key))
+        m_faults.add(place_of(*other), fmt::format("targets.{}", key), "stands beside tracks, which tell it");
+    const std::string name = m_faults.text(node, "targets.tracks");
+    if (name.empty() || target.readout.empty()) return;
+    if (std::ranges::find(readouts_of_tracks(), target.readout) == readouts_of_tracks().end())
+      return m_faults.add(
+          place_of(node), "targets.tracks",
+          fmt::format("tell no {}; they tell {}", target.readout, fmt::join(readouts_of_tracks(), ", ")));
+    std::vector<double> values;
+    try {
+      for (const CellTrack& track : measured_tracks(m_folder / name))
+        values.push_back(readout_of(track, target.readout));
+    } catch (const ConfigurationError& error) {
+      return m_faults.add(error.faults());
+    } catch (const InputOutputError& error) {
+      return m_faults.add(place_of(node), "targets.tracks", error.what());
+    }
+    const statistics::Moments m = statistics::moments(statistics::finite(values));
+    target.low = target.high = m.mean;
+    target.error = m.sd / std::sqrt(static_cast<double>(m.n));
+    if (m.n < 2)
+      m_faults.add(place_of(node), "targets.tracks",
+                   fmt::format("{} of {} tracks of \"{}\" have a {}: it may need longer tracks or a shorter interval",
+                               m.n, values.size(), excerpt(name), target.readout));
+    else if (!(target.error > 1e-9 * std::abs(m.mean))) // rounding is no scatter
+      m_faults.add(place_of(node), "targets.tracks",
+                   fmt::format("all tracks of \"{}\" have the same {}", excerpt(name), target.readout));
   }
 
   void read_range(const toml::table& table, Target& target) {
@@ -127,6 +170,7 @@ private:
   }
 
   FaultList& m_faults;
+  std::filesystem::path m_folder;
   std::vector<std::string> m_readouts;
   std::vector<std::string> m_labels;
   std::set<std::pair<std::string, std::size_t>> m_seen;
@@ -134,15 +178,31 @@ private:
 
 } // namespace
 
-std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions, FaultList& faults) {
+std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions,
+                                 const std::filesystem::path& folder, FaultList& faults) {
   std::vector<Target> all;
-  TargetReader reader(conditions, faults);
+  TargetReader reader(conditions, folder, faults);
   for (const toml::node& node : list) {
     if (const toml::table* table = node.as_table())
       all.push_back(reader.read(*table));
     else
       faults.add(place_of(node), "targets", fmt::format("is {}, but a table is expected", type_of(node)));
   }
+  return all;
+}
+
+std::vector<Target> read_target_file(const std::filesystem::path& file) {
+  constexpr std::size_t largest_file = std::size_t{1} << 25;
+  auto document = parse_document(read_document(file, largest_file), file.string());
+  if (auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({std::move(*fault)});
+  FaultList faults(file.string());
+  const toml::node* node = std::get<toml::table>(document).get("targets");
+  std::vector<Target> all;
+  if (node == nullptr || node->as_array() == nullptr || node->as_array()->empty())
+    faults.add({}, "targets", "there are none; write [[targets]], and readout, value and error below");
+  else
+    all = read_targets(*node->as_array(), {}, file.parent_path(), faults);
+  faults.raise();
   return all;
 }
 

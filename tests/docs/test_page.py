@@ -6,6 +6,7 @@
 MATRIGRATE is the program; without it, that of build/release.
 """
 import argparse
+import importlib.util
 import os
 import pathlib
 import sys
@@ -49,6 +50,9 @@ def main() -> int:
     sys.path.insert(0, str(source / "python"))
     bad = False
     for name in options.pages or tested_pages():
+        if "python3-sklearn" in (source / name).read_text(encoding="utf-8") and not importlib.util.find_spec("sklearn"):
+            print(f"{name}: needs scikit-learn, which is not here")
+            return 77
         page = ran(source / name)
         for line in page.skipped:
             print("left out:", line)

@@ -80,7 +80,7 @@ class OfAStudy(unittest.TestCase):
 
     def test_unknown_readouts_and_small_studies(self):
         cells = tracks.of(self.study)
-        with self.assertRaisesRegex(matrigrate.ConfigurationError, "there is no read-out sped; there are speed_um_per_h"):
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "sped: has no measured value; tracks have speed_um_per_h"):
             calibrate.by_tracks(self.study, cells, ["sped"])
         with self.assertRaisesRegex(matrigrate.ConfigurationError, "2 simulations have all read-outs; 40 are needed"):
             calibrate.by_tracks(self.study, cells, ["speed_um_per_h"])

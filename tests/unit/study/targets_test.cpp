@@ -1,8 +1,14 @@
 #include "study/conditions.hpp"
 
+#include "base/file.hpp"
 #include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
 
 namespace matrigrate::study {
 namespace {
@@ -127,6 +133,97 @@ TEST(Targets, EachFault) {
                 .size(),
             6U)
       << "all at once";
+}
+
+/// A file of tracks, and a study with it as a target.
+class MeasuredTracks : public testing::Test {
+protected:
+  void SetUp() override {
+    folder = std::filesystem::temp_directory_path() / ("matrigrate-measured-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  Study study_of(const std::string& tracks, const std::string& target) const {
+    write_file(folder / "c.csv", tracks);
+    return parse_study("preset = \"baseline\"\nreplicates = 3\n[[points]]\nlabel = \"a\"\n[[targets]]\n" + target,
+                       "f.toml", folder);
+  }
+
+  std::string faults(const std::string& tracks, const std::string& target = speed + file) const {
+    try {
+      study_of(tracks, target);
+    } catch (const ConfigurationError& error) {
+      std::string text = error.what();
+      for (std::size_t at = 0; (at = text.find(folder.string() + "/")) != std::string::npos;)
+        text.erase(at, folder.string().size() + 1);
+      return text;
+    }
+    return "none";
+  }
+
+  inline static const std::string speed = "readout = \"v_migr_path_600s_um_per_h\"\n";
+  inline static const std::string file = "tracks = \"c.csv\"\n";
+  inline static const std::string head = "track,t_s,x_um,y_um\n";
+  std::filesystem::path folder;
+};
+
+TEST_F(MeasuredTracks, AreMeanAndStandardErrorOverTracks) {
+  // 5 um and 15 um in 10 minutes: 30 and 90 um/h; the second track begins late, and rows are mixed.
+  const Study s = study_of(head + "a,0,0,0\nb,1200,1,1\na,600,3,4\nb,1800,10,13\n", speed + file + "weight = 2\n");
+  ASSERT_EQ(s.targets.size(), 1U);
+  EXPECT_DOUBLE_EQ(s.targets[0].low, 60.0);
+  EXPECT_EQ(s.targets[0].low, s.targets[0].high);
+  EXPECT_DOUBLE_EQ(s.targets[0].error, 30.0);
+  EXPECT_EQ(s.targets[0].weight, 2.0);
+  EXPECT_NE(to_toml(s, "x.toml").find("value = 60\nerror = 30"), std::string::npos) << "no file is needed any more";
+  // Columns in any order, further ones, ends of lines of other systems.
+  EXPECT_EQ(study_of("y_um,q,x_um,t_s,track\r\n0,,0,0,1\r\n4,,3,600,1\r\n0,,0,0,2\r\n12,,9,600,2\r\n", speed + file)
+                .targets[0]
+                .low,
+            60.0);
+}
+
+TEST_F(MeasuredTracks, OfAnyReadoutOfAPath) {
+  std::string tracks = head;
+  for (const int cell : {1, 2})
+    for (int k = 0; k <= 60; ++k)
+      tracks += std::to_string(cell) + "," + std::to_string(60 * k) + "," + std::to_string(cell * k) + ",0\n";
+  const auto value = [&](const std::string& readout) {
+    return study_of(tracks, "readout = \"" + readout + "\"\n" + file).targets[0].low;
+  };
+  for (const std::string name : {"v_migr_abs_um_per_h", "v_migr_path_60s_um_per_h", "v_migr_path_600s_um_per_h"})
+    EXPECT_NEAR(value(name), 90.0, 1e-9) << name;
+  EXPECT_EQ(faults(tracks, "readout = \"msd_slope\"\n" + file).find("f.toml:"), 0U) << "2 of both: the same";
+}
+
+TEST_F(MeasuredTracks, EachFaultHasItsLine) {
+  const std::string good = "1,0,0,0\n1,600,3,4\n2,0,0,0\n2,600,9,12\n";
+  EXPECT_EQ(faults(head + good), "none");
+  EXPECT_EQ(faults("track,t,x_um,y\n1,0,0,0\n").substr(0, 83),
+            "c.csv:1:1: has no column t_s; its columns are track, t, x_um, y. In Python, matrigr");
+  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,nan,4\n1,x,3,4\n"),
+            "c.csv:3:1: x_um: \"nan\" is no finite number\nc.csv:4:1: t_s: \"x\" is no finite number");
+  EXPECT_EQ(faults(head + "1,0,0\n"), "c.csv:2:1: has 3 fields, its header 4");
+  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,3,4\n"), "c.csv: has 1 track; the error of a mean needs 2 or more");
+  EXPECT_EQ(
+      faults(head + good + "2,1800,3,4\n3,0,0,0\n"),
+      "c.csv:6:1: is 1200 s after the row before of its track; the first step is 600 s: one interval without gaps is "
+      "needed\nc.csv:7:1: is the only row of its track");
+  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,3,4\n2,0,0,0\n2,600,3,4\n"),
+            "f.toml:7:10: targets.tracks: all tracks of \"c.csv\" have the same v_migr_path_600s_um_per_h");
+  EXPECT_EQ(
+      faults(head + "1,0,0,0\n1,60,3,4\n2,0,0,0\n2,60,9,12\n"),
+      "f.toml:7:10: targets.tracks: 0 of 2 tracks of \"c.csv\" have a v_migr_path_600s_um_per_h: it may need longer "
+      "tracks or a shorter interval");
+  EXPECT_EQ(faults(head + good, "readout = \"f_mat\"\n" + file),
+            "f.toml:7:10: targets.tracks: tell no f_mat; they tell v_migr_abs_um_per_h, v_migr_path_60s_um_per_h, "
+            "v_migr_path_600s_um_per_h, msd_slope");
+  EXPECT_EQ(faults(head + good, speed + file + "value = 3\nerror = 1\n"),
+            "f.toml:8:9: targets.value: stands beside tracks, which tell it\n"
+            "f.toml:9:9: targets.error: stands beside tracks, which tell it");
+  const std::string missing = faults(head + good, speed + "tracks = \"d.csv\"\n");
+  EXPECT_EQ(missing.find("f.toml:7:10: targets.tracks: d.csv: "), 0U) << missing;
 }
 
 } // namespace

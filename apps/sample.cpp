@@ -1,0 +1,181 @@
+#include "apps/export/tools.hpp"
+#include "apps/parameter_options.hpp"
+#include "apps/run_output.hpp"
+#include "apps/terminal/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/presets.hpp"
+#include "parameters/read.hpp"
+#include "simulation/start.hpp"
+#include "simulation/start_rules.hpp"
+#include "study/conditions.hpp"
+#include "study/discrepancy.hpp"
+#include "study/results.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+namespace matrigrate::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view target_word = "target=";
+
+struct SampleArguments {
+  std::vector<std::string> words;
+  std::string preset = "baseline";
+  std::string scenario;
+  std::string targets;
+  ParameterOptions parameters;
+  std::vector<std::string> command_line;
+};
+
+/// What is to be simulated, and where the JSON goes.
+struct Request {
+  Parameters p;
+  std::vector<study::Target> targets;
+  std::filesystem::path file; ///< empty: the standard output
+};
+
+/// Adds the faults of a step of reading to those of the others.
+template <class Step>
+void collect(std::vector<Fault>& faults, const Step& step) {
+  try {
+    step();
+  } catch (const ConfigurationError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+  }
+}
+
+/// A seed that no other sample has; that of the scenario would give each the same random numbers.
+std::uint64_t new_seed() {
+  std::random_device device;
+  return ((std::uint64_t{device()} << 32U) | device()) >> 11U;
+}
+
+Parameters read_values(const SampleArguments& options) {
+  ParameterOptions values = options.parameters;
+  const auto is_seed = [](const std::string& text) { return text.starts_with("run.seed="); };
+  if (!values.seed && std::ranges::none_of(values.overrides, is_seed)) values.seed = new_seed();
+  try {
+    if (!options.scenario.empty()) return read_parameters(options.scenario, all_overrides(values), start_rules());
+    const Preset* preset = find_preset(options.preset);
+    if (preset == nullptr)
+      throw UsageError(fmt::format("there is no preset \"{}\"; `matrigrate list` names them", options.preset));
+    return apply_overrides(parameters_of(*preset), all_overrides(values), start_rules());
+  } catch (const ConfigurationError& error) {
+    std::vector<Fault> faults = naming_options(error, values).faults();
+    for (Fault& fault : faults)
+      if (fault.file == "--set") fault.file.clear();
+    throw ConfigurationError(std::move(faults));
+  }
+}
+
+Request request_of(SampleArguments options) {
+  Request request;
+  for (std::string word : options.words) {
+    word.erase(word.find_last_not_of(' ') + 1); // pyABC's external models put a blank behind each value
+    if (word.starts_with(target_word))
+      request.file = word.substr(target_word.size());
+    else
+      options.parameters.overrides.push_back(std::move(word));
+  }
+  std::error_code none;
+  if (!request.file.empty() && std::filesystem::exists(request.file)
+      && std::filesystem::file_size(request.file, none) != 0)
+    throw InputOutputError(fmt::format("{}: holds something already", request.file.string()));
+  std::vector<Fault> faults;
+  collect(faults, [&] { request.p = read_values(options); });
+  if (!options.targets.empty()) collect(faults, [&] { request.targets = study::read_target_file(options.targets); });
+  if (!faults.empty()) throw ConfigurationError(std::move(faults));
+  OutputParameters& output = request.p.output; // what is written is removed
+  output.report = output.pictures = false;
+  output.checkpoint_interval = output.field_interval = 0.0;
+  return request;
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// How far the read-outs are from targets, in their errors; the distance is null if one of them is not defined.
+void add_distance(Json& json, const std::vector<study::Target>& targets, const std::vector<double>& readouts) {
+  Json list = Json::array();
+  double squares = 0.0;
+  double weights = 0.0;
+  for (const study::Target& target : targets) {
+    const double value = readouts[study::readout_column(target.readout)];
+    const double z = study::distance(target, value, 0.0);
+    squares += target.weight * z * z;
+    weights += target.weight;
+    list.push_back({{"readout", target.readout},
+                    {"low", target.low},
+                    {"high", target.high},
+                    {"error", target.error},
+                    {"weight", target.weight},
+                    {"z", number_or_null(z)}});
+  }
+  json["targets"] = list;
+  json["distance"] = number_or_null(std::sqrt(squares / weights));
+}
+
+int sample(const SampleArguments& options) {
+  const Request request = request_of(options);
+  const TemporaryFolder folder(std::filesystem::temp_directory_path());
+  RunDisplay display(true);
+  const RunOutcome outcome =
+      run::run({.s = initial_state(request.p), .p = request.p},
+               {.folder = folder.path, .command_line = options.command_line, .page_template = {}}, display);
+  if (outcome.end != RunEnd::completed) {
+    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
+    return run::exit_code(outcome.end);
+  }
+  const std::vector<double> values = study::readouts_of(folder.path);
+  const std::vector<std::string> names = study::all_readouts();
+  Json readouts = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) readouts[names[i]] = number_or_null(values[i]);
+  Json json{{"seed", request.p.run.seed}, {"readouts", readouts}};
+  if (!options.targets.empty()) add_distance(json, request.targets, values);
+  const std::string text = json.dump() + "\n";
+  request.file.empty() ? print(text) : write_file(request.file, text);
+  return done;
+}
+
+} // namespace
+
+void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_line) {
+  CLI::App* verb = app.add_subcommand("sample", "Simulate once with given parameters; print the read-outs as JSON");
+  verb->footer(
+      "For samplers such as pyABC and sbi: matrigrate sample ecm.youngs_modulus=120 protrusion.force=\"0.3 nN\".\n"
+      "A bare number is in the unit of `matrigrate list --parameters`. Prints one line: {seed, readouts: {name: "
+      "number\n"
+      "or null}}, with --targets also {targets: [{readout, low, high, error, weight, z}], distance}: z is the "
+      "distance\n"
+      "from the target in its errors, and distance the root of the weighted mean of z^2, null where a read-out of a\n"
+      "target is not defined. FILE is a study, or any TOML file with its [[targets]].\n"
+      "Works in a temporary folder (TMPDIR) and keeps none of the run's files. Each call draws a new seed, unless\n"
+      "--seed or run.seed is given. The word target=FILE writes the JSON into this new or empty file, as external\n"
+      "models of pyABC want it.\n"
+      "Exit code 3 with all faults of parameters and targets, 4 if the computation fails; then nothing is printed.");
+  const auto options = std::make_shared<SampleArguments>();
+  options->command_line = std::move(command_line);
+  verb->add_option("KEY=VALUE", options->words, "Parameters, over the preset or the scenario");
+  CLI::Option* preset =
+      verb->add_option("--preset", options->preset, "What they change: see `matrigrate list` (default: baseline)");
+  verb->add_option("--scenario", options->scenario, "Change this scenario file instead")->excludes(preset);
+  verb->add_option("--targets", options->targets, "Measured read-outs to tell the distance from");
+  verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
+  verb->add_option("--hours", options->parameters.hours, "Simulated time in hours: run.duration");
+  verb->add_option("--threads", options->parameters.threads, "Threads, 0 for all: run.threads; never changes a result");
+  verb->callback([options, &chosen] { chosen = [options] { return sample(*options); }; });
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,198 @@
+"""Posteriors on emulators against a model whose parameters are known; what is refused, said and written."""
+import math
+import pathlib
+import re
+import sys
+import unittest
+import unittest.mock
+
+import common
+
+common.skip_without("sklearn", "matplotlib")
+
+import matrigrate  # noqa: E402
+import numpy as np  # noqa: E402
+import pandas  # noqa: E402
+from matrigrate import _fit, calibrate, tracks  # noqa: E402
+from matrigrate._measurement import Points  # noqa: E402
+
+cells = 12
+
+
+def simulated(points, random, runs=1):
+    """Speed and ratio tell a and b, with scatter that grows with a; no read-out tells c."""
+    a, b = points["a"].to_numpy(), np.log(points["b"].to_numpy()) / 2
+    scatter = random.normal(0, 1, (2, len(points))) / math.sqrt(runs)
+    return pandas.DataFrame({"speed": 10 * a + 3 * b + (0.5 + 2 * a) * scatter[0], "ratio": b - 0.2 * a + 0.1 * scatter[1]})
+
+
+def drawn(n, random):
+    return pandas.DataFrame({"a": random.uniform(0, 1, n), "b": np.exp(random.uniform(0, 2, n)), "c": random.uniform(0, 1, n)})
+
+
+def measured_at(truth, random):
+    values = simulated(truth, random, cells).iloc[0]
+    return {"speed": (values["speed"], (0.5 + 2 * truth["a"].iloc[0]) / math.sqrt(cells)),
+            "ratio": (values["ratio"], 0.1 / math.sqrt(cells))}
+
+
+def points_of(parameters, values):
+    return Points(parameters, values, np.ones(len(parameters)), 0, [])
+
+
+def emulators(n=100, seed=3):
+    random = np.random.default_rng(seed)
+    parameters = drawn(n, random)
+    return _fit.of_points(points_of(parameters, simulated(parameters, random)))
+
+
+class OfAKnownModel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.emulators = emulators()
+        cls.random = np.random.default_rng(8)
+
+    def test_intervals_contain_the_truth_as_often_as_they_say(self):
+        inside, narrow = np.zeros(3), np.zeros(3)
+        for _ in range(10):
+            truth = drawn(1, self.random)
+            table = self.emulators.fit(measured_at(truth, self.random)).table
+            inside += [table.loc[k, "posterior_5"] <= truth[k].iloc[0] <= table.loc[k, "posterior_95"] for k in "abc"]
+            narrow += table["told"].to_numpy()
+        self.assertGreaterEqual(inside.sum(), 0.7 * 30)
+        self.assertGreaterEqual(min(narrow[:2]), 9, "a and b are told")
+        self.assertEqual(narrow[2], 0, "nothing tells c")
+
+    def test_what_the_data_cannot_tell_is_said(self):
+        fit = self.emulators.fit({"speed": (7.0, 0.5), "ratio": (0.4, 0.03)})
+        said = [note for note in fit.notes if note.startswith("the data cannot tell c: its 90 % interval is ")]
+        self.assertEqual(len(said), 1)
+        self.assertIn("no read-out depends on it", said[0])
+        self.assertGreater(fit.plausible, 0.0)
+        self.assertLess(fit.plausible, 0.3)
+
+    def test_sobol_indices_are_those_of_the_model(self):
+        """Of 10 a + 3 b with a and b uniform: 100 and 9 parts of 109."""
+        rows = self.emulators.sensitivity.set_index(["readout", "parameter"])
+        for parameter, share in (("a", 100 / 109), ("b", 9 / 109), ("c", 0.0)):
+            for kind in ("first", "total"):
+                self.assertAlmostEqual(rows.loc[("speed", parameter), kind], share, delta=0.08)
+                self.assertLessEqual(rows.loc[("speed", parameter), f"{kind}_5"], rows.loc[("speed", parameter), f"{kind}_95"])
+
+    def test_scatter_and_quality_of_emulators(self):
+        speed = self.emulators.processes[0]
+        low, high = speed.scatter(np.array([[0.1, 0.5, 0.5], [0.9, 0.5, 0.5]]))
+        self.assertGreater(high / low, 1.5, "0.7 and 2.3 in the model")
+        for process in self.emulators.processes:
+            self.assertGreater(process.told, 0.6)
+            self.assertGreater(process.coverage, 0.8)
+        self.assertIn("speed: predicts ", repr(self.emulators))
+
+    def test_the_prior_is_read_off_the_points(self):
+        self.assertEqual(self.emulators.prior.is_log, [False, True, False])
+
+    def test_cells_that_no_parameters_give(self):
+        fit = self.emulators.fit({"speed": (60.0, 0.5), "ratio": (0.5, 0.03)})
+        self.assertEqual(fit.plausible, 0.0)
+        self.assertIn("no parameters within the ranges give such cells: speed is off by", "\n".join(fit.notes))
+        wide = self.emulators.fit({"speed": (60.0, 0.5), "ratio": (0.5, 0.03)}, discrepancy={"speed": 100.0})
+        self.assertGreater(wide.plausible, 0.0)
+
+    def test_a_page_that_needs_no_other_file(self):
+        with common.tempfile.TemporaryDirectory() as folder:
+            fit = self.emulators.fit({"speed": (7.0, 0.5), "ratio": (0.4, 0.03)})
+            page = fit.write(pathlib.Path(folder) / "fit")
+            text = page.read_text()
+            self.assertEqual(len(re.findall('src="data:image/png;base64,', text)), 4)
+            self.assertNotIn("http", text)
+            for name in ("posterior", "readouts", "sensitivity", "sample"):
+                self.assertGreater(len(pandas.read_csv(page.parent / f"{name}.csv")), 1)
+            with self.assertRaisesRegex(matrigrate.InputOutputError, "exists already"):
+                fit.write(page.parent)
+
+
+class OfTracks(unittest.TestCase):
+    """Walks of a speed [um/min] and a spread of turning angles [rad]; no track tells the third."""
+
+    @staticmethod
+    def walks(speed, turning, n, random, start=0):
+        angles = np.cumsum(random.normal(0, turning, (n, 40)), axis=1)
+        steps = speed * random.gamma(4, 0.25, (n, 40, 1)) * np.stack([np.cos(angles), np.sin(angles)], axis=2)
+        return tracks.Tracks({str(start + k): np.cumsum(one, axis=0) for k, one in enumerate(steps)}, 60.0, [])
+
+    def test_tracks_tell_what_made_them(self):
+        random = np.random.default_rng(2)
+        parameters = pandas.DataFrame(random.uniform([0.5, 0.1, 0.0], [3.0, 1.0, 1.0], (60, 3)), columns=["speed", "turning", "idle"])
+        seen = [self.walks(row.speed, row.turning, 1, random, k) for k, row in enumerate(parameters.itertuples())]
+        names = ["speed_um_per_h", "turning_cosine"]
+        values = pandas.DataFrame([one.readouts(resamples=0)["value"][names] for one in seen]).reset_index(drop=True)
+        process = _fit.of_points(Points(parameters, values, np.ones(60), 40, [], seen))
+        measured = self.walks(1.4, 0.6, 20, random)
+        fit = process.fit(measured)
+        self.assertEqual(list(fit.table["told"]), [True, True, False])
+        self.assertLess(abs(fit.table.loc["speed", "posterior_50"] - 1.4), 0.2)
+        self.assertLess(abs(fit.table.loc["turning", "posterior_50"] - 0.6), 0.15)
+        self.assertEqual(len(fit.simulated), 20)
+        speeds = [3600 / 60 * tracks._motility._mean(tracks._motility._lengths(one)) for one in fit.simulated.values()]
+        self.assertLess(abs(np.mean(speeds) - 84), 40, "those like the measured ones, of speeds from 30 to 180")
+        with common.tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(fit.write(pathlib.Path(folder) / "fit").read_text().count("<img"), 5)
+        short = tracks.Tracks({name: one[:20] for name, one in measured.items()}, 60.0, [])
+        self.assertIn("measured tracks have 20 positions, simulated ones 40: ratios and slopes depend on it", process.fit(short).notes)
+
+
+class Refused(unittest.TestCase):
+    def refused(self, words, call):
+        with self.assertRaises(matrigrate.ConfigurationError) as caught:
+            call()
+        for one in words:
+            self.assertIn(one, str(caught.exception))
+
+    def test_points_with_all_faults(self):
+        random = np.random.default_rng(1)
+        parameters = drawn(20, random)
+        values = pandas.DataFrame({"same": np.ones(20), "x": np.arange(20.0)})
+        self.refused(["same: is the same in all simulations", "20 points have all read-outs; 30 are needed",
+                      "prior: the study does not vary d", "prior: a: (2, 1) is no range"],
+                     lambda: _fit.of_points(points_of(parameters, values), {"d": (0, 1), "a": (2, 1)}))
+
+    def test_measured_values_with_all_faults(self):
+        process = emulators(40)
+        self.refused(["speed: has no value", "ratio: has no standard error above 0"],
+                     lambda: process.fit({"speed": (math.nan, 1), "ratio": (1, 0)}))
+        self.refused(["ratio: has no measured value"], lambda: process.fit({"speed": (1, 1)}))
+        self.refused(["discrepancy: sped: is no read-out", "discrepancy: ratio: -1 is no standard error"],
+                     lambda: process.fit({"speed": (1, 1), "ratio": (1, 1)}, discrepancy={"sped": 1, "ratio": -1}))
+
+    def test_without_scikit_learn(self):
+        with unittest.mock.patch.dict(sys.modules, {"sklearn": None}), self.assertRaisesRegex(ImportError, "python3-sklearn"):
+            calibrate.emulate(None, ["speed_um_per_h"])
+
+
+class OfAStudy(unittest.TestCase):
+    study = matrigrate.load_study(common.runs / "study")
+
+    def refused(self, words, **arguments):
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, words):
+            calibrate.fit(self.study, **arguments)
+
+    def test_refused(self):
+        self.refused("2 points have all read-outs; 10 are needed", measured={"n_protrusions": (5, 1)})
+        self.refused("there is no read-out l_prot; there are speed_um_per_h", measured={"l_prot": (5, 1)})
+        self.refused("interval: that of the measured tracks is needed", measured={"speed_um_per_h": (5, 1)})
+        self.refused("one read-out is needed", measured=tracks.of(self.study))
+        self.refused("sped: has no measured value; tracks have speed_um_per_h", measured=tracks.of(self.study), readouts=["sped"])
+
+    def test_read_outs_of_tracks_and_of_runs(self):
+        from matrigrate._measurement import simulated as of_study
+
+        points = of_study(self.study, ["speed_um_per_h", "n_protrusions"], 120.0)
+        self.assertEqual(list(points.runs), [2, 2])
+        first = self.study.results[self.study.results["label"] == "=soft"]
+        self.assertEqual(points.values["n_protrusions"][0], first["n_protrusions"].mean())
+        own = [tracks.of(self.study.runs[name], 120.0).readouts(resamples=0).loc["speed_um_per_h", "value"] for name in first["run"]]
+        self.assertAlmostEqual(points.values["speed_um_per_h"][0], np.mean(own))
+
+
+if __name__ == "__main__":
+    unittest.main()
