@@ -1,4 +1,3 @@
-#include "apps/export/tools.hpp"
 #include "apps/parameter_options.hpp"
 #include "apps/run_output.hpp"
 #include "apps/terminal/terminal.hpp"
@@ -18,10 +17,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <memory>
 #include <random>
+#include <system_error>
 
 namespace matrigrate::apps {
 
@@ -38,6 +41,23 @@ struct SampleArguments {
   std::string targets;
   ParameterOptions parameters;
   std::vector<std::string> command_line;
+};
+
+/// A folder of the system's, removed with its contents by the destructor.
+struct TemporaryFolder {
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "matrigrate.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw InputOutputError(fmt::format("{}: cannot be written: {}", name, std::generic_category().message(errno)));
+    path = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  std::filesystem::path path;
 };
 
 /// What is to be simulated, and where the JSON goes.
@@ -129,7 +149,7 @@ void add_distance(Json& json, const std::vector<study::Target>& targets, const s
 
 int sample(const SampleArguments& options) {
   const Request request = request_of(options);
-  const TemporaryFolder folder(std::filesystem::temp_directory_path());
+  const TemporaryFolder folder;
   RunDisplay display(true);
   const RunOutcome outcome =
       run::run({.s = initial_state(request.p), .p = request.p},

@@ -112,6 +112,9 @@ study::Study shipped(std::string_view name, const ReproduceOptions& options) {
     changes.overrides.insert(changes.overrides.begin(), first.begin(), first.end());
   }
   changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
+  const std::filesystem::path kept = std::filesystem::path(options.from) / fmt::format("{}.toml", name);
+  if (!options.from.empty() && std::filesystem::exists(kept)) // kept runs of an earlier form of the study
+    return study::parse_study(read_file(kept, std::size_t{1} << 20U), kept.string(), options.from, changes);
   return study::parse_study(study::shipped_file(name, options.set()).text, fmt::format("studies/{}.toml", name), ".",
                             changes);
 }

@@ -19,7 +19,8 @@ struct ClaimEvidence {
 
 inline constexpr double larger_disc = 1.5;
 
-/// A shipped study with the settings of the options.
+/// A shipped study with the settings of the options. With --from, a file NAME.toml beside the kept tables stands in its
+/// place.
 /// @throws ConfigurationError if an override is wrong
 study::Study shipped(std::string_view name, const ReproduceOptions& options);
 

@@ -207,17 +207,11 @@ void require_consistent(const State& s) {
     throw std::invalid_argument("its arrays do not match in length");
   for (const Cell& cell : s.cells)
     for (const Protrusion& p : cell.protrusions)
-<<<<<<< HEAD
       if (p.centre >= cell.cortex.size())
         throw std::invalid_argument("the centre of a protrusion is not on the cortex");
-  if (!std::ranges::all_of(s.ecm.E_ratio, [](double ratio) { return std::isfinite(ratio) && ratio > 0.0; }))
-    throw std::invalid_argument("a Young's modulus of the matrix is not above 0");
-=======
-      if (p.centre >= cell.cortex.size()) throw std::invalid_argument("a protrusion has no place on the cortex");
   for (const MatrixField& field : matrix_field_table)
     if (!std::ranges::all_of(s.ecm.*field.member, [&](double a) { return std::isfinite(a) && field.allowed(a); }))
       throw std::invalid_argument(fmt::format("{} of its matrix is out of range", field.name));
->>>>>>> main
   if (!std::isfinite(s.ecm.V0) || !std::isfinite(s.ecm.period_x))
     throw std::invalid_argument("the area or the period of its matrix is not a number");
   if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is negative or not finite");

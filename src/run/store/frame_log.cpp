@@ -213,16 +213,8 @@ FrameReader::FrameReader(std::istream& log) : m_log(&log) {
   head.take_planes(m_head.reference);
   if (head.empty()) return; // the same matrix everywhere
   head.take_planes(m_head.obstacle);
-<<<<<<< HEAD
-  head.take_planes(m_head.youngs_modulus);
-  head.take_planes(m_head.ligand);
-  const auto one_each = [this](const auto& field) { return field.empty() || field.size() == m_head.particles(); };
-  if (!one_each(m_head.obstacle) || !one_each(m_head.youngs_modulus) || !one_each(m_head.ligand))
-    throw InputOutputError("its arrays do not match");
-=======
   for (observe::Floats& layer : m_head.layers) head.take_planes(layer);
-  if (!m_head.consistent()) throw InputOutputError("its arrays do not belong together");
->>>>>>> main
+  if (!m_head.consistent()) throw InputOutputError("its arrays do not match");
 }
 
 std::optional<observe::Frame> FrameReader::next() {

@@ -66,18 +66,10 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
   if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
   film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
   if (file.has("/matrix/obstacle")) film.head.obstacle = file.bytes("/matrix/obstacle");
-<<<<<<< HEAD
-  if (file.has("/matrix/youngs_modulus")) film.head.youngs_modulus = file.floats("/matrix/youngs_modulus");
-  if (file.has("/matrix/ligand")) film.head.ligand = file.floats("/matrix/ligand");
-  const auto one_each = [&](const auto& field) { return field.empty() || field.size() == film.head.particles(); };
-  if (!one_each(film.head.obstacle) || !one_each(film.head.youngs_modulus) || !one_each(film.head.ligand))
-    throw InputOutputError("its arrays do not match");
-=======
   for (std::size_t k = 0; k < film.head.layers.size(); ++k)
     if (const std::string name = fmt::format("/matrix/{}", observe::matrix_layers()[k].layer); file.has(name.c_str()))
       film.head.layers[k] = file.floats(name.c_str());
-  if (!film.head.consistent()) throw InputOutputError("its arrays do not belong together");
->>>>>>> main
+  if (!film.head.consistent()) throw InputOutputError("its arrays do not match");
   for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
   if (whole != nullptr) whole->assign(times.size(), true);
   if (times.empty()) return film;
