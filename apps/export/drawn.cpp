@@ -61,7 +61,7 @@ bool is_installed(const std::string& program) {
 std::string installed_browser() {
   if (const char* named = std::getenv("CHROMIUM"); named != nullptr && *named != '\0') {
     if (is_installed(named)) return named;
-    throw InputOutputError(fmt::format("CHROMIUM is {}, which is no program; unset it, or name a browser", named));
+    throw InputOutputError(fmt::format("CHROMIUM is {}, which is not a program; unset it, or name a browser", named));
   }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (is_installed(name)) return name;

@@ -118,8 +118,7 @@ std::string claims_text(const std::vector<study::JudgedClaim>& claims) {
     cells.push_back({c.id, kind_name(c.kind),
                      to_string(c.finding.verdict) + (c.caveat.empty() ? "" : fmt::format(" ({})", c.caveat)),
                      to_string(c.finding.second), c.sentence});
-  return fmt::format("{}{}.\n{}.\n", aligned(cells, 5), study::bottom_line(claims),
-                     study::second_bottom_line(claims));
+  return fmt::format("{}{}.\n{}.\n", aligned(cells, 5), study::bottom_line(claims), study::second_bottom_line(claims));
 }
 
 } // namespace matrigrate::apps

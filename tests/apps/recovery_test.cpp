@@ -170,7 +170,7 @@ TEST_F(Recovery, OffersTheCheckpointBeforeWhereATableWasCut) {
   }
   EXPECT_EQ(ended.code, 5) << ended.err;
   EXPECT_TRUE(contains(ended.err, "cut/tracks.csv: has been cut: ")) << ended.err;
-  EXPECT_TRUE(contains(ended.err, " is whole: go on from it with --previous")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, " is whole: resume from it with --previous")) << ended.err;
   EXPECT_EQ(run("resume cut --previous --quiet").code, 0);
   for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json"})
     EXPECT_EQ(text_of(folder / "cut" / file), text_of(folder / "whole" / file)) << file;

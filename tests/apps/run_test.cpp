@@ -114,7 +114,7 @@ TEST_F(Run, ReplacesAllFilesOfARunIfForced) {
   ASSERT_EQ(run("run s.toml --hours 0.002 --seed 2 -o fresh" + options).code, 0);
   const Ended ended = run("run s.toml --hours 0.002 --seed 2 -o here --force" + options);
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_TRUE(contains(ended.err, "stay: notes.txt, snapshots/mine.svg, export/mine.csv")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "are kept: notes.txt, snapshots/mine.svg, export/mine.csv")) << ended.err;
   const auto all_of = [&](const std::string& in) {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / in))

@@ -185,7 +185,7 @@ TEST(Checkpoint, RefusesOtherFilesWithTheirReason) {
   std::string other = image;
   other[22] = '7';
   EXPECT_EQ(refusal(other),
-            "c.h5: is a checkpoint of format 7; this program reads format 9: go on with the version that "
+            "c.h5: is a checkpoint of format 7; this program reads format 9: resume with the version that "
             "wrote it, or start the run again from its scenario");
   for (const std::size_t length : {std::size_t{30}, std::size_t{511}, std::size_t{512}, image.size() - 1})
     EXPECT_NE(refusal(image.substr(0, length)).find("cut short"), std::string::npos) << length;

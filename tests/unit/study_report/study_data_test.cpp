@@ -104,14 +104,15 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
 TEST(StudyData, HoldsClaimsAndPlayedRuns) {
   const Study study = read("[sweep]\nprotrusion.number = [1, 2]\n");
   const Finding finding{Verdict::does_not_hold, {"f_mat at 1 0.3 [0.2, 0.4] (n = 3)"}, {"p 0.2: not met"}};
-  const auto data = study_data({.study = study,
-                                .results = {},
-                                .comparisons = {},
-                                .folder = "nowhere",
-                                .provenance = "commit",
-                                .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, "not the paper's runs"}},
-                                .claims_note = "Not run as published.",
-                                .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
+  const auto data =
+      study_data({.study = study,
+                  .results = {},
+                  .comparisons = {},
+                  .folder = "nowhere",
+                  .provenance = "commit",
+                  .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, "not the paper's runs"}},
+                  .claims_note = "Not run as published.",
+                  .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
   const auto& claim = data.at("claims").at(0);
   EXPECT_EQ(claim.at("verdict"), "does not hold");
   EXPECT_EQ(claim.at("published"), "0.5");
