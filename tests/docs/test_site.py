@@ -36,7 +36,7 @@ class Site(unittest.TestCase):
 
     def test_all_headers_are_in_the_reference(self):
         for header in (source / "src").rglob("*.hpp"):
-            folder, rest = reference.library_of(source, header)
+            folder, rest = reference.target_and_include(source, header)
             text = (site / "reference" / "cpp" / f"{folder}.html").read_text(encoding="utf-8")
             self.assertIn(rest, text)
 

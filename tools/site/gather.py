@@ -96,7 +96,7 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
         if path in by_source:
             return by_source[path] + anchor
         if path.startswith("src/") and path.endswith(".hpp"):
-            library, header = reference.library_of(root, root / path)
+            library, header = reference.target_and_include(root, root / path)
             return f"reference/cpp/{library}.md#{slug(header)}"
         origin = root / path
         if origin.is_dir():

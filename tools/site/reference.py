@@ -142,7 +142,7 @@ def libraries(root: pathlib.Path) -> dict[str, pathlib.Path]:
             if re.search(r"^matrigrate_folder\(", path.read_text(encoding="utf-8"), re.MULTILINE)}
 
 
-def library_of(root: pathlib.Path, header: pathlib.Path) -> tuple[str, str]:
+def target_and_include(root: pathlib.Path, header: pathlib.Path) -> tuple[str, str]:
     """The library that holds a header, and the path of the header within its folder."""
     name, folder = next((folder.name, folder) for folder in header.parents if libraries(root).get(folder.name) == folder)
     return name, header.relative_to(folder).as_posix()
