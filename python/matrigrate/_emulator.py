@@ -75,7 +75,7 @@ class Emulator:
         alpha = np.maximum(np.exp(basis @ self._scatter) * share, 1e-6)
         self._process = self._fitted(processes, first.kernel_.k1, alpha, y, seed)
         left_out, errors = _left_out(self._process.kernel_(cube) + np.diag(alpha), y)
-        self.told = float(max(0.0, 1.0 - np.mean(left_out**2) / np.mean((y - y.mean())**2)))
+        self.explained = float(max(0.0, 1.0 - np.mean(left_out**2) / np.mean((y - y.mean())**2)))
         """Share of the variance of points that the others predict; the rest is scatter and what the emulator misses."""
         self.coverage = float(np.mean(np.abs(left_out) <= 1.645 * errors))
         """Share of points within the 90 % interval that the others predict."""
@@ -141,7 +141,7 @@ def _jansen(values: Array, parameters: int) -> Array:
 
 def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array, size: int = 4000,
             seed: int = 1) -> tuple[Array, float]:
-    """Points of the unit cube drawn from the posterior of a uniform prior, and how many independent ones they are worth:
+    """Points of the unit cube drawn from the posterior of a uniform prior, and their effective sample size:
     importance sampling, from a normal distribution about the earlier points where the prior alone meets too few.
 
     :param cube: drawn from the prior   :param known: their log likelihoods
@@ -153,8 +153,8 @@ def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array,
         log_weight = (known if last == 0 else log_likelihood(cube)) - log_prior
         weight = np.exp(log_weight - log_weight.max())
         weight /= weight.sum()
-        worth = float(1.0 / np.sum(weight**2))
-        if worth >= 1500 or last == 5:
+        effective = float(1.0 / np.sum(weight**2))
+        if effective >= 1500 or last == 5:
             break
         centre = weight @ cube
         covariance = 2.0 * ((cube - centre).T * weight) @ (cube - centre) + 1e-8 * np.eye(parameters)
@@ -167,4 +167,4 @@ def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array,
         density = np.exp(-0.5 * np.sum(away @ np.linalg.inv(covariance) * away, axis=1)) / np.sqrt(
             np.linalg.det(2 * np.pi * covariance)) / share
         log_prior = np.log((len(near) * density + (tries - len(near))) / tries)
-    return cube[random.choice(len(cube), size=size, p=weight)], worth
+    return cube[random.choice(len(cube), size=size, p=weight)], effective

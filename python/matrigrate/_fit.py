@@ -21,10 +21,10 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
-_told = 0.8  # of the width of the prior
+_constrained = 0.8  # of the width of the prior
 _implausible = 3.0
 _draws = 12000  # from the prior
-_least_told = 0.05  # of the variance of points, for a read-out that depends on parameters
+_least_explained = 0.05  # of the variance of points, for a read-out that depends on parameters
 _least_points = 10  # for each parameter
 
 
@@ -33,7 +33,7 @@ class Fit:
     """What measured read-outs say of parameters, by emulators of a study."""
 
     table: pandas.DataFrame
-    """A row a parameter: quantiles of prior and posterior, ``width`` of the 90 % interval over that of the prior, ``told``
+    """A row a parameter: quantiles of prior and posterior, ``width`` of the 90 % interval over that of the prior, ``constrained``
     (whether it is below 0.8), and the range ``plausible_low`` to ``plausible_high`` that history matching leaves."""
     readouts: pandas.DataFrame
     """A row a read-out: measured value and error; mean and 5 and 95 % quantiles over the posterior; ``implausibility`` at
@@ -43,14 +43,14 @@ class Fit:
     sample: pandas.DataFrame  #: drawn from the posterior, a row a draw
     correlations: pandas.DataFrame  #: of the sample
     plausible: float  #: share of the prior that no read-out excludes by three standard errors
-    worth: float  #: independent draws that the sample is worth
+    effective_sample_size: float  #: independent draws with the same information as the weighted ones
     notes: list[str]
     prior: Prior
     measured: _tracks.Tracks | None = None  #: if tracks were measured
     simulated: _tracks.Tracks | None = None  #: of the points that fit best
 
     def __repr__(self) -> str:
-        shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]
+        shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained"]
         return "\n".join([self.table[shown].to_string(float_format="%.4g"), "",
                           self.readouts.to_string(float_format="%.3g"), *self.notes])
 
@@ -90,7 +90,7 @@ class Emulators:
     notes: list[str]
 
     def __repr__(self) -> str:
-        return "\n".join(f"{name}: predicts {one.told:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
+        return "\n".join(f"{name}: predicts {one.explained:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
                          for name, one in zip(self.names, self.processes, strict=True))
 
     def fit(self, measured: _tracks.Tracks | Means, *, besides: Means | None = None,
@@ -114,16 +114,16 @@ class Emulators:
         covariance = wanted.covariance + np.diag([own.get(name, 0.0)**2 for name in self.names])
         parameters = self.prior.names
         even, means, errors = self._of_prior
-        used = np.flatnonzero([one.told >= _least_told for one in self.processes])  # others would add their noise only
+        used = np.flatnonzero([one.explained >= _least_explained for one in self.processes])  # others would add their noise only
 
         def likelihood(means: Array, errors: Array) -> Array:
             return _log_likelihood(means[:, used], errors[:, used], value[used], covariance[np.ix_(used, used)], wanted.cells)
 
-        drawn, worth = _emulator.sampled(lambda at: likelihood(*_predictions(self.processes, at)), even, likelihood(means, errors),
+        drawn, effective = _emulator.sampled(lambda at: likelihood(*_predictions(self.processes, at)), even, likelihood(means, errors),
                                          seed=seed)
         notes = [*wanted.notes, *self.notes, *differences(self.points, wanted)]
-        if worth < 200:
-            notes.append(f"the sample is worth {worth:.0f} independent draws only: its quantiles are rough")
+        if effective < 200:
+            notes.append(f"the effective sample size is only {effective:.0f}: quantiles are rough")
         far = np.abs(means - value) / np.sqrt(errors**2 + np.diag(covariance))
         kept = even[far.max(axis=1) < _implausible]
         best = far[np.argmin(far.max(axis=1))]
@@ -138,10 +138,10 @@ class Emulators:
         shown = _pandas().DataFrame({
             "measured": value, "standard_error": wanted.table["standard_error"].to_numpy(float),
             "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high, "implausibility": best,
-            "predicted": [one.told for one in self.processes], "coverage": [one.coverage for one in self.processes]}, index=self.names)
+            "predicted": [one.explained for one in self.processes], "coverage": [one.coverage for one in self.processes]}, index=self.names)
         sample = _pandas().DataFrame(self.prior.from_cube(drawn), columns=parameters)
         both = (measured, self._nearest(likelihood, len(measured))) if isinstance(measured, _tracks.Tracks) else ()
-        return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), worth, notes, self.prior, *both)
+        return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), effective, notes, self.prior, *both)
 
     @cached_property
     def _of_prior(self) -> tuple[Array, Array, Array]:
@@ -215,7 +215,7 @@ def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int 
     cube = ranges.to_cube(points.parameters[whole].to_numpy(float))
     processes = [Emulator(cube, points.values.loc[whole, name].to_numpy(float), points.runs[whole], seed) for name in names]
     notes += [f"{name}: depends on no parameter, as far as the points can tell: it is left out of the likelihood, and so are its Sobol indices"
-              for name, process in zip(names, processes, strict=True) if process.told < _least_told]
+              for name, process in zip(names, processes, strict=True) if process.explained < _least_explained]
     return Emulators(ranges, names, processes, points, _sensitivity(names, parameters, processes, seed), notes)
 
 
@@ -260,7 +260,7 @@ def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array
 def _sensitivity(names: list[str], parameters: list[str], emulators: Sequence[Emulator], seed: int) -> pandas.DataFrame:
     rows = []
     for name, emulator in zip(names, emulators, strict=True):
-        first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.told >= _least_told else \
+        first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.explained >= _least_explained else \
             np.full((2, len(parameters), 3), np.nan)
         rows += [[name, parameter, *first[k], *total[k]] for k, parameter in enumerate(parameters)]
     return _pandas().DataFrame(rows, columns=["readout", "parameter", "first", "first_5", "first_95", "total", "total_5",
@@ -274,7 +274,7 @@ def _table(prior: Prior, drawn: Array, kept: Array) -> pandas.DataFrame:
     left = prior.from_cube(np.array([kept.min(axis=0), kept.max(axis=0)])) if len(kept) else np.full((2, len(prior.names)), np.nan)
     width = (ends[2] - ends[0]) / 0.9
     return _pandas().DataFrame({"prior_5": before[0], "prior_50": before[1], "prior_95": before[2], "posterior_5": after[0],
-                                "posterior_50": after[1], "posterior_95": after[2], "width": width, "told": width < _told,
+                                "posterior_50": after[1], "posterior_95": after[2], "width": width, "constrained": width < _constrained,
                                 "plausible_low": left[0], "plausible_high": left[1]}, index=prior.names)
 
 
@@ -285,8 +285,8 @@ def _untold(table: pandas.DataFrame, correlations: pandas.DataFrame, sensitivity
         others = correlations[name].drop(name)
         tied = [f"{other} ({r:.2f})" for other, r in others.items() if abs(r) > 0.7]
         if tied:
-            notes.append(f"{name} is told only together with {', '.join(tied)}: the correlation in the posterior")
-        if row["told"]:
+            notes.append(f"{name} is constrained only together with {', '.join(tied)}: the correlation in the posterior")
+        if row["constrained"]:
             continue
         total = sensitivity.loc[sensitivity["parameter"] == name, "total_95"].max()
         total = 0.0 if np.isnan(total) else total

@@ -25,7 +25,7 @@ td:first-child,th:first-child{text-align:left}img{max-width:100%}li{margin:.2rem
 
 def page(fit: Fit) -> str:
     """report.html: it needs no other file and no network."""
-    short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]]
+    short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained"]]
     notes = "".join(f"<li>{html.escape(note)}</li>" for note in fit.notes) or "<li>none</li>"
     return f"""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -34,7 +34,7 @@ def page(fit: Fit) -> str:
 <p>{fit.plausible:.1%} of the prior is plausible: there no read-out is off by more than three standard errors.</p>
 <h2>Parameters</h2>
 {_table(short)}
-<p><small>Quantiles of prior and posterior in per cent. <i>width</i>: of the 90 % interval, over that of the prior. <i>told</i>: it is below
+<p><small>Quantiles of prior and posterior in per cent. <i>width</i>: of the 90 % interval, over that of the prior. <i>constrained</i>: it is below
 0.8.</small></p>
 {_figure(lambda: _corner(fit), "Posterior of each parameter, and of each pair")}
 <h2>What the data cannot tell</h2>
@@ -51,7 +51,7 @@ def page(fit: Fit) -> str:
 <h2>Which parameters the read-outs depend on</h2>
 {_figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
 {_table(fit.sensitivity.set_index("readout"))}
-<p><small>Matrigrate {__version__}. The sample is worth {fit.worth:.0f} independent draws.</small></p>
+<p><small>Matrigrate {__version__}. The effective sample size is {fit.effective_sample_size:.0f} independent draws.</small></p>
 </body></html>
 """
 
@@ -129,8 +129,8 @@ def _corner(fit: Fit) -> Any:
 def _widths(fit: Fit) -> Any:
     figure = _new(7, 0.6 + 0.4 * len(fit.table))
     ax = figure.subplots()
-    told = fit.table["told"].to_numpy(bool)
-    ax.barh(fit.table.index, fit.table["width"], color=np.where(told, _blue, _red))
+    constrained = fit.table["constrained"].to_numpy(bool)
+    ax.barh(fit.table.index, fit.table["width"], color=np.where(constrained, _blue, _red))
     ax.axvline(0.8, color=_grey, linestyle="--", linewidth=1)
     ax.set_xlim(0, 1.1)
     ax.invert_yaxis()

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["Emulators", "Fit", "Posterior", "by_tracks", "emulate", "fit", "weigh"]
 
 _least_sample = 20.0
-_told = 0.8
+_constrained = 0.8
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Posterior:
     weights: np.ndarray[Any, Any]  #: of the points; their sum is 1
     table: pandas.DataFrame
     """A row a parameter: quantiles of prior and posterior, ``width`` (of the 90 % interval, over that of the prior), and
-    ``told``: whether the width is below 0.8."""
+    ``constrained``: whether the width is below 0.8."""
     fit: pandas.DataFrame  #: a row a read-out: measured value, its error, weighted mean of the points, and their range
     widened: float  #: factor on the errors, above 1 where fewer than 20 points would have counted
     notes: list[str]
@@ -91,10 +91,10 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
         prior = _quantiles(column[whole], np.ones(int(whole.sum())))
         after = _quantiles(column, weights)
         width = (after[2] - after[0]) / (prior[2] - prior[0]) if prior[2] > prior[0] else float("nan")
-        rows[name] = [*prior, *after, width, bool(width < _told)]
-        if not width < _told:
+        rows[name] = [*prior, *after, width, bool(width < _constrained)]
+        if not width < _constrained:
             notes.append(f"the data do not constrain {name}: its 90 % interval is {width:.0%} of the prior's")
-    columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "told"]
+    columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained"]
     table = _pandas().DataFrame.from_dict(rows, orient="index", columns=columns)
     used = found.loc[whole, names]
     fit = _pandas().DataFrame({"measured": value, "standard_error": error,

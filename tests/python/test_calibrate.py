@@ -32,7 +32,7 @@ class Recovery(unittest.TestCase):
             posterior = calibrate.weigh(points, found, measured_at(truth, random))
             table = posterior.table
             inside += sum(table.loc[k, "posterior_5"] <= truth[k] <= table.loc[k, "posterior_95"] for k in "abc")
-            told.append(list(table["told"]))
+            told.append(list(table["constrained"]))
         self.assertGreater(inside, 0.85 * 300)
         self.assertLess(inside, 300, "intervals are not the whole prior")
         share = np.mean(told, axis=0)

@@ -58,9 +58,9 @@ class OfAKnownModel(unittest.TestCase):
             truth = drawn(1, self.random)
             table = self.emulators.fit(measured_at(truth, self.random)).table
             inside += [table.loc[k, "posterior_5"] <= truth[k].iloc[0] <= table.loc[k, "posterior_95"] for k in "abc"]
-            narrow += table["told"].to_numpy()
+            narrow += table["constrained"].to_numpy()
         self.assertGreaterEqual(inside.sum(), 0.7 * 30)
-        self.assertGreaterEqual(min(narrow[:2]), 9, "a and b are told")
+        self.assertGreaterEqual(min(narrow[:2]), 9, "a and b are constrained")
         self.assertEqual(narrow[2], 0, "nothing tells c")
 
     def test_what_the_data_cannot_tell_is_said(self):
@@ -84,7 +84,7 @@ class OfAKnownModel(unittest.TestCase):
         low, high = speed.scatter(np.array([[0.1, 0.5, 0.5], [0.9, 0.5, 0.5]]))
         self.assertGreater(high / low, 1.5, "0.7 and 2.3 in the model")
         for process in self.emulators.processes:
-            self.assertGreater(process.told, 0.6)
+            self.assertGreater(process.explained, 0.6)
             self.assertGreater(process.coverage, 0.8)
         self.assertIn("speed: predicts ", repr(self.emulators))
 
@@ -129,7 +129,7 @@ class OfTracks(unittest.TestCase):
         process = _fit.of_points(Points(parameters, values, np.ones(60), 40, [], seen))
         measured = self.walks(1.4, 0.6, 20, random)
         fit = process.fit(measured)
-        self.assertEqual(list(fit.table["told"]), [True, True, False])
+        self.assertEqual(list(fit.table["constrained"]), [True, True, False])
         self.assertLess(abs(fit.table.loc["speed", "posterior_50"] - 1.4), 0.2)
         self.assertLess(abs(fit.table.loc["turning", "posterior_50"] - 0.6), 0.15)
         self.assertEqual(len(fit.simulated), 20)
