@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Takes the shared libraries that a wheel needs into it, as auditwheel does: wheel_libraries.py WHEEL FOLDER (needs patchelf and binutils)
+"""Takes the shared libraries that a wheel needs into it, as auditwheel does: wheel_libraries.py WHEEL FOLDER (needs Debian or Ubuntu, patchelf,
+binutils). matrigrate.libs/LIBRARIES has the package and version of each; the licences of these packages lie beside it.
 
 Left out are those that each Linux with the GNU C library has. Each library gets the start of its checksum into its name, so that no other
 package of Python takes it for its own. The new wheel's name says which C library it needs. SOURCE_DATE_EPOCH is the time.
@@ -16,20 +17,18 @@ import tempfile
 import time
 import zipfile
 
+import sbom
+
 of_the_system = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|stdc\+\+|gcc_s))\.so\.\d+")
 
 
-def output(*command: str) -> str:
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
-
-
 def needed(file: pathlib.Path) -> list[str]:
-    return [name for name in re.findall(r"^\s+NEEDED\s+(\S+)", output("objdump", "-p", str(file)), re.MULTILINE) if not of_the_system.fullmatch(name)]
+    return [name for name in re.findall(r"^\s+NEEDED\s+(\S+)", sbom.output("objdump", "-p", str(file)), re.MULTILINE) if not of_the_system.fullmatch(name)]
 
 
 def places(file: pathlib.Path) -> dict[str, pathlib.Path]:
     """All libraries that a file needs, with those that these need."""
-    found = output("ldd", str(file))
+    found = sbom.output("ldd", str(file))
     if "not found" in found:
         raise SystemExit(f"{file.name}: {found}")
     named = re.findall(r"^\s*(\S+) => (/\S+)", found, re.MULTILINE)
@@ -38,7 +37,7 @@ def places(file: pathlib.Path) -> dict[str, pathlib.Path]:
 
 def glibc(file: pathlib.Path) -> tuple[int, int]:
     """The newest version of the GNU C library whose symbols a file uses."""
-    return max(((int(a), int(b)) for a, b in re.findall(r"GLIBC_(\d+)\.(\d+)", output("objdump", "-T", str(file)))), default=(2, 17))
+    return max(((int(a), int(b)) for a, b in re.findall(r"GLIBC_(\d+)\.(\d+)", sbom.output("objdump", "-T", str(file)))), default=(2, 17))
 
 
 def take_in(tree: pathlib.Path) -> list[pathlib.Path]:
@@ -54,10 +53,16 @@ def take_in(tree: pathlib.Path) -> list[pathlib.Path]:
     folder = tree / "matrigrate.libs"
     folder.mkdir()
     renamed = {}
+    listed = []
     for name, path in sorted(libraries.items()):
         stem, rest = name.split(".so", 1)
         renamed[name] = f"{stem}-{hashlib.sha256(path.read_bytes()).hexdigest()[:8]}.so{rest}"
         shutil.copyfile(path, folder / renamed[name])
+        package = sbom.package_of(str(path))
+        listed.append(f"{renamed[name]} {sbom.output('dpkg-query', '-W', '-f', '${Package} ${Version} ${source:Package} ${source:Version}', package)}\n")
+        (folder / "licences").mkdir(exist_ok=True)
+        shutil.copyfile(f"/usr/share/doc/{package.split(':')[0]}/copyright", folder / "licences" / package.split(":")[0])
+    (folder / "LIBRARIES").write_text("file, package of Debian or Ubuntu with its version, its source with its version\n\n" + "".join(listed))
     for file in (*compiled, *(folder / name for name in renamed.values())):
         edit = ["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN" if file.parent == folder else f"$ORIGIN/{os.path.relpath(folder, file.parent)}"]
         for name in needed(file):
