@@ -1,7 +1,9 @@
-"""Takes the schema into the package, and what a build has made: the compiled module of matrigrate.Simulation; the program, if MATRIGRATE_INSIDE
-names it. pyproject.toml has all else."""
+"""Takes the schema and the types made from it into the package, and what a build has made: the compiled module of matrigrate.Simulation; the
+program, if MATRIGRATE_INSIDE names it. pyproject.toml has all else."""
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 from setuptools import Distribution, setup
@@ -19,6 +21,7 @@ class WithCore(build_py):
         package = Path(self.build_lib) / "matrigrate"
         for table in ("scenario.schema.json", "readouts.json"):
             shutil.copy2(_root / "docs" / table, package)
+        subprocess.run([sys.executable, "-B", _root / "tools" / "stubs.py", package / "_sections.pyi"], check=True)
         for module in _built:
             shutil.copy2(module, package / module.name)
         if _program:
