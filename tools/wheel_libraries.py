@@ -64,12 +64,11 @@ def take_in(tree: pathlib.Path) -> list[pathlib.Path]:
         shutil.copyfile(f"/usr/share/doc/{package.split(':')[0]}/copyright", folder / "licences" / package.split(":")[0])
     (folder / "LIBRARIES").write_text("file, package of Debian or Ubuntu with its version, its source with its version\n\n" + "".join(listed))
     for file in (*compiled, *(folder / name for name in renamed.values())):
-        edit = ["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN" if file.parent == folder else f"$ORIGIN/{os.path.relpath(folder, file.parent)}"]
-        for name in needed(file):
-            edit += ["--replace-needed", name, renamed[name]]
-        if file.parent == folder:
-            edit += ["--set-soname", file.name]
-        subprocess.run([*edit, file], check=True)
+        names = [word for name in needed(file) for word in ("--replace-needed", name, renamed[name])]
+        for edit in (names, ["--set-soname", file.name] if file.parent == folder else [],
+                     ["--force-rpath", "--set-rpath", os.path.join("$ORIGIN", os.path.relpath(folder, file.parent))]):
+            if edit:
+                subprocess.run(["patchelf", *edit, file], check=True)  # one thing at a time: several at once mix up their words
         file.chmod(0o755)
     return [*compiled, *(folder / name for name in renamed.values())]
 
