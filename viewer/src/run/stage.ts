@@ -2,6 +2,7 @@
 import { h, isDark, onDarkMode, onResize } from "../dom";
 import { onPaper, onPrint } from "../paper";
 import type { RunPage } from "../contract";
+import { countOf, measuredTracks, type MeasuredTrack } from "../measured";
 import { Camera, type Box } from "./camera";
 import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
@@ -68,6 +69,8 @@ export class Stage {
   private readonly sharedScales = new Map<Layer, LayerScale>();
   /** Strain of the fibres; null without fibres. */
   readonly fibreLayer: Layer | null;
+  /** Tracks of measured cells; none where none were given. */
+  readonly measured: MeasuredTrack[];
 
   constructor(
     private readonly run: RunPage,
@@ -82,6 +85,7 @@ export class Stage {
   ) {
     this.layer = layers[0];
     this.fibreLayer = fibreLayer(film);
+    this.measured = measuredTracks(run.measured);
     const bottom = h("canvas", { class: "matrix" });
     this.element = h(
       "div",
@@ -193,6 +197,11 @@ export class Stage {
     return this.film.obstacles.length > 0;
   }
 
+  /** What the legend says of the measured tracks; "" without them. */
+  get measuredText(): string {
+    return this.measured.length === 0 ? "" : `${countOf(this.measured, this.run.measured?.total ?? 0)}, moved to the start of the path`;
+  }
+
   get drawsFibres(): boolean {
     return this.fibreLayer !== null && this.shown.fibres;
   }
@@ -293,12 +302,12 @@ export class Stage {
   }
 
   private cellScene(place: Place, dark: boolean): CellScene {
-    const { film, camera, shown, edge, arrows, usual } = this;
+    const { film, camera, shown, edge, arrows, usual, measured } = this;
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
     const fibres = this.drawsFibres && this.fibreLayer ? this.fibreScale(this.fibreLayer).on(dark) : null;
-    return { film, place, time, camera, tracks, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
+    return { film, place, time, camera, tracks, measured, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
   }
 
   /** Paints at once and returns what has been painted; to be used before the browser goes on. */
