@@ -28,6 +28,17 @@ export function measuredTracks(measured: MeasuredTracks | null | undefined): Mea
   return tracks;
 }
 
+export interface Measured {
+  tracks: MeasuredTrack[];
+  /** For legends: how many there are; "" for none. */
+  words: string;
+}
+
+export function measuredOf(measured: MeasuredTracks | null | undefined): Measured {
+  const tracks = measuredTracks(measured);
+  return { tracks, words: measured && tracks.length > 0 ? countOf(tracks, measured.total) : "" };
+}
+
 /** The part of a track up to a time [s]. */
 export function until({ t, x, y }: MeasuredTrack, time: number): MeasuredTrack {
   const after = t.findIndex((v) => v > time);

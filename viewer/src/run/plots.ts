@@ -2,7 +2,7 @@
 import { palette } from "../colour";
 import type { RunPage, Tracks } from "../contract";
 import { h, isDark, s } from "../dom";
-import { countOf, measuredColour, measuredTracks, until, type MeasuredTrack } from "../measured";
+import { measuredColour, measuredOf, until, type MeasuredTrack } from "../measured";
 import { readable, roundStep, ticks } from "../numbers";
 import { coloursOf, tracksOfCells, type CellTracks } from "./cells";
 import type { Clock } from "./clock";
@@ -247,10 +247,11 @@ export function plots(run: Pick<RunPage, "tracks" | "measured">, clock: Clock, w
   if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
   const cells = tracksOfCells(tracks);
   const [x0, y0] = startOf(tracks);
-  const measured = measuredTracks(run.measured)
+  const { tracks: whole, words } = measuredOf(run.measured);
+  const measured = whole
     .map((track) => until(track, clock.end))
     .map(({ t, x, y }) => ({ t, x: x.map((v) => x0 + v), y: y.map((v) => y0 + v) }));
-  const about = measured.length > 0 ? ` ${countOf(measured, run.measured?.total ?? 0)} in grey violet, moved to the start of the path, as long as the run.` : "";
+  const about = words ? ` Grey violet: ${words}, each from the start of the path and at most as long as the run.` : "";
   const curves = (of: (own: Tracks) => { t: number[]; v: number[] }): Curve[] =>
     cells.map(({ number, tracks: own }) => {
       const { t, v } = of(own);

@@ -2,7 +2,7 @@
 import { h, isDark, onDarkMode, onResize } from "../dom";
 import { onPaper, onPrint } from "../paper";
 import type { RunPage } from "../contract";
-import { countOf, measuredTracks, type MeasuredTrack } from "../measured";
+import { measuredOf, type Measured } from "../measured";
 import { Camera, type Box } from "./camera";
 import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
@@ -69,8 +69,7 @@ export class Stage {
   private readonly sharedScales = new Map<Layer, LayerScale>();
   /** Strain of the fibres; null without fibres. */
   readonly fibreLayer: Layer | null;
-  /** Tracks of measured cells; none where none were given. */
-  readonly measured: MeasuredTrack[];
+  readonly measured: Measured;
 
   constructor(
     private readonly run: RunPage,
@@ -85,7 +84,7 @@ export class Stage {
   ) {
     this.layer = layers[0];
     this.fibreLayer = fibreLayer(film);
-    this.measured = measuredTracks(run.measured);
+    this.measured = measuredOf(run.measured);
     const bottom = h("canvas", { class: "matrix" });
     this.element = h(
       "div",
@@ -197,11 +196,6 @@ export class Stage {
     return this.film.obstacles.length > 0;
   }
 
-  /** What the legend says of the measured tracks; "" without them. */
-  get measuredText(): string {
-    return this.measured.length === 0 ? "" : `${countOf(this.measured, this.run.measured?.total ?? 0)}, moved to the start of the path`;
-  }
-
   get drawsFibres(): boolean {
     return this.fibreLayer !== null && this.shown.fibres;
   }
@@ -302,7 +296,8 @@ export class Stage {
   }
 
   private cellScene(place: Place, dark: boolean): CellScene {
-    const { film, camera, shown, edge, arrows, usual, measured } = this;
+    const { film, camera, shown, edge, arrows, usual } = this;
+    const measured = this.measured.tracks;
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
