@@ -56,4 +56,4 @@ export function countOf(tracks: MeasuredTrack[], total: number): string {
 export const durationOf = (tracks: MeasuredTrack[]): string =>
   `${readable(tracks.reduce((most, { t }) => Math.max(most, t[t.length - 1]), 0) / 3600, 2)} h`;
 
-export const measuredColour = (dark: boolean): string => (dark ? "#c9bcd8" : "#75658a");
+export const measuredColour = (dark: boolean): string => (dark ? "#9d90b0" : "#75658a");

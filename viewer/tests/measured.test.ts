@@ -42,7 +42,7 @@ const painted = (page: Page): Promise<number> =>
     const data = canvas?.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
     let n = 0;
     for (let i = 0; i < data.length; i += 4) {
-      const [r, g, b, a] = data.subarray(i, i + 4);
+      const [r, g, b, a] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
       if (a > 200 && r < 160 && r - g > 8 && b - g > 20) ++n;
     }
     return n;

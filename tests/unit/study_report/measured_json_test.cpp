@@ -45,8 +45,8 @@ TEST(MeasuredJson, TargetsTellWhichPointsTheyBelongTo) {
   const auto both = std::make_shared<const std::vector<CellTrack>>(3, straight(1, 0.0, 2));
   study.targets = {{.readout = "a", .at = {0}, .tracks = soft},
                    {.readout = "b", .at = {0}, .tracks = soft},
-                   {.readout = "c", .tracks = both},
-                   {.readout = "d"}};
+                   {.readout = "c", .at = {}, .tracks = both},
+                   {.readout = "d", .at = {}}};
   const Json list = measured_json(study, {straight(1, 0.0, 2)}, {Json{0}, Json{1}});
   ASSERT_EQ(list.size(), 3U) << "a file that two targets name counts once";
   EXPECT_EQ(list.at(0).at("points").dump(), "[[0],[1]]") << "those of the command line belong to all points";
