@@ -108,6 +108,21 @@ ptrdiff_t count_if(Range&& range, Test test) {
   return n;
 }
 
+template <class Range, class Value>
+ptrdiff_t count(Range&& range, const Value& value) {
+  return std::count(range.begin(), range.end(), value);
+}
+
+template <class Range>
+auto adjacent_find(Range&& range) {
+  return std::adjacent_find(range.begin(), range.end());
+}
+
+template <class Range, class Out, class Make>
+void transform(Range&& range, Out out, Make make) {
+  std::transform(range.begin(), range.end(), out, make);
+}
+
 template <class Range, class Out>
 void copy(Range&& range, Out out) {
   std::copy(range.begin(), range.end(), out);
@@ -169,6 +184,12 @@ auto max(Range&& range) {
 template <class Range>
 auto min(Range&& range) {
   return *std::min_element(range.begin(), range.end());
+}
+
+template <class Range>
+auto minmax(Range&& range) {
+  const auto [least, largest] = std::minmax_element(range.begin(), range.end());
+  return pair{*least, *largest};
 }
 
 template <class A, class B, class Out>
