@@ -1,4 +1,4 @@
-"""Takes the schema into the package, and the compiled module of matrigrate.Simulation where a build has made it; pyproject.toml has all else."""
+"""Takes the schema into the package, and the compiled module of matrigrate.Simulation and the live page where they were built; pyproject.toml has all else."""
 import os
 import shutil
 from pathlib import Path
@@ -8,6 +8,7 @@ from setuptools.command.build_py import build_py
 
 _root = Path(__file__).parent
 _named = os.environ.get("MATRIGRATE_CORE", "")
+_live = [page for page in (_root / "pages/live.html", _root / "build/web/live/index.html") if page.is_file()][:1]
 _built = [Path(_named)] if _named else sorted(_root.glob("build/*/python/_core*.so"), key=os.path.getmtime)[-1:]
 
 
@@ -16,6 +17,8 @@ class WithCore(build_py):
         super().run()
         for table in ("scenario.schema.json", "readouts.json"):
             shutil.copy2(_root / "docs" / table, Path(self.build_lib) / "matrigrate")
+        for page in _live:
+            shutil.copy2(page, Path(self.build_lib) / "matrigrate" / "live.html")
         for module in _built:
             shutil.copy2(module, Path(self.build_lib) / "matrigrate" / module.name)
 

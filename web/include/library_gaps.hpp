@@ -138,9 +138,11 @@ void fill(Range&& range, const Value& value) {
   std::fill(range.begin(), range.end(), value);
 }
 
-template <class A, class B>
-bool equal(A&& a, B&& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+template <class A, class B, class Same = std::equal_to<>, class OfA = identity, class OfB = identity>
+bool equal(A&& a, B&& b, Same same = {}, OfA of_a = {}, OfB of_b = {}) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& other) -> bool {
+    return invoke(same, invoke(of_a, one), invoke(of_b, other));
+  });
 }
 
 template <class Range, class Compare = std::less<>, class Projection = identity>
