@@ -1,6 +1,8 @@
-"""Takes the schema into the package, and the compiled module of matrigrate.Simulation and the live page where they were built; pyproject.toml has all else."""
+"""Takes the schema and the types made from it into the package, and what was built of the compiled module of matrigrate.Simulation and the live page; pyproject.toml has all else."""
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 from setuptools import Distribution, setup
@@ -17,6 +19,7 @@ class WithCore(build_py):
         super().run()
         for table in ("scenario.schema.json", "readouts.json"):
             shutil.copy2(_root / "docs" / table, Path(self.build_lib) / "matrigrate")
+        subprocess.run([sys.executable, "-B", _root / "tools" / "stubs.py", Path(self.build_lib) / "matrigrate" / "_sections.pyi"], check=True)
         for page in _live:
             shutil.copy2(page, Path(self.build_lib) / "matrigrate" / "live.html")
         for module in _built:

@@ -26,7 +26,8 @@ class Package(common.InTemporaryFolder):
         (clone / "docs").mkdir()
         (clone / "pages").mkdir()
         (clone / "pages/live.html").write_text("<p>a cell")
-        for file in ("pyproject.toml", "setup.py", "docs/scenario.schema.json", "docs/readouts.json"):
+        (clone / "tools").mkdir()
+        for file in ("pyproject.toml", "setup.py", "tools/stubs.py", "docs/scenario.schema.json", "docs/readouts.json"):
             shutil.copy(common.source / file, clone / file)
         subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
                         "--wheel-dir", self.folder, clone], check=True)
@@ -37,7 +38,7 @@ class Package(common.InTemporaryFolder):
         for file in (common.source / "python" / "matrigrate").iterdir():
             if file.name != "__pycache__":
                 self.assertIn(f"matrigrate/{file.name}", names)
-        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json"} <= names)
+        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/_sections.pyi"} <= names)
         script = ("import json, matrigrate as m; print(json.dumps([m.__file__, m.__version__, "
                   "m.Scenario().ecm.youngs_modulus, m.load(%r).status, m.live(show=False).read_text()]))" % str(common.runs / "run"))
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=self.folder,
