@@ -27,6 +27,10 @@ declare global {
 const keepEvery = 30_000;
 const hour = 3600;
 
+/** On phones and tablets: browsers there stop tabs that nobody sees. */
+const inFront = (): string =>
+  matchMedia("(pointer: coarse)").matches ? "Keep this tab in front: a phone or tablet stops it behind. What is computed is saved when you leave." : "";
+
 const settingsOf = (changed: Changed) => Object.fromEntries(changed.map(({ path, value }) => [path, String(value)]));
 
 export class Live {
@@ -233,7 +237,7 @@ export class Live {
     this.clock.running(false);
     this.clock.begin(head.t_s);
     this.controls.show(settingsOf(head.changed), scenario);
-    this.bar.tell(from ? `Goes on from ${timeText(from.t_s)}, kept ${new Date(from.when).toLocaleString()}. Reset begins anew.` : "");
+    this.bar.tell(from ? `Goes on from ${timeText(from.t_s)}, kept ${new Date(from.when).toLocaleString()}. Reset begins anew.` : inFront());
     history.replaceState(null, "", toHash(scenario));
     if (play) this.play();
   }
