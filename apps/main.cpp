@@ -61,6 +61,7 @@ int run_program(int argc, char** argv) {
   add_demo(app, chosen, {argv, argv + argc});
   add_report(app, chosen);
   add_open(app, chosen);
+  add_live(app, chosen);
   add_diff(app, chosen);
   add_export(app, chosen);
   add_validate(app, chosen);

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+import unittest.mock
 import zipfile
 
 import common
@@ -25,6 +26,8 @@ class Package(common.InTemporaryFolder):
         clone = self.folder / "clone"  # pip writes into the folder that it installs from
         shutil.copytree(common.source / "python", clone / "python", ignore=shutil.ignore_patterns("*.egg-info", "__pycache__"))
         (clone / "docs").mkdir()
+        (clone / "pages").mkdir()
+        (clone / "pages/live.html").write_text("<p>a cell")
         (clone / "tools").mkdir()
         for file in ("pyproject.toml", "setup.py", "LICENSE", "NOTICES", "tools/stubs.py", "docs/python.md", "docs/scenario.schema.json",
                      "docs/readouts.json"):
@@ -44,12 +47,22 @@ class Package(common.InTemporaryFolder):
                 self.assertIn(f"matrigrate/{file.name}", names)
         self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/_sections.pyi"} <= names)
         script = ("import json, matrigrate as m; print(json.dumps([m.__file__, m.__version__, "
-                  "m.Scenario().ecm.youngs_modulus, m.load(%r).status]))" % str(common.runs / "run"))
+                  "m.Scenario().ecm.youngs_modulus, m.load(%r).status, m.live(show=False).read_text()]))" % str(common.runs / "run"))
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=self.folder,
                               env=os.environ | {"PYTHONPATH": str(self.folder / "installed")})
-        where, version, modulus, status = json.loads(done.stdout)
+        where, version, modulus, status, page = json.loads(done.stdout)
         self.assertTrue(where.startswith(str(self.folder)), where)
-        self.assertEqual((version, modulus, status), (matrigrate.__version__, 200.0, "done"))
+        self.assertEqual((version, modulus, status, page), (matrigrate.__version__, 200.0, "done", "<p>a cell"))
+
+    def test_a_package_without_the_live_page_asks_the_program_and_says_where_to_get_it(self):
+        for program, words in (("/no/such/program", "no program that has it"), (str(self.program_without_page()), "web/build.sh builds it")):
+            with unittest.mock.patch.dict(os.environ, {"MATRIGRATE": program}), self.assertRaisesRegex(matrigrate.InputOutputError, words):
+                matrigrate.live(show=False)
+
+    def program_without_page(self):
+        """The program alone in a folder: nothing is installed beside it."""
+        (self.folder / "bin").mkdir()
+        return shutil.copy(os.environ["MATRIGRATE"], self.folder / "bin")
 
     @unittest.skipUnless(shutil.which("patchelf") and "MATRIGRATE_CORE" in os.environ, "needs patchelf and the compiled module")
     def test_a_wheel_with_the_program_needs_no_library_of_the_system(self):

@@ -8,6 +8,7 @@
 #include "study/design/range.hpp"
 #include "study/table_readouts.hpp"
 #include "study_report/drawn_study.hpp"
+#include "study_report/measured_json.hpp"
 #include "study_report/run_json.hpp"
 #include "study_report/screening_data.hpp"
 
@@ -212,6 +213,7 @@ Json study_data(const StudyReport& report) {
             {"claims_note", report.claims_note},
             {"screening", screening_json(report.study, report.screening)},
             {"players", players_json(report.played)},
+            {"measured", measured_json(report.study, report.tracks, place)},
             {"provenance", report.provenance},
             {"citation", report::citation()}};
   data.update(compared_json(report.study, report.results, report.comparisons));
