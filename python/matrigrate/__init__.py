@@ -17,6 +17,7 @@
 Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
 """
 from . import calibrate, plot, tracks
+from ._cells import CellOfRun, CellsOfRun
 from ._schema import Parameter
 from ._version import __version__
 from .errors import (ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop,
@@ -29,8 +30,9 @@ from .simulation import Cell, Matrix, Simulation
 from .studies import Runs, Study, load_study
 
 __all__ = [
-    "Cell", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields", "InputOutputError", "InternalError",
-    "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run",
-    "Runs", "Scenario", "Section", "Simulation", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__",
-    "calibrate", "load", "load_study", "meaning", "plot", "run", "run_study", "tracks",
+    "Cell", "CellOfRun", "CellsOfRun", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields",
+    "InputOutputError", "InternalError", "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter",
+    "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run", "Runs", "Scenario", "Section", "Simulation", "Stopped",
+    "Study", "UnknownParameter", "UsageError", "__version__", "calibrate", "load", "load_study", "meaning", "plot",
+    "run", "run_study", "tracks",
 ]
