@@ -16,7 +16,7 @@
 
 Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
 """
-from . import calibrate, plot, tracks
+from . import calibrate, plot, tracks, truth
 from ._cells import CellOfRun, CellsOfRun
 from ._schema import Parameter
 from ._version import __version__
@@ -34,5 +34,5 @@ __all__ = [
     "InputOutputError", "InternalError", "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter",
     "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run", "Runs", "Scenario", "Section", "Simulation", "Stopped",
     "Study", "UnknownParameter", "UsageError", "__version__", "calibrate", "load", "load_study", "meaning", "plot",
-    "run", "run_study", "tracks",
+    "run", "run_study", "tracks", "truth",
 ]

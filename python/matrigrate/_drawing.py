@@ -1,6 +1,7 @@
 """What a figure of cells and matrix is drawn of. Colours, signs and their order are those of the page of a run."""
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -69,6 +70,26 @@ def values_of(fields: Fields, field: str, k: int) -> Array:
     return np.linalg.norm(values, axis=1) if values.ndim == 2 else values
 
 
+def check_view(window: Any, follow: Any, hide: Iterable[str], cells: Collection[int] = ()) -> set[str]:
+    """What is hidden, once it and the view can be.  :raises ValueError: if not"""
+    def is_number(value: Any) -> bool:
+        return isinstance(value, (int, float, np.number)) and not isinstance(value, bool) and bool(np.isfinite(value))
+
+    hidden = {hide} if isinstance(hide, str) else set(hide)
+    if wrong := sorted(hidden - set(overlays)):
+        raise ValueError(f"hide: there is no {wrong[0]}; there are {', '.join(overlays)}")
+    if isinstance(window, (tuple, list)):
+        if len(window) != 4 or not all(map(is_number, window)) or window[0] >= window[1] or window[2] >= window[3]:
+            raise ValueError(f"window: {tuple(window)} is no left, right, bottom, top [um]")
+        if follow is not None and follow is not False:
+            raise ValueError("window: where a cell is followed, it is the width of the window [um]")
+    elif not (window is None or window == "all" or is_number(window) and window > 0):
+        raise ValueError(f'window: {window!r} is neither a width [um], nor left, right, bottom, top [um], nor "all"')
+    if follow is not None and not isinstance(follow, bool) and follow not in cells:
+        raise ValueError(f"follow: there is no cell {follow}; the cells are {', '.join(map(str, cells))}")
+    return hidden
+
+
 def window_of(fields: Fields, k: int, window: Any, follow: int | bool | None) -> Window:
     """The part of the plane that is seen."""
     reach = float(fields["matrix/radius"][0]) + 0.5 * float(fields["matrix/spacing"][0])
@@ -79,9 +100,10 @@ def window_of(fields: Fields, k: int, window: Any, follow: int | bool | None) ->
         return left, right, bottom, top
     many = range(len(fields.times))
     if follow is None or follow is False:
-        seen = np.concatenate([outline for i in many for outline in fields.outlines(i).values()])
+        seen = np.concatenate([outline for i in many for outline in fields.outlines(i).values()]
+                              + [fields.anchors[["position_x", "position_y"]].to_numpy(float)])
         low, high = seen.min(axis=0), seen.max(axis=0)
-        middle, side = 0.5 * (low + high), 1.25 * float((high - low).max())
+        middle, side = 0.5 * (low + high), 1.2 * float((high - low).max())
         side = min(side, 2 * reach)
         if window is None:  # no view beyond the rim
             middle = np.clip(middle, -reach + side / 2, reach - side / 2)
@@ -187,9 +209,7 @@ def adhesions(axes: Axes, outlines: dict[int, Array], alive: Any, hidden: set[st
                       markersize=3.5 + 4.0 * row["f_mat"], zorder=4.6)
         if "traction" not in hidden and length > 0 and row["force"] > 0:
             end = anchor + way * (unit * row["force"] / length)
-            axes.annotate("", end, anchor, annotation_clip=False, zorder=5, arrowprops={
-                "arrowstyle": "-|>,head_length=0.5,head_width=0.22", "color": _traction, "linewidth": 1.6, "shrinkA": 0,
-                "shrinkB": 0, "path_effects": _edged(3.0)})
+            _arrow(axes, anchor, end, 5)
     return unit
 
 
@@ -236,9 +256,7 @@ def scale_bar(axes: Axes, unit: float) -> None:
     axes.add_artist(bar)
     if unit > 0:
         force, y, end = _round(0.12 * width / unit), bottom + 0.05 * height, right - 0.04 * width
-        axes.annotate("", (end, y), (end - unit * force, y), annotation_clip=False, zorder=7.2, arrowprops={
-            "arrowstyle": "-|>,head_length=0.5,head_width=0.22", "color": _traction, "linewidth": 1.6, "shrinkA": 0,
-            "shrinkB": 0, "path_effects": _edged(3.0)})
+        _arrow(axes, (end - unit * force, y), (end, y), 7.2)
         axes.annotate(f"{force:g} nN", (end - unit * force, y), (-5, 0), textcoords="offset points", ha="right", va="center",
                       fontsize=9, color=_ink, zorder=7.1,
                       bbox={"boxstyle": "round,pad=0.3", "facecolor": "white", "alpha": 0.85, "linewidth": 0})
@@ -270,6 +288,13 @@ def legend(axes: Axes, fields: Fields, hidden: set[str], cells: int, has_path: b
 
     axes.legend(*zip(*entries, strict=True), loc="upper left", bbox_to_anchor=(0.0, -0.01), ncol=4, frameon=False, fontsize=8.5,
                 borderaxespad=0.3, columnspacing=1.3, handlelength=1.8, handler_map={tuple: HandlerTuple(ndivide=None, pad=0)})
+
+
+def _arrow(axes: Axes, start: Any, end: Any, zorder: float) -> None:
+    from matplotlib.patches import FancyArrowPatch
+
+    axes.add_patch(FancyArrowPatch(start, end, arrowstyle="-|>,head_length=0.5,head_width=0.22", mutation_scale=10, shrinkA=0,
+                                   shrinkB=0, color=_traction, linewidth=1.6, path_effects=_edged(3.0), zorder=zorder))
 
 
 def _edged(width: float) -> list[Any]:

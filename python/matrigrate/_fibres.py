@@ -89,7 +89,7 @@ def paint(axes: Axes, fields: Fields, scenario: dict[str, Any], k: int) -> Any:
     strains = strain(k)
     seen = (x > left) & (x < right) & (y > bottom) & (y < top) & np.isfinite(strains)
     spacing = float(fields["matrix/spacing"][0])
-    rows = max(1, int(np.ceil(max((right - left) / 30, 1.0) / spacing)), int(np.ceil(np.sqrt(seen.sum() / _most_lines))))
+    rows = max(1, int(np.ceil(max((right - left) / 24, 1.0) / spacing)), int(np.ceil(np.sqrt(seen.sum() / _most_lines))))
     if rows > 1:  # lines of every second row and so on
         row = np.rint((reference[:, 1] - reference[:, 1].min()) / _row_distance(reference)).astype(int)
         seen &= (row[pairs] % rows == 0).any(axis=1)

@@ -25,6 +25,11 @@ class Grid:
         left, right, bottom, top = window
         return cls(left, top, pixel, max(1, round((right - left) / pixel)), max(1, round((top - bottom) / pixel)))
 
+    def wider(self, around: int) -> Grid:
+        """The same with more pixels on each side."""
+        return Grid(self.left - around * self.pixel, self.top + around * self.pixel, self.pixel, self.columns + 2 * around,
+                    self.rows + 2 * around)
+
     @property
     def shape(self) -> tuple[int, int]:
         return self.rows, self.columns

@@ -76,7 +76,7 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     if field not in (*known, "degradation"):
         raise KeyError(f"{field}; the fields of the matrix are {', '.join(known)}")
     outlines = fields.outlines(k)
-    hidden = _checked(window, follow, hide, outlines)
+    hidden = _drawing.check_view(window, follow, hide, outlines)
     shown = fields[f"matrix/{field}"]
     field = shown.name.removeprefix("matrix/")
     axes = axes or _new_axes(figsize=(6.6, 5.6))
@@ -99,26 +99,6 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     if "legend" not in hidden:
         _drawing.legend(axes, fields, hidden, len(outlines), k > 0)
     return axes
-
-
-def _checked(window: Any, follow: Any, hide: Iterable[str], cells: Mapping[int, Any]) -> set[str]:
-    """What is hidden, once it and the view can be.  :raises ValueError: if not"""
-    def is_number(value: Any) -> bool:
-        return isinstance(value, (int, float, np.number)) and not isinstance(value, bool) and bool(np.isfinite(value))
-
-    hidden = {hide} if isinstance(hide, str) else set(hide)
-    if wrong := sorted(hidden - set(_drawing.overlays)):
-        raise ValueError(f"hide: there is no {wrong[0]}; there are {', '.join(_drawing.overlays)}")
-    if isinstance(window, (tuple, list)):
-        if len(window) != 4 or not all(map(is_number, window)) or window[0] >= window[1] or window[2] >= window[3]:
-            raise ValueError(f"window: {tuple(window)} is no left, right, bottom, top [um]")
-        if follow is not None and follow is not False:
-            raise ValueError("window: where a cell is followed, it is the width of the window [um]")
-    elif not (window is None or window == "all" or is_number(window) and window > 0):
-        raise ValueError(f'window: {window!r} is neither a width [um], nor left, right, bottom, top [um], nor "all"')
-    if follow is not None and not isinstance(follow, bool) and follow not in cells:
-        raise ValueError(f"follow: there is no cell {follow}; the cells are {', '.join(map(str, cells))}")
-    return hidden
 
 
 def _draw_cells(axes: Axes, run: Run, k: int, outlines: Mapping[int, Any], hidden: set[str]) -> float:
