@@ -59,14 +59,16 @@ def limits_of(fields: Fields, field: str) -> tuple[float, float, str]:
     if field in ("displacement", "velocity", "von_mises", "fibre_von_mises", "pressure"):
         usual = float(f"{np.quantile(np.abs(values), _quantile):.2g}") or 1.0
         beyond = "neither" if np.abs(values).max() <= usual else "max"
-        return (-usual, usual, "both" if beyond == "max" else "neither") if field == "pressure" else (0.0, usual, beyond)
+        return (-usual, usual, "both" if beyond == "max" else "neither") if field == "pressure" \
+            else (0.0, usual, beyond)
     low, high = float(values.min()), float(values.max())
     return low, high if high > low else low + 1.0, "neither"
 
 
 def values_of(fields: Fields, field: str, k: int) -> Array:
-    """A value of each particle of the matrix; of vectors the length."""
-    values: Array = fields[f"matrix/{field}"][k].astype(float)
+    """A value of each particle of the matrix; of vectors the length. Those that the scenario gives are the same in all frames."""
+    name = f"matrix/{field}"
+    values: Array = (fields[name][k] if fields.has_frames(name) else fields[name][...]).astype(float)
     return np.linalg.norm(values, axis=1) if values.ndim == 2 else values
 
 
@@ -143,7 +145,7 @@ def matrix(axes: Axes, fields: Fields, field: str, k: int, window: Window, limit
     picture = strength * shown.to_rgba(mean)[..., :3] + (1 - strength) * np.array(to_rgb(_ground))
     axes.imshow(within * picture + (1 - within), extent=grid.extent, interpolation="bilinear", zorder=0)
     if "matrix/obstacle" in fields:
-        _squares(axes, fields["matrix/reference"][:, :2][np.asarray(fields["matrix/obstacle"][k]) == 1], spacing)
+        _squares(axes, fields["matrix/reference"][:, :2][values_of(fields, "obstacle", k) == 1], spacing)
     return shown
 
 

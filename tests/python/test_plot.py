@@ -139,6 +139,20 @@ class Figures(common.InTemporaryFolder):
             with self.assertRaisesRegex(KeyError, f"{wrong}; the fields of the matrix are .*f_degr"):
                 matrigrate.plot.frame(self.run_, field=wrong)
 
+    def test_what_the_scenario_gives_the_matrix(self):
+        scenario = matrigrate.Scenario.load(common.runs / "cell.toml")
+        scenario.ecm.fields.youngs_modulus = "x < 20 ? 100 : 300"
+        scenario.ecm.fields.obstacle = "x > 40 && abs(y) < 6"
+        run = matrigrate.run(scenario, out="given", hours=0.02, overrides={"output.pictures": False})
+        axes = matrigrate.plot.frame(run, field="youngs_modulus", window="all")
+        self.assertEqual(axes.figure.axes[1].get_ylabel(), "Young's modulus [Pa]")
+        self.assertEqual(axes.figure.axes[1].get_ylim(), (100, 300))
+        solid = run.fields["matrix/obstacle"][...] == 1
+        drawn = [len(part.get_paths()) for part in axes.collections if len(part.get_paths())]
+        self.assertIn(int(solid.sum()), drawn)
+        self.assertGreater(solid.sum(), 3)
+        self.drawn(axes)
+
     def test_boxes(self):
         axes = matrigrate.plot.boxes(self.study)
         self.assertEqual([label.get_text() for label in axes.get_xticklabels()], ["=soft", "NA"])
