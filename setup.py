@@ -1,6 +1,8 @@
-"""Takes the schema into the package, and the compiled module of matrigrate.Simulation where a build has made it; pyproject.toml has all else."""
+"""Takes the schema and the types made from it into the package, and the compiled module of matrigrate.Simulation where a build has made it; pyproject.toml has all else."""
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 from setuptools import Distribution, setup
@@ -16,6 +18,7 @@ class WithCore(build_py):
         super().run()
         for table in ("scenario.schema.json", "readouts.json"):
             shutil.copy2(_root / "docs" / table, Path(self.build_lib) / "matrigrate")
+        subprocess.run([sys.executable, "-B", _root / "tools" / "stubs.py", Path(self.build_lib) / "matrigrate" / "_sections.pyi"], check=True)
         for module in _built:
             shutil.copy2(module, Path(self.build_lib) / "matrigrate" / module.name)
 

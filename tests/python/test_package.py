@@ -23,7 +23,8 @@ class Package(common.InTemporaryFolder):
         clone = self.folder / "clone"  # pip writes into the folder that it installs from
         shutil.copytree(common.source / "python", clone / "python", ignore=shutil.ignore_patterns("*.egg-info", "__pycache__"))
         (clone / "docs").mkdir()
-        for file in ("pyproject.toml", "setup.py", "docs/scenario.schema.json", "docs/readouts.json"):
+        (clone / "tools").mkdir()
+        for file in ("pyproject.toml", "setup.py", "tools/stubs.py", "docs/scenario.schema.json", "docs/readouts.json"):
             shutil.copy(common.source / file, clone / file)
         subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
                         "--wheel-dir", self.folder, clone], check=True)
@@ -34,7 +35,7 @@ class Package(common.InTemporaryFolder):
         for file in (common.source / "python" / "matrigrate").iterdir():
             if file.name != "__pycache__":
                 self.assertIn(f"matrigrate/{file.name}", names)
-        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json"} <= names)
+        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/_sections.pyi"} <= names)
         script = ("import json, matrigrate as m; print(json.dumps([m.__file__, m.__version__, "
                   "m.Scenario().ecm.youngs_modulus, m.load(%r).status]))" % str(common.runs / "run"))
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=self.folder,
