@@ -160,7 +160,8 @@ void add_export(CLI::App& app, Action& chosen) {
       "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
       "Of a study, --tracks writes tracks.csv: the rows of all its runs that are done, in one table.\n"
       "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
-      "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
+      "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises,\n"
+      "and those that the scenario gives the matrix, such as youngs_modulus.");
   const auto options = std::make_shared<ExportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run; with --tracks alone, also of a study")->required();
   verb->add_flag("--vtk", options->wanted["--vtk"],
