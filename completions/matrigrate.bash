@@ -11,7 +11,7 @@ _matrigrate() {
   local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} verb=matrigrate word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case ${verb}_$word in
-    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_sample|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
+    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_sample|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_live|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
     esac
   done
   case $verb:$previous in
@@ -43,6 +43,7 @@ _matrigrate() {
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
   matrigrate_report:--tracks) COMPREPLY=(); return ;;
+  matrigrate_live:-o|matrigrate_live:--output) _matrigrate_files -d; return ;;
   matrigrate_export:--panel) COMPREPLY=(); return ;;
   matrigrate_export:--fps) COMPREPLY=(); return ;;
   matrigrate_export:--seconds) COMPREPLY=(); return ;;
@@ -79,7 +80,7 @@ _matrigrate() {
   esac
   case $verb in
   matrigrate)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume sample demo report open diff export validate selftest study reproduce info" -- "$cur")); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume sample demo report open live diff export validate selftest study reproduce info" -- "$cur")); fi ;;
   matrigrate_new)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
@@ -100,6 +101,8 @@ _matrigrate() {
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_live)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print --output" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_diff)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_export)

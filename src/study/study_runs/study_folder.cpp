@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/process.hpp"
+#include "base/platform.hpp"
 #include "parameters/write.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
@@ -163,7 +163,7 @@ StudyFolder open_study(const std::filesystem::path& folder) {
 }
 
 std::vector<std::string> run_command(const StudyFolder& study, const Run& run, int threads) {
-  std::vector<std::string> command{this_program(), "run", (study.folder / scenario_file).string()};
+  std::vector<std::string> command{platform::this_program(), "run", (study.folder / scenario_file).string()};
   for (const Setting& s : study.study.points[run.point].settings) {
     command.emplace_back("--set");
     command.push_back(s.key + "=" + s.value);
