@@ -8,8 +8,12 @@
 #include "base/file.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/particle_picture.hpp"
+#include "exchange/ome_tiff.hpp"
+#include "exchange/simularium.hpp"
+#include "parameters/units.hpp"
 #include "run/finished_run.hpp"
 #include "run/own_files.hpp"
+#include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/field_file.hpp"
 #include "store/vtk_files.hpp"
@@ -24,6 +28,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -36,6 +41,7 @@ struct ExportArguments {
   std::string output;
   std::string panel; ///< times; empty: no panel
   std::string times; ///< of --openvt; empty: all
+  std::string pixel; ///< of --ome-tiff; empty: the spacing of the particles
   DrawnOptions drawn;
   std::map<std::string, bool, std::less<>> wanted; ///< by the option of the kind: "--vtk"
   bool force = false;
@@ -46,7 +52,8 @@ std::vector<ExportKind> wanted_kinds(const ExportArguments& options) {
   std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
                        [&](const ExportKind& kind) { return options.wanted.find(kind.option)->second; });
   if (kinds.empty())
-    throw UsageError("say what to export: --vtk, --fields, --tracks, --openvt, --svg, --png, --movie or --panel");
+    throw UsageError("say what to export: --vtk, --fields, --tracks, --openvt, --simularium, --ome-tiff, --svg, --png, "
+                     "--movie or --panel");
   return kinds;
 }
 
@@ -75,6 +82,26 @@ void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
   const auto hash = run.record.find("trajectory_hash");
   const bool finished = hash != run.record.end() && hash->is_string();
   store::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
+}
+
+/// The width of a pixel that --pixel names [um].
+/// @throws UsageError if it is none, or makes too large pictures
+double pixel_of(const std::string& text, const observe::FrameHead& head) {
+  if (text.empty()) return head.spacing;
+  double pixel = 0.0;
+  try {
+    const units::Quantity quantity = units::parse_quantity(text);
+    const units::Unit unit = units::parse_unit(quantity.unit.empty() ? "um" : quantity.unit);
+    if (unit.dimension != units::parse_unit("um").dimension) throw std::invalid_argument("is no length");
+    pixel = units::to_internal(quantity.number, unit);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(fmt::format("--pixel: \"{}\": {}; an example: --pixel \"0.5 um\"", text, fault.what()));
+  }
+  const double least = 2.0 * head.radius / static_cast<double>(exchange::most_pixels);
+  if (!(pixel >= least && pixel <= head.radius))
+    throw UsageError(fmt::format("--pixel: {}: allowed are {:.3g} to {:g} um, for {} to 2 pixels along an edge", text,
+                                 least, head.radius, exchange::most_pixels));
+  return pixel;
 }
 
 /// The contact sheet and the paths of the cells.
@@ -144,7 +171,8 @@ int export_run(ExportArguments options) {
   const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);
   require_drawable(run, options.drawn);
-  if (wanted["--vtk"] || wanted["--fields"] || drawn.any()) {
+  if (!options.pixel.empty() && !wanted["--ome-tiff"]) throw UsageError("--pixel: is for --ome-tiff");
+  if (wanted["--vtk"] || wanted["--fields"] || wanted["--simularium"] || wanted["--ome-tiff"] || drawn.any()) {
     require_frames(run, options.folder);
     tell_lost_frames(run);
   }
@@ -152,12 +180,18 @@ int export_run(ExportArguments options) {
   if (drawn.any()) require_drawing_tools(drawn);
   std::vector<exchange::RunTracks> tracks{single_run(run)};
   if (wanted["--openvt"]) tracks = at_times(std::move(tracks), times);
+  const double pixel = wanted["--ome-tiff"] ? pixel_of(options.pixel, run.film.head) : 0.0;
+  const std::string title = run_title(run.p, scenario_name(run.record, run.folder));
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
   if (wanted["--vtk"]) store::write_vtk(to, run.film);
   if (wanted["--fields"]) export_fields(run, to);
   if (wanted["--tracks"]) write_tracks(run, to);
   if (wanted["--openvt"]) write_openvt(tracks, openvt_model(run), to);
+  if (wanted["--simularium"])
+    write_file(to / "run.simularium", exchange::simularium(run.film, run.memory.rows, title, version_text()));
+  if (wanted["--ome-tiff"])
+    write_file(to / "fields.ome.tif", exchange::ome_tiff(run.film, pixel, title, version_text()));
   if (wanted["--svg"]) export_svg(run, to);
   export_drawn(run, drawn, options.drawn, to);
   print(fmt::format("exported to {}\n", to.string()));
@@ -191,6 +225,12 @@ void add_export(CLI::App& app, Action& chosen) {
                  "The positions of cells as OpenVT's table, with its records of simulation and simulator (JSON)");
   verb->add_option("--times", options->times,
                    "Of --openvt: \"every 10 min\", or \"0 h, 1 h, 3 h\" (default: all times of tracks.csv)");
+  verb->add_flag("--simularium", options->wanted["--simularium"],
+                 "run.simularium for the viewer at simularium.allencell.org: cells, adhesions and matrix over time");
+  verb->add_flag("--ome-tiff", options->wanted["--ome-tiff"],
+                 "fields.ome.tif for Fiji and napari: the fields of all frames as a stack with times and scale");
+  verb->add_option("--pixel", options->pixel,
+                   "Of --ome-tiff: width of a pixel (default: the spacing of the particles, 2 um)");
   verb->add_flag("--svg", options->wanted["--svg"], "The contact sheet and the path, for a publication");
   verb->add_flag("--png", options->wanted["--png"], "One picture per frame");
   verb->add_option("--panel", options->panel,
