@@ -16,4 +16,4 @@ field_interval = "36 s"
 duration = "180 s"
 TOML
 "$1" run "$2.toml" -o "$2" --quiet
-"$1" export "$2" --vtk --tracks -o "$2/export"
+"$1" export "$2" --vtk --tracks --simularium --ome-tiff --openvt --times "every 36 s" -o "$2/export"

@@ -40,7 +40,7 @@ Json types(std::size_t cells) {
 
 Json point(double x, double y, double z) { return {{"x", x}, {"y", y}, {"z", z}}; }
 
-double interval(const observe::Film& film) {
+double step_of(const observe::Film& film) {
   return film.frames.size() > 1 ? film.frames[1].t - film.frames[0].t : 1.0;
 }
 
@@ -55,7 +55,7 @@ Json info(const observe::Film& film, std::size_t cells, const std::string& title
             {"description", "The cortex of the cell as a ring, its adhesions, and the particles of the matrix."},
             {"doi", "10.1371/journal.pcbi.1007250"}}},
           {"timeUnits", {{"magnitude", 1.0}, {"name", "s"}}},
-          {"timeStepSize", interval(film)},
+          {"timeStepSize", step_of(film)},
           {"totalSteps", film.frames.size()},
           {"spatialUnits", {{"magnitude", 1.0}, {"name", "µm"}}},
           {"size", point(2.0 * R, 2.0 * R, 20.0)},
