@@ -67,6 +67,8 @@ std::string escaped(std::string_view text) {
       out += "&amp;";
     else if (c == '<')
       out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
     else if (c == '"')
       out += "&quot;";
     else if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126)

@@ -20,7 +20,7 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
 try {
-  const page = await browser.newPage({ viewport: { width: 800, height: 800 } });
+  const page = await browser.newPage({ viewport: { width: 300, height: 300 } });
   const faults = [];
   page.on("pageerror", (error) => faults.push(error.message));
   await page.setContent("<body style='margin:0'><div id='viewer'></div></body>");
@@ -38,8 +38,8 @@ try {
     for (const name of ["matrix", "adhesion", "cell 1"]) assert.ok(seen.names.includes(name), `${name} in ${seen.names}`);
   }
   await page.waitForTimeout(2000);
-  const picture = await page.screenshot({ path: "picture.png" });
-  assert.ok(picture.length > 20000, `the picture has ${picture.length} bytes: nothing is drawn`);
+  const picture = await page.screenshot({ path: "picture.png", timeout: 200000 }); // drawn without a graphics card
+  assert.ok(picture.length > 5000, `the picture has ${picture.length} bytes: nothing is drawn`);
   assert.deepStrictEqual(faults, []);
   console.log(`${frames.length} frames, ${agents(frames[last].data)} agents in the last one`);
 } finally {

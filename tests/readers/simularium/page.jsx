@@ -8,7 +8,7 @@ const seen = { info: null, names: [], errors: [] };
 const selection = { highlightedAgents: [], hiddenAgents: [], colorChange: null, appliedColors: [] };
 
 createRoot(document.getElementById("viewer")).render(
-  <Viewer width={800} height={800} renderStyle={RenderStyle.WEBGL2_PREFERRED} backgroundColor={[1, 1, 1]} loggerLevel="error"
+  <Viewer width={300} height={300} renderStyle={RenderStyle.WEBGL2_PREFERRED} backgroundColor={[1, 1, 1]} loggerLevel="error"
           simulariumController={controller} selectionStateInfo={selection} showCameraControls={false} showBounds={true}
           hideAllAgents={false} showPaths={false} lockedCamera={false} disableCache={false} agentColors={["#2066a8", "#d55e00"]}
           onTimeChange={() => {}} onJsonDataArrived={() => {}} onUIDisplayDataChanged={(data) => { seen.names = data.map((entry) => entry.name); }}
