@@ -8,7 +8,7 @@
 
 /// The tables of OpenVT, the community that compares simulators of tissues on common reference models: positions of
 /// cells as its portal reads them, and its two records (github.com/OpenVT/OpenVTschema): of the simulation and of the
-/// simulator. Test: tests/unit/exchange/openvt_test.cpp, tests/readers/openvt_reads.py
+/// simulator. Test: tests/unit/exchange/tracks_test.cpp, tests/readers/openvt_reads.py
 namespace matrigrate::exchange {
 
 /// Columns simID, time [s], cellID, cellType, x, y [um]. simID is the number of the run in their order, from 0; cellID

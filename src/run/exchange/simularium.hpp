@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-/// Frames for Simularium's viewer. Test: tests/unit/exchange/simularium_test.cpp, tests/readers/simularium_reads.mjs
+/// Frames for Simularium's viewer. Test: tests/unit/exchange/simularium_test.cpp, tests/readers/simularium/open.mjs
 namespace matrigrate::exchange {
 
 /// A trajectory in Simularium's JSON format, version 3; um and s. Its agents are the cells and nuclei as closed fibres,
