@@ -52,6 +52,7 @@ void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_
 void add_demo(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
 void add_diff(CLI::App& app, Action& chosen);
 void add_open(CLI::App& app, Action& chosen);
+void add_live(CLI::App& app, Action& chosen);
 void add_report(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_validate(CLI::App& app, Action& chosen);

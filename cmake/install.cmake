@@ -25,6 +25,12 @@ install(FILES ${PROJECT_BINARY_DIR}/package/MatrigrateConfig.cmake
 
 install(DIRECTORY scenarios studies DESTINATION ${data} FILES_MATCHING PATTERN *.toml PATTERN *.png)
 install(FILES docs/scenario.schema.json DESTINATION ${data}/docs) # where the scenarios look for it
+# The live page, where it is: web/build.sh makes it; the source archive of a release has it in pages/. It holds its own licences.
+set(MATRIGRATE_LIVE_PAGE ${PROJECT_SOURCE_DIR}/build/web/live/index.html)
+if(EXISTS ${PROJECT_SOURCE_DIR}/pages/live.html)
+  set(MATRIGRATE_LIVE_PAGE ${PROJECT_SOURCE_DIR}/pages/live.html)
+endif()
+install(FILES ${MATRIGRATE_LIVE_PAGE} DESTINATION ${data} RENAME live.html OPTIONAL) # looked for by apps/live.cpp
 install(FILES LICENSE NOTICES DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES man/matrigrate.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES completions/matrigrate.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions

@@ -4,6 +4,11 @@ install(DIRECTORY python/matrigrate DESTINATION lib/python3/dist-packages # Debi
         FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
         PATTERN __pycache__ EXCLUDE)
 install(FILES docs/scenario.schema.json docs/readouts.json DESTINATION lib/python3/dist-packages/matrigrate)
+find_program(MATRIGRATE_PYTHON python3) # writes the types of the package, for editors
+if(MATRIGRATE_PYTHON)
+  install(CODE "execute_process(COMMAND ${MATRIGRATE_PYTHON} -B ${CMAKE_SOURCE_DIR}/tools/stubs.py
+    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/matrigrate/_sections.pyi COMMAND_ERROR_IS_FATAL ANY)")
+endif()
 install(FILES R/matrigrate.R DESTINATION ${data}/R)
 install(FILES CITATION.cff MODEL.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.md)

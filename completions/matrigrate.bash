@@ -11,7 +11,7 @@ _matrigrate() {
   local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} verb=matrigrate word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case ${verb}_$word in
-    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_sample|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
+    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_sample|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_live|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
     esac
   done
   case $verb:$previous in
@@ -42,6 +42,7 @@ _matrigrate() {
   matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
+  matrigrate_live:-o|matrigrate_live:--output) _matrigrate_files -d; return ;;
   matrigrate_export:--times) COMPREPLY=(); return ;;
   matrigrate_export:--pixel) COMPREPLY=(); return ;;
   matrigrate_export:--panel) COMPREPLY=(); return ;;
@@ -80,7 +81,7 @@ _matrigrate() {
   esac
   case $verb in
   matrigrate)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume sample demo report open diff export validate selftest study reproduce info" -- "$cur")); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume sample demo report open live diff export validate selftest study reproduce info" -- "$cur")); fi ;;
   matrigrate_new)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
@@ -101,6 +102,8 @@ _matrigrate() {
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_live)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print --output" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_diff)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_export)

@@ -6,7 +6,7 @@ function __matrigrate_at
   set -l verbs
   for word in (commandline -opc)[2..]
     switch (string join -- _ matrigrate $verbs $word)
-      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_sample matrigrate_demo matrigrate_report matrigrate_open matrigrate_diff matrigrate_export matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
+      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_sample matrigrate_demo matrigrate_report matrigrate_open matrigrate_live matrigrate_diff matrigrate_export matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
         set -a verbs $word
     end
   end
@@ -25,6 +25,7 @@ complete -c matrigrate -n '__matrigrate_at' -a sample -d 'Simulate once with giv
 complete -c matrigrate -n '__matrigrate_at' -a demo -d 'Simulate a cell for three hours, in about 20 s, and open its page'
 complete -c matrigrate -n '__matrigrate_at' -a report -d 'Make report.html of a run or a study anew, from its files'
 complete -c matrigrate -n '__matrigrate_at' -a open -d 'Open the page of a run, a study or `reproduce` in the browser'
+complete -c matrigrate -n '__matrigrate_at' -a live -d 'Open the live page: a cell computed in the browser while you watch'
 complete -c matrigrate -n '__matrigrate_at' -a diff -d 'Compare two runs or two scenarios: parameters, read-outs, first difference'
 complete -c matrigrate -n '__matrigrate_at' -a export -d 'Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks'
 complete -c matrigrate -n '__matrigrate_at' -a validate -d 'Verify the matrix on its own against closed forms and measured limits'
@@ -102,6 +103,10 @@ complete -c matrigrate -n '__matrigrate_at report' -l play -x -d 'A run that the
 complete -c matrigrate -n '__matrigrate_at open' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at open' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at open' -l print -d 'Only print where the page is'
+
+complete -c matrigrate -n '__matrigrate_at live' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at live' -l print -d 'Only print where the page is'
+complete -c matrigrate -n '__matrigrate_at live' -s o -l output -x -a '(__fish_complete_directories)' -d 'Copy the page to this file instead; never overwrites one'
 
 complete -c matrigrate -n '__matrigrate_at diff' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at diff' -l json -d 'Print the comparison as JSON'

@@ -3,10 +3,10 @@
 #   tools/release.sh [--build FOLDER] [--to FOLDER] [STEP...]
 # --build: a finished build of this commit (default: build/release, which is built if the program is not there)
 # Steps, in this order:
-#   source      the sources as an archive, with the pages of reports built: needs neither git nor npm
+#   live        the live page, which the next four contain; built here (web/build.sh) where Emscripten is installed
+#   source      the sources as an archive, with the pages built: needs neither git nor npm
 #   deb         the Debian package
-#   wheel       the Python package with matrigrate.Simulation, for Debian 12's Python
-#   live        the live page, if web/build.sh has made it
+#   wheel       the Python package with matrigrate.Simulation, the program and the libraries that both need, for Python 3.11 on Linux
 #   site        the documentation, with report pages of short runs and the live page
 #   containers  the recipes of containers
 #   sbom        what the program is made of and linked with, as SPDX
@@ -17,7 +17,7 @@ cd "$(dirname "$0")/.."
 . tools/setup.sh
 umask 022
 
-steps_known="source deb wheel live site containers sbom checksums"
+steps_known="live source deb wheel site containers sbom checksums"
 version=$(sed -n 's/^project(matrigrate VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 name=matrigrate-$version
 build=build/release
@@ -66,6 +66,11 @@ of_this_commit() {
   "$program" info | grep -qx "commit *$commit" || die "$program is not of the commit $commit, or was built with changes; build it anew"
 }
 
+# live_page: the live page of this commit; nothing where it was not built.
+live_page() {
+  if [ "$(cat build/web/live/COMMIT 2>/dev/null)" = "$commit" ]; then echo build/web/live/index.html; fi
+}
+
 # archive FOLDER FILE: a folder as a .tar.gz whose bytes depend on the names and contents of its files alone.
 archive() {
   tar --create --directory="$(dirname "$1")" --sort=name --format=gnu --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 \
@@ -76,7 +81,7 @@ archive() {
 sources() {
   [ ! -e "$work/$name" ] || return 0
   the_build
-  local pages page
+  local pages page live
   pages=$(sed -n 's/^MATRIGRATE_PAGES:PATH=//p' "$build/CMakeCache.txt")
   [ -n "$pages" ] || pages=$build/viewer/dist
   git archive --prefix="$name/" HEAD | tar --extract --directory="$work"
@@ -84,6 +89,8 @@ sources() {
   for page in run study verdicts; do
     cp "$pages/$page.html" "$work/$name/pages/" || die "there are no built pages in $pages"
   done
+  live=$(live_page)
+  if [ -n "$live" ]; then cp "$live" "$work/$name/pages/live.html"; fi
   echo "$commit" >"$work/$name/COMMIT"
 }
 
@@ -94,28 +101,35 @@ step_source() {
 
 step_deb() {
   of_this_commit
+  [ ! -e build/web/live/index.html ] || [ -n "$(live_page)" ] ||
+    die "build/web/live, which the package would contain, is not of this commit; tools/release.sh live builds it anew"
   cpack --config "$build/CPackConfig.cmake" -B "$work/deb" >"$work/cpack.log" 2>&1 || die "cpack failed: $(tail -n 3 "$work/cpack.log")"
   cp "$work"/deb/matrigrate_*.deb "$to/"
 }
 
 step_wheel() {
   of_this_commit
-  install_packages "$packages_for_python"
+  install_packages "$packages_for_python$packages_for_wheel"
   sources
-  local module
+  local module inside
+  inside=$(realpath "$program")
   module=$(realpath "$build"/python/_core*.so)
   [ -e "$module" ] || die "$build has no compiled module: it was built without pybind11-dev"
-  (cd "$work/$name" && MATRIGRATE_CORE=$module /usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-deps --no-index \
-    --wheel-dir "$work/wheel" .) || die "pip could not make the wheel"
-  cp "$work"/wheel/matrigrate-*.whl "$to/"
+  (cd "$work/$name" && MATRIGRATE_CORE=$module MATRIGRATE_INSIDE=$inside /usr/bin/python3 -m pip wheel --quiet --no-build-isolation \
+    --no-deps --no-index --wheel-dir "$work/wheel" .) || die "pip could not make the wheel"
+  /usr/bin/python3 -B tools/wheel_libraries.py "$work"/wheel/matrigrate-*.whl "$to" || die "the libraries could not be taken into the wheel"
 }
 
 step_live() {
-  if [ -e build/web/live/index.html ]; then
-    cp build/web/live/index.html "$to/$name-live.html"
-    cp build/web/live/NOTICES "$to/$name-live-NOTICES.txt"
+  local why="Emscripten is not installed; web/build.sh gets it (840 MB) and builds the page"
+  if [ -z "$(live_page)" ] && command -v em++ >/dev/null; then
+    web/build.sh
+    why="there are changes that are not committed"
+  fi
+  if [ -n "$(live_page)" ]; then
+    cp "$(live_page)" "$to/$name-live.html"
   else
-    say "the live page is left out: web/build.sh makes it, and gets Emscripten (840 MB)"
+    say "the live page is left out, also of source, deb, wheel and site: $why"
   fi
 }
 
@@ -124,7 +138,7 @@ step_site() {
   install_packages "$packages_for_site"
   sources
   local live=()
-  [ ! -e build/web/live/index.html ] || live=(--live build/web/live/index.html)
+  [ -z "$(live_page)" ] || live=(--live "$(live_page)")
   /usr/bin/python3 -B "$work/$name/tools/site/build.py" "$work/$name-site" --program "$program" "${live[@]}" >/dev/null || die "the site could not be built"
   archive "$work/$name-site" "$to/$name-site.tar.gz"
 }
@@ -138,7 +152,11 @@ step_containers() {
 
 step_sbom() {
   the_build
-  /usr/bin/python3 -B tools/sbom.py "$program" --commit "$commit" >"$work/sbom.json" || die "the list of parts could not be made"
+  local wheel=() file
+  for file in "$to/$name"-*.whl; do
+    [ ! -e "$file" ] || wheel=(--wheel "$file")
+  done
+  /usr/bin/python3 -B tools/sbom.py "$program" --commit "$commit" "${wheel[@]}" >"$work/sbom.json" || die "the list of parts could not be made"
   cp "$work/sbom.json" "$to/$name.spdx.json"
 }
 

@@ -1,12 +1,18 @@
 #!/usr/bin/env bash
 # Builds the documentation site, and installs what that needs: mkdocs, its theme and KaTeX, from Debian.
-#   tools/site.sh FOLDER [PROGRAM]    with the program, the gallery holds report pages of short runs (half a minute)
+#   tools/site.sh FOLDER [PROGRAM]    with the program, the gallery holds report pages of short runs (half a minute);
+#                                     the live page is part of the site where web/build.sh has made it
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 [ $# -ge 1 ] || {
-  sed -n '2,3s/^# *//p' "$0" >&2
+  sed -n '2,4s/^# *//p' "$0" >&2
   exit 2
 }
 . "$here/setup.sh"
 install_packages "$packages_for_site"
-exec /usr/bin/python3 -B "$here/site/build.py" "$1" ${2:+--program "$2"}
+live=$here/../build/web/live/index.html
+[ -e "$live" ] || {
+  say "the site goes without the live page, which web/build.sh makes"
+  live=
+}
+exec /usr/bin/python3 -B "$here/site/build.py" "$1" ${2:+--program "$2"} ${live:+--live "$live"}

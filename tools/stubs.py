@@ -1,15 +1,19 @@
 #!/usr/bin/env python3
 """Types of the sections and parameters of a scenario for editors and type checkers, made from the schema.
 
-stubs.py            writes python/matrigrate/_sections.pyi anew
-stubs.py --compare  says whether it is that of the schema, and fails if it is not
+stubs.py [FILE]     writes FILE (default: python/matrigrate/_sections.pyi, for editors that work on this tree)
+
+A wheel and a Debian package contain the file, made by setup.py and cmake/package.cmake; the repository does not.
 """
 import ast
 import pathlib
 import sys
+import types
 
 root = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(root / "python"))
+package = types.ModuleType("matrigrate")  # without its __init__.py, which needs numpy
+package.__path__ = [str(root / "python" / "matrigrate")]
+sys.modules["matrigrate"] = package
 
 from matrigrate import _schema, _sections  # noqa: E402
 
@@ -79,10 +83,6 @@ def made() -> str:
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--compare"]:
-        if not stub.is_file() or stub.read_text(encoding="utf-8") != made():
-            sys.exit(f"{stub.relative_to(root)} is not that of the schema: tools/stubs.py writes it anew")
-    elif sys.argv[1:]:
+    if len(sys.argv) > 2 or sys.argv[-1].startswith("-"):
         sys.exit(__doc__)
-    else:
-        stub.write_text(made(), encoding="utf-8")
+    pathlib.Path(sys.argv[1] if sys.argv[1:] else stub).write_text(made(), encoding="utf-8")

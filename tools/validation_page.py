@@ -9,6 +9,7 @@ copied there by tools/keep_results.sh.
 """
 import argparse
 import csv
+import dataclasses
 import difflib
 import math
 import pathlib
@@ -98,16 +99,6 @@ def count(rows: list[dict[str, str]], verdict: str, column: str = "verdict_secon
     return sum(row[column] == verdict for row in rows)
 
 
-def against(rows: list[dict[str, str]]) -> list[str]:
-    """Claims of which a stated direction comes out the other way, by the whole interval of the difference."""
-    found = []
-    for row in rows:
-        for words, low, high in re.findall(r"(?<!not significantly )\b(above|below) that at [^;]*?\(difference \S+ \[(\S+), (\S+)\]", row["statistic"]):
-            if (float(high) < 0.0 if words == "above" else float(low) > 0.0) and row["id"] not in found:
-                found.append(row["id"])
-    return found
-
-
 def bottom_line(_page: str) -> str:
     rows, first = rows_of(KEPT / "claims.csv"), rows_of(KEPT / "first/claims.csv")
     predicted = [row for row in rows if row["kind"] == "predicted"]
@@ -118,7 +109,7 @@ def bottom_line(_page: str) -> str:
              f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {count(predicted, 'in direction')} are in direction, "
              f"{count(predicted, 'does not hold')} do not hold"
              + (f", and {count(predicted, 'undecided')} are to be judged." if open_rows else "."),
-             f"Against the paper's direction, by a whole interval of 95 %: {', '.join(against(rows_of(KEPT / 'conditions.csv'))) or 'none'}.",
+             f"Against the paper's direction, by a whole interval of 95 %: {', '.join(row['id'] for row in rows if row['against']) or 'none'}.",
              f"The first set of closures: {count(first, 'holds')} hold, {count(first, 'in direction')} in direction, "
              f"{count(first, 'does not hold')} do not hold. All by the second edition of the rules."]
     return "\n".join(lines)
@@ -184,15 +175,63 @@ def new_seeds(_page: str) -> str:
     return means(rows_of(KEPT / "second-set-results.csv"), NEW_SEEDS)
 
 
+@dataclasses.dataclass
+class Row:
+    """A row that does not hold: what it asks for, and the read-out at a point (less that at another one)."""
+    claim: str
+    wanted: str
+    column: str
+    digits: int
+    point: str  # of the studies of sensitivity
+    kept: tuple[str, str]  # study and label of the same point with the second set
+    less: str = ""
+    kept_less: tuple[str, str] = ("", "")
+
+
+FAILING = [
+    Row("A1", "v_migr_abs at 50 Pa: 3.7 um/h", "v_migr_abs_um_per_h", 1, "50 Pa", ("stiffness", "youngs_modulus 50 Pa")),
+    Row("A4", "l_prot at 400 Pa less that at 50 Pa: below 0 um", "l_prot_um", 1, "400 Pa", ("stiffness", "youngs_modulus 400 Pa"),
+        "50 Pa", ("stiffness", "youngs_modulus 50 Pa")),
+    Row("A8", "n_protrusions at 0.6 nN less that at 0.2 nN a strand: above 0", "n_protrusions", 1, "200 Pa", ("contraction", "force 0.6 nN"),
+        "F_am 0.2 nN a strand", ("contraction", "force 0.2 nN")),
+    Row("C2", "share of low f_adh_rel at 50 Pa, zeta_diss 80 /nN less 20 /nN: above 0", "share_f_adh_rel_low", 2, "zeta_diss 80 /nN, 50 Pa",
+        ("sensitive-adhesions", "youngs_modulus 50 Pa"), "50 Pa", ("stiffness", "youngs_modulus 50 Pa")),
+    Row("C2", "n_protrusions at 200 Pa, zeta_diss 80 /nN less 20 /nN: below 0", "n_protrusions", 1, "zeta_diss 80 /nN, 200 Pa",
+        ("sensitive-adhesions", "youngs_modulus 200 Pa"), "200 Pa", ("stiffness", "youngs_modulus 200 Pa")),
+    Row("C4", "n_protrusions at 300 Pa, zeta_diss 20 /nN less one rate: above 0", "n_protrusions", 1, "300 Pa", ("stiffness", "youngs_modulus 300 Pa"),
+        "one rate, 300 Pa", ("insensitive-adhesions", "youngs_modulus 300 Pa")),
+    Row("D2", "path at n_prot 3: 26.6 um/h", "v_migr_path_60s_um_per_h", 1, "n_prot 3", ("kept-protrusions", "n_prot 3")),
+    Row("E1", "v_migr_abs among fibres at n_prot 2: 10.7 um/h", "v_migr_abs_um_per_h", 1, "fibres, n_prot 2",
+        ("kept-protrusions-fibres", "n_prot 2")),
+    Row("E2", "path among fibres at n_prot 2: 21.2 um/h", "v_migr_path_60s_um_per_h", 1, "fibres, n_prot 2", ("kept-protrusions-fibres", "n_prot 2")),
+    Row("E4", "angle of the path off the fibres at n_prot 1: below 45 degrees", "path_angle_deg", 0, "fibres, n_prot 1",
+        ("kept-protrusions-fibres", "n_prot 1")),
+]
+CONDITIONS = ["share 0.10", "share 0.20", "larger pressure", "no wait for rest"]
+
+
+def with_error(values: list[float], less: list[float], digits: int) -> str:
+    """Mean and standard error, of a difference where there is something to take off."""
+    if len(values) < 2 or len(less) == 1:
+        return ""
+    squares = [mean_and_sd(v)[1] ** 2 / len(v) for v in (values, less) if v]
+    mean = mean_and_sd(values)[0] - (mean_and_sd(less)[0] if less else 0.0)
+    return f"{mean:.{digits}f} +- {math.sqrt(sum(squares)):.{digits}f}"
+
+
 def sensitivity(_page: str) -> str:
-    rows = rows_of(KEPT / "sensitivity-second-results.csv")
-    if not rows:
-        return "The runs are still to be made ([validation/sensitivity-second.toml](validation/sensitivity-second.toml))."
-    labels = list(dict.fromkeys(row["label"] for row in rows))
-    chosen = [entry for entry in READOUTS if entry[0] in ("v_migr_abs_um_per_h", "v_migr_path_60s_um_per_h", "n_protrusions",
-                                                          "tau_prot_min", "f_mat", "msd_slope")]
-    return table(["point", *(name for _, name, _ in chosen)],
-                 [[label, *(cell(numbers(rows, label, column), digits) for column, _, digits in chosen)] for label in labels])
+    rows = [row for name in ("sensitivity-second", "sensitivity-adhesions") for row in rows_of(KEPT / f"{name}-results.csv")]
+    kept = {study: rows_of(KEPT / f"{study}-results.csv") for study, _ in STUDIES}
+    made = []
+    for row in FAILING:
+        of_kept = [numbers(kept[study], label, row.column) if study else [] for study, label in (row.kept, row.kept_less)]
+        cells = [with_error(*of_kept, row.digits)]
+        for condition in CONDITIONS:
+            values = numbers(rows, f"{condition}: {row.point}", row.column)
+            less = numbers(rows, f"{condition}: {row.less}", row.column)
+            cells.append(with_error(values, less, row.digits) if less or not row.less else "")
+        made.append([row.claim, row.wanted, *cells])
+    return table(["row", "wanted", "second set", *CONDITIONS], made)
 
 
 # Both integrators: Welch's t-test.

@@ -28,12 +28,18 @@ cp -r viewer/src viewer/sample viewer/tests viewer/*.html viewer/*.json viewer/*
   [ -d node_modules ] || npm ci --no-audit --no-fund --loglevel=error
   npm run build:live --silent
 ) || die "the page could not be built"
-node web/join.mjs "$viewer/dist/live.html" build/web/core/core_worker.js "$viewer/dist/live_worker.js" build/web/live/index.html
-cp LICENSE build/web/live/
+# Of which commit the page is; tools/release.sh takes no other. The archive of a release has the name in a file.
+commit=$(git rev-parse HEAD 2>/dev/null || cat COMMIT 2>/dev/null || echo unknown)
+[ -z "$(git status --porcelain --untracked-files=no 2>/dev/null)" ] || commit="$commit, with changes"
 # What the page contains of others, under the terms that Debian states for each.
-for package in emscripten libeigen3-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev librandom123-dev libxxhash-dev; do
-  printf '==== %s ====\n\n' "$package"
-  cat "/usr/share/doc/$package/copyright"
-  printf '\n'
-done >build/web/live/NOTICES
+{
+  printf 'Matrigrate %s, commit %s\n\n' "$(sed -n 's/^project(matrigrate VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" "$commit"
+  cat LICENSE
+  for package in emscripten libeigen3-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev librandom123-dev libxxhash-dev; do
+    printf '\n==== %s ====\n\n' "$package"
+    cat "/usr/share/doc/$package/copyright"
+  done
+} >build/web/live/NOTICES
+node web/join.mjs "$viewer/dist/live.html" build/web/core/core_worker.js "$viewer/dist/live_worker.js" build/web/live/NOTICES build/web/live/index.html
+echo "$commit" >build/web/live/COMMIT
 say "open build/web/live/index.html ($(du -h build/web/live/index.html | cut -f1))"

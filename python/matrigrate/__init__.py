@@ -17,6 +17,7 @@
 Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
 """
 from . import calibrate, plot, tracks
+from ._live import live
 from ._schema import Parameter
 from ._version import __version__
 from .errors import (ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop,
@@ -32,5 +33,5 @@ __all__ = [
     "Cell", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields", "InputOutputError", "InternalError",
     "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run",
     "Runs", "Scenario", "Section", "Simulation", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__",
-    "calibrate", "load", "load_study", "meaning", "plot", "run", "run_study", "tracks",
+    "calibrate", "live", "load", "load_study", "meaning", "plot", "run", "run_study", "tracks",
 ]

@@ -36,6 +36,61 @@ TEST_F(Open, SaysHowToMakeAPageThatIsMissing) {
   EXPECT_TRUE(contains(ended.err, "`matrigrate report bare` writes it")) << ended.err;
 }
 
+/// The program in a folder of its own, as installed.
+class Live : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    std::filesystem::create_directories(base / "usr/bin");
+    std::filesystem::create_directories(base / "usr/share/matrigrate");
+    std::filesystem::copy_file(MATRIGRATE_PROGRAM, base / "usr/bin/matrigrate");
+    std::ofstream(page()) << "<p>a cell";
+    ::unsetenv("DISPLAY");
+    ::unsetenv("WAYLAND_DISPLAY");
+  }
+  std::filesystem::path page() const { return base / "usr/share/matrigrate/live.html"; }
+  Ended live(const std::string& arguments) const { return run("live " + arguments, base / "usr/bin/matrigrate"); }
+};
+
+TEST_F(Live, OpensThePageThatIsInstalledBesideTheProgram) {
+  EXPECT_EQ(live("--print").out, page().string() + "\n");
+  EXPECT_EQ(live("").out, "open " + page().string() + "\n") << "there is no screen";
+  const std::string opener = (folder / "xdg-open").string();
+  write("xdg-open", "#!/bin/sh\necho \"$1\" >opened\n");
+  std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder.string() + ":" + path).c_str(), 1);
+  ::setenv("DISPLAY", ":0", 1);
+  const Ended ended = live("");
+  ::setenv("PATH", path.c_str(), 1);
+  ::unsetenv("DISPLAY");
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(text_of(folder / "opened"), page().string() + "\n");
+}
+
+TEST_F(Live, CopiesThePageAndNeverOverwrites) {
+  EXPECT_EQ(live("-o live.html").code, 0);
+  EXPECT_EQ(text_of(folder / "live.html"), "<p>a cell");
+  write("live.html", "mine");
+  const Ended again = live("-o live.html");
+  EXPECT_EQ(again.code, 5);
+  EXPECT_TRUE(contains(again.err, "is not overwritten")) << again.err;
+  EXPECT_EQ(text_of(folder / "live.html"), "mine");
+  EXPECT_EQ(live("-o nowhere/live.html").code, 5);
+  EXPECT_EQ(live("-o other.html --print").code, 2);
+}
+
+TEST_F(Live, SaysWhereToGetAPageThatIsNotInstalled) {
+  std::filesystem::remove(page());
+  for (const char* arguments : {"", "--print", "-o live.html"}) {
+    const Ended ended = live(arguments);
+    EXPECT_EQ(ended.code, 5);
+    EXPECT_TRUE(contains(ended.err, page().string()) && contains(ended.err, "web/build.sh")) << ended.err;
+  }
+  EXPECT_EQ(entries(), 0U);
+}
+
 class Diff : public Program {};
 
 TEST_F(Diff, OfScenariosListsTheParametersThatDiffer) {

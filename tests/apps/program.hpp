@@ -34,8 +34,9 @@ protected:
   void TearDown() override { std::filesystem::remove_all(base); }
 
   /// @param arguments  as a shell takes them
-  Ended run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder.string() + "' && '" MATRIGRATE_PROGRAM "' " + arguments + " >'"
+  /// @param program    a copy of the program
+  Ended run(const std::string& arguments, const std::string& program = MATRIGRATE_PROGRAM) const {
+    const std::string command = "cd '" + folder.string() + "' && '" + program + "' " + arguments + " >'"
                                 + (base / "out").string() + "' 2>'" + (base / "err").string() + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(base / "out"), text_of(base / "err")};

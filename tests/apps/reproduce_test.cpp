@@ -32,7 +32,7 @@ TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
   EXPECT_FALSE(exists("reproduce/stiffness")) << "no study is run";
   EXPECT_TRUE(
       contains(file("reproduce/claims.csv"),
-               "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,caveat\n"));
+               "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat\n"));
 }
 
 TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {

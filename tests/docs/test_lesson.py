@@ -46,6 +46,15 @@ class Lesson(unittest.TestCase):
             link, = re.findall(r"^#scenario=([\w-]+)$", question, re.MULTILINE)
             self.assertEqual(settings_of(link), wanted | {"run.integrator": "adaptive", "run.seed": "1"}, name)
 
+    def test_the_page_itself_has_the_same_questions(self):
+        text = (source / "viewer/src/live/lesson.ts").read_text(encoding="utf-8")
+        own = re.findall(r'ask: "([^"]+)", preset: "([^"]+)", then: "([^"]+)"', text)
+        self.assertEqual([ask for ask, _, _ in own], re.findall(r"^## \d\. (.*)$", page, re.MULTILINE))
+        for question, (_, preset, then) in zip(questions, own, strict=True):
+            self.assertIn(f"(`{preset}`)", question)
+            for slider in re.findall(r'\*\*Change\*\* "([^"]+)"', question):
+                self.assertIn(slider, then)
+
     def test_presets_and_sliders_have_these_names(self):
         cpp = (source / "src/parameters/presets.cpp").read_text(encoding="utf-8")
         for name in re.findall(r"`([a-z]+-[a-z-]+|soft|baseline)`", page):

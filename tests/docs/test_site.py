@@ -15,7 +15,9 @@ import reference
 source = pathlib.Path(__file__).resolve().parents[2]
 temporary = tempfile.TemporaryDirectory()
 site = pathlib.Path(temporary.name) / "site"
-built = subprocess.run([sys.executable, "-B", source / "tools" / "site" / "build.py", site], capture_output=True, text=True)
+live = pathlib.Path(temporary.name) / "live.html"  # in place of the page that web/build.sh makes
+live.write_text("<p>a cell")
+built = subprocess.run([sys.executable, "-B", source / "tools" / "site" / "build.py", site, "--live", live], capture_output=True, text=True)
 if built.returncode == 77:
     print(built.stdout)
     sys.exit(77)
@@ -52,6 +54,14 @@ class Site(unittest.TestCase):
             text = (site / start).read_text(encoding="utf-8")
             targets = {((site / start).parent / link).resolve() for link in re.findall(r'href="([^"#:]+\.html)', text)}
             self.assertIn(page.resolve(), targets, start)
+
+    def test_the_live_page_is_in_it_and_linked(self):
+        self.assertEqual((site / "live/index.html").read_text(), "<p>a cell")
+        for page, links_to_it in (("index.html", 1), ("how-to/live.html", 1), ("gallery.html", 1), ("lesson.html", 5)):
+            text = (site / page).read_text(encoding="utf-8")
+            found = {((site / page).parent / address).resolve() for address in re.findall(r'href="([^"#]*live/index.html)', text)}
+            self.assertEqual(found, {(site / "live/index.html").resolve()}, page)
+            self.assertEqual(len(re.findall(r'href="[^"]*live/index.html', text)), links_to_it, page)
 
     def test_search_finds_the_stiffness(self):
         script = (site / "search" / "search_index.js").read_text(encoding="utf-8")

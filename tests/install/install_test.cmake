@@ -20,6 +20,20 @@ if(rule MATCHES "TYPE MODULE" AND NOT rule MATCHES "TYPE MODULE OPTIONAL FILES")
   message(SEND_ERROR "the module of Python is not optional: a build of the program alone could not be installed")
 endif()
 
+# The live page is installed where it was built, and found by the program; Emscripten, which builds it, may be missing.
+file(READ ${BINARY_DIR}/cmake_install.cmake rule)
+if(NOT rule MATCHES "OPTIONAL RENAME \"live.html\"")
+  message(SEND_ERROR "no optional rule installs the live page")
+endif()
+if(EXISTS ${SOURCE_DIR}/build/web/live/index.html)
+  execute_process(COMMAND ${prefix}/bin/matrigrate live --print RESULT_VARIABLE result OUTPUT_VARIABLE page OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT result EQUAL 0 OR NOT page STREQUAL ${prefix}/share/matrigrate/live.html)
+    message(SEND_ERROR "the installed program has no live page: ${page}")
+  endif()
+else()
+  message("the live page was not looked for: web/build.sh has not made it")
+endif()
+
 # All files are there; those of the package name no folder of this build.
 set(expected bin/matrigrate share/matrigrate/docs/scenario.schema.json share/man/man1/matrigrate.1
              share/doc/matrigrate/LICENSE share/doc/matrigrate/NOTICES share/bash-completion/completions/matrigrate

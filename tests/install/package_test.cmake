@@ -27,7 +27,8 @@ foreach(word "Package: matrigrate" libhdf5 libtbb libfmt libc6 python3-pandas no
 endforeach()
 run(text ${DPKG_DEB} -x ${package} ${FOLDER}/unpacked)
 foreach(file bin/matrigrate include/matrigrate/simulation/advance.hpp lib/python3/dist-packages/matrigrate/__init__.py
-             lib/python3/dist-packages/matrigrate/scenario.schema.json lib/python3/dist-packages/matrigrate/readouts.json share/man/man1/matrigrate.1
+             lib/python3/dist-packages/matrigrate/scenario.schema.json lib/python3/dist-packages/matrigrate/readouts.json
+             lib/python3/dist-packages/matrigrate/_sections.pyi share/man/man1/matrigrate.1
              share/bash-completion/completions/matrigrate share/matrigrate/studies/stiffness.toml
              share/matrigrate/R/matrigrate.R share/doc/matrigrate/LICENSE share/doc/matrigrate/CITATION.cff
              share/doc/matrigrate/MODEL.md share/doc/matrigrate/docs/tutorial.md share/doc/matrigrate/examples/04_my_force.cpp)

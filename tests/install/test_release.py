@@ -3,6 +3,7 @@ import hashlib
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -23,6 +24,11 @@ version = re.search(r'__version__ = "(.*)"', (source / "python/matrigrate/_versi
 commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=source, capture_output=True, text=True, check=True).stdout.strip()
 
 
+def live_page_is_of(commit: str) -> bool:
+    named = source / "build/web/live/COMMIT"
+    return named.exists() and named.read_text().strip() == commit
+
+
 class Release(unittest.TestCase):
     def test_same_bytes(self):
         names = sorted(path.name for path in first.iterdir())
@@ -30,7 +36,7 @@ class Release(unittest.TestCase):
         for name in names:
             self.assertEqual((first / name).read_bytes(), (second / name).read_bytes(), name)
 
-    def test_archive_builds_without_git_and_npm(self):
+    def test_archive_holds_the_commit_the_pages_and_every_tracked_file(self):
         with tarfile.open(first / f"matrigrate-{version}.tar.gz") as archive:
             top = f"matrigrate-{version}"
             self.assertEqual(archive.extractfile(f"{top}/COMMIT").read().decode().strip(), commit)
@@ -39,7 +45,8 @@ class Release(unittest.TestCase):
             files = {member.name.removeprefix(f"{top}/") for member in archive if member.isfile()}
             tracked = subprocess.run(["git", "ls-tree", "-r", "--name-only", "-z", "HEAD"], cwd=source, capture_output=True, text=True,
                                      check=True).stdout.strip("\0").split("\0")
-            self.assertEqual(files - set(tracked), {"COMMIT", "pages/run.html", "pages/study.html", "pages/verdicts.html"})
+            live = {"pages/live.html"} if live_page_is_of(commit) else set()
+            self.assertEqual(files - set(tracked), {"COMMIT", "pages/run.html", "pages/study.html", "pages/verdicts.html"} | live)
             self.assertLessEqual(set(tracked), files)
             self.assertEqual({(member.uid, member.uname) for member in archive}, {(0, "")})
 
@@ -67,6 +74,25 @@ class Release(unittest.TestCase):
         plotly = json.loads((source / "viewer/package.json").read_text())["devDependencies"]["plotly.js-cartesian-dist-min"]
         contained = [known[one["relatedSpdxElement"]]["versionInfo"] for one in parts["relationships"] if one["relationshipType"] == "CONTAINS"]
         self.assertEqual(contained, [plotly])
+
+    def test_the_live_page_is_taken_where_it_is_of_this_commit_and_else_its_absence_is_told(self):
+        """In a clone of its own, without Emscripten: tools/release.sh looks for the page in build/web/live/."""
+        clone = pathlib.Path(temporary.name) / "clone"
+        subprocess.run(["git", "clone", "--quiet", "--depth", "1", source.as_uri(), clone], check=True)
+        (clone / "bin").mkdir()
+        for tool in ("bash", "cat", "cp", "dirname", "git", "grep", "ls", "mkdir", "mktemp", "rm", "sed", "sudo", "basename", "id", "dpkg-query", "nproc"):
+            if found := shutil.which(tool):
+                (clone / "bin" / tool).symlink_to(found)
+        page = clone / "build/web/live/index.html"
+        page.parent.mkdir(parents=True)
+        page.write_text("<p>a cell")
+        for named, there in ((f"{commit}, with changes", False), (commit, True)):
+            (page.parent / "COMMIT").write_text(f"{named}\n")
+            to = clone / "release" / str(there)
+            done = subprocess.run([clone / "tools/release.sh", "--to", to, "live"], capture_output=True, text=True, env={"PATH": str(clone / "bin")})
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("Emscripten is not installed" in done.stdout, not there, done.stdout)
+            self.assertEqual([file.read_text() for file in to.iterdir()], ["<p>a cell"] if there else [])
 
     def test_unknown_steps_are_refused(self):
         done = subprocess.run([source / "tools/release.sh", "--to", first / "no", "sbmo"], capture_output=True, text=True)

@@ -4,8 +4,10 @@ import doctest
 import importlib
 import json
 import os
+import pathlib
 import subprocess
 import sys
+import tempfile
 import tomllib
 import unittest
 
@@ -196,14 +198,11 @@ class Objects(unittest.TestCase):
 
 
 class Stub(unittest.TestCase):
-    def test_is_that_of_the_schema(self):
-        done = subprocess.run([sys.executable, "-B", common.source / "tools" / "stubs.py", "--compare"],
-                              capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-
     def test_names_are_those_at_run_time(self):
-        text = (common.source / "python" / "matrigrate" / "_sections.pyi").read_text(encoding="utf-8")
-        module = ast.parse(text).body
+        with tempfile.TemporaryDirectory() as folder:
+            stub = pathlib.Path(folder) / "_sections.pyi"
+            subprocess.run([sys.executable, "-B", common.source / "tools" / "stubs.py", stub], check=True)
+            module = ast.parse(stub.read_text(encoding="utf-8")).body
         classes = {node.name: node for node in module if isinstance(node, ast.ClassDef) and node.name != "_Quantity"}
         functions = {node.name for node in module if isinstance(node, ast.FunctionDef)}
         ours = {name: thing for name, thing in vars(_sections).items()

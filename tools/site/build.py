@@ -76,6 +76,17 @@ def gallery_text(program: pathlib.Path | None, live: pathlib.Path | None) -> str
     return "\n".join(parts)
 
 
+def with_live_page(texts: dict[str, str]) -> None:
+    """Links to the live page, which this site holds: on the first page, on its own page, and one for each question of the lesson."""
+    link = '<p><a class="live" href="{}">Simulate a cell in this browser</a>: nothing is installed or asked of a network.</p>'
+    for name, mark, address in (("index.md", "<!-- live -->", "live/index.html"), ("how-to/live.md", "<!-- live -->", "../live/index.html")):
+        assert mark in texts[name], name
+        texts[name] = texts[name].replace(mark, link.format(address))
+    texts["lesson.md"], n = re.subn(r"^```text\n(#scenario=[\w-]+)\n```$", r'<p><a class="live" href="live/index.html\1">Begin this question</a></p>',
+                                    texts["lesson.md"], flags=re.MULTILINE)
+    assert n == 5, n
+
+
 def main() -> None:
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("folder", type=pathlib.Path, help="where the site goes; an older site there is replaced")
@@ -97,6 +108,8 @@ def main() -> None:
         texts = gather.pages(root)
         texts |= reference.python_pages(root) | reference.cpp_pages(root)
         texts["gallery.md"] = texts["gallery.md"].replace("<!-- reports -->", gallery_text(given.program, given.live))
+        if given.live:
+            with_live_page(texts)
         files = gather.with_links_of_the_site(texts, root)
         if given.program:
             make_reports(given.program.resolve(), docs / "reports")

@@ -14,6 +14,7 @@ _groups = [
     ("Fields", ["Fields", "Field"]),
     ("Studies", ["run_study", "load_study", "Study", "Runs"]),
     ("Scenarios", ["Scenario", "Section", "Parameter"]),
+    ("The live page", ["live"]),
     ("Errors", ["MatrigrateError", "ConfigurationError", "Fault", "UnknownParameter", "NumericalError", "InputOutputError",
                 "InternalError", "Stopped", "KeyboardStop", "ProgramNotFound", "CoreNotFound", "UsageError"]),
 ]

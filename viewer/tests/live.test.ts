@@ -1,11 +1,13 @@
 /** The live page without its simulation: the film that grows, and scenarios in addresses and files. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { unable } from "../src/live/able";
+import { paceText } from "../src/live/bar";
 import { thinned } from "../src/live/curves";
 import { exported } from "../src/live/export";
 import { LiveFilm, type FilmImage } from "../src/live/film";
 import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
-import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario } from "../src/live/scenario";
+import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario, type StrokeKind } from "../src/live/scenario";
 import { addTracks, noTracks } from "../src/live/scene";
 import { tracksOfCells } from "../src/run/cells";
 import { extremes, layers } from "../src/run/matrix/layers";
@@ -26,6 +28,7 @@ const head: Head = {
   bonds_um: [],
   obstacles_um: [],
   onset: 0,
+  attractant: false,
 };
 
 /** All that is kept of a film. */
@@ -165,6 +168,8 @@ const drawn: Scenario = {
   changes: [{ t: 600, overrides: ["actomyosin.force=1 nN"] }],
 };
 
+const ground = { youngs_modulus: 100, radius: 150, spacing: 2, set: {} };
+
 test("an address carries a scenario, and says what is wrong with it", () => {
   assert.deepEqual(fromHash(toHash(drawn)), { ...drawn, changes: [] });
   assert.deepEqual(fromHash(toHash({ ...drawn, toml: 'a = "\u00b5"' }))?.toml, 'a = "\u00b5"');
@@ -176,7 +181,7 @@ test("an address carries a scenario, and says what is wrong with it", () => {
 });
 
 test("what is drawn becomes grids with a node at each particle", () => {
-  const files = drawnFiles(drawn.strokes, { youngs_modulus: 100, radius: 150, spacing: 2 });
+  const files = drawnFiles(drawn.strokes, ground);
   const at = (file: string, x: number, y: number) =>
     files[file].split("\n").find((line) => line.startsWith(`${x},${y},`))?.split(",")[2];
   assert.equal(files["f_degr.csv"].trim().split("\n").length, 1 + 151 * 151);
@@ -184,10 +189,49 @@ test("what is drawn becomes grids with a node at each particle", () => {
   assert.equal(at("f_degr.csv", 10, 38), "1");
   assert.equal(at("youngs_modulus.csv", -40, 8), "25");
   assert.equal(at("youngs_modulus.csv", -40, 12), "100");
-  const { overrides } = given(drawn, { youngs_modulus: 100, radius: 150, spacing: 2 });
+  const { overrides } = given(drawn, ground);
   assert.ok(overrides.includes("ecm.fields.f_degr=/f_degr.csv"));
   assert.equal(now(drawn)["actomyosin.force"], "1 nN");
   assert.deepEqual([pascals("0.2 kPa"), pascals("50 Pa"), pascals("7")], [200, 50, 7]);
+});
+
+test("ligand and a source of attractant are drawn, with what the cell needs to sense them", () => {
+  const stroke = (kind: StrokeKind, x: number) => ({ kind, radius: 6, points: [x, 0] });
+  const scenario: Scenario = { ...fresh(), strokes: [stroke("rich", 40), stroke("bare", -40), stroke("attractant", 80)] };
+  const { files, overrides } = given(scenario, { ...ground, set: { "cues.diffusion": "20 um^2/s" } });
+  assert.deepEqual(Object.keys(files).sort(), ["attractant_source.csv", "ligand.csv"]);
+  const at = (file: string, x: number) => files[file].split("\n").find((line) => line.startsWith(`${x},0,`))?.split(",")[2];
+  assert.deepEqual([0, 40, -40].map((x) => at("ligand.csv", x)), ["1", "2", "0"]);
+  assert.deepEqual([0, 80].map((x) => at("attractant_source.csv", x)), ["0", "0.1"]);
+  assert.ok(overrides.includes("ecm.fields.attractant_source=/attractant_source.csv") && overrides.includes("cues.haptotaxis=4") && overrides.includes("cues.chemotaxis=20"));
+  assert.ok(!overrides.some((one) => one.startsWith("cues.diffusion")), "what the scenario sets stays");
+  assert.deepEqual(fromHash(toHash(scenario))?.strokes, scenario.strokes);
+});
+
+test("attractant is a layer of the film where there is any", () => {
+  const live = new LiveFilm({ ...head, attractant: true }, { reference: Float32Array.of(10, 20, -30, -40) });
+  for (const t of [0, 10]) live.add({ ...moment(t), attractant: Float32Array.of(0.25, t / 5) });
+  const layer = layers(live.film).find(({ key }) => key === "attractant")!;
+  assert.deepEqual([layer.low, layer.high], [0, 1]);
+  assert.ok(Math.abs(valueAt(layer.field!, 1, 0) - 0.25) < 0.002 && Math.abs(valueAt(layer.field!, 1, 1) - 2) < 0.002);
+  assert.equal(new LiveFilm(head, { reference: Float32Array.of(10, 20, -30, -40) }).film.attractant, null);
+});
+
+test("the pace is told in words that fit", () => {
+  assert.equal(paceText(180), ", 180 times faster than life: 6 h take 2 min");
+  assert.equal(paceText(6), ", 6 times faster than life: 6 h take 1 h 00 min");
+  assert.equal(paceText(720), ", 720 times faster than life: 6 h take 30 s");
+});
+
+test("without WebAssembly, or without its SIMD, the reason is told", () => {
+  const { validate } = WebAssembly;
+  assert.equal(unable(), null);
+  try {
+    WebAssembly.validate = () => false;
+    assert.match(unable() ?? "", /no WebAssembly SIMD.*Safari 16\.4/);
+  } finally {
+    WebAssembly.validate = validate;
+  }
 });
 
 test("a long line is drawn with no more points than can be seen, and to its end", () => {

@@ -122,6 +122,7 @@ Json head_json() {
   head["time_step_s"] = p.run.time_step;
   head["bonds_um"] = bonds_json(p);
   head["onset"] = p.fibres.onset;
+  head["attractant"] = !s.state().ecm.attractant.empty();
   head["obstacles_um"] = obstacles_json(s.state().ecm);
   head["changed"] = changed_json(Parameters{}, p);
   return head;
@@ -258,6 +259,7 @@ val frame(const val& spare) {
   floats("pressure", f.matrix.pressure);
   floats("vonMises", f.matrix.von_mises);
   if (!f.matrix.fibre_von_mises.empty()) floats("fibreVonMises", f.matrix.fibre_von_mises);
+  if (!f.matrix.attractant.empty()) floats("attractant", f.matrix.attractant);
   floats("outline", f.outline.x);
   bytes("front", f.outline.front);
   bytes("protrusionOf", f.outline.protrusion);

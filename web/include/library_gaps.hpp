@@ -108,6 +108,21 @@ ptrdiff_t count_if(Range&& range, Test test) {
   return n;
 }
 
+template <class Range, class Value>
+ptrdiff_t count(Range&& range, const Value& value) {
+  return std::count(range.begin(), range.end(), value);
+}
+
+template <class Range>
+auto adjacent_find(Range&& range) {
+  return std::adjacent_find(range.begin(), range.end());
+}
+
+template <class Range, class Out, class Make>
+void transform(Range&& range, Out out, Make make) {
+  std::transform(range.begin(), range.end(), out, make);
+}
+
 template <class Range, class Out>
 void copy(Range&& range, Out out) {
   std::copy(range.begin(), range.end(), out);
@@ -123,9 +138,11 @@ void fill(Range&& range, const Value& value) {
   std::fill(range.begin(), range.end(), value);
 }
 
-template <class A, class B>
-bool equal(A&& a, B&& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+template <class A, class B, class Same = std::equal_to<>, class OfA = identity, class OfB = identity>
+bool equal(A&& a, B&& b, Same same = {}, OfA of_a = {}, OfB of_b = {}) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& other) -> bool {
+    return invoke(same, invoke(of_a, one), invoke(of_b, other));
+  });
 }
 
 template <class Range, class Compare = std::less<>, class Projection = identity>
@@ -169,6 +186,12 @@ auto max(Range&& range) {
 template <class Range>
 auto min(Range&& range) {
   return *std::min_element(range.begin(), range.end());
+}
+
+template <class Range>
+auto minmax(Range&& range) {
+  const auto [least, largest] = std::minmax_element(range.begin(), range.end());
+  return pair{*least, *largest};
 }
 
 template <class A, class B, class Out>

@@ -279,6 +279,36 @@ if (program) {
   console.log(`drawn hole and soft spot, cell's area at 40 s: ${outline.toFixed(3)} um^2 here, ${Number(row[head.indexOf("area_um2")]).toFixed(3)} um^2 natively`);
   assert.ok(Math.abs(outline - Number(row[head.indexOf("area_um2")])) < 0.5);
 }
+// Ligand and attractant are drawn, are layers, and the cell senses them; a film is recorded meanwhile.
+const draw = [["attractant", 8, 50, 0], ["bare", 8, -30, -30, -30, 30], ["rich", 8, 0, 35, 30, 45]];
+const hash = (scenario) => `#scenario=${Buffer.from(JSON.stringify({ v: 1, set: { "run.integrator": "adaptive", "run.seed": "1" }, ...scenario })).toString("base64url")}`;
+const drawnCues = await visit(context, `${address}?cues${hash({ draw })}`);
+await until(drawnCues, (s) => s.playing && s.frames > 0, "it plays");
+const record = drawnCues.getByRole("button", { name: "Record WebM" });
+if ((await record.count()) > 0) {
+  await record.click();
+  await drawnCues.waitForTimeout(3000);
+  const [film] = await Promise.all([drawnCues.waitForEvent("download"), drawnCues.getByRole("button", { name: "Stop recording" }).click()]);
+  const bytes = readFileSync(await film.path());
+  assert.equal(bytes.subarray(0, 4).toString("hex"), "1a45dfa3", "not Matroska");
+  assert.ok(bytes.length > 10_000 && (await state(drawnCues)).playing);
+  console.log(`recorded ${film.suggestedFilename()}, ${bytes.length} bytes, and it goes on`);
+}
+for (const layer of ["attractant", "ligand"]) await drawnCues.locator(`input[name=layer][value=${layer}]`).check();
+const known = await drawnCues.evaluate(() => {
+  const { film } = window.matrigrateLive.film;
+  const range = ({ q, scale, offset }) => [offset + scale * q.reduce((a, b) => Math.min(a, b)), offset + scale * q.reduce((a, b) => Math.max(a, b))];
+  return { attractant: range(film.attractant), ligand: range(film.layers.find(({ name }) => name === "ligand").field) };
+});
+assert.ok(known.attractant[1] > 0.2 && known.attractant[0] >= 0, JSON.stringify(known));
+assert.deepEqual(known.ligand.map(Math.round), [0, 2]);
+
+// A question of the lesson begins by its link.
+await drawnCues.locator(".lesson summary").click();
+await drawnCues.locator(".lesson a").nth(1).click();
+await until(drawnCues, (s) => s.scenario.settings["protrusion.number"] === "1" && s.scenario.strokes.length === 0, "the second question");
+await drawnCues.close();
+
 const link = await page.evaluate(() => location.href);
 const copy = await visit(context, link.replace("index.html", "index.html?copy"));
 assert.deepEqual((await state(copy)).scenario.strokes, (await state(page)).scenario.strokes);
@@ -314,11 +344,20 @@ assert.equal(await page.locator("#path .plot").first().locator(".curve").count()
 console.log("two cells with nuclei are drawn, each in its colours");
 await context.close();
 
+// A processor without SIMD: the page says so.
+const bare = await open({ args: ["--no-sandbox", "--disable-gpu", "--no-first-run", "--js-flags=--no-enable-sse4-1 --no-enable-ssse3"] });
+const without = await bare.newPage();
+await without.goto(address);
+assert.match(await without.locator(".fault").textContent(), /no WebAssembly SIMD/);
+await bare.close();
+
 // A phone, light and dark.
 for (const colorScheme of ["light", "dark"]) {
-  const phone = await open({ viewport: { width: 390, height: 844 }, colorScheme, reducedMotion: "reduce" });
+  const phone = await open({ viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, colorScheme, reducedMotion: "reduce" });
   const small = await visit(phone);
-  assert.ok(await small.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "scrolls sideways");
+  await small.evaluate(() => window.matrigrateLive.play());
+  await until(small, (s) => s.rate > 0 && s.t_s > 60, "it runs");
+  assert.deepEqual(await small.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]), [390, 390], "scrolls sideways");
   if (process.env.SHOTS) await small.screenshot({ path: join(process.env.SHOTS, `phone-${colorScheme}.png`) });
   await phone.close();
 }

@@ -76,11 +76,12 @@ std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
 
 std::string claims_csv(const std::vector<JudgedClaim>& claims) {
   std::string text =
-      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,caveat\n";
+      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat\n";
   for (const JudgedClaim& c : claims)
     text += store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
                              View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
-                             View(in_larger_disc(c)), View(to_string(c.finding.second)), View(c.caveat)});
+                             View(in_larger_disc(c)), View(to_string(c.finding.second)),
+                             View(joined(c.finding.against)), View(c.caveat)});
   return text;
 }
 
@@ -96,7 +97,8 @@ nlohmann::ordered_json claim_json(const JudgedClaim& c) {
           {"brief", c.finding.brief},
           {"why_not", why_not(c.finding)},
           {"verdict_in_larger_disc", in_larger_disc(c)},
-          {"verdict_second_edition", to_string(c.finding.second)}};
+          {"verdict_second_edition", to_string(c.finding.second)},
+          {"against", c.finding.against}};
 }
 
 } // namespace matrigrate::study

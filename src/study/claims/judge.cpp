@@ -20,6 +20,11 @@ constexpr double tenth = 0.1; // of a published mean: as near as it is read off 
 std::string_view word(Sign sign) { return sign == Sign::up ? "above" : "below"; }
 bool has(Sign sign, double value) { return sign == Sign::up ? value > 0.0 : value < 0.0; }
 
+/// Whether an interval lies wholly on the other side of a limit than stated.
+bool opposes(Sign stated, const statistics::Interval& interval, double limit = 0.0) {
+  return stated == Sign::up ? interval.high < limit : interval.low > limit;
+}
+
 } // namespace
 
 const Ensemble* Judge::ensemble(const std::string& study) const {
@@ -135,11 +140,11 @@ void Judge::compare(const ClaimCondition& c) {
   if (c.rule == ClaimRule::differs) {
     wanted = fmt::format("significantly {}", word(c.sign));
     met = signed_so && significant;
-    reading = {.direction = signed_so};
+    reading = {.direction = signed_so, .against = opposes(c.sign, d)};
   } else if (c.rule == ClaimRule::leans) {
     wanted = word(c.sign);
     met = signed_so;
-    reading = {.direction = signed_so};
+    reading = {.direction = signed_so, .against = opposes(c.sign, d)};
   } else if (c.rule == ClaimRule::same) {
     wanted = "not significantly different from";
     met = !significant;
@@ -178,7 +183,7 @@ void Judge::exceeds(const ClaimCondition& c) {
   const statistics::Interval d = statistics::mean_interval(both, alpha);
   condition(fmt::format("{} above {} in the runs at {}", c.readout, c.other, g.label),
             fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, both.size()),
-            both.size() > 1, d.low > 0.0, {.direction = d.value > 0.0});
+            both.size() > 1, d.low > 0.0, {.direction = d.value > 0.0, .against = opposes(Sign::up, d)});
 }
 
 void Judge::agrees_at(const Group& g, const ClaimCondition& c) {
@@ -225,7 +230,7 @@ void Judge::beyond(const ClaimCondition& c) {
   condition(
       fmt::format("{} at {} lies {} {:.3g} with its interval", c.readout, g.label, above ? "above" : "below", c.value),
       fmt::format("{} {:.3g}", above ? "from" : "up to", end), std::isfinite(end), met(end),
-      {.direction = met(mean.value)});
+      {.direction = met(mean.value), .against = opposes(above ? Sign::up : Sign::down, mean, c.value)});
 }
 
 void Judge::correlate(const ClaimCondition& c) {
@@ -241,7 +246,7 @@ void Judge::correlate(const ClaimCondition& c) {
                         c.study.empty() ? m_study : c.study),
             fmt::format("r {:.2g}, p {:.2g}", found.r, found.p), std::isfinite(found.r),
             wanted ? signed_so && found.p < alpha : found.p >= alpha,
-            wanted ? Reading{.direction = signed_so} : Reading{});
+            wanted ? Reading{.direction = signed_so, .against = !signed_so && found.p < alpha} : Reading{});
 }
 
 void Judge::over_all_runs(const ClaimCondition& c) {
@@ -296,6 +301,7 @@ void Judge::judge_again(Finding& finding) const {
     states_direction = states_direction || c.reading.direction.has_value();
     direction = direction && c.reading.direction.value_or(true);
     if (!is_met) finding.second_unmet.push_back(c.text);
+    if (c.defined && c.reading.against) finding.against.push_back(c.text);
   }
   finding.second = !defined                        ? Verdict::undecided
                    : met                           ? Verdict::holds

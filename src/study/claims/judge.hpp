@@ -41,6 +41,7 @@ struct Finding {
   std::vector<std::string> unmet{};        ///< why it does not hold: the conditions that are not met, shortened
   Verdict second = Verdict::undecided;     ///< by the second edition
   std::vector<std::string> second_unmet{}; ///< the same by the second edition
+  std::vector<std::string> against{};      ///< conditions whose direction comes out opposite by its whole interval
 };
 
 /// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs.
@@ -67,8 +68,9 @@ private:
   struct Reading {
     std::optional<bool> direction{}; ///< whether the stated direction comes out; none where the claim states none
     Family family = Family::none;
-    double p = 1.0;     ///< of the condition's family
-    bool close = false; ///< agrees whatever its p-value
+    double p = 1.0;       ///< of the condition's family
+    bool close = false;   ///< agrees whatever its p-value
+    bool against = false; ///< the 95 % interval lies wholly on the other side of the stated direction
   };
   struct Condition {
     std::string text; ///< shortened

@@ -123,6 +123,20 @@ TEST(SecondEdition, TellsWhatComesOutInDirectionAlone) {
   EXPECT_EQ(finding(evidence(f, {{1.0}, {2.0}}), between("differs", 1, 2, up)).second, Verdict::undecided);
 }
 
+TEST(SecondEdition, NamesWhatComesOutOppositeByAWholeInterval) {
+  const Evidence e = evidence(f, apart);
+  const auto against = [&](const std::string& conditions) { return finding(e, conditions).against.size(); };
+  for (const char* rule : {"differs", "leans"}) {
+    EXPECT_EQ(against(between(rule, 1, 2, down)), 1U) << rule;
+    EXPECT_EQ(against(between(rule, 1, 2, up)), 0U) << rule;
+    EXPECT_EQ(against(between(rule, 2, 3, down)), 0U) << rule << ": the interval contains 0";
+  }
+  EXPECT_EQ(against(between("not_beyond", 1, 2, up)), 0U) << "no direction is stated";
+  EXPECT_EQ(against(at("below", 2, "bound = 1")), 1U);
+  EXPECT_EQ(against(at("below", 2, "bound = 2.2")), 0U);
+  EXPECT_EQ(against(at("above", 2, "bound = 9")), 1U);
+}
+
 TEST(SecondEdition, AsksOfMostRunsWhatTheTextSaysOfMost) {
   const Evidence e = evidence(f, {{1.0, 2.0, 3.0, 4.0}});
   const auto most = [&](double share) {

@@ -1,7 +1,7 @@
 /** Below the picture: play, step, reset, time, speed, and what to do with the simulation. */
 import { h, setText } from "../dom";
 import { readable, timeText } from "../numbers";
-import { pictureButtons } from "../run/save/saving";
+import { filmButton, pictureButtons } from "../run/save/saving";
 import type { Stage } from "../run/stage";
 import type { LiveClock } from "./clock";
 
@@ -13,6 +13,12 @@ export interface Acts {
   exported(): void;
 }
 
+/** How fast it is, and what that comes to: a phone may take ten times as long as a desk. */
+export function paceText(rate: number): string {
+  const minutes = (6 * 60) / rate;
+  return `, ${readable(rate, 2)} times faster than life: 6 h take ${minutes < 1.5 ? `${readable(60 * minutes, 2)} s` : timeText(60 * Math.round(minutes))}`;
+}
+
 export interface Bar {
   element: HTMLElement;
   /** Says whether the duration is reached. */
@@ -20,7 +26,8 @@ export interface Bar {
   tell(text: string): void;
 }
 
-export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Bar {
+/** @param gone  when the stage that is shown goes */
+export function bar(clock: LiveClock, stage: () => Stage | null, gone: () => AbortSignal, acts: Acts): Bar {
   const never = new AbortController().signal;
   const button = (text: string, name: string, act: () => void, title?: string) => {
     const made = h("button", { type: "button", name, title }, text);
@@ -42,6 +49,11 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
   const tell = (text: string) => {
     told.textContent = text;
   };
+  const filmed = () => {
+    const now = stage();
+    return now ? { stage: now, gone: gone() } : null;
+  };
+  const film = filmButton("Matrigrate live", clock, filmed, tell, false);
   /** What the bar last showed: update() runs with every picture, but changes the page only if the text differs. */
   let shown = "";
   let rate = "";
@@ -50,7 +62,7 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
     const { playing } = clock;
     const time = playing && clock.atFront ? 10 * Math.floor(clock.time / 10) : Math.round(clock.time);
     if (!playing || performance.now() > rateAt + 1000) {
-      rate = playing && clock.measured > 0 ? `, ${readable(clock.measured, 2)} times faster than life` : "";
+      rate = playing && clock.measured > 0 ? paceText(clock.measured) : "";
       rateAt = performance.now();
     }
     const end = Math.ceil(clock.end);
@@ -82,6 +94,7 @@ export function bar(clock: LiveClock, stage: () => Stage | null, acts: Acts): Ba
       button("Copy link", "link", acts.link, "Address that begins this scenario"),
       button("Export", "export", acts.exported, "Scenario for the program, and what is drawn"),
       ...pictureButtons("Matrigrate live", clock, stage, tell),
+      ...(film ? [film] : []),
       told,
     ),
   );

@@ -1,9 +1,9 @@
-/** Drawing into the matrix: a soft or stiff spot, a hole, by mouse, finger or pen. */
+/** Drawing into the matrix by mouse, finger or pen. */
 import { h, isDark } from "../dom";
 import type { Stage } from "../run/stage";
 import { brushes, type Stroke, type StrokeKind } from "./scenario";
 
-const colours: Record<StrokeKind, string> = { soft: "#56b4e9", stiff: "#7a3e9d", hole: "#009e73", obstacle: "#3d4248" };
+const colours: Record<StrokeKind, string> = { soft: "#56b4e9", stiff: "#7a3e9d", hole: "#009e73", obstacle: "#3d4248", bare: "#d55e00", rich: "#cc79a7", attractant: "#e69f00" };
 
 export interface Brush {
   element: HTMLElement;

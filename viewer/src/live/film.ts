@@ -17,6 +17,7 @@ const firstInterval = 60;
 /** First upper limits of the colours. */
 const stressLimit = { pressure: 60, vonMises: 100, fibreVonMises: 100 };
 const forceLimit = 4;
+const attractantLimit = 1;
 
 export type Numbers = Int16Array | Uint8Array;
 
@@ -59,9 +60,10 @@ export class LiveFilm {
     for (let i = 0; i < 2 * n; ++i) fixed.q[i] = Math.round(reference[i] / place);
     const withFibres = head.bonds_um.length > 0;
     const [x, f] = [field(true, n, 2, place), field(false, n, 1, 1 / 255)];
-    const stress = (limit: number) => field(true, n, 1, limit / 255);
-    const [pressure, vonMises] = [stress(stressLimit.pressure), stress(stressLimit.vonMises)];
-    const fibreVonMises = withFibres ? stress(stressLimit.fibreVonMises) : null;
+    const numbers = (limit: number) => field(true, n, 1, limit / 255);
+    const [pressure, vonMises] = [numbers(stressLimit.pressure), numbers(stressLimit.vonMises)];
+    const fibreVonMises = withFibres ? numbers(stressLimit.fibreVonMises) : null;
+    const attractant = head.attractant ? numbers(attractantLimit) : null;
     const outline = {
       x: field(true, m, 2, place),
       front: field(false, m, 1, 1),
@@ -71,7 +73,7 @@ export class LiveFilm {
     };
     const nucleus = k > 0 ? field(true, k, 2, place) : null;
     this.X = reference;
-    this.fields = [x, f, pressure, vonMises, fibreVonMises, ...Object.values(outline), nucleus].filter((one) => one !== null);
+    this.fields = [x, f, pressure, vonMises, fibreVonMises, attractant, ...Object.values(outline), nucleus].filter((one) => one !== null);
     this.film = {
       times: [],
       reference: fixed,
@@ -80,7 +82,7 @@ export class LiveFilm {
       pressure,
       vonMises,
       fibreVonMises,
-      attractant: null,
+      attractant,
       layers: layersOf(layers),
       obstacles: head.obstacles_um,
       cells: cellParts(m, head.cell),
@@ -201,6 +203,7 @@ export class LiveFilm {
     put(film.pressure, frame.pressure);
     put(film.vonMises, frame.vonMises);
     put(film.fibreVonMises, frame.fibreVonMises);
+    put(film.attractant, frame.attractant);
     put(film.outline.x, frame.outline);
     put(film.outline.front, frame.front);
     put(film.outline.protrusion, frame.protrusionOf);

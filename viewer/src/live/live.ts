@@ -11,6 +11,7 @@ import { EngineWorker } from "./engine";
 import { download, exported } from "./export";
 import { LiveFilm } from "./film";
 import { keep, kept, type Kept } from "./keep";
+import { lesson } from "./lesson";
 import { buffersOf, type Answer, type Changed, type CoreMatrix, type FromWorker, type Head } from "./protocol";
 import { addTracks, noTracks, scene, viewOf, type Scene, type View } from "./scene";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Ground, type Scenario } from "./scenario";
@@ -25,6 +26,10 @@ declare global {
 /** Between two times that it is kept by itself [ms]. */
 const keepEvery = 30_000;
 const hour = 3600;
+
+/** On phones and tablets: browsers there stop tabs that nobody sees. */
+const inFront = (): string =>
+  matchMedia("(pointer: coarse)").matches ? "Keep this tab in front: a phone or tablet stops it behind. What is computed is saved when you leave." : "";
 
 const settingsOf = (changed: Changed) => Object.fromEntries(changed.map(({ path, value }) => [path, String(value)]));
 
@@ -64,6 +69,7 @@ export class Live {
     set: (path, value) => this.set(path, value),
     toml: (toml) => void this.begin({ toml, settings: {}, strokes: [], changes: [] }, true),
   });
+  private readonly lesson = lesson();
   private readonly bar: ReturnType<typeof bar>;
 
   constructor() {
@@ -73,7 +79,8 @@ export class Live {
       pause: () => this.engine.tell({ kind: "pause" }),
       step: () => this.engine.tell({ kind: "step" }),
     });
-    this.bar = bar(this.clock, () => this.shown?.stage ?? null, {
+    const stage = () => this.shown?.stage ?? null;
+    this.bar = bar(this.clock, stage, () => this.gone.signal, {
       reset: () => void this.begin(this.settled(), false),
       goOn: () => this.goOn(),
       keep: () => void this.keep(true),
@@ -85,7 +92,7 @@ export class Live {
       h(
         "section",
         { class: "run-player", "aria-label": "Live simulation" },
-        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below), h("div", { class: "aside" }, this.controls.element, this.side)),
+        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below), h("div", { class: "aside" }, this.lesson.element, this.controls.element, this.side)),
       ),
     ];
     document.addEventListener("visibilitychange", () => {
@@ -114,6 +121,7 @@ export class Live {
     switch (message.kind) {
       case "ready":
         this.controls.presets(message.presets);
+        this.lesson.presets(message.presets);
         return this.open();
       case "begun":
         return this.begun(message.head, message.matrix);
@@ -159,14 +167,25 @@ export class Live {
     }
   }
 
-  /** Opens the scenario of the address, else the kept simulation, else the baseline. */
-  private async open(): Promise<void> {
-    let asked: Scenario | null = null;
+  /** The scenario of the address; null where it has none, or a wrong one. */
+  private ofAddress(): Scenario | null {
+    this.wrongAddress = "";
     try {
-      asked = fromHash(location.hash);
+      return fromHash(location.hash);
     } catch (reason) {
       this.wrongAddress = reason instanceof Error ? reason.message : String(reason);
+      return null;
     }
+  }
+
+  /** Opens the scenario of the address, else the kept simulation, else the baseline. */
+  private async open(): Promise<void> {
+    const asked = this.ofAddress();
+    addEventListener("hashchange", () => {
+      const other = this.ofAddress();
+      if (other) void this.begin(other, true);
+      else if (this.wrongAddress) this.troubles.say(this.wrongAddress);
+    });
     const old = await kept().catch(() => undefined);
     const same = old && (asked === null || toHash(asked) === toHash(old.scenario));
     if (old && same) return this.begin(old.scenario, false, old);
@@ -175,7 +194,7 @@ export class Live {
 
   /** Young's modulus and lattice of a scenario, for what is drawn on it. Null where it is wrong, which is then said. */
   private async ground(scenario: Scenario): Promise<Ground | null> {
-    const bare = given({ ...scenario, strokes: [] }, { youngs_modulus: 0, radius: 0, spacing: 1 });
+    const bare = given({ ...scenario, strokes: [] }, { youngs_modulus: 0, radius: 0, spacing: 1, set: {} });
     const { changed, faults, failure } = await this.engine.ask({ kind: "check", given: bare });
     if (faults) this.troubles.faults(faults, "start");
     else if (failure) this.troubles.failure(failure);
@@ -186,6 +205,7 @@ export class Live {
       youngs_modulus: settings["ecm.youngs_modulus"] === undefined ? 200 : pascals(settings["ecm.youngs_modulus"]),
       radius: length("ecm.radius", 150),
       spacing: length("ecm.particle_spacing", 2),
+      set: settings,
     };
   }
 
@@ -217,7 +237,7 @@ export class Live {
     this.clock.running(false);
     this.clock.begin(head.t_s);
     this.controls.show(settingsOf(head.changed), scenario);
-    this.bar.tell(from ? `Goes on from ${timeText(from.t_s)}, kept ${new Date(from.when).toLocaleString()}. Reset begins anew.` : "");
+    this.bar.tell(from ? `Goes on from ${timeText(from.t_s)}, kept ${new Date(from.when).toLocaleString()}. Reset begins anew.` : inFront());
     history.replaceState(null, "", toHash(scenario));
     if (play) this.play();
   }

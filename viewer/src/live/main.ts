@@ -3,15 +3,20 @@ import { fault, h } from "../dom";
 import "../page.css";
 import "../run/styles";
 import "./live.css";
+import { about } from "./about";
+import { unable } from "./able";
 import { Live } from "./live";
 
 const page = document.getElementById("page");
 if (page) {
   try {
+    const reason = unable();
+    if (reason) throw new Error(reason);
     const live = new Live();
     page.replaceChildren(
       h("header", {}, h("h1", {}, "Matrigrate live"), h("p", { class: "status" }, "Cell migration through a degradable viscoelastic gel, computed in this tab.")),
       ...live.parts,
+      about(),
     );
     window.matrigrateLive = live;
   } catch (reason) {

@@ -39,6 +39,8 @@ export interface Head {
   /** From a particle to those that fibres join it to [um]; empty without fibres. */
   bonds_um: [number, number][];
   onset: number;
+  /** Whether there is chemoattractant. */
+  attractant: boolean;
   /** Places of the particles of rigid obstacles [um]. */
   obstacles_um: [number, number][];
 }
@@ -59,6 +61,7 @@ export interface CoreFrame {
   pressure: Float32Array;
   vonMises: Float32Array;
   fibreVonMises?: Float32Array;
+  attractant?: Float32Array;
   outline: Float32Array;
   front: Uint8Array;
   protrusionOf: Uint8Array;

@@ -1,7 +1,7 @@
 /** What is simulated: a scenario, settings on top of it, what was drawn, and what changed on the way. */
 import type { Given } from "./protocol";
 
-export type StrokeKind = "soft" | "stiff" | "hole" | "obstacle";
+export type StrokeKind = "soft" | "stiff" | "hole" | "obstacle" | "bare" | "rich" | "attractant";
 
 /** A line drawn by a brush: points x0, y0, x1, y1, ... [um]. */
 export interface Stroke {
@@ -10,19 +10,39 @@ export interface Stroke {
   points: number[];
 }
 
-/** What a brush makes of a field of the matrix, from its value elsewhere. */
-export const brushes: Record<StrokeKind, { name: string; field: FieldKey; value: (elsewhere: number) => number }> = {
+export interface BrushKind {
+  name: string;
+  field: FieldKey;
+  /** From the value of the field elsewhere. */
+  value: (elsewhere: number) => number;
+  /** What the model needs so that the cell takes notice of it, unless the scenario says otherwise. */
+  needs?: Settings;
+}
+
+/** What a brush makes of a field of the matrix. */
+export const brushes: Record<StrokeKind, BrushKind> = {
   soft: { name: "Soft spot", field: "youngs_modulus", value: (E) => 0.25 * E },
   stiff: { name: "Stiff spot", field: "youngs_modulus", value: (E) => 4 * E },
   hole: { name: "Hole", field: "f_degr", value: () => 0 },
   obstacle: { name: "Obstacle", field: "obstacle", value: () => 1 },
+  bare: { name: "No ligand", field: "ligand", value: () => 0 },
+  rich: { name: "Twice the ligand", field: "ligand", value: () => 2, needs: { "cues.haptotaxis": "4" } },
+  attractant: {
+    name: "Source of attractant",
+    field: "attractant_source",
+    value: () => 0.1,
+    // Those of the preset attractant-source.
+    needs: { "cues.diffusion": "10 um^2/s", "cues.decay": "1e-3 1/s", "cues.uptake": "0.01 1/s", "cues.chemotaxis": "20" },
+  },
 };
 
-type FieldKey = "youngs_modulus" | "f_degr" | "obstacle";
+type FieldKey = "youngs_modulus" | "f_degr" | "obstacle" | "ligand" | "attractant_source";
 export const fieldFiles: Record<FieldKey, { path: string; file: string; column: string }> = {
   obstacle: { path: "ecm.fields.obstacle", file: "obstacle.csv", column: "obstacle" },
   youngs_modulus: { path: "ecm.fields.youngs_modulus", file: "youngs_modulus.csv", column: "E_Pa" },
   f_degr: { path: "ecm.fields.f_degr", file: "f_degr.csv", column: "f_degr" },
+  ligand: { path: "ecm.fields.ligand", file: "ligand.csv", column: "ligand" },
+  attractant_source: { path: "ecm.fields.attractant_source", file: "attractant_source.csv", column: "attractant_source_per_s" },
 };
 
 /** Settings by parameter, as after --set. */
@@ -92,13 +112,15 @@ export interface Ground {
   /** [um] */
   radius: number;
   spacing: number;
+  /** Parameters that the scenario sets. */
+  set: Settings;
 }
 
 /** The files of what was drawn. */
 export function drawnFiles(strokes: Stroke[], ground: Ground): Record<string, string> {
   const files: Record<string, string> = {};
-  const elsewhere: Record<FieldKey, number> = { youngs_modulus: ground.youngs_modulus, f_degr: 1, obstacle: 0 };
-  for (const key of ["youngs_modulus", "f_degr", "obstacle"] as const) {
+  const elsewhere: Record<FieldKey, number> = { youngs_modulus: ground.youngs_modulus, f_degr: 1, obstacle: 0, ligand: 1, attractant_source: 0 };
+  for (const key of Object.keys(elsewhere) as FieldKey[]) {
     const own = strokes.filter((stroke) => brushes[stroke.kind].field === key);
     if (own.length === 0) continue;
     files[fieldFiles[key].file] = grid(own, key, elsewhere[key], ground.radius, ground.spacing);
@@ -112,7 +134,9 @@ export function given(scenario: Scenario, ground: Ground): Given {
   const fields = Object.values(fieldFiles)
     .filter(({ file }) => files[file] !== undefined)
     .map(({ path, file }) => `${path}=/${file}`);
-  const settings = Object.entries(scenario.settings).map(([path, value]) => `${path}=${value}`);
+  const needs: Settings = Object.assign({}, ...scenario.strokes.map(({ kind }) => brushes[kind].needs ?? {}));
+  const missing = Object.entries(needs).filter(([path]) => !(path in ground.set));
+  const settings = [...missing, ...Object.entries(scenario.settings)].map(([path, value]) => `${path}=${value}`);
   return { toml: scenario.toml, overrides: [...settings, ...fields], files };
 }
 

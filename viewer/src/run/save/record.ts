@@ -16,10 +16,11 @@ export interface Recording {
 }
 
 /**
- * From now, or from the start if it stands at the end, until it pauses.
+ * From now, or from the start if it stands at the end, until it pauses or is stopped.
  * @param done  called with the film, or with null if there is none
+ * @param gone  ends it: the stage is no longer there
  */
-export function record(clock: Clock, stage: Stage, type: string, done: (film: Blob | null) => void): Recording {
+export function record(clock: Clock, stage: Stage, type: string, done: (film: Blob | null) => void, gone: AbortSignal): Recording {
   const canvas = document.createElement("canvas");
   paintPicture(canvas, stage.view());
   const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 8e6 });
@@ -31,11 +32,11 @@ export function record(clock: Clock, stage: Stage, type: string, done: (film: Bl
   const stop = () => {
     if (over.signal.aborted) return;
     over.abort();
-    if (clock.playing) clock.toggle();
     recorder.stop();
   };
   recorder.addEventListener("stop", () => done(pieces.length > 0 ? new Blob(pieces, { type: "video/webm" }) : null));
   recorder.addEventListener("error", stop);
+  gone.addEventListener("abort", stop);
   clock.onChange(() => {
     paintPicture(canvas, stage.view());
     // The last picture still has to reach the film.

@@ -49,30 +49,53 @@ export function pictureButtons(title: string, clock: Clock, shown: () => Stage |
   ];
 }
 
+/**
+ * A button that films what is shown; null where the browser cannot.
+ * @param shown  null: there is nothing yet; `gone`: when its stage is no longer there, which ends the film
+ * @param pauses  whether the end of the film ends the play
+ */
+export function filmButton(
+  title: string,
+  clock: Clock,
+  shown: () => { stage: Stage; gone: AbortSignal } | null,
+  tell: Tell,
+  pauses: boolean,
+): HTMLElement | null {
+  const type = recordable();
+  if (!type) return null;
+  let recording: Recording | null = null;
+  const film = button("Record WebM", "Films the player from now to the end, or until stopped", tell, () => {
+    if (recording) {
+      recording.stop();
+      if (pauses && clock.playing) clock.toggle();
+      return;
+    }
+    const now = shown();
+    if (!now) return;
+    const { stage, gone } = now;
+    film.textContent = "Stop recording";
+    const done = (made: Blob | null) => {
+      recording = null;
+      film.textContent = "Record WebM";
+      if (made) save(made, title, clock, stage, "webm", tell);
+    };
+    recording = record(clock, stage, type, done, gone);
+  });
+  return film;
+}
+
 /** @param alone  the address of the page is that of this run */
 export function saving(run: RunPage, clock: Clock, stage: Stage, alone: boolean, gone: AbortSignal): HTMLElement {
   const told = h("span", { class: "told", role: "status" });
   const tell = (text: string) => {
     told.textContent = text;
   };
-  const type = recordable();
-  let recording: Recording | null = null;
-  const film = button("Record WebM", "Films the player from now to the end, or until stopped", tell, () => {
-    if (recording) return recording.stop();
-    film.textContent = "Stop recording";
-    recording = record(clock, stage, type ?? "", (made) => {
-      recording = null;
-      film.textContent = "Record WebM";
-      if (made && !gone.aborted) save(made, run.title, clock, stage, "webm", tell);
-    });
-  });
-  gone.addEventListener("abort", () => recording?.stop());
   return h(
     "div",
     { class: "saving", role: "group", "aria-label": "This view" },
     alone ? linkButton(clock, stage, tell) : null,
     ...pictureButtons(run.title, clock, () => stage, tell),
-    type ? film : null,
+    filmButton(run.title, clock, () => ({ stage, gone }), tell, true),
     told,
   );
 }

@@ -1,0 +1,28 @@
+"""The live page: a cell computed in the browser while one watches."""
+from __future__ import annotations
+
+import webbrowser
+from pathlib import Path
+
+from . import _program
+from .errors import InputOutputError
+
+
+def live(*, show: bool = True) -> Path:
+    """Opens the live page in the browser, and returns where it is: a cell is computed there while you watch. The page is
+    one file that needs neither network nor program; a copy of it works as well.
+
+    :param show: False only returns where it is
+    :raises InputOutputError: if neither this package nor the program has the page, saying where to get it
+    """
+    page = Path(__file__).with_name("live.html")
+    if not page.is_file():
+        if _program.find() is None:
+            raise InputOutputError(f"the live page is not here: there is no {page}, and no program that has it. The wheel, the Debian "
+                                   "package and the folder of a release have the page; in a clone web/build.sh builds it")
+        outcome = _program.call(["live", "--print"])
+        _program.raise_for(outcome, None)
+        page = Path(outcome.out.strip())
+    if show:
+        webbrowser.open(page.as_uri())
+    return page

@@ -1,0 +1,30 @@
+/** The five questions of docs/lesson.md: links that begin them, also without a network. */
+import { h } from "../dom";
+import type { Preset } from "./protocol";
+import { fresh, toHash } from "./scenario";
+
+/** Test: tests/docs/test_lesson.py compares them with the sheet. */
+export const questions: { ask: string; preset: string; then: string }[] = [
+  { ask: "Is a cell faster on soft or on stiff ground?", preset: "soft", then: "Begins with 50 Pa. Then set Stiffness E to 200 Pa and to 400 Pa." },
+  { ask: "Does a cell with more legs run faster?", preset: "one-protrusion", then: "Begins with one protrusion. Then set Kept number n_prot to 2, 3 and 4." },
+  { ask: "Does it help to pull harder?", preset: "weak-contraction", then: "Begins with 0.2 nN. Then set Contraction F_am to 0.6 nN and to 1 nN." },
+  { ask: "Do fibres show a cell the way?", preset: "two-protrusions-fibres", then: "Begins among fibres along x. Then choose the preset two-protrusions." },
+  { ask: "How much of it is chance?", preset: "baseline", then: "Begins with seed 1. Then take other seeds." },
+];
+
+export interface Lesson {
+  element: HTMLElement;
+  presets(list: Preset[]): void;
+}
+
+export function lesson(): Lesson {
+  const list = h("ol", {});
+  const note = "Let each run for six hours, and measure the distance from start to end. After a slider press Reset, and play.";
+  return {
+    element: h("details", { class: "lesson" }, h("summary", {}, "A lesson: five questions"), list, h("p", { class: "note" }, note)),
+    presets(all) {
+      const link = (preset: string) => toHash(fresh(all.find(({ name }) => name === preset)?.overrides));
+      list.replaceChildren(...questions.map(({ ask, preset, then }) => h("li", {}, h("a", { href: link(preset) }, ask), h("p", { class: "note" }, then))));
+    },
+  };
+}
