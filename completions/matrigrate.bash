@@ -42,6 +42,7 @@ _matrigrate() {
   matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
+  matrigrate_report:--tracks) COMPREPLY=(); return ;;
   matrigrate_live:-o|matrigrate_live:--output) _matrigrate_files -d; return ;;
   matrigrate_export:--times) COMPREPLY=(); return ;;
   matrigrate_export:--pixel) COMPREPLY=(); return ;;
@@ -99,7 +100,7 @@ _matrigrate() {
   matrigrate_demo)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --preset --hours --no-open" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_report)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_live)

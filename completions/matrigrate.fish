@@ -99,6 +99,7 @@ complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the 
 complete -c matrigrate -n '__matrigrate_at report' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at report' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at report' -l play -x -d 'A run that the page of a study is to play, by the name of its folder; may be repeated'
+complete -c matrigrate -n '__matrigrate_at report' -l tracks -x -d 'Measured tracks to draw over the simulated paths, each moved to their start: a CSV file with the columns track, t_s, x_um, y_um'
 
 complete -c matrigrate -n '__matrigrate_at open' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at open' -s h -l help -d 'Print this help message and exit'

@@ -40,9 +40,7 @@ Json types(std::size_t cells) {
 
 Json point(double x, double y, double z) { return {{"x", x}, {"y", y}, {"z", z}}; }
 
-double step_of(const observe::Film& film) {
-  return film.frames.size() > 1 ? film.frames[1].t - film.frames[0].t : 1.0;
-}
+double step_of(const observe::Film& film) { return film.frames.size() > 1 ? film.frames[1].t - film.frames[0].t : 1.0; }
 
 Json info(const observe::Film& film, std::size_t cells, const std::string& title, const std::string& version) {
   const double R = film.head.radius;
