@@ -2,6 +2,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "base/platform.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -23,11 +24,13 @@ struct LiveArguments {
   bool only_print = false;
 };
 
-/// Where the page may be: beside the installed program; where web/build.sh puts it; in the source archive of a release.
+/// Where the page may be: beside the installed program; in the Python package, which a wheel has the program in; where
+/// web/build.sh puts it; in the source archive of a release.
 std::vector<std::string> places() {
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path folder = platform::program_file().parent_path();
   std::vector<std::string> all;
-  for (const char* place : {"../share/matrigrate/live.html", "../../web/live/index.html", "../../../pages/live.html"})
+  for (const char* place :
+       {"../share/matrigrate/live.html", "../live.html", "../../web/live/index.html", "../../../pages/live.html"})
     all.push_back((folder / place).lexically_normal().string());
   return all;
 }

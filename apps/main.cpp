@@ -3,13 +3,13 @@
 #include "apps/terminal/usage.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "base/platform.hpp"
 #include "run/provenance.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <malloc.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -113,9 +113,8 @@ int main(int argc, char** argv) {
   using namespace matrigrate;
   using namespace matrigrate::apps;
   secure_descriptors();
-  ::mallopt(M_MMAP_THRESHOLD, 4 << 20); // what is larger grows in place, and goes back to the system at once
-  ::mallopt(M_TRIM_THRESHOLD, 8 << 20); // what each step takes and gives back stays
-  std::signal(SIGXFSZ, SIG_IGN);        // a file that passes a size limit is an error like others, not the end
+  platform::begin(argc > 0 ? *argv : nullptr);
+  std::signal(SIGXFSZ, SIG_IGN); // a file that passes a size limit is an error like others, not the end
   std::set_terminate(end_by_terminate);
   give_sudden_ends_an_exit_code();
   try {

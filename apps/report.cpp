@@ -5,9 +5,13 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "report/run_page.hpp"
+#include "study/cell_tracks.hpp"
+#include "study_report/measured_json.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 
@@ -18,20 +22,25 @@ namespace {
 struct ReportArguments {
   std::string folder;
   std::vector<std::string> play;
+  std::string tracks;
 };
 
 int report(const ReportArguments& options) {
   const std::filesystem::path folder = options.folder;
   std::error_code error;
+  std::vector<study::CellTrack> tracks;
+  if (!options.tracks.empty()) tracks = study::measured_tracks(options.tracks, study::TracksFor::drawing);
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
     const StudyFolder study = study::open_study(folder);
     Collected collected = gathered(study);
-    write_study_report(study, collected, options.play);
+    write_study_report(study, collected, options.play, tracks);
   } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
     const FinishedRun run = read_run(folder);
     tell_lost_frames(run);
-    write_file(folder / "report.html", report_of(run, run_page_template()));
+    auto page = page_data(run);
+    page["measured"] = study::measured_json(tracks);
+    write_file(folder / "report.html", report::filled_page(run_page_template(), page));
   } else {
     throw InputOutputError(fmt::format(
         "{}: is the folder of neither a run (no run.json) nor a study (no study.resolved.toml)", folder.string()));
@@ -48,13 +57,16 @@ void add_report(CLI::App& app, Action& chosen) {
       "Of a run: takes tables and protrusions from the last checkpoint, and the player's frames from\n"
       "fields.part or fields.h5; so it also works for a run that goes on, was killed, or was made without a\n"
       "report. Of a study: from the files of its runs; of up to five points it plays the run in the middle by\n"
-      "the first read-out, unless --play names others.");
+      "the first read-out, unless --play names others. It draws the measured tracks that [[targets]] name.");
   const auto options = std::make_shared<ReportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run or a study")->required();
   verb->add_option("--play", options->play,
                    "A run that the page of a study is to play, by the name of its folder; may "
                    "be repeated")
       ->allow_extra_args(false);
+  verb->add_option("--tracks", options->tracks,
+                   "Measured tracks to draw over the simulated paths, each moved to their start: a CSV file with the "
+                   "columns track, t_s, x_um, y_um");
   verb->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 

@@ -6,7 +6,7 @@
 #   live        the live page, which the next four contain; built here (web/build.sh) where Emscripten is installed
 #   source      the sources as an archive, with the pages built: needs neither git nor npm
 #   deb         the Debian package
-#   wheel       the Python package with matrigrate.Simulation, for Debian 12's Python
+#   wheel       the Python package with matrigrate.Simulation, the program and the libraries that both need, for Python 3.11 on Linux
 #   site        the documentation, with report pages of short runs and the live page
 #   containers  the recipes of containers
 #   sbom        what the program is made of and linked with, as SPDX
@@ -109,14 +109,15 @@ step_deb() {
 
 step_wheel() {
   of_this_commit
-  install_packages "$packages_for_python"
+  install_packages "$packages_for_python$packages_for_wheel"
   sources
-  local module
+  local module inside
+  inside=$(realpath "$program")
   module=$(realpath "$build"/python/_core*.so)
   [ -e "$module" ] || die "$build has no compiled module: it was built without pybind11-dev"
-  (cd "$work/$name" && MATRIGRATE_CORE=$module /usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-deps --no-index \
-    --wheel-dir "$work/wheel" .) || die "pip could not make the wheel"
-  cp "$work"/wheel/matrigrate-*.whl "$to/"
+  (cd "$work/$name" && MATRIGRATE_CORE=$module MATRIGRATE_INSIDE=$inside /usr/bin/python3 -m pip wheel --quiet --no-build-isolation \
+    --no-deps --no-index --wheel-dir "$work/wheel" .) || die "pip could not make the wheel"
+  /usr/bin/python3 -B tools/wheel_libraries.py "$work"/wheel/matrigrate-*.whl "$to" || die "the libraries could not be taken into the wheel"
 }
 
 step_live() {
@@ -151,7 +152,11 @@ step_containers() {
 
 step_sbom() {
   the_build
-  /usr/bin/python3 -B tools/sbom.py "$program" --commit "$commit" >"$work/sbom.json" || die "the list of parts could not be made"
+  local wheel=() file
+  for file in "$to/$name"-*.whl; do
+    [ ! -e "$file" ] || wheel=(--wheel "$file")
+  done
+  /usr/bin/python3 -B tools/sbom.py "$program" --commit "$commit" "${wheel[@]}" >"$work/sbom.json" || die "the list of parts could not be made"
   cp "$work/sbom.json" "$to/$name.spdx.json"
 }
 

@@ -1,18 +1,21 @@
 #!/usr/bin/python3
-"""What the program is made of and linked with, as SPDX 2.3 in JSON: sbom.py PROGRAM --commit HASH
+"""What the program is made of and linked with, as SPDX 2.3 in JSON: sbom.py PROGRAM --commit HASH [--wheel FILE]
 
 Shared libraries are those that the program names (objdump), with the Debian package of each; libraries that are compiled in and tools of
-the build are the packages of tools/setup.sh; packages of npm are those of viewer/package-lock.json. SOURCE_DATE_EPOCH is the time.
+the build are the packages of tools/setup.sh; packages of npm are those of viewer/package-lock.json; a wheel names the libraries that
+it contains itself (tools/wheel_libraries.py). SOURCE_DATE_EPOCH is the time.
 """
 import argparse
 import base64
 import datetime
+import hashlib
 import json
 import os
 import pathlib
 import re
 import subprocess
 import uuid
+import zipfile
 
 root = pathlib.Path(__file__).resolve().parent.parent
 contained_from_npm = {"plotly.js-cartesian-dist-min"}  # NOTICES; all others of npm are tools
@@ -75,7 +78,17 @@ def of_npm(place: str, entry: dict) -> dict:
                               "referenceLocator": f"pkg:npm/{name.replace('@', '%40')}@{entry['version']}"}]}
 
 
-def document(program: pathlib.Path, commit: str) -> dict:
+def of_wheel(wheel: pathlib.Path, version: str) -> tuple[dict, set[str]]:
+    """The wheel, and the Debian packages whose libraries it contains."""
+    with zipfile.ZipFile(wheel) as archive:
+        listed = archive.read("matrigrate.libs/LIBRARIES").decode().splitlines()[2:]
+    digest = hashlib.sha256(wheel.read_bytes()).hexdigest()
+    return {"SPDXID": "SPDXRef-wheel", "name": wheel.name, "versionInfo": version, "packageFileName": wheel.name,
+            "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "checksums": [{"algorithm": "SHA256", "checksumValue": digest}],
+            "licenseConcluded": "NOASSERTION", "licenseDeclared": "NOASSERTION", "copyrightText": "NOASSERTION"}, {line.split()[1] for line in listed}
+
+
+def document(program: pathlib.Path, commit: str, wheel: pathlib.Path | None) -> dict:
     version = re.search(r"project\(matrigrate VERSION (\S+)", (root / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     ours = {"SPDXID": "SPDXRef-matrigrate", "name": "matrigrate", "versionInfo": version, "downloadLocation": "NOASSERTION",
             "filesAnalyzed": False, "licenseConcluded": "BSD-3-Clause", "licenseDeclared": "BSD-3-Clause",
@@ -100,6 +113,12 @@ def document(program: pathlib.Path, commit: str) -> dict:
             package = of_npm(place, entry)
             contained = package["name"] in contained_from_npm
             add(package, "CONTAINS" if contained else "DEV_DEPENDENCY_OF", backwards=not contained)
+    if wheel:
+        package, inside = of_wheel(wheel, version)
+        add(package, "GENERATED_FROM", backwards=True)
+        for one in map(of_debian, sorted(inside)):
+            packages[one["SPDXID"]] = one
+            relations.append((package["SPDXID"], "CONTAINS", one["SPDXID"]))
     content = [packages[key] for key in sorted(packages)]
     created = datetime.datetime.fromtimestamp(int(os.environ["SOURCE_DATE_EPOCH"]), datetime.timezone.utc)
     mark = uuid.uuid5(uuid.NAMESPACE_URL, commit + json.dumps(content, sort_keys=True))
@@ -114,8 +133,9 @@ def main() -> None:
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("program", type=pathlib.Path)
     options.add_argument("--commit", required=True)
+    options.add_argument("--wheel", type=pathlib.Path)
     given = options.parse_args()
-    print(json.dumps(document(given.program, given.commit), indent=1))
+    print(json.dumps(document(given.program, given.commit, given.wheel), indent=1))
 
 
 if __name__ == "__main__":

@@ -38,7 +38,11 @@ python3-pandas: tables
 python3-h5py: frames
 python3-matplotlib: figures
 "
+packages_for_wheel="
+patchelf: gives the libraries that go into a wheel their names
+"
 packages_to_test="
+patchelf: makes a wheel with its libraries in its test
 libgtest-dev: the tests
 libbenchmark-dev: the benchmarks
 clang-format: the test of the formatting

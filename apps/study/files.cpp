@@ -85,10 +85,12 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
 
 } // namespace
 
-void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played) {
+void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played,
+                        const std::vector<study::CellTrack>& tracks) {
   if (const std::string fault = study::fault_of_wanted(collected.results, played); !fault.empty())
     throw UsageError(fault);
-  study::write_study_report(study, collected, {.page_template = study_page_template(), .played = played});
+  study::write_study_report(study, collected,
+                            {.page_template = study_page_template(), .played = played, .tracks = tracks});
 }
 
 Collected collect(const StudyFolder& study) {

@@ -15,8 +15,10 @@ using study::StudyFolder;
 
 /// Judges the claims about the study; writes claims.csv and report.html.
 /// @param played  names of the runs it is to play; none: typical ones
+/// @param tracks  measured, to be drawn besides those of the targets
 /// @throws UsageError if one of them is none of the study, or is not done
-void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {});
+void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {},
+                        const std::vector<study::CellTrack>& tracks = {});
 
 /// Writes all files of results of the study.
 Collected collect(const StudyFolder& study);

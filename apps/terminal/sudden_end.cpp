@@ -1,6 +1,7 @@
 #include "apps/terminal/sudden_end.hpp"
 
 #include "apps/verbs.hpp"
+#include "base/platform.hpp"
 
 #include <unistd.h>
 
@@ -80,7 +81,7 @@ void give_sudden_ends_an_exit_code() {
   action.sa_flags = SA_ONSTACK;
   ::sigfillset(&action.sa_mask);
   for (const int signal : signals) ::sigaction(signal, &action, nullptr);
-  ::on_exit(see_code, nullptr);
+  platform::at_exit(see_code);
 }
 
 } // namespace matrigrate::apps

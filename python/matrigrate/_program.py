@@ -51,9 +51,10 @@ class TemporaryScenario:
 
 
 def find() -> str | None:
-    """The program: what the environment variable MATRIGRATE names, else the first on PATH; none if there is none."""
+    """The program: what the environment variable MATRIGRATE names, else that of a wheel, else the first on PATH; none if there is none."""
     named = os.environ.get("MATRIGRATE")
-    return shutil.which(named or "matrigrate")
+    inside = Path(__file__).parent / "bin" / "matrigrate"
+    return str(inside) if not named and inside.is_file() else shutil.which(named or "matrigrate")
 
 
 def program() -> str:

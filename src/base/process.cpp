@@ -1,17 +1,16 @@
 #include "base/process.hpp"
 
 #include "base/failure.hpp"
+#include "base/platform.hpp"
 
 #include <fmt/format.h>
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
 #include <system_error>
 
 namespace matrigrate {
@@ -20,7 +19,7 @@ namespace {
 
 /// What happens between fork and exec; only calls that a signal handler may make.
 [[noreturn]] void become(char* const* arguments, int output, pid_t parent, const sigset_t& blocked) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  platform::end_with_parent();
   if (::getppid() != parent) ::_exit(128 + SIGTERM); // it ended before the line above
   for (int signal = 1; signal < 32; ++signal) { // what comes from here on is for the command, not for handlers of here
     struct sigaction action {};
@@ -38,25 +37,9 @@ namespace {
   ::_exit(no_such_program);
 }
 
-/// Whether a process catches a signal and does not block it: from /proc, where it can be read.
-bool catches(pid_t id, int signal) {
-  std::ifstream status(fmt::format("/proc/{}/status", id));
-  bool caught = false;
-  for (std::string line; std::getline(status, line);) {
-    const auto has = [&] {
-      return ((std::stoull(line.substr(line.find(':') + 1), nullptr, 16) >> (signal - 1)) & 1U) != 0;
-    };
-    if (line.starts_with("SigBlk:") && has()) return false;
-    if (line.starts_with("SigCgt:")) caught = has();
-  }
-  return caught;
-}
-
 } // namespace
 
-std::string this_program() { return "/proc/self/exe"; }
-
-Child::Child(std::vector<std::string> command, int output) : m_id(-1) {
+Child::Child(std::vector<std::string> command, int output) : m_id(-1), m_since(std::chrono::steady_clock::now()) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (std::string& word : command) arguments.push_back(word.data());
@@ -83,8 +66,8 @@ std::optional<int> Child::ended() {
 }
 
 void Child::pass_on(int signal) {
-  if (m_told || m_ended || !catches(m_id, signal)) return;
-  m_told = ::sigqueue(m_id, signal, {}) == 0;
+  if (m_told || m_ended || !platform::catches(m_id, signal, std::chrono::steady_clock::now() - m_since)) return;
+  m_told = platform::pass_on(m_id, signal);
 }
 
 } // namespace matrigrate

@@ -2,15 +2,15 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace matrigrate {
 
-/// A command that is run beside this program. It is asked to terminate when this program ends, however that happens;
-/// files that are open here without O_CLOEXEC stay open in it.
+/// A command that is run beside this program. It is asked to terminate when this program ends, however that happens,
+/// where the system can do that (platform.hpp); files that are open here without O_CLOEXEC stay open in it.
 class Child {
 public:
   /// @param command  program, looked for in PATH if it has no slash, and arguments
@@ -27,12 +27,10 @@ public:
 
 private:
   pid_t m_id;
+  std::chrono::steady_clock::time_point m_since;
   bool m_told = false;
   std::optional<int> m_ended;
 };
-
-/// This program, as a command for Child: it stays the same if the file is replaced meanwhile.
-std::string this_program();
 
 /// Exit code of a Child whose program is not there.
 inline constexpr int no_such_program = 127;

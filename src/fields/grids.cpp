@@ -23,13 +23,15 @@ constexpr std::size_t max_file_bytes = std::size_t{1} << 28U;
 constexpr std::size_t kept_grids = 8, kept_values = std::size_t{1} << 25U;
 
 /// Changes whenever a file does.
-using Version = std::tuple<dev_t, ino_t, off_t, time_t, long, time_t, long>;
+using Version = std::tuple<dev_t, ino_t, off_t, std::filesystem::file_time_type, time_t>;
 
 std::optional<Version> version_of(const std::filesystem::path& file) {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) return std::nullopt;
-  return Version(status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
-                 status.st_ctim.tv_sec, status.st_ctim.tv_nsec);
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(file, error);
+  if (error) return std::nullopt;
+  return Version(status.st_dev, status.st_ino, status.st_size, written, status.st_ctime);
 }
 
 /// What was read of a file.

@@ -1,11 +1,11 @@
 #include "run/folder_lock.hpp"
 
 #include "base/failure.hpp"
+#include "base/platform.hpp"
 
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -24,9 +24,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind, std::chro
     throw InputOutputError(
         fmt::format("{}: cannot be written: {}", file.string(), std::generic_category().message(errno)));
   const auto start = std::chrono::steady_clock::now();
-  const int operation = (kind == Kind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB;
-  while (::flock(m_descriptor, operation) != 0) {
-    const int error = errno;
+  const auto lock = kind == Kind::alone ? platform::Lock::alone : platform::Lock::shared;
+  while (const int error = platform::lock(m_descriptor, lock)) {
     const bool patient = std::chrono::steady_clock::now() - start < patience;
     if ((error == EWOULDBLOCK && patient) || error == EINTR) {
       std::this_thread::sleep_for(50ms);

@@ -1,5 +1,6 @@
 #include "run/provenance.hpp"
 
+#include "base/platform.hpp"
 #include "base/threads.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +16,6 @@
 #include <toml++/toml.h>
 
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -46,16 +46,8 @@ Json libraries() {
               static_cast<int>(XXH_versionNumber() % 100))}};
 }
 
-/// What /proc/cpuinfo says after a word at the start of a line; empty where it has no such line.
-std::string cpu_info(std::string_view word) {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with(word)) return line.substr(std::min(line.size(), line.find(':') + 2));
-  return {};
-}
-
 std::string cpu_model() {
-  const std::string model = cpu_info("model name");
+  const std::string model = platform::processor("model name");
   return model.empty() ? "unknown" : model;
 }
 
@@ -68,7 +60,7 @@ std::vector<std::string> simd_features() {
                                                                                 {"avx2", "avx2"},
                                                                                 {"avx512f", "avx512f"},
                                                                                 {"asimd", "neon"}}};
-  std::istringstream words(cpu_info("flags") + ' ' + cpu_info("Features")); // of x86 and of Arm
+  std::istringstream words(platform::processor("flags") + ' ' + platform::processor("Features")); // of x86 and of Arm
   const std::set<std::string> has{std::istream_iterator<std::string>(words), {}};
   std::vector<std::string> found;
   for (const auto& [word, name] : known)

@@ -1,6 +1,7 @@
 #include "run/simulate.hpp"
 
 #include "base/failure.hpp"
+#include "base/platform.hpp"
 #include "base/threads.hpp"
 #include "base/time_text.hpp"
 #include "run/run_folder.hpp"
@@ -8,8 +9,6 @@
 #include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
-
-#include <malloc.h>
 
 #include <chrono>
 #include <functional>
@@ -68,8 +67,8 @@ public:
       m_folder->see_last(m_simulation->s, m_simulation->w, status == RunStatus::interrupted);
       m_record.lost_frames = m_folder->lost_frames();
       const State last = std::move(m_simulation->s);
-      m_simulation.reset(); // frees the memory that all frames together need,
-      ::malloc_trim(0);     // and gives it back
+      m_simulation.reset();         // frees the memory that all frames together need,
+      platform::give_back_memory(); // and gives it back
       m_record.trajectory_hash = m_folder->trajectory_hash();
       const std::vector<CellResult> cells = m_folder->finish({.s = last,
                                                               .status = status_text(),

@@ -35,7 +35,7 @@ std::optional<double> finite_number(std::string_view field) {
 /// Reads the rows of a file of tracks, and collects its faults.
 class TrackFile {
 public:
-  explicit TrackFile(const std::filesystem::path& file) : m_file(file.string()) {
+  TrackFile(const std::filesystem::path& file, TracksFor use) : m_file(file.string()), m_use(use) {
     try {
       std::string text = read_file(file, std::size_t{1} << 28);
       std::erase(text, '\r');
@@ -53,7 +53,8 @@ public:
     find_columns();
     if (m_faults.empty()) read_rows();
     if (m_faults.empty()) check_steps();
-    if (m_faults.empty() && m_tracks.size() < 2)
+    if (m_faults.empty() && m_tracks.empty()) fault(0, "has no track");
+    if (m_faults.empty() && m_use == TracksFor::readouts && m_tracks.size() < 2)
       fault(0, fmt::format("has {} track; the error of a mean needs 2 or more", m_tracks.size()));
     if (!m_faults.empty()) throw ConfigurationError(std::move(m_faults));
     return std::move(m_tracks);
@@ -103,7 +104,7 @@ private:
     }
   }
 
-  /// One interval, no gap; then times from 0.
+  /// Rising times and, for read-outs, one interval without gaps; then times from 0.
   void check_steps() {
     double interval = 0.0;
     for (const CellTrack& track : m_tracks)
@@ -112,7 +113,9 @@ private:
       CellTrack& track = m_tracks[k];
       if (track.t.size() < 2) fault(m_lines[k][0], "is the only row of its track");
       for (std::size_t i = 1; i < track.t.size(); ++i)
-        if (const double step = track.t[i] - track.t[i - 1]; !(std::abs(step - interval) <= off_grid * interval))
+        if (const double step = track.t[i] - track.t[i - 1]; m_use == TracksFor::drawing && !(step > 0.0))
+          fault(m_lines[k][i], fmt::format("is {:g} s after the row before of its track; times must rise", step));
+        else if (m_use == TracksFor::readouts && !(std::abs(step - interval) <= off_grid * interval))
           fault(m_lines[k][i], fmt::format("is {:g} s after the row before of its track; the first step is {:g} s: one "
                                            "interval without gaps is needed",
                                            step, interval));
@@ -122,6 +125,7 @@ private:
   }
 
   std::string m_file;
+  TracksFor m_use;
   store::CsvTable m_table;
   std::array<std::size_t, track_file_columns.size()> m_column{};
   std::vector<CellTrack> m_tracks;
@@ -131,7 +135,17 @@ private:
 
 } // namespace
 
-std::vector<CellTrack> measured_tracks(const std::filesystem::path& file) { return TrackFile(file).tracks(); }
+std::vector<CellTrack> measured_tracks(const std::filesystem::path& file, TracksFor use) {
+  return TrackFile(file, use).tracks();
+}
+
+std::string measured_csv(const std::vector<CellTrack>& tracks) {
+  std::string csv = "track,t_s,x_um,y_um\n";
+  for (const CellTrack& track : tracks)
+    for (std::size_t i = 0; i < track.t.size(); ++i)
+      csv += fmt::format("{},{},{},{}\n", track.cell, track.t[i], track.x[i], track.y[i]);
+  return csv;
+}
 
 const std::vector<std::string>& readouts_of_tracks() {
   static const std::vector<std::string> names{"v_migr_abs_um_per_h", "v_migr_path_60s_um_per_h",

@@ -22,11 +22,20 @@ struct CellTrack {
 /// @throws InputOutputError if tracks.csv cannot be read, or has no times or places
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder);
 
+/// What a file of measured tracks is read for.
+enum class TracksFor {
+  drawing, ///< rising times
+  readouts ///< one interval without gaps, and two tracks, since a mean needs an error
+};
+
 /// Tracks of a CSV file with the columns track, t_s, x_um and y_um; others are passed over. A track has any name, and
-/// its rows are together or not, in the order of time, at one interval. Times count from the start of each track.
+/// its rows are together or not, in the order of time. Times count from the start of each track.
 /// @throws InputOutputError if the file cannot be read
 /// @throws ConfigurationError with all faults, each with its line
-std::vector<CellTrack> measured_tracks(const std::filesystem::path& file);
+std::vector<CellTrack> measured_tracks(const std::filesystem::path& file, TracksFor use = TracksFor::readouts);
+
+/// A file of these tracks, from which measured_tracks() reads the same numbers.
+std::string measured_csv(const std::vector<CellTrack>& tracks);
 
 /// Read-outs of a run that its path alone defines: those that measured tracks have too.
 const std::vector<std::string>& readouts_of_tracks();

@@ -34,6 +34,15 @@ std::size_t readout_column(std::string_view readout) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
+std::vector<std::shared_ptr<const std::vector<CellTrack>>> measured_sets(const Study& study) {
+  std::vector<std::shared_ptr<const std::vector<CellTrack>>> sets;
+  for (const Target& target : study.targets)
+    if (target.tracks != nullptr && std::ranges::find(sets, target.tracks) == sets.end()) sets.push_back(target.tracks);
+  return sets;
+}
+
+std::string measured_file(std::size_t k) { return fmt::format("measured-{}.csv", k + 1); }
+
 bool has_several_cells(const Study& study) {
   return std::ranges::any_of(study.points, [](const Point& point) { return point.parameters.cells.size() > 1; });
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
+#include "study/cell_tracks.hpp"
 #include "study/claim.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,11 +46,12 @@ struct Point {
 /// What a read-out should be: a measured mean, or a range of them.
 struct Target {
   std::string readout;
-  double low = 0.0;            ///< in the unit of the read-out
-  double high = 0.0;           ///< equal to low for a single value
-  double error = 1.0;          ///< standard error of what was measured, > 0
-  double weight = 1.0;         ///< > 0
-  std::vector<std::size_t> at; ///< conditions that it holds at; empty: all
+  double low = 0.0;                                       ///< in the unit of the read-out
+  double high = 0.0;                                      ///< equal to low for a single value
+  double error = 1.0;                                     ///< standard error of what was measured, > 0
+  double weight = 1.0;                                    ///< > 0
+  std::vector<std::size_t> at;                            ///< conditions that it holds at; empty: all
+  std::shared_ptr<const std::vector<CellTrack>> tracks{}; ///< that tell value and error; those of one file once
 };
 
 /// How factors are varied so that each has an effect of its own (effects.hpp).
@@ -113,6 +116,12 @@ std::size_t readout_column(std::string_view readout);
 
 /// The parameters that differ between points, each once, in the order in which they are first named.
 std::vector<std::string> swept_keys(const Study& study);
+
+/// The measured tracks of the targets, those of each file once, in the order in which they are first named.
+std::vector<std::shared_ptr<const std::vector<CellTrack>>> measured_sets(const Study& study);
+
+/// The file beside study.resolved.toml that holds the k-th of them: "measured-1.csv".
+std::string measured_file(std::size_t k);
 
 /// True if the runs of a point have several cells.
 bool has_several_cells(const Study& study);

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <set>
 
 namespace matrigrate::study {
@@ -71,8 +73,10 @@ private:
           fmt::format("tell no {}; they tell {}", target.readout, fmt::join(readouts_of_tracks(), ", ")));
     std::vector<double> values;
     try {
-      for (const CellTrack& track : measured_tracks(m_folder / name))
-        values.push_back(readout_of(track, target.readout));
+      auto& tracks = m_tracks[m_folder / name];
+      if (tracks == nullptr) tracks = std::make_shared<const std::vector<CellTrack>>(measured_tracks(m_folder / name));
+      for (const CellTrack& track : *tracks) values.push_back(readout_of(track, target.readout));
+      target.tracks = tracks;
     } catch (const ConfigurationError& error) {
       return m_faults.add(error.faults());
     } catch (const InputOutputError& error) {
@@ -171,6 +175,7 @@ private:
 
   FaultList& m_faults;
   std::filesystem::path m_folder;
+  std::map<std::filesystem::path, std::shared_ptr<const std::vector<CellTrack>>> m_tracks; ///< by their files
   std::vector<std::string> m_readouts;
   std::vector<std::string> m_labels;
   std::set<std::pair<std::string, std::size_t>> m_seen;

@@ -25,8 +25,15 @@ void add_settings(const std::vector<Setting>& settings, std::string& text) {
 
 std::string target_section(const Study& study, const Target& t) {
   std::string text = fmt::format("\n[[targets]]\nreadout = {}\n", quoted(t.readout));
-  text += t.low == t.high ? fmt::format("value = {}\n", t.low) : fmt::format("low = {}\nhigh = {}\n", t.low, t.high);
-  text += fmt::format("error = {}\nweight = {}\n", t.error, t.weight);
+  if (t.tracks != nullptr) {
+    const auto sets = measured_sets(study);
+    const auto own = std::ranges::find(sets, t.tracks) - sets.begin();
+    text += fmt::format("tracks = {}\n", quoted(measured_file(static_cast<std::size_t>(own))));
+  } else {
+    text += t.low == t.high ? fmt::format("value = {}\n", t.low) : fmt::format("low = {}\nhigh = {}\n", t.low, t.high);
+    text += fmt::format("error = {}\n", t.error);
+  }
+  text += fmt::format("weight = {}\n", t.weight);
   if (t.at.empty()) return text;
   std::string labels;
   for (const std::size_t c : t.at)

@@ -19,7 +19,8 @@ protected:
     write("e.toml", "title = \"Stiffness\"\nscenario = \"s.toml\"\nreplicates = 2\n"
                     "readouts = [\"v_migr_abs_um_per_h\"]\n[sweep]\necm.youngs_modulus = [\"50 Pa\", \"100 Pa\"]\n");
   }
-  json data(const std::string& file) const { return json::parse(page_data(file)); }
+  json data(const std::string& name) const { return json::parse(page_data(name)); }
+  std::string file(const std::string& name) const { return text_of(folder / name); }
 };
 
 TEST_F(StudyReport, ShowsShapesAndPlaysTypicalRuns) {
@@ -86,6 +87,60 @@ TEST_F(StudyReport, DoesWithoutCheckpoints) {
   EXPECT_EQ(page.at("players").size(), 1U);
   for (const json& shown : page.at("runs")) EXPECT_EQ(shown.at("outline").is_null(), shown.at("id") == id);
   EXPECT_EQ(run("report e-study --play " + id).code, 5);
+}
+
+/// Two tracks of different lengths, one with a gap: good enough to be drawn.
+const std::string measured = "track,t_s,x_um,y_um\na,0,5,5\na,2,6,5\na,6,8,5\nb,10,0,0\nb,12,0,3\n";
+
+TEST_F(StudyReport, DrawsMeasuredTracksOverARun) {
+  write("cells.csv", measured);
+  ASSERT_EQ(run("run s.toml -o r").code, 0);
+  EXPECT_TRUE(!data("r/report.html").contains("measured"));
+  const Ended ended = run("report r --tracks cells.csv");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(data("r/report.html").at("measured"),
+            json::parse(R"({"total":2,"t_s":[0,2,6,null,0,2],"x_um":[0,1,3,null,0,0],"y_um":[0,0,0,null,0,3]})"));
+  ASSERT_EQ(run("report r").code, 0);
+  EXPECT_TRUE(data("r/report.html").at("measured").is_null()) << "the option is not kept";
+}
+
+TEST_F(StudyReport, FaultsOfMeasuredTracksLeaveThePageAsItIs) {
+  ASSERT_EQ(run("run s.toml -o r").code, 0);
+  const std::string before = file("r/report.html");
+  write("bad.csv", "track,t_s,x_um,y_um\na,0,5,5\na,0,6,five\nb,1,1,1\n");
+  const Ended bad = run("report r --tracks bad.csv");
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_TRUE(contains(bad.err, "bad.csv:3:1: y_um: \"five\" is no finite number")) << bad.err;
+  write("bad.csv", "track,t_s,x_um,y_um\na,0,5,5\na,0,6,5\nb,1,1,1\n");
+  const Ended falling = run("report r --tracks bad.csv");
+  EXPECT_EQ(falling.code, 3);
+  EXPECT_TRUE(contains(falling.err, "bad.csv:3:1: is 0 s after the row before of its track; times must rise"))
+      << falling.err;
+  EXPECT_TRUE(contains(falling.err, "bad.csv:4:1: is the only row of its track")) << falling.err;
+  EXPECT_EQ(run("report r --tracks nowhere.csv").code, 5);
+  EXPECT_EQ(file("r/report.html"), before);
+}
+
+TEST_F(StudyReport, DrawsTheMeasuredTracksOfItsTargets) {
+  write("cells.csv", "track,t_s,x_um,y_um\n1,0,0,0\n1,2,1,0\n1,4,2,0.125\n2,7,3,3\n2,9,3,4.1\n2,11,3,5\n");
+  write("t.toml", file("e.toml") + "[[targets]]\nreadout = \"v_migr_abs_um_per_h\"\ntracks = \"cells.csv\"\n");
+  ASSERT_EQ(run("study run t.toml").code, 0);
+  std::filesystem::remove(folder / "cells.csv"); // the folder of the study has its own
+  const json page = data("t-study/report.html");
+  ASSERT_EQ(page.at("measured").size(), 1U);
+  EXPECT_EQ(page.at("measured").at(0).at("total"), 2);
+  EXPECT_EQ(page.at("measured").at(0).at("points").size(), 2U);
+  for (const json& player : page.at("players")) EXPECT_EQ(player.at("run").at("measured").at("total"), 2);
+  ASSERT_EQ(run("report t-study").code, 0);
+  EXPECT_EQ(data("t-study/report.html"), page) << "from the folder alone";
+  const std::string resolved = file("t-study/study.resolved.toml");
+  EXPECT_TRUE(contains(resolved, "tracks = \"measured-1.csv\"")) << resolved;
+  ASSERT_EQ(run("study run t-study/study.resolved.toml -o again").code, 0);
+  EXPECT_EQ(file("again/discrepancy.csv"), file("t-study/discrepancy.csv"));
+  EXPECT_EQ(file("again/measured-1.csv"), file("t-study/measured-1.csv"));
+  write("more.csv", measured);
+  ASSERT_EQ(run("report t-study --tracks more.csv").code, 0);
+  EXPECT_EQ(data("t-study/report.html").at("measured").size(), 2U);
 }
 
 TEST_F(StudyReport, NeedsARunOrAStudy) {

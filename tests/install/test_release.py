@@ -36,7 +36,7 @@ class Release(unittest.TestCase):
         for name in names:
             self.assertEqual((first / name).read_bytes(), (second / name).read_bytes(), name)
 
-    def test_archive_builds_without_git_and_npm(self):
+    def test_archive_holds_the_commit_the_pages_and_every_tracked_file(self):
         with tarfile.open(first / f"matrigrate-{version}.tar.gz") as archive:
             top = f"matrigrate-{version}"
             self.assertEqual(archive.extractfile(f"{top}/COMMIT").read().decode().strip(), commit)

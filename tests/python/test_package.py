@@ -1,6 +1,7 @@
 """The package as pip installs it: its version, and that it is whole."""
 import json
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -20,18 +21,24 @@ class Package(common.InTemporaryFolder):
         cmake = (common.source / "CMakeLists.txt").read_text()
         self.assertEqual(matrigrate.__version__, re.search(r"project\(matrigrate VERSION (\S+)", cmake).group(1))
 
-    def test_pip_installs_it_without_a_network(self):
+    def wheel(self, **inside):
+        """The wheel that pip makes. @param inside  variables of the environment that name what goes into it"""
         clone = self.folder / "clone"  # pip writes into the folder that it installs from
         shutil.copytree(common.source / "python", clone / "python", ignore=shutil.ignore_patterns("*.egg-info", "__pycache__"))
         (clone / "docs").mkdir()
         (clone / "pages").mkdir()
         (clone / "pages/live.html").write_text("<p>a cell")
         (clone / "tools").mkdir()
-        for file in ("pyproject.toml", "setup.py", "tools/stubs.py", "docs/scenario.schema.json", "docs/readouts.json"):
+        for file in ("pyproject.toml", "setup.py", "LICENSE", "NOTICES", "tools/stubs.py", "docs/python.md", "docs/scenario.schema.json",
+                     "docs/readouts.json"):
             shutil.copy(common.source / file, clone / file)
         subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
-                        "--wheel-dir", self.folder, clone], check=True)
+                        "--wheel-dir", self.folder, clone], check=True, env=os.environ | inside)
         wheel, = self.folder.glob("*.whl")
+        return wheel
+
+    def test_pip_installs_it_without_a_network(self):
+        wheel = self.wheel()
         with zipfile.ZipFile(wheel) as archive:
             names = set(archive.namelist())
             archive.extractall("installed")
@@ -56,6 +63,30 @@ class Package(common.InTemporaryFolder):
         """The program alone in a folder: nothing is installed beside it."""
         (self.folder / "bin").mkdir()
         return shutil.copy(os.environ["MATRIGRATE"], self.folder / "bin")
+
+    @unittest.skipUnless(shutil.which("patchelf") and "MATRIGRATE_CORE" in os.environ, "needs patchelf and the compiled module")
+    def test_a_wheel_with_the_program_needs_no_library_of_the_system(self):
+        plain = self.wheel(MATRIGRATE_INSIDE=os.environ["MATRIGRATE"])
+        for folder in ("once", "twice"):
+            subprocess.run([common.source / "tools" / "wheel_libraries.py", plain, folder], check=True)
+        wheel, = pathlib.Path("once").glob("*-manylinux_2_*.whl")
+        self.assertEqual(wheel.read_bytes(), (pathlib.Path("twice") / wheel.name).read_bytes())
+        subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", "venv"], check=True)
+        python = self.folder / "venv/bin/python"
+        subprocess.run([sys.executable, "-m", "pip", "--python", python, "install", "--quiet", "--no-index", "--no-deps", wheel], check=True)
+        package, = self.folder.glob("venv/lib/python3*/site-packages/matrigrate")
+        elsewhere = {"HOME": "/", "PATH": "/usr/bin:/bin"}  # not the program and module of this build
+        for file in (package / "bin/matrigrate", *package.glob("_core*.so")):
+            loaded = subprocess.run(["ldd", file], capture_output=True, text=True, check=True, env=elsewhere).stdout
+            others = [line for line in loaded.splitlines() if "matrigrate.libs" not in line and
+                      not re.search(r"(linux-vdso|ld-linux\S*|lib(c|m|stdc\+\+|gcc_s|resolv|dl|rt|pthread))\.so", line)]
+            self.assertEqual(others, [], file)
+            self.assertIn("libhdf5", loaded)
+        self.assertIn(f"matrigrate {matrigrate.__version__}", subprocess.run([self.folder / "venv/bin/matrigrate", "info"], capture_output=True,
+                                                                            text=True, check=True, env=elsewhere).stdout)
+        script = "import matrigrate as m; from matrigrate import _program; s = m.Simulation(); s.step(); print(_program.find())"
+        done = subprocess.run([python, "-c", script], capture_output=True, text=True, check=True, cwd="/", env=elsewhere)
+        self.assertEqual(done.stdout.strip(), str(package / "bin/matrigrate"))
 
     def test_reading_scenarios_needs_neither_pandas_nor_h5py(self):
         script = ("import sys; sys.modules.update(pandas=None, h5py=None, matplotlib=None)\nimport matrigrate\n"

@@ -125,6 +125,15 @@ export interface Tracks {
   n_simultaneous: number[];
 }
 
+/** Tracks of measured cells, each from the origin and from time 0, with null between tracks. */
+export interface MeasuredTracks {
+  /** How many were measured: of more than 200 as many are here. */
+  total: number;
+  t_s: (number | null)[];
+  x_um: (number | null)[];
+  y_um: (number | null)[];
+}
+
 /** A row of protrusions.csv; null where that has not happened. */
 export interface ProtrusionRow {
   cell?: number;
@@ -188,6 +197,8 @@ export interface RunPage {
   /** null or left out: the run stored none. */
   frames?: Frames | null;
   tracks: Tracks;
+  /** null or left out: none. */
+  measured?: MeasuredTracks | null;
   protrusions: ProtrusionRow[];
   readouts: NamedValue[];
   /** Only the parameters that differ from their defaults. */

@@ -1,4 +1,5 @@
 #include "base/file.hpp"
+#include "base/platform.hpp"
 #include "report/film_json.hpp"
 #include "report/run_page.hpp"
 #include "run/output/output.hpp"
@@ -7,8 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <malloc.h>
-
 namespace matrigrate::run {
 
 /// report.html, made at the end.
@@ -16,7 +15,7 @@ Output report_page(RunSoFar& run, const State&) {
   Output output;
   output.finish = [&run](const RunFinish& end) {
     if (!run.p.output.report || end.page_template.empty()) return;
-    ::malloc_trim(0); // before all frames that are played are in memory
+    platform::give_back_memory(); // before all frames that are played are in memory
     const bool frames = run.p.output.field_interval > 0.0;
     const nlohmann::ordered_json record = to_json(end.record, run.p);
     const std::string scenario = scenario_name(record, run.folder);

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "run/finished_run.hpp"
+#include "study_report/measured_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,7 +85,7 @@ std::string fault_of_wanted(const std::vector<Result>& results, const std::vecto
 }
 
 std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
-                                   const std::vector<std::string>& wanted) {
+                                   const std::vector<std::string>& wanted, const std::vector<CellTrack>& tracks) {
   const std::vector<Choice> chosen = wanted.empty() ? typical_ones(study, results) : asked_for(results, wanted);
   std::vector<PlayedRun> played;
   std::size_t stride = 1;
@@ -96,6 +97,7 @@ std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<R
         stride = page.dump().size() * chosen.size() / max_bytes + 1;
         if (stride > 1) page = page_of(folder, stride);
       }
+      page["measured"] = measured_json(tracks_at(study.study, tracks, result->run.point));
       played.push_back({result->run.hash, fmt::format("{}: {}", title_of(study, result->run), why), std::move(page)});
     } catch (const InputOutputError&) { // its checkpoint or its frames were deleted
       if (!wanted.empty()) throw;

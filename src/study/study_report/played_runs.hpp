@@ -14,10 +14,11 @@ std::string fault_of_wanted(const std::vector<Result>& results, const std::vecto
 
 /// The runs that a study's page plays, with so few frames that the page stays below 15 MB.
 /// @param wanted  names of their folders; none: of up to five points the run in the middle by the first read-out
+/// @param tracks  measured, to be drawn besides those of the targets
 /// @throws std::invalid_argument if a wanted run is none of the study, or is not done (fault_of_wanted)
 /// @throws InputOutputError if a wanted run cannot be read; other unreadable runs are left out
 /// Test: tests/apps/study_test.cpp
 std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
-                                   const std::vector<std::string>& wanted);
+                                   const std::vector<std::string>& wanted, const std::vector<CellTrack>& tracks = {});
 
 } // namespace matrigrate::study

@@ -8,6 +8,7 @@
 #include "study/design/range.hpp"
 #include "study/table_readouts.hpp"
 #include "study_report/drawn_study.hpp"
+#include "study_report/measured_json.hpp"
 #include "study_report/run_json.hpp"
 #include "study_report/screening_data.hpp"
 
@@ -162,7 +163,7 @@ std::string result_sentence(const StudyReport& report) {
   if (report.study.readouts.empty()) return {};
   const Json readout = readouts_json(report.study).at(0);
   std::vector<ReadOutSample> defined = samples(report.study, report.results);
-  std::erase_if(defined, [&](const ReadOutSample& s) { return s.readout != readout.at("name") || s.moments.n == 0; });
+  std::erase_if(defined, [&](const ReadOutSample& s) { return readout.at("name") != s.readout || s.moments.n == 0; });
   const std::string label = readout.at("label");
   if (defined.empty()) return fmt::format("No run has a value of {} yet.", label);
   const auto value = [&](const ReadOutSample& s) {
@@ -176,7 +177,7 @@ std::string result_sentence(const StudyReport& report) {
   std::size_t significant = 0;
   for (const Comparison& c : report.comparisons) {
     const bool enough = std::min(c.sample_a.n, c.sample_b.n) >= least_runs;
-    if (c.readout != readout.at("name") || !enough || std::isnan(c.p_holm)) continue;
+    if (readout.at("name") != c.readout || !enough || std::isnan(c.p_holm)) continue;
     ++tested;
     if (c.p_holm < report.study.comparisons.alpha) ++significant;
   }
@@ -212,6 +213,7 @@ Json study_data(const StudyReport& report) {
             {"claims_note", report.claims_note},
             {"screening", screening_json(report.study, report.screening)},
             {"players", players_json(report.played)},
+            {"measured", measured_json(report.study, report.tracks, place)},
             {"provenance", report.provenance},
             {"citation", report::citation()}};
   data.update(compared_json(report.study, report.results, report.comparisons));

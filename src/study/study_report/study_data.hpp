@@ -33,6 +33,7 @@ struct StudyReport {
   std::vector<PlayedRun> played{};
   std::string command{}; ///< that computes the study again
   Screening screening{};
+  std::vector<CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
 };
 
 /// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any

@@ -67,18 +67,19 @@ Collected collect_tables(const StudyFolder& study) {
 void write_study_report(const StudyFolder& study, Collected& collected, const StudyPage& page) {
   collected.claims = claims_about(study, collected.results);
   write_or_remove(study.folder / "claims.csv", !collected.claims.empty(), claims_csv(collected.claims));
-  write_file(
-      study.folder / "report.html",
-      report::filled_page(page.page_template, study_data({.study = study.study,
-                                                          .results = collected.results,
-                                                          .comparisons = collected.comparisons,
-                                                          .folder = study.folder,
-                                                          .provenance = run::provenance_text(),
-                                                          .claims = collected.claims,
-                                                          .claims_note = claims_note(study.study),
-                                                          .played = played_runs(study, collected.results, page.played),
-                                                          .command = command_of(study),
-                                                          .screening = collected.screening})));
+  write_file(study.folder / "report.html",
+             report::filled_page(page.page_template,
+                                 study_data({.study = study.study,
+                                             .results = collected.results,
+                                             .comparisons = collected.comparisons,
+                                             .folder = study.folder,
+                                             .provenance = run::provenance_text(),
+                                             .claims = collected.claims,
+                                             .claims_note = claims_note(study.study),
+                                             .played = played_runs(study, collected.results, page.played, page.tracks),
+                                             .command = command_of(study),
+                                             .screening = collected.screening,
+                                             .tracks = page.tracks})));
 }
 
 } // namespace matrigrate::study

@@ -32,6 +32,7 @@ Collected collect_tables(const StudyFolder& study);
 struct StudyPage {
   std::string_view page_template;    ///< of report/run_page.hpp
   std::vector<std::string> played{}; ///< names of the runs that it plays; none: typical ones
+  std::vector<CellTrack> tracks{};   ///< measured, to be drawn besides those of the targets
 };
 
 /// Judges the claims about the study, by it and by the studies beside its folder; writes claims.csv, if there are any,

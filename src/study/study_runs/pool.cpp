@@ -2,13 +2,13 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/platform.hpp"
 #include "base/process.hpp"
 #include "run/stopped_run.hpp"
 
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ public:
     if (m_descriptor < 0)
       throw InputOutputError(
           fmt::format("{}: cannot be written: {}", file.string(), std::generic_category().message(errno)));
-    m_mine = ::flock(m_descriptor, LOCK_EX | LOCK_NB) == 0 && ::ftruncate(m_descriptor, 0) == 0;
+    m_mine = platform::lock(m_descriptor, platform::Lock::alone) == 0 && ::ftruncate(m_descriptor, 0) == 0;
   }
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;

@@ -1,5 +1,7 @@
 #include "study_runs/slurm_job.hpp"
 
+#include "base/platform.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -192,9 +194,8 @@ std::string job_script(const SlurmOptions& options, const std::filesystem::path&
   add_if("--mail-user", options.mail_user);
   if (!options.mail_user.empty()) add("--mail-type=END,FAIL"); // without it Slurm sends nothing
   if (!options.more.empty()) text += "# submitted by: " + shell_text(sbatch_command(options, "submit.sh")) + "\n";
-  const std::vector<std::string> program = options.launcher.empty()
-                                               ? std::vector{std::filesystem::read_symlink("/proc/self/exe").string()}
-                                               : options.launcher;
+  const std::vector<std::string> program =
+      options.launcher.empty() ? std::vector{platform::program_file().string()} : options.launcher;
   text += fmt::format("program=({})\nfolder={}\nlist={}\n", shell_text(program), quoted(path), quoted(list));
   return text + std::string(script_body);
 }

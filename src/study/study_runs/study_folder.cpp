@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/process.hpp"
+#include "base/platform.hpp"
 #include "parameters/write.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
@@ -132,6 +132,9 @@ void require_own_folder(const StudyFolder& study) {
   if (holds(study_file)) return require_same_study(study);
   if (holds(scenario_file) && is_text(folder / scenario_file, base_text(study))) // killed before the next file
     std::erase(there, scenario_file);
+  const auto sets = measured_sets(study.study);
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    if (is_text(folder / measured_file(k), measured_csv(*sets[k]))) std::erase(there, measured_file(k));
   std::erase(there, "runs");
   if (!there.empty())
     throw InputOutputError(fmt::format("{}: holds other files, and no study: {}; choose another folder with -o",
@@ -147,6 +150,8 @@ void make_study_folder(const StudyFolder& study) {
 void write_study(const StudyFolder& study) {
   require_own_folder(study);
   write_if_new(study.folder / scenario_file, base_text(study));
+  const auto sets = measured_sets(study.study);
+  for (std::size_t k = 0; k < sets.size(); ++k) write_if_new(study.folder / measured_file(k), measured_csv(*sets[k]));
   write_if_new(study.folder / study_file, to_toml(study.study, scenario_file));
 }
 
@@ -158,7 +163,7 @@ StudyFolder open_study(const std::filesystem::path& folder) {
 }
 
 std::vector<std::string> run_command(const StudyFolder& study, const Run& run, int threads) {
-  std::vector<std::string> command{this_program(), "run", (study.folder / scenario_file).string()};
+  std::vector<std::string> command{platform::this_program(), "run", (study.folder / scenario_file).string()};
   for (const Setting& s : study.study.points[run.point].settings) {
     command.emplace_back("--set");
     command.push_back(s.key + "=" + s.value);

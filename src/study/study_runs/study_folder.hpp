@@ -11,7 +11,8 @@
 
 namespace matrigrate::study {
 
-/// A study and the folder of its runs: study.resolved.toml, scenario.resolved.toml (the base) and runs/<hash>/.
+/// A study and the folder of its runs: study.resolved.toml, scenario.resolved.toml (the base), the measured tracks of
+/// its targets, and runs/<hash>/.
 struct StudyFolder {
   std::filesystem::path folder;
   Study study;

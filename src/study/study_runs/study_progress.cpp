@@ -2,13 +2,13 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/platform.hpp"
 #include "run/run_record.hpp"
 #include "store/csv.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr std::size_t largest_table = std::size_t{1} << 28U;
 bool is_worked_on(const fs::path& folder) {
   const int descriptor = ::open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const bool locked = platform::lock(descriptor, platform::Lock::shared) == EWOULDBLOCK;
   ::close(descriptor);
   return locked;
 }

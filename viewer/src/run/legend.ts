@@ -13,6 +13,7 @@ import {
 } from "../colour";
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
+import { measuredColour } from "../measured";
 import { readable } from "../numbers";
 import { tractionColour } from "./over/arrows";
 import { obstacleColour, obstacleColourOnDark } from "./over/obstacles";
@@ -103,7 +104,7 @@ function cellSigns(cells: number): [SVGElement, string][] {
 }
 
 /** The signs drawn over the matrix. */
-export function signs(cells: number, obstacles: boolean, nucleus = false): HTMLElement {
+export function signs(cells: number, obstacles: boolean, nucleus = false, measured = ""): HTMLElement {
   const dark = isDark();
   const colours = dark ? phaseColoursOnDark : phaseColours;
   const line = dark ? "#fff" : "#1f2328";
@@ -146,6 +147,7 @@ export function signs(cells: number, obstacles: boolean, nucleus = false): HTMLE
       ),
       "path of the centre",
     ),
+    measured ? entry(sign(s("path", { d: "M1 9l7 -5l8 6l6 -5l7 3", stroke: measuredColour(dark), "stroke-width": 1.6, fill: "none" })), `${measured}, from the start of the path`) : null,
     entry(
       sign(
         s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),

@@ -64,7 +64,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   };
   const refresh = () => {
     refreshBar();
-    legend.replaceChildren(signs(film.cells.length, stage.hasObstacles, film.nucleus !== null));
+    legend.replaceChildren(signs(film.cells.length, stage.hasObstacles, film.nucleus !== null, stage.measured.words));
   };
   const chosen = () => {
     refreshBar();
@@ -103,6 +103,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   });
   const boxes = overlays.map((overlay) => {
     if (overlay.key === "fibres" && !fibreLayer) return null;
+    if (overlay.key === "measured" && !stage.measured.words) return null;
     const input = h("input", { type: "checkbox", name: overlay.key, checked: overlay.on });
     input.addEventListener("change", () => stage.toggle(overlay.key));
     stage.onView(() => {

@@ -1,10 +1,12 @@
 /** Small line plots of the run, with a cursor at the player's time; a click or a drag in one sets that time. */
 import { palette } from "../colour";
-import type { Tracks } from "../contract";
+import type { RunPage, Tracks } from "../contract";
 import { h, isDark, s } from "../dom";
+import { measuredColour, measuredOf, until, type MeasuredTrack } from "../measured";
 import { readable, roundStep, ticks } from "../numbers";
 import { coloursOf, tracksOfCells, type CellTracks } from "./cells";
 import type { Clock } from "./clock";
+import { startOf } from "./over/measured";
 
 /** Drawn once in these units and scaled by the browser only down, so that text keeps a readable size. */
 const margin = { left: 60, right: 14, top: 12, bottom: 40 };
@@ -174,10 +176,11 @@ export function speeds(tracks: Tracks): { t: number[]; v: number[] } {
 }
 
 /** The paths with both axes to the same scale; the part so far is strong, the rest faint. */
-function path(clock: Clock, width: number, cells: CellTracks[], gone: AbortSignal): SVGSVGElement {
+function path(clock: Clock, width: number, cells: CellTracks[], measured: MeasuredTrack[], gone: AbortSignal): SVGSVGElement {
   const height = Math.min(width, 430);
   const every = cells.flatMap(({ tracks }, k) => tracks.t_s.map((t, i) => ({ t, x: tracks.x_um[i], y: tracks.y_um[i], k })));
-  const [xs, ys] = [every.map((at) => at.x), every.map((at) => at.y)];
+  const xs = [...every.map((at) => at.x), ...measured.flatMap((track) => track.x)];
+  const ys = [...every.map((at) => at.y), ...measured.flatMap((track) => track.y)];
   const most = (v: number[]) => v.reduce((a, b) => Math.max(a, b));
   const least = (v: number[]) => v.reduce((a, b) => Math.min(a, b));
   const centre = (v: number[]) => 0.5 * (most(v) + least(v));
@@ -195,6 +198,8 @@ function path(clock: Clock, width: number, cells: CellTracks[], gone: AbortSigna
     axis(ys, k, "y [\u00b5m]"),
     cells.length > 1 ? "Paths of the centres of mass" : "Path of the centre of mass",
   );
+  for (const { x, y } of measured)
+    made.svg.append(s("path", { class: "curve measured", d: line(made, x, y), style: `stroke:${measuredColour(isDark())}` }));
   const bar = 0.4 * roundStep(0.5 * scale * w);
   const updates = cells.map(({ number, tracks: { t_s, x_um, y_um } }) => {
     const ofLine = colour(number, cells.length);
@@ -237,9 +242,16 @@ export const colour = (number: number, cells: number): string | undefined =>
   cells > 1 ? coloursOf(number, cells)[isDark() ? "front" : "rear"] : undefined;
 
 /** @param gone  when these plots are taken away */
-export function plots(tracks: Tracks, clock: Clock, width: number, gone: AbortSignal): HTMLElement {
+export function plots(run: Pick<RunPage, "tracks" | "measured">, clock: Clock, width: number, gone: AbortSignal): HTMLElement {
+  const { tracks } = run;
   if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
   const cells = tracksOfCells(tracks);
+  const [x0, y0] = startOf(tracks);
+  const { tracks: whole, words } = measuredOf(run.measured);
+  const measured = whole
+    .map((track) => until(track, clock.end))
+    .map(({ t, x, y }) => ({ t, x: x.map((v) => x0 + v), y: y.map((v) => y0 + v) }));
+  const about = words ? ` Grey violet: ${words}, each from the start of the path and at most as long as the run.` : "";
   const curves = (of: (own: Tracks) => { t: number[]; v: number[] }): Curve[] =>
     cells.map(({ number, tracks: own }) => {
       const { t, v } = of(own);
@@ -250,10 +262,10 @@ export function plots(tracks: Tracks, clock: Clock, width: number, gone: AbortSi
     "div",
     { class: "plots", style: `--first:${palette[0]}` },
     figure(
-      path(clock, column, cells, gone),
-      cells.length > 1
+      path(clock, column, cells, measured, gone),
+      (cells.length > 1
         ? "Paths of the centres of mass, in the colours of the cells. The rings are the starts, the dots the time of the player."
-        : "Path of the centre of mass. The ring is the start, the dot the time of the player.",
+        : "Path of the centre of mass. The ring is the start, the dot the time of the player.") + about,
     ),
     h(
       "div",

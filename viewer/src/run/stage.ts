@@ -2,6 +2,7 @@
 import { h, isDark, onDarkMode, onResize } from "../dom";
 import { onPaper, onPrint } from "../paper";
 import type { RunPage } from "../contract";
+import { measuredOf, type Measured } from "../measured";
 import { Camera, type Box } from "./camera";
 import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
@@ -68,6 +69,7 @@ export class Stage {
   private readonly sharedScales = new Map<Layer, LayerScale>();
   /** Strain of the fibres; null without fibres. */
   readonly fibreLayer: Layer | null;
+  readonly measured: Measured;
 
   constructor(
     private readonly run: RunPage,
@@ -82,6 +84,7 @@ export class Stage {
   ) {
     this.layer = layers[0];
     this.fibreLayer = fibreLayer(film);
+    this.measured = measuredOf(run.measured);
     const bottom = h("canvas", { class: "matrix" });
     this.element = h(
       "div",
@@ -294,11 +297,12 @@ export class Stage {
 
   private cellScene(place: Place, dark: boolean): CellScene {
     const { film, camera, shown, edge, arrows, usual } = this;
+    const measured = this.measured.tracks;
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
     const fibres = this.drawsFibres && this.fibreLayer ? this.fibreScale(this.fibreLayer).on(dark) : null;
-    return { film, place, time, camera, tracks, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
+    return { film, place, time, camera, tracks, measured, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
   }
 
   /** Paints at once and returns what has been painted; to be used before the browser goes on. */

@@ -76,7 +76,7 @@ export function runView(run: RunPage, alone: boolean, company?: Company): RunVie
     section(
       id("path"),
       "Path, speed and area",
-      fitted((width, replaced) => plots(run.tracks, clock, width, replaced), gone.signal),
+      fitted((width, replaced) => plots(run, clock, width, replaced), gone.signal),
     ),
     section(
       id("protrusions"),

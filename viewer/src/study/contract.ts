@@ -1,5 +1,5 @@
 /** What the program writes into the page of a study: the data contract, version 1. Units and null as in `../contract.ts`. */
-import type { Fact, RunPage } from "../contract";
+import type { Fact, MeasuredTracks, RunPage } from "../contract";
 
 /** A parameter that a study varies. */
 export interface StudyAxis {
@@ -240,6 +240,8 @@ export interface StudyPage extends StudyData {
   screening?: StudyScreening | null;
   scatter?: StudyScatter | null;
   players?: StudyPlayer[];
+  /** Measured tracks, and the points that they are to be compared with. */
+  measured?: (MeasuredTracks & { points: GridPoint[] })[];
   provenance: string;
   citation: string;
 }

@@ -69,7 +69,7 @@ function show(study: StudyPage, page: HTMLElement): void {
             h("p", {}, `With ${made.groups.length} points, paths, shapes and mean square displacements are not drawn here; the report of each run has them.`),
           )
         : null,
-      many ? null : part("paths", "Paths from a common origin", paths(made), seriesKey(made)),
+      many ? null : part("paths", "Paths from a common origin", paths(made, study.measured), seriesKey(made)),
       many ? null : part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
       played,
       many ? null : part("msd", "Mean square displacement", msd(study, made)),

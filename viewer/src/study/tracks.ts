@@ -1,6 +1,7 @@
-/** Paths from a common origin, and the shapes of the cells at the end: one small picture a grid point, all to one scale. */
-import type { Lines } from "./contract";
-import { h, s } from "../dom";
+/** Paths from a common origin, with measured tracks over them, and the shapes of the cells at the end: one small picture a grid point, all to one scale. */
+import type { GridPoint, Lines, StudyPage } from "./contract";
+import { h, isDark, s } from "../dom";
+import { countOf, durationOf, measuredColour, measuredTracks, type MeasuredTrack } from "../measured";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "../figure";
 import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
@@ -26,10 +27,34 @@ function eachCell(lines: Lines | null | undefined): { x: number[]; y: number[] }
 const withPath = (made: Grid): Group[] =>
   inRows(made.groups.filter((g) => g.runs.some((r) => r.path && r.path.x_um.length > 1)));
 
-export function paths(made: Grid): HTMLElement | null {
+interface Measured {
+  points: GridPoint[];
+  total: number;
+  tracks: MeasuredTrack[];
+}
+
+/** The paths with a switch for the measured tracks, where there are any. */
+export function paths(made: Grid, measured: StudyPage["measured"] = []): HTMLElement | null {
+  const sets = measured.map((set) => ({ points: set.points, total: set.total, tracks: measuredTracks(set) }));
+  if (sets.length === 0) return pictures(made, []);
+  const box = h("input", { type: "checkbox", name: "measured", checked: true });
+  const holder = h("div", {});
+  const draw = () => holder.replaceChildren(...[pictures(made, box.checked ? sets : [])].filter((made) => made !== null));
+  box.addEventListener("change", draw);
+  draw();
+  if (holder.childElementCount === 0) return null;
+  const colour = h("span", { class: "patch measured" });
+  const words = sets.map(({ tracks, total }) => `${countOf(tracks, total)} of up to ${durationOf(tracks)}`).join("; ");
+  return h("div", {}, h("label", { class: "choice" }, box, colour, words, ", each moved to the origin"), holder);
+}
+
+function pictures(made: Grid, sets: Measured[]): HTMLElement | null {
   const groups = withPath(made);
   if (groups.length === 0) return null;
+  const measuredAt = (g: Group) => sets.filter((set) => set.points.some((point) => point.join() === g.point.join())).flatMap((set) => set.tracks);
   let reach = 1;
+  for (const { tracks } of sets)
+    for (const { x, y } of tracks) x.forEach((v, i) => (reach = Math.max(reach, Math.abs(v), Math.abs(y[i]))));
   for (const g of groups)
     for (const r of g.runs)
       for (const { x, y } of eachCell(r.path))
@@ -43,7 +68,18 @@ export function paths(made: Grid): HTMLElement | null {
         `${g.label}, n\u00a0=\u00a0${g.runs.filter((r) => r.path).length}`,
         (window) => multipleSide(made, window),
         () => ({
-          data: g.runs.flatMap((r) =>
+          data: [
+            ...measuredAt(g).map(({ x, y }) => ({
+              type: "scatter",
+              mode: "lines",
+              x,
+              y,
+              line: { width: 1, color: measuredColour(isDark()) },
+              opacity: 0.55,
+              text: "measured",
+              hoverinfo: "text",
+            })),
+            ...g.runs.flatMap((r) =>
             eachCell(r.path).map(({ x, y }, cell, all) => ({
               type: "scatter",
               mode: "lines+markers",
@@ -59,7 +95,7 @@ export function paths(made: Grid): HTMLElement | null {
               text: `seed ${r.seed}${all.length > 1 ? `, cell ${cell + 1}` : ""}`,
               hoverinfo: "text",
             })),
-          ),
+          )],
           layout: {
             margin: { l: 44, r: 8, t: 6, b: 38 },
             xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),

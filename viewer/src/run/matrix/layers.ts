@@ -137,6 +137,7 @@ export const overlays = [
   { key: "protrusions", name: "Protrusions", on: true },
   { key: "adhesions", name: "Adhesions", on: true },
   { key: "path", name: "Path so far", on: true },
+  { key: "measured", name: "Measured tracks", on: true },
   { key: "traction", name: "Traction", on: true },
   { key: "polarization", name: "Polarization", on: false },
   { key: "arrows", name: "Arrows", on: false },

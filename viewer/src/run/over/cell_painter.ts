@@ -1,6 +1,7 @@
 /** Draws what lies over the matrix: the cell with front and rear, its protrusions, adhesions, path, and arrows. */
 import { nucleusColour, phaseColours, phaseColoursOnDark } from "../../colour";
 import type { FrameProtrusion, Tracks } from "../../contract";
+import type { MeasuredTrack } from "../../measured";
 import { roundStep } from "../../numbers";
 import { valueAt, type Field } from "../../unpack";
 import {
@@ -22,6 +23,7 @@ import { between, outlineAt, type Film, type Place } from "../frames";
 import type { Shown } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import { paintFibres } from "./fibres";
+import { paintMeasured } from "./measured";
 import { paintObstacles } from "./obstacles";
 import { edged, ink, labelFont, textWidth, type Pen } from "./pen";
 
@@ -31,6 +33,8 @@ export interface CellScene {
   time: number;
   camera: Camera;
   tracks: Tracks;
+  /** Tracks of measured cells. */
+  measured: MeasuredTrack[];
   shown: Shown;
   edge: Edge;
   spacing: number;
@@ -213,6 +217,8 @@ export function paintCell(c: Pen, scene: CellScene): void {
   if (scene.fibres) paintFibres(c, scene, scene.fibres);
   part("arrows");
   if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
+  part("measured");
+  if (shown.measured) paintMeasured(c, scene.measured, scene.tracks, scene.time, camera, dark);
   part("cell");
   if (shown.cell) for (const cell of film.cells) paintBody(c, scene, outline, cell);
   if (shown.cell && film.nucleus) paintNuclei(c, scene, film.nucleus);

@@ -17,7 +17,7 @@ function legend(stage: Stage, top: number, width: number): [string, number] {
   pen.fillStyle = ink(false).line;
   let [x, y, pictures] = [gap, top, ""];
   // The last two are those of arrows, which a panel does not have.
-  for (const entry of [...signs(film.cells.length, stage.hasObstacles, film.nucleus !== null).children].slice(0, -2)) {
+  for (const entry of [...signs(film.cells.length, stage.hasObstacles, film.nucleus !== null, stage.measured.words).children].slice(0, -2)) {
     const words = entry.textContent ?? "";
     const needed = 37 + pen.measureText(words).width;
     if (x > gap && x + needed > width - gap) [x, y] = [gap, y + row];

@@ -1,0 +1,27 @@
+/** Measured tracks over the matrix: as far as they were at the time shown, from the start of the simulated path. */
+import type { Tracks } from "../../contract";
+import { measuredColour, until, type MeasuredTrack } from "../../measured";
+import type { Camera } from "../camera";
+import { tracksOfCells } from "../cells";
+import { edged, ink, type Pen } from "./pen";
+
+/** Where the simulated path begins; of several cells the mean. */
+export function startOf(tracks: Tracks): [number, number] {
+  const cells = tracksOfCells(tracks).filter((one) => one.tracks.x_um.length > 0);
+  const mean = (of: (own: Tracks) => number) => cells.reduce((sum, one) => sum + of(one.tracks), 0) / Math.max(1, cells.length);
+  return [mean((own) => own.x_um[0]), mean((own) => own.y_um[0])];
+}
+
+export function paintMeasured(c: Pen, measured: MeasuredTrack[], tracks: Tracks, time: number, camera: Camera, dark: boolean): void {
+  const [x0, y0] = startOf(tracks);
+  for (const track of measured) {
+    const { x, y } = until(track, time);
+    c.beginPath();
+    x.forEach((v, i) => {
+      const [sx, sy] = [camera.toScreenX(x0 + v), camera.toScreenY(y0 + y[i])];
+      if (i === 0) c.moveTo(sx, sy);
+      else c.lineTo(sx, sy);
+    });
+    edged(c, measuredColour(dark), ink(dark).edge, 1.3, [], 0.6);
+  }
+}

@@ -1,0 +1,107 @@
+/** Measured tracks over simulated ones: on the stage, beside the path and on the page of a study. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import type { MeasuredTracks } from "../src/contract";
+import { measuredOf, until as upTo } from "../src/measured";
+import { sampleRun } from "../sample/run";
+import { sampleStudy } from "../sample/study";
+import { allDrawn, launch, open, still } from "./browser";
+
+/** Two straight tracks of an hour, along x and along y. */
+const two: MeasuredTracks = {
+  total: 2,
+  t_s: [0, 1800, 3600, null, 0, 1800, 3600],
+  x_um: [0, 10, 20, null, 0, 0, 0],
+  y_um: [0, 0, 0, null, 0, 15, 30],
+};
+
+test("null parts the tracks, and the words count them", () => {
+  const { tracks, words } = measuredOf(two);
+  assert.deepEqual(tracks[1], { t: [0, 1800, 3600], x: [0, 0, 0], y: [0, 15, 30] });
+  assert.equal(words, "2 measured tracks");
+  assert.equal(measuredOf({ ...two, total: 500 }).words, "2 of 500 measured tracks");
+  assert.deepEqual(upTo(tracks[0], 1800), { t: [0, 1800], x: [0, 10], y: [0, 0] });
+  assert.deepEqual(upTo(tracks[0], 9e9), tracks[0]);
+  assert.deepEqual(measuredOf(null), { tracks: [], words: "" });
+});
+
+let browser: Browser;
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
+
+const small = sampleRun({ radius: 90, interval: 600, end: 7200 });
+/** Pixels of the stage's upper canvas that are about as violet as measured tracks on a light page (117, 101, 138). */
+const painted = (page: Page): Promise<number> =>
+  page.evaluate(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>("canvas.cell");
+    const data = canvas?.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+    let n = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b, a] = [data[i], data[i + 1], data[i + 2], data[i + 3]];
+      if (a > 200 && r < 160 && r - g > 8 && b - g > 20) ++n;
+    }
+    return n;
+  });
+
+test("the stage draws them up to its time, and a switch takes them away", async () => {
+  const { page, errors } = await open(browser, "run", JSON.stringify({ ...small, measured: two }));
+  for (const name of ["cell", "protrusions", "adhesions", "path", "traction"]) await page.locator(`input[name=${name}]`).uncheck();
+  const at = async (time: string) => {
+    await page.locator(".scrub").fill(time);
+    await still(page);
+    return painted(page);
+  };
+  const [start, middle, end] = [await at("0"), await at("1800"), await at("3600")];
+  assert.ok(start < 0.1 * middle && middle < 0.8 * end, `${start}, ${middle}, ${end} pixels`);
+  assert.ok((await page.locator(".panel .signs").textContent())?.includes("2 measured tracks, from the start of the path"));
+  await page.locator("input[name=measured]").uncheck();
+  await still(page);
+  assert.equal(await painted(page), 0);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
+test("the plot of the path begins them where the path begins, and ends them with the run", async () => {
+  const short = { ...small, t_end_s: 1800, measured: two };
+  const { page } = await open(browser, "run", JSON.stringify(short));
+  assert.equal(await page.locator("#path .curve.measured").count(), 2);
+  const lines = await page.locator("#path .curve.measured").evaluateAll((all) => all.map((one) => one.getAttribute("d") ?? ""));
+  assert.deepEqual(lines.map((d) => d.split(/[ML]/).length - 1), [2, 2], "positions up to 1800 s");
+  const start = await page.locator("#path .start").first();
+  const from = `M${Number(await start.getAttribute("cx")).toFixed(1)} ${Number(await start.getAttribute("cy")).toFixed(1)}`;
+  for (const d of lines) assert.ok(d.startsWith(from), `${d} starts at ${from}`);
+  assert.ok((await page.locator("#path figcaption").first().textContent())?.includes("2 measured tracks"));
+  await page.context().close();
+});
+
+test("a page without measured tracks says nothing of them", async () => {
+  const { page } = await open(browser, "run", JSON.stringify({ ...small, measured: null }));
+  assert.equal(await page.locator("input[name=measured]").count(), 0);
+  assert.ok(!(await page.locator("body").innerText()).includes("easured track"));
+  await page.context().close();
+});
+
+test("a study draws them at the points that they belong to, until its switch is off", async () => {
+  const study = sampleStudy();
+  const points = study.groups.map((g) => g.point).filter((p) => p[1] === 0).slice(0, 1);
+  const { page, errors } = await open(browser, "study", JSON.stringify({ ...study, measured: [{ ...two, points }] }));
+  await allDrawn(page);
+  const counts = () =>
+    page.locator("#paths .plotly-figure").evaluateAll((all) =>
+      all.map((plot) => (plot as unknown as { data: { text: string }[] }).data.filter((trace) => trace.text === "measured").length),
+    );
+  const first = await counts();
+  assert.equal(first.length, 10);
+  assert.equal(first.reduce((a, b) => a + b), 2, "two tracks at one of ten points");
+  assert.ok((await page.locator("#paths").textContent())?.includes("2 measured tracks of up to 1 h, each moved to the origin"));
+  await page.locator("#paths input[name=measured]").uncheck();
+  await allDrawn(page);
+  assert.deepEqual(await counts(), Array(10).fill(0));
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
