@@ -1,5 +1,5 @@
-"""Takes the schema and the types made from it into the package, and what was built: the compiled module of matrigrate.Simulation; the live page; the
-program, if MATRIGRATE_INSIDE names it. pyproject.toml has all else."""
+"""Takes the schema and the types made from it into the package, and what a build has made: the compiled module of matrigrate.Simulation, the
+live page; the program, if MATRIGRATE_INSIDE names it. pyproject.toml has all else."""
 import os
 import shutil
 import subprocess

@@ -24,8 +24,8 @@ struct LiveArguments {
   bool only_print = false;
 };
 
-/// Where the page may be: beside the installed program; in the Python package, which a wheel has the program in; where
-/// web/build.sh puts it; in the source archive of a release.
+/// Where the page may be: beside the installed program; in a wheel; where web/build.sh puts it; in the source archive
+/// of a release.
 std::vector<std::string> places() {
   const fs::path folder = platform::program_file().parent_path();
   std::vector<std::string> all;
