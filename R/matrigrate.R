@@ -52,10 +52,40 @@ read_results <- function(study, table = "results.csv") {
 
 # The tracks of a run, or of all runs of a study, in one data.frame, a row for each cell at each time: id, run (the folder
 # of the run), cell (its number in that run, from 1); of a study label, swept parameters, replicate and seed; then t_s [s],
-# x_um, y_um [um] and the other columns of tracks.csv. The id is that of one cell in one run: the folder, and with several
+# x_um, y_um [um] and the other columns of tracks.csv. cell = 2, or cell = c(1, 3), takes the tracks of these cells alone.
+# The id is that of one cell in one run: the folder, and with several
 # cells the folder, a slash and the number of the cell. For celltrackR:
 #   celltrackR::as.tracks(d, id.column = "id", time.column = "t_s", pos.columns = c("x_um", "y_um"))
-read_tracks <- function(folder) {
+read_tracks <- function(folder, cell = NULL) {
+  tracks <- .matrigrate_all_tracks(folder)
+  if (is.null(cell)) tracks else .matrigrate_of_cells(tracks, cell, folder)
+}
+
+# A table of a run: "summary.csv" has a row of read-outs for each cell, "group.csv", of several cells, a row each minute for all of them
+# together; also "protrusions.csv", "msd.csv", "health.csv". cell = 2 takes the rows of cell 2; a table of one cell has
+# no column `cell`, and is that of cell 1.
+read_run <- function(run, table = "summary.csv", cell = NULL) {
+  if (!file.exists(file.path(run, "run.json"))) stop(run, ": is no folder of a run", call. = FALSE)
+  rows <- .matrigrate_table(file.path(run, table), "cause", unfinished = .matrigrate_is_running(run))
+  if (is.null(cell)) return(rows)
+  if (table %in% c("group.csv", "health.csv")) stop(table, ": its rows are of all cells together", call. = FALSE)
+  column <- intersect(c("cell", "track"), names(rows))
+  if (length(column) > 0) return(.matrigrate_of_cells(rows, cell, run, column[1]))
+  if (any(cell != 1)) stop(run, ": has one cell, number 1", call. = FALSE)
+  rows
+}
+
+.matrigrate_of_cells <- function(table, cell, folder, column = "cell") {
+  missing <- setdiff(cell, table[[column]])
+  if (length(missing) > 0) {
+    stop(folder, ": has no cell ", missing[1], "; its cells are ", paste(sort(unique(table[[column]])), collapse = ", "), call. = FALSE)
+  }
+  rows <- table[table[[column]] %in% cell, , drop = FALSE]
+  rownames(rows) <- NULL
+  rows
+}
+
+.matrigrate_all_tracks <- function(folder) {
   if (file.exists(file.path(folder, "run.json"))) return(.matrigrate_tracks(folder))
   if (!.matrigrate_is_study(folder)) stop(folder, ": is no folder of a run or a study", call. = FALSE)
   results <- read_results(folder)
@@ -69,10 +99,13 @@ read_tracks <- function(folder) {
   do.call(rbind, tracks)
 }
 
-.matrigrate_tracks <- function(folder, keys = NULL) {
+.matrigrate_is_running <- function(folder) {
   record <- file.path(folder, "run.json")
-  running <- file.exists(record) && any(grepl("\"status\": *\"running\"", readLines(record, warn = FALSE)))
-  tracks <- .matrigrate_table(file.path(folder, "tracks.csv"), NULL, unfinished = running)
+  file.exists(record) && any(grepl("\"status\": *\"running\"", readLines(record, warn = FALSE)))
+}
+
+.matrigrate_tracks <- function(folder, keys = NULL) {
+  tracks <- .matrigrate_table(file.path(folder, "tracks.csv"), NULL, unfinished = .matrigrate_is_running(folder))
   run <- rep(basename(normalizePath(folder)), nrow(tracks))
   cell <- tracks$track
   id <- if (length(unique(cell)) > 1) paste(run, cell, sep = "/") else run

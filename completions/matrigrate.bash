@@ -15,7 +15,7 @@ _matrigrate() {
     esac
   done
   case $verb:$previous in
-  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
+  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
   matrigrate_explain:--pictures) COMPREPLY=(); return ;;
@@ -32,17 +32,20 @@ _matrigrate() {
   matrigrate_resume:--hours) COMPREPLY=(); return ;;
   matrigrate_resume:--threads) COMPREPLY=(); return ;;
   matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
-  matrigrate_sample:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
+  matrigrate_sample:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
   matrigrate_sample:--scenario) _matrigrate_files -f; return ;;
   matrigrate_sample:--targets) COMPREPLY=(); return ;;
   matrigrate_sample:--seed) COMPREPLY=(); return ;;
   matrigrate_sample:--hours) COMPREPLY=(); return ;;
   matrigrate_sample:--threads) COMPREPLY=(); return ;;
   matrigrate_demo:-o|matrigrate_demo:--output) _matrigrate_files -d; return ;;
-  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
+  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
+  matrigrate_report:--tracks) COMPREPLY=(); return ;;
   matrigrate_live:-o|matrigrate_live:--output) _matrigrate_files -d; return ;;
+  matrigrate_export:--times) COMPREPLY=(); return ;;
+  matrigrate_export:--pixel) COMPREPLY=(); return ;;
   matrigrate_export:--panel) COMPREPLY=(); return ;;
   matrigrate_export:--fps) COMPREPLY=(); return ;;
   matrigrate_export:--seconds) COMPREPLY=(); return ;;
@@ -97,7 +100,7 @@ _matrigrate() {
   matrigrate_demo)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --preset --hours --no-open" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_report)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_live)
@@ -105,7 +108,7 @@ _matrigrate() {
   matrigrate_diff)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_export)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --svg --png --panel --movie --fps --seconds --size --follow --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --openvt --times --simularium --ome-tiff --pixel --svg --png --panel --movie --fps --seconds --size --follow --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_validate)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all" -- "$cur")); fi ;;
   matrigrate_selftest)

@@ -38,7 +38,7 @@ complete -c matrigrate -n '__matrigrate_at' -l version -d 'Display program versi
 
 complete -c matrigrate -n '__matrigrate_at new' -F
 complete -c matrigrate -n '__matrigrate_at new' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON schema that the first line names for editors, seen from FILE (default: scenario.schema.json, which is then written beside FILE)'
 
 complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
@@ -83,7 +83,7 @@ complete -c matrigrate -n '__matrigrate_at resume' -l json -d 'Print the outcome
 complete -c matrigrate -n '__matrigrate_at resume' -l quiet -d 'Show no progress; print only where the report is'
 
 complete -c matrigrate -n '__matrigrate_at sample' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What they change: see `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What they change: see `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change this scenario file instead'
 complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs to tell the distance from'
 complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
@@ -92,13 +92,14 @@ complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 
 
 complete -c matrigrate -n '__matrigrate_at demo' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: matrigrate-demo, or -2, -3, ...)'
-complete -c matrigrate -n '__matrigrate_at demo' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What is simulated: see `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at demo' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells' -d 'What is simulated: see `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at demo' -l hours -x -d 'Simulated time in hours (default: 3)'
 complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the page'
 
 complete -c matrigrate -n '__matrigrate_at report' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at report' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at report' -l play -x -d 'A run that the page of a study is to play, by the name of its folder; may be repeated'
+complete -c matrigrate -n '__matrigrate_at report' -l tracks -x -d 'Measured tracks to draw over the simulated paths, each moved to their start: a CSV file with the columns track, t_s, x_um, y_um'
 
 complete -c matrigrate -n '__matrigrate_at open' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at open' -s h -l help -d 'Print this help message and exit'
@@ -116,6 +117,11 @@ complete -c matrigrate -n '__matrigrate_at export' -s h -l help -d 'Print this h
 complete -c matrigrate -n '__matrigrate_at export' -l vtk -d 'Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)'
 complete -c matrigrate -n '__matrigrate_at export' -l fields -d 'fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet'
 complete -c matrigrate -n '__matrigrate_at export' -l tracks -d 'The path for celltrackR (CSV) and TrackMate (CSV, XML); of a study, all paths in one CSV'
+complete -c matrigrate -n '__matrigrate_at export' -l openvt -d 'The positions of cells as OpenVT\'s table, with its records of simulation and simulator (JSON)'
+complete -c matrigrate -n '__matrigrate_at export' -l times -x -d 'Of --openvt: "every 10 min", or "0 h, 1 h, 3 h" (default: all times of tracks.csv)'
+complete -c matrigrate -n '__matrigrate_at export' -l simularium -d 'run.simularium for the viewer at simularium.allencell.org: cells, adhesions and matrix over time'
+complete -c matrigrate -n '__matrigrate_at export' -l ome-tiff -d 'fields.ome.tif for Fiji and napari: the fields of all frames as a stack with times and scale'
+complete -c matrigrate -n '__matrigrate_at export' -l pixel -x -d 'Of --ome-tiff: width of a pixel (default: the spacing of the particles, 2 um)'
 complete -c matrigrate -n '__matrigrate_at export' -l svg -d 'The contact sheet and the path, for a publication'
 complete -c matrigrate -n '__matrigrate_at export' -l png -d 'One picture per frame'
 complete -c matrigrate -n '__matrigrate_at export' -l panel -x -d 'panel.svg for a publication: frames at these times side by side, "0 h, 1 h, 3 h, 6 h"'

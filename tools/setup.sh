@@ -56,6 +56,7 @@ python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
 python3-sklearn: emulators in the tests of calibration
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
+python3-tifffile: opens stacks of fields in their tests
 dpkg-dev: makes the Debian package in its test
 file: tells programs from scripts while that is made
 r-base-core: runs the R file in its test

@@ -147,9 +147,14 @@ void drive(const Scratch& scratch, const json& job) {
 void require_drawable(const run::FinishedRun& run, const DrawnOptions& options) {
   size_of(options.size);
   if (options.layer.empty()) return;
-  if (std::ranges::find(layers, options.layer) == layers.end())
+  std::vector<std::string_view> known(layers.begin(), layers.end());
+  for (std::size_t k = 0; k < run.film.head.layers.size(); ++k)
+    if (!run.film.head.layers[k].empty()) known.push_back(observe::matrix_layers()[k].layer);
+  const auto diffuses = [](const observe::Frame& frame) { return !frame.matrix.attractant.empty(); };
+  if (std::ranges::any_of(run.film.frames, diffuses)) known.emplace_back("attractant");
+  if (std::ranges::find(known, options.layer) == known.end())
     throw UsageError(
-        fmt::format("there is no layer \"{}\"; the layers are: {}", options.layer, fmt::join(layers, ", ")));
+        fmt::format("there is no layer \"{}\"; the layers are: {}", options.layer, fmt::join(known, ", ")));
   const auto lacks = [](const observe::Frame& frame) { return frame.matrix.fibre_von_mises.empty(); };
   if (options.layer == layers.back() && std::ranges::any_of(run.film.frames, lacks))
     throw UsageError(fmt::format("the run has no layer \"{}\": its matrix has no fibres", options.layer));

@@ -1,5 +1,6 @@
 #include "apps/export/drawn.hpp"
 #include "apps/export/panel.hpp"
+#include "apps/export/tracks.hpp"
 #include "apps/run_output.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
@@ -7,11 +8,14 @@
 #include "base/file.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/particle_picture.hpp"
+#include "exchange/ome_tiff.hpp"
+#include "exchange/simularium.hpp"
+#include "parameters/units.hpp"
 #include "run/finished_run.hpp"
 #include "run/own_files.hpp"
+#include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/field_file.hpp"
-#include "store/track_files.hpp"
 #include "store/vtk_files.hpp"
 #include "study/tracks_csv.hpp"
 #include "study_runs/study_folder.hpp"
@@ -24,6 +28,8 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -34,6 +40,8 @@ struct ExportArguments {
   std::string folder;
   std::string output;
   std::string panel; ///< times; empty: no panel
+  std::string times; ///< of --openvt; empty: all
+  std::string pixel; ///< of --ome-tiff; empty: the spacing of the particles
   DrawnOptions drawn;
   std::map<std::string, bool, std::less<>> wanted; ///< by the option of the kind: "--vtk"
   bool force = false;
@@ -44,7 +52,8 @@ std::vector<ExportKind> wanted_kinds(const ExportArguments& options) {
   std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
                        [&](const ExportKind& kind) { return options.wanted.find(kind.option)->second; });
   if (kinds.empty())
-    throw UsageError("say what to export: --vtk, --fields, --tracks, --svg, --png, --movie or --panel");
+    throw UsageError("say what to export: --vtk, --fields, --tracks, --openvt, --simularium, --ome-tiff, --svg, --png, "
+                     "--movie or --panel");
   return kinds;
 }
 
@@ -75,10 +84,24 @@ void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
   store::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
 }
 
-void export_tracks(const FinishedRun& run, const std::filesystem::path& to) {
-  write_file(to / "tracks_celltrackr.csv", store::celltrackr_csv(run.memory.rows));
-  write_file(to / "tracks_trackmate.csv", store::trackmate_csv(run.memory.rows));
-  write_file(to / "tracks_trackmate.xml", store::trackmate_xml(run.memory.rows));
+/// The width of a pixel that --pixel names [um].
+/// @throws UsageError if it is none, or makes too large pictures
+double pixel_of(const std::string& text, const observe::FrameHead& head) {
+  if (text.empty()) return head.spacing;
+  double pixel = 0.0;
+  try {
+    const units::Quantity quantity = units::parse_quantity(text);
+    const units::Unit unit = units::parse_unit(quantity.unit.empty() ? "um" : quantity.unit);
+    if (unit.dimension != units::parse_unit("um").dimension) throw std::invalid_argument("is no length");
+    pixel = units::to_internal(quantity.number, unit);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(fmt::format("--pixel: \"{}\": {}; an example: --pixel \"0.5 um\"", text, fault.what()));
+  }
+  const double least = 2.0 * head.radius / static_cast<double>(exchange::most_pixels);
+  if (!(pixel >= least && pixel <= head.radius))
+    throw UsageError(fmt::format("--pixel: {}: allowed are {:.3g} to {:g} um, for {} to 2 pixels along an edge", text,
+                                 least, head.radius, exchange::most_pixels));
+  return pixel;
 }
 
 /// The contact sheet and the paths of the cells.
@@ -101,8 +124,9 @@ std::filesystem::path output_of(const ExportArguments& options) {
                                 : std::filesystem::path(options.output);
 }
 
-/// The tracks of all runs of a study that are done, in one file.
-int export_study_tracks(const ExportArguments& options) {
+/// The tracks of all runs of a study that are done.
+int export_study(const ExportArguments& options) {
+  const exchange::Times times = wanted_times(options.times);
   const study::StudyFolder study = study::open_study(options.folder);
   const std::vector<study::Result> results = study::results(study.study, study.runs, study.folder);
   const auto runs = std::ranges::count_if(results, [](const study::Result& r) { return r.standing.done(); });
@@ -111,11 +135,22 @@ int export_study_tracks(const ExportArguments& options) {
                                        "{0}/study.resolved.toml computes them",
                                        options.folder, results.size()));
   const std::string text = study::tracks_csv(study.study, results, study.folder);
+  const std::vector<exchange::RunTracks> tracks = study::run_tracks(study.study, results, study.folder);
+  const bool openvt = options.wanted.find("--openvt")->second, table = options.wanted.find("--tracks")->second;
+  const std::vector<exchange::RunTracks> at = openvt ? at_times(tracks, times) : tracks;
   const std::filesystem::path to = output_of(options);
-  prepare(to, {{.option = "--tracks", .names = R"(tracks\.csv)"}}, options.force);
-  write_file(to / "tracks.csv", text);
-  print(
-      fmt::format("exported the tracks of {} of {} runs to {}\n", runs, results.size(), (to / "tracks.csv").string()));
+  std::vector<ExportKind> kinds;
+  if (table) kinds.push_back({.option = "--tracks", .names = R"(tracks(_spots|_tracks)?\.csv)"});
+  if (openvt) kinds.push_back(*std::ranges::find(export_kinds(), "--openvt", &ExportKind::option));
+  prepare(to, kinds, options.force);
+  if (table) {
+    write_file(to / "tracks.csv", text);
+    write_file(to / "tracks_spots.csv", exchange::spots_csv(tracks));
+    write_file(to / "tracks_tracks.csv", exchange::tracks_csv(tracks));
+  }
+  if (openvt) write_openvt(at, openvt_model(study.study, results), to);
+  print(fmt::format("exported the tracks of {} of {} runs to {}\n", runs, results.size(),
+                    (to / (table ? "tracks.csv" : "openvt.csv")).string()));
   return done;
 }
 
@@ -128,21 +163,35 @@ int export_run(ExportArguments options) {
   auto& wanted = options.wanted;
   wanted["--panel"] = !options.panel.empty();
   const std::vector<ExportKind> kinds = wanted_kinds(options);
-  if (wanted["--tracks"] && kinds.size() == 1 && is_study(options.folder)) return export_study_tracks(options);
+  if (!options.times.empty() && !wanted["--openvt"]) throw UsageError("--times: is for --openvt");
+  const bool only_tracks = std::ranges::all_of(
+      kinds, [](const ExportKind& kind) { return kind.option == "--tracks" || kind.option == "--openvt"; });
+  if (only_tracks && is_study(options.folder)) return export_study(options);
+  const exchange::Times times = wanted_times(options.times);
   const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);
   require_drawable(run, options.drawn);
-  if (wanted["--vtk"] || wanted["--fields"] || drawn.any()) {
+  if (!options.pixel.empty() && !wanted["--ome-tiff"]) throw UsageError("--pixel: is for --ome-tiff");
+  if (wanted["--vtk"] || wanted["--fields"] || wanted["--simularium"] || wanted["--ome-tiff"] || drawn.any()) {
     require_frames(run, options.folder);
     tell_lost_frames(run);
   }
   if (drawn.panel) options.drawn.panel_times = frames_at(run, options.panel);
   if (drawn.any()) require_drawing_tools(drawn);
+  std::vector<exchange::RunTracks> tracks{single_run(run)};
+  if (wanted["--openvt"]) tracks = at_times(std::move(tracks), times);
+  const double pixel = wanted["--ome-tiff"] ? pixel_of(options.pixel, run.film.head) : 0.0;
+  const std::string title = run_title(run.p, scenario_name(run.record, run.folder));
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
   if (wanted["--vtk"]) store::write_vtk(to, run.film);
   if (wanted["--fields"]) export_fields(run, to);
-  if (wanted["--tracks"]) export_tracks(run, to);
+  if (wanted["--tracks"]) write_tracks(run, to);
+  if (wanted["--openvt"]) write_openvt(tracks, openvt_model(run), to);
+  if (wanted["--simularium"])
+    write_file(to / "run.simularium", exchange::simularium(run.film, run.memory.rows, title, version_text()));
+  if (wanted["--ome-tiff"])
+    write_file(to / "fields.ome.tif", exchange::ome_tiff(run.film, pixel, title, version_text()));
   if (wanted["--svg"]) export_svg(run, to);
   export_drawn(run, drawn, options.drawn, to);
   print(fmt::format("exported to {}\n", to.string()));
@@ -158,17 +207,31 @@ void add_export(CLI::App& app, Action& chosen) {
       "Adds to what the folder holds: several kinds may be exported one after the other.\n"
       "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
       "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
-      "Of a study, --tracks writes tracks.csv: the rows of all its runs that are done, in one table.\n"
+      "Of a study, --tracks writes the tracks of all its runs that are done into one table: tracks.csv as those of "
+      "the\n"
+      "runs, tracks_spots.csv for CellTracksColab, TrackMate and celltrackR. docs/how-to/exchange.md tells how to read "
+      "it.\n"
       "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
-      "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises.");
+      "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises,\n"
+      "and those that the scenario gives the matrix, such as youngs_modulus.");
   const auto options = std::make_shared<ExportArguments>();
-  verb->add_option("DIR", options->folder, "Folder of a run; with --tracks alone, also of a study")->required();
+  verb->add_option("DIR", options->folder, "Folder of a run; for --tracks and --openvt also of a study")->required();
   verb->add_flag("--vtk", options->wanted["--vtk"],
                  "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
   verb->add_flag("--fields", options->wanted["--fields"],
                  "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
   verb->add_flag("--tracks", options->wanted["--tracks"],
                  "The path for celltrackR (CSV) and TrackMate (CSV, XML); of a study, all paths in one CSV");
+  verb->add_flag("--openvt", options->wanted["--openvt"],
+                 "The positions of cells as OpenVT's table, with its records of simulation and simulator (JSON)");
+  verb->add_option("--times", options->times,
+                   "Of --openvt: \"every 10 min\", or \"0 h, 1 h, 3 h\" (default: all times of tracks.csv)");
+  verb->add_flag("--simularium", options->wanted["--simularium"],
+                 "run.simularium for the viewer at simularium.allencell.org: cells, adhesions and matrix over time");
+  verb->add_flag("--ome-tiff", options->wanted["--ome-tiff"],
+                 "fields.ome.tif for Fiji and napari: the fields of all frames as a stack with times and scale");
+  verb->add_option("--pixel", options->pixel,
+                   "Of --ome-tiff: width of a pixel (default: the spacing of the particles, 2 um)");
   verb->add_flag("--svg", options->wanted["--svg"], "The contact sheet and the path, for a publication");
   verb->add_flag("--png", options->wanted["--png"], "One picture per frame");
   verb->add_option("--panel", options->panel,

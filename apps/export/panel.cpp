@@ -1,15 +1,14 @@
 #include "apps/export/panel.hpp"
 
+#include "apps/export/time_list.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/time_text.hpp"
-#include "parameters/units.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace matrigrate::apps {
@@ -17,12 +16,9 @@ namespace matrigrate::apps {
 namespace {
 
 /// A time of a list [s].
-double time_of(const std::string& text) {
+double panel_time(const std::string& text) {
   try {
-    const units::Quantity quantity = units::parse_quantity(text);
-    const units::Unit unit = units::parse_unit(quantity.unit.empty() ? "h" : quantity.unit);
-    if (unit.dimension != units::Dimension{.time = 1000}) throw std::invalid_argument("is no time");
-    return units::to_internal(quantity.number, unit);
+    return time_of(text);
   } catch (const std::invalid_argument& fault) {
     throw UsageError(
         fmt::format("--panel: \"{}\": {}; an example: --panel \"0 h, 1 h, 3 h, 6 h\"", text, fault.what()));
@@ -34,11 +30,8 @@ double time_of(const std::string& text) {
 std::vector<double> frames_at(const run::FinishedRun& run, const std::string& times) {
   const std::vector<observe::Frame>& frames = run.film.frames;
   std::vector<double> chosen;
-  std::istringstream list(times);
-  for (std::string text; std::getline(list, text, ',');) {
-    const std::size_t begin = text.find_first_not_of(' ');
-    text = begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-    const double t = time_of(text);
+  for (const std::string& text : items_of(times)) {
+    const double t = panel_time(text);
     const auto nearest =
         std::ranges::min_element(frames, {}, [&](const observe::Frame& f) { return std::abs(f.t - t); });
     if (std::abs(nearest->t - t) > 0.5 * run.p.output.field_interval + 1.0)

@@ -16,7 +16,8 @@
 
 Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
 """
-from . import calibrate, plot, tracks
+from . import calibrate, plot, tracks, truth
+from ._cells import CellOfRun, CellsOfRun
 from ._live import live
 from ._schema import Parameter
 from ._version import __version__
@@ -30,8 +31,9 @@ from .simulation import Cell, Matrix, Simulation
 from .studies import Runs, Study, load_study
 
 __all__ = [
-    "Cell", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields", "InputOutputError", "InternalError",
-    "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter", "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run",
-    "Runs", "Scenario", "Section", "Simulation", "Stopped", "Study", "UnknownParameter", "UsageError", "__version__",
-    "calibrate", "live", "load", "load_study", "meaning", "plot", "run", "run_study", "tracks",
+    "Cell", "CellOfRun", "CellsOfRun", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields",
+    "InputOutputError", "InternalError", "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter",
+    "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run", "Runs", "Scenario", "Section", "Simulation", "Stopped",
+    "Study", "UnknownParameter", "UsageError", "__version__", "calibrate", "live", "load", "load_study", "meaning",
+    "plot", "run", "run_study", "tracks", "truth",
 ]

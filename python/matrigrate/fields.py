@@ -99,6 +99,19 @@ class Fields(Mapping[str, Field]):
             raise IndexError(f"frame {k}: there are {len(self.times)} frames") from None
         return {name: field[number] for name, field in self._fields.items() if self._has_frames(field)}
 
+    def outlines(self, k: int = -1) -> dict[int, np.ndarray[Any, Any]]:
+        """The cortex of each cell [um] in frame k, by the number of the cell: x, y of its particles in their order."""
+        places = self["outline/position"][k][:, :2]
+        cell = self["outline/cell"][k] if "outline/cell" in self else np.ones(len(places))
+        return {int(number): places[cell == number] for number in np.unique(cell)}
+
+    def nuclei(self, k: int = -1) -> dict[int, np.ndarray[Any, Any]]:
+        """The nucleus of each cell [um] in frame k, by the number of the cell; none of cells without a nucleus."""
+        if "nucleus/position" not in self:
+            return {}
+        numbers = list(self.outlines(k))
+        return dict(zip(numbers, np.split(self["nucleus/position"][k][:, :2], len(numbers)), strict=True))
+
     @cached_property
     def protrusions(self) -> pandas.DataFrame:
         """A row for each protrusion alive in a frame: ``frame``, ``t_s`` [s], ``id``, phase, maturation, force [nN]."""

@@ -5,12 +5,12 @@
 """
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments
+from . import _arguments, _drawing, _fibres
 from ._files import unit_of
 from .results import Run, meaning
 from .studies import Study
@@ -19,78 +19,113 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _colours = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")  # told apart by all eyes
-_words = {"f_degr": "intact share", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
+_words = {"youngs_modulus": "Young's modulus", "f_degr": "degradation: 1 solid, 0 fluid", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
 
 
 def path(run: Run | Mapping[str, Run], axes: Axes | None = None) -> Axes:
-    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names."""
+    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names. The path of a
+    single cell has the colours of time."""
     runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     axes = axes or _new_axes()
-    paths = [(name, number, track) for name, one in runs.items() for number, track in one.tracks.groupby("track")]
+    paths = [(name, number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
     lines = list(runs) if len(runs) > 1 else [number for _, number, _ in paths]  # each has a colour and its name
     named = set()
     for name, number, track in paths:
         line = name if len(runs) > 1 else number
         label = None if line in named else name if len(runs) > 1 else f"cell {number}"
         named.add(line)
-        x, y, colour = track["x_um"], track["y_um"], _colours[lines.index(line) % len(_colours)]
+        colour = _colours[lines.index(line) % len(_colours)]
+        if len(runs) == 1 and len(paths) > 1:  # as in frames
+            colour = _drawing.colours_of(number, len(paths))[0]
+        x, y = track["x_um"], track["y_um"]
         axes.plot(x, y, color=colour, linewidth=1.2, label=label)
-        axes.plot(x.iloc[:1], y.iloc[:1], "o", color=colour, markerfacecolor="white")
-        axes.plot(x.iloc[-1:], y.iloc[-1:], "o", color=colour)
+        axes.plot(x.iloc[:1], y.iloc[:1], "o", color=colour, markerfacecolor="white", zorder=4)
+        axes.plot(x.iloc[-1:], y.iloc[-1:], "o", color=colour, zorder=4)
+    if len(paths) == 1 and len(paths[0][2]) > 1:
+        track = paths[0][2]
+        shown = _drawing.path_in_time(axes, track["x_um"].to_numpy(), track["y_um"].to_numpy(), track["t_s"].to_numpy() / 60)
+        axes.figure.colorbar(shown, ax=axes, label="time [min]", shrink=0.8)
     _plane(axes)
-    if 1 < len(lines) <= len(_colours):
+    if 1 < len(lines) <= 8:
         axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return axes
 
 
 def frame(run: Run, t: float | None = None, field: str = "displacement", axes: Axes | None = None, *,
-          fluid: bool = False) -> Axes:
-    """Cells and matrix at a time: particles of the matrix coloured by a field, the outlines, nuclei, adhesions as dots.
+          fluid: bool = False, window: float | tuple[float, float, float, float] | str | None = None,
+          follow: int | bool | None = None, limits: tuple[float, float] | None = None, hide: Iterable[str] = ()) -> Axes:
+    """Cells and matrix at a time, as the page of the run shows them: the matrix as a smooth field, cells with rear and front,
+    nuclei, protrusions in the colours of their phases, adhesions and their pull, fibres by their strain, paths, a scale bar.
 
     :param t: simulated time [s]; the frame nearest to it is drawn, the last one if left out
-    :param field: of the matrix: "displacement", "velocity", "pressure", "von_mises", "degradation" or "f_degr" (the same); of
-        vectors the length
-    :param fluid: whether degraded matrix is coloured, too; it is left white if not
+    :param field: of the matrix: "displacement", "velocity", "pressure", "von_mises", "degradation" or "f_degr" (the same), or one that
+        the scenario gives, such as "youngs_modulus"; of vectors the length
+    :param fluid: whether degraded matrix is coloured, too; it is left light if not
+    :param window: what is seen: left, right, bottom, top [um]; a number is the width [um] of a square; "all" is the whole
+        matrix. Left out, it is where the cells are in the course of the run, or the size that a followed cell needs
+    :param follow: the number of the cell in the middle of the window, or True for the middle of all cells
+    :param limits: of the colours; the same in all figures of a run if left out
+    :param hide: what is not drawn, of "fibres", "cell", "nucleus", "protrusions", "adhesions", "path", "traction", "numbers",
+        "scale bar" (there are axes in um instead), "legend", "colour bar"
     :raises KeyError: with the fields that there are, if there is no such field
+    :raises ValueError: if there is no such window, cell or part
     """
-    from matplotlib.collections import EllipseCollection
-
     fields = _arguments.one_of("run", run, Run).fields
-    axes = axes or _new_axes()
     k = len(fields.times) - 1 if t is None else fields.nearest(t)
-    known = [name.removeprefix("matrix/") for name in fields if name.startswith("matrix/") and fields.has_frames(name)]
+    particles = fields["matrix/f_degr"].shape[1]
+    known = [name.removeprefix("matrix/") for name in fields if name.startswith("matrix/") and name != "matrix/reference"
+             and (fields.has_frames(name) or fields[name].shape == (particles,))]
     if field not in (*known, "degradation"):
         raise KeyError(f"{field}; the fields of the matrix are {', '.join(known)}")
+    outlines = fields.outlines(k)
+    hidden = _drawing.check_view(window, follow, hide, outlines)
     shown = fields[f"matrix/{field}"]
     field = shown.name.removeprefix("matrix/")
-    values, place = shown[k].astype(float), fields["matrix/position"][k][:, :2]
-    values = np.linalg.norm(values, axis=1) if values.ndim == 2 else values
-    kept = np.full(len(values), True) if fluid else fields["matrix/solid"][k] == 1
-    size = np.full(int(kept.sum()), float(fields["matrix/spacing"][0]))
-    particles = EllipseCollection(size, size, np.zeros_like(size), units="xy", offsets=place[kept],
-                                  offset_transform=axes.transData, array=values[kept], cmap=_map(field), linewidth=0)
-    if field == "pressure" and kept.any():  # zero in the middle
-        largest = float(np.abs(values[kept]).max()) or 1.0
-        particles.set_clim(-largest, largest)
-    axes.add_collection(particles)
-    outline = fields["outline/position"][k][:, :2]
-    cell = fields["outline/cell"][k] if "outline/cell" in fields else np.ones(len(outline))
-    for number in np.unique(cell):
-        axes.fill(*outline[cell == number].T, facecolor="#f4efe6", edgecolor="black", linewidth=1.5, zorder=3)
-    if "nucleus/position" in fields:
-        for nucleus in np.split(fields["nucleus/position"][k][:, :2], len(np.unique(cell))):  # all have as many particles
-            axes.fill(*nucleus.T, facecolor="#c9c2d9", edgecolor="#5b4b8a", linewidth=1, zorder=3.5)
-    adhered = fields.anchors[fields.anchors["frame"] == k]
-    if len(adhered):
-        axes.plot(adhered["position_x"], adhered["position_y"], "o", color="#d55e00", markeredgecolor="white",
-                  markersize=6, zorder=4)
-    unit = "" if shown.units == "1" else f" [{_shown_unit(shown.units)}]"
-    axes.figure.colorbar(particles, ax=axes, label=_words.get(field, field) + unit, shrink=0.8)
-    axes.set_title(f"{fields.times[k] / 60:g} min")
+    axes = axes or _new_axes(figsize=(6.6, 5.6))
+    seen = _drawing.window_of(fields, k, window, follow)
+    axes.set(xlim=seen[:2], ylim=seen[2:], title=f"{fields.times[k] / 60:g} min")
     _plane(axes)
-    reach = float(np.abs(place).max()) + size[0] / 2 if len(size) else 1.0
-    axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
+    low, high, beyond = _drawing.limits_of(fields, field) if limits is None else (*limits, "neither")
+    colours = _drawing.matrix(axes, fields, field, k, seen, (low, high), fluid)
+    strain = None if "fibres" in hidden else _fibres.paint(axes, fields, run.scenario, k)
+    unit = _draw_cells(axes, run, k, outlines, hidden)
+    axes.set(xlim=seen[:2], ylim=seen[2:])
+    if "colour bar" not in hidden:
+        words = _words.get(field, field) + ("" if shown.units == "1" else f" [{_shown_unit(shown.units)}]")
+        axes.figure.colorbar(colours, ax=axes, label=words, shrink=0.8, extend=beyond)
+        if strain is not None:
+            axes.figure.colorbar(strain, ax=axes, label="strain of fibres", shrink=0.8, extend="both")
+    if "scale bar" not in hidden:
+        axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
+        _drawing.scale_bar(axes, unit)
+    if "legend" not in hidden:
+        _drawing.legend(axes, fields, hidden, len(outlines), k > 0)
     return axes
+
+
+def _draw_cells(axes: Axes, run: Run, k: int, outlines: Mapping[int, Any], hidden: set[str]) -> float:
+    """Cells and what belongs to them; returns the length of an arrow of 1 nN [um], 0 without arrows."""
+    fields, many = run.fields, len(outlines)
+    of_cell = fields["outline/cell"][k] if "outline/cell" in fields else np.ones(len(fields["outline/front"][k]))
+    alive = fields.protrusions[fields.protrusions["frame"] == k]
+    nuclei = {} if "nucleus" in hidden else fields.nuclei(k)
+    for number, outline in outlines.items():
+        own = of_cell == number
+        if "cell" not in hidden:
+            _drawing.cell(axes, outline, fields["outline/front"][k][own], number, many)
+        if number in nuclei:
+            _drawing.nucleus(axes, nuclei[number], number)
+        if "protrusions" not in hidden:
+            _drawing.protrusions(axes, outline, fields["outline/protrusion"][k][own], fields["outline/phase"][k][own])
+    unit = _drawing.adhesions(axes, dict(outlines), alive, hidden)
+    for number, outline in outlines.items():
+        if "path" not in hidden:
+            track = run.cells[number].tracks
+            track = track[track["t_s"] <= fields.times[k] + 1e-6]
+            _drawing.path(axes, track["x_um"], track["y_um"], number, many)
+        if many > 1 and not {"cell", "numbers"} & hidden:
+            _drawing.number_of(axes, outline, number)
+    return 0.0 if "traction" in hidden else unit
 
 
 def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None = None) -> Axes:
@@ -148,21 +183,18 @@ def msd(results: Run | Study, axes: Axes | None = None) -> Axes:
     return axes
 
 
-def _new_axes() -> Any:
+def _new_axes(**options: Any) -> Any:
     try:
         from matplotlib import pyplot
     except ImportError:
         raise ImportError("figures need matplotlib: apt install python3-matplotlib, "
                           "or pip install matplotlib") from None
-    return pyplot.subplots(layout="constrained")[1]
+    return pyplot.subplots(layout="constrained", **options)[1]
 
 
 def _plane(axes: Axes) -> None:
-    axes.set(xlabel="x [µm]", ylabel="y [µm]", aspect="equal")
-
-
-def _map(field: str) -> str:
-    return {"pressure": "RdBu_r", "f_degr": "cividis"}.get(field, "viridis")
+    axes.set(xlabel="x [µm]", ylabel="y [µm]")
+    axes.set_aspect("equal", "datalim" if axes.get_autoscale_on() else "box")
 
 
 def _shown_unit(unit: str) -> str:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _arguments
+from ._cells import CellsOfRun, group_readouts
 from ._schema import table
 from ._files import read_json, read_table, read_text, unit_of
 from .errors import InputOutputError
@@ -208,8 +209,13 @@ class Run:
     @functools.cached_property
     def tracks(self) -> pandas.DataFrame:
         """A row each minute, and of each cell: ``track`` (its number, from 1), ``t_s`` [s], ``x_um``, ``y_um`` [um], area,
-        perimeter, polarization, protrusions."""
+        perimeter, polarization, protrusions. ``cells[2].tracks`` are the rows of cell 2."""
         return self._table("tracks.csv")
+
+    @functools.cached_property
+    def cells(self) -> CellsOfRun:
+        """The cells by their numbers, from 1: ``cells[2]`` has tracks, protrusions, read-outs and outline of cell 2."""
+        return CellsOfRun(self)
 
     @functools.cached_property
     def protrusions(self) -> pandas.DataFrame:
@@ -237,6 +243,15 @@ class Run:
         if not (self.folder / "group.csv").exists():
             raise InputOutputError(f"{self.folder}: has no group.csv, which runs of several cells have", self.folder)
         return self._table("group.csv")
+
+    @property
+    def group_readouts(self) -> Readouts:
+        """What several cells do together, with the names and values of ``results.csv`` of a study: ``parting_index``,
+        ``share_in_contact``, ``nearest_um``, ``order``.
+
+        :raises InputOutputError: of a run of one cell, which has none
+        """
+        return Readouts(group_readouts(self.cells, self.group))
 
     @functools.cached_property
     def readouts(self) -> Readouts | ReadoutsOfCells:

@@ -82,7 +82,7 @@ std::string quoted_word(std::istringstream& in, const std::string& text) {
 }
 
 std::vector<std::string> known_options(bool picture) {
-  if (picture) return {"pixel", "from", "to", "black", "white", "x", "y", "page", "channel", "hash"};
+  if (picture) return {"pixel", "from", "to", "black", "white", "direction", "x", "y", "page", "channel", "hash"};
   return {"column", "hash"};
 }
 
@@ -135,6 +135,19 @@ std::optional<double> FileWords::number(const std::string& key) const {
     throw std::invalid_argument(
         fmt::format("{}={} is no number; write it without a unit, and with a decimal point", key, text));
   return value;
+}
+
+std::optional<FileWords::Amount> FileWords::amount(const std::string& key) const {
+  const std::string text = word(key);
+  if (!text.ends_with('%')) {
+    const std::optional<double> value = number(key);
+    return value ? std::optional(Amount{.value = *value}) : std::nullopt;
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size() - 1, value);
+  if (error != std::errc() || end != text.data() + text.size() - 1 || !(value >= 0.0 && value <= 100.0))
+    throw std::invalid_argument(fmt::format("{}={} is no percentage from 0% to 100%", key, text));
+  return Amount{.value = 0.01 * value, .percent = true};
 }
 
 std::optional<std::size_t> FileWords::count(const std::string& key) const {

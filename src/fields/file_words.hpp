@@ -25,6 +25,14 @@ struct FileWords {
   /// @throws std::invalid_argument if it is no finite number
   std::optional<double> number(const std::string& key) const;
 
+  /// A number, or a percentage as a share of 1.
+  struct Amount {
+    double value = 0.0;
+    bool percent = false;
+  };
+  /// @throws std::invalid_argument if it is no finite number, or no percentage from 0 to 100
+  std::optional<Amount> amount(const std::string& key) const;
+
   /// A number of pages or channels, from 1.
   /// @throws std::invalid_argument if it is none
   std::optional<std::size_t> count(const std::string& key) const;

@@ -3,12 +3,14 @@
 #include "base/file.hpp"
 #include "fields/file_words.hpp"
 #include "fields/picture.hpp"
+#include "fields/structure_tensor.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -51,14 +53,53 @@ void require(const FileWords& words, std::initializer_list<const char*> keys) {
                       needed, words.name.string()));
 }
 
-Grid picture_grid(const FileWords& words, std::string_view bytes) {
-  require(words, {"pixel"});
-  const double pixel = *words.number("pixel");
+/// The width of a pixel: as the text says, else as the file states it [um].
+double pixel_of(const FileWords& words, const Picture& picture) {
+  if (!picture.pixel) require(words, {"pixel"});
+  const double pixel = words.number("pixel").value_or(picture.pixel.value_or(0.0));
   if (pixel <= 0.0) throw std::invalid_argument("pixel must be above 0 um");
+  return pixel;
+}
+
+/// The sample that has a share of all below it, straight between neighbours.
+double percentile(std::vector<double> samples, double share) {
+  const double at = share * static_cast<double>(samples.size() - 1);
+  const auto below = samples.begin() + static_cast<std::ptrdiff_t>(at);
+  std::nth_element(samples.begin(), below, samples.end());
+  const auto above = std::min_element(below + 1, samples.end());
+  return above == samples.end() ? *below : *below + (at - std::floor(at)) * (*above - *below);
+}
+
+/// The sample that black= or white= names, as a number or as a percentile.
+std::optional<double> sample_of(const FileWords& words, const char* key, const Picture& picture) {
+  const auto amount = words.amount(key);
+  if (!amount) return std::nullopt;
+  return amount->percent ? percentile(picture.samples, amount->value) : amount->value;
+}
+
+/// Directions of fibres, by the structure tensor.
+Grid direction_grid(const FileWords& words, Picture picture, double pixel, const Vec2& centre) {
+  for (const char* key : {"from", "to", "black", "white"})
+    if (words.options.contains(key))
+      throw std::invalid_argument(fmt::format("direction= gives degrees, and takes no {}=", key));
+  const double window = *words.number("direction");
+  if (window < 0.5 * pixel || window > 100.0 * pixel)
+    throw std::invalid_argument(fmt::format("direction={0:g} um: the radius around a pixel over which its direction is "
+                                            "taken must be from {1:g} to {2:g} um, half a pixel to a hundred",
+                                            window, 0.5 * pixel, 100.0 * pixel));
+  picture.samples = fibre_directions(picture, window / pixel);
+  Grid grid{samples_from_picture(picture, pixel, centre, 0.0, 1.0)};
+  grid.samples.axes = true;
+  return grid;
+}
+
+Grid picture_grid(const FileWords& words, std::string_view bytes) {
   const Vec2 centre(words.number("x").value_or(0.0), words.number("y").value_or(0.0));
   const auto from = words.number("from"), to = words.number("to");
-  auto black = words.number("black"), white = words.number("white");
   const Picture picture = read_picture(bytes, {.page = words.count("page"), .channel = words.count("channel")});
+  const double pixel = pixel_of(words, picture);
+  if (words.options.contains("direction")) return direction_grid(words, picture, pixel, centre);
+  auto black = sample_of(words, "black", picture), white = sample_of(words, "white", picture);
   if (picture.black) {
     require(words, {"from", "to"});
   } else {

@@ -114,7 +114,8 @@ double Raster::sample(std::size_t number) const {
 Picture read_picture(std::string_view bytes, const PictureChoice& choice) {
   const Raster raster = read_raster(bytes, choice.page);
   const std::optional<std::size_t> channel = channel_of(raster, choice.channel);
-  Picture picture{.width = raster.width, .height = raster.height, .samples = {}, .black = {}, .white = {}};
+  Picture picture{
+      .width = raster.width, .height = raster.height, .samples = {}, .pixel = raster.pixel, .black = {}, .white = {}};
   picture.samples.resize(raster.width * raster.height);
   for (std::size_t k = 0; k < picture.samples.size(); ++k) {
     const std::size_t first = k * raster.channels;

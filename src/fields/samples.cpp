@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -116,12 +117,19 @@ double Samples::at(const Vec2& x) const {
   };
   const auto [i, u] = cell((x.x() - origin.x()) / spacing.x(), columns);
   const auto [j, v] = cell((x.y() - origin.y()) / spacing.y(), rows);
-  const auto value = [&](std::size_t column, std::size_t row) {
-    return values[std::min(row, rows - 1) * columns + std::min(column, columns - 1)];
+  const auto between = [&, i = i, j = j, u = u, v = v](auto&& of) {
+    const auto value = [&](std::size_t column, std::size_t row) {
+      return of(values[std::min(row, rows - 1) * columns + std::min(column, columns - 1)]);
+    };
+    const double low = (1.0 - u) * value(i, j) + u * value(i + 1, j);
+    const double high = (1.0 - u) * value(i, j + 1) + u * value(i + 1, j + 1);
+    return (1.0 - v) * low + v * high;
   };
-  const double low = (1.0 - u) * value(i, j) + u * value(i + 1, j);
-  const double high = (1.0 - u) * value(i, j + 1) + u * value(i + 1, j + 1);
-  return (1.0 - v) * low + v * high;
+  if (!axes) return between([](double value) { return value; });
+  constexpr double twice = 2.0 * std::numbers::pi / 180.0; // directions without a sense repeat after 180 degrees
+  return std::atan2(between([](double angle) { return std::sin(twice * angle); }),
+                    between([](double angle) { return std::cos(twice * angle); }))
+         / twice;
 }
 
 Samples samples_from_csv(std::string_view csv, std::string_view column) {

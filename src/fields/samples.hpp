@@ -16,6 +16,7 @@ struct Samples {
   Vec2 spacing = Vec2::Ones(); ///< between nodes along x and y, > 0 [um]
   std::size_t columns = 0, rows = 0;
   std::vector<double> values; ///< row by row, upwards; columns * rows of them
+  bool axes = false;          ///< the values are directions without a sense [degrees]: 90 is -90
 
   double at(const Vec2& x) const;
   Vec2 end() const; ///< of the last node [um]

@@ -1,4 +1,5 @@
 #include "fields/raster.hpp"
+#include "fields/scale.hpp"
 
 #include <fmt/format.h>
 #include <tiffio.h>
@@ -85,6 +86,19 @@ void choose_page(TIFF* tiff, const Source& source, const std::optional<std::size
     throw std::invalid_argument(fmt::format("has {0} pages: choose one with page=1 to page={0}", pages));
   if (page && *page > pages) throw std::invalid_argument(fmt::format("has no page {}: it has {}", *page, pages));
   if (TIFFSetDirectory(tiff, static_cast<tdir_t>(page.value_or(1) - 1)) == 0) refuse(source);
+}
+
+/// Of the first page.
+StatedScale scale_of(TIFF* tiff) {
+  StatedScale scale;
+  const char* text = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) != 0 && text != nullptr) scale.description = text;
+  scale.x_resolution = double{value_of<float>(tiff, TIFFTAG_XRESOLUTION, 0.0F)};
+  scale.y_resolution = double{value_of<float>(tiff, TIFFTAG_YRESOLUTION, 0.0F)};
+  const auto unit = value_of<std::uint16_t>(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+  if (unit == RESUNIT_INCH) scale.unit = StatedScale::Unit::inch;
+  if (unit == RESUNIT_CENTIMETER) scale.unit = StatedScale::Unit::centimetre;
+  return scale;
 }
 
 /// What the samples of a page are.
@@ -263,8 +277,9 @@ Raster read_tiff(std::string_view bytes, const std::optional<std::size_t>& page)
   Source source{bytes};
   const Tiff tiff = open(source);
   if (!tiff) refuse(source);
-  choose_page(tiff.get(), source, page);
   Raster raster;
+  raster.pixel = pixel_width(scale_of(tiff.get()));
+  choose_page(tiff.get(), source, page);
   const Layout layout = describe(tiff.get(), raster);
   read_samples(tiff.get(), source, layout, raster);
   if (layout.palette) apply_palette(tiff.get(), layout.bits, raster);

@@ -26,6 +26,11 @@ std::span<const Preset> presets() {
     overrides.emplace_back("adhesion.rupture=true");
     return overrides;
   };
+  // OpenVT's reference models begin at the left of the domain; positions every 2 min.
+  const auto reference = [](std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), {"cell.start_x=-60 um", "output.track_interval=2 min"});
+    return overrides;
+  };
   static const std::vector<Preset> all{
       {"baseline", "The paper's baseline: a matrix of 200 Pa (Figs 5 to 7)", {}},
       {"soft", "The paper's softest matrix: 50 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=50 Pa"}},
@@ -84,6 +89,19 @@ std::span<const Preset> presets() {
        "Attractant that diffuses from a source 80 um to the right and is taken up by the cell (off the paper)",
        {"ecm.fields.attractant_source=(x-80)^2 + y^2 < 64 ? 0.1 : 0", "cues.diffusion=10 um^2/s", "cues.decay=1e-3 1/s",
         "cues.uptake=0.01 1/s", "cues.chemotaxis=20"}},
+      {"openvt-migration",
+       "OpenVT's reference model 1: a cell at the left, with a bias to the right that is the same everywhere (off the "
+       "paper)",
+       reference({"ecm.fields.attractant=(0.5 + x/400)/(0.5 - x/400)", "cues.chemotaxis=20"})},
+      {"openvt-chemotaxis-linear",
+       "OpenVT's reference model 2: attractant that falls linearly from 1 at the right to 0 at the left (off the "
+       "paper)",
+       reference({"ecm.fields.attractant=max(0, 0.5 + x/300)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
+      {"openvt-chemotaxis-half-normal", "The same, with attractant that falls as a half-normal distribution",
+       reference(
+           {"ecm.fields.attractant=exp(-0.5*((150 - x)/60)^2)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
+      {"openvt-chemotaxis-exponential", "The same, with attractant that falls exponentially",
+       reference({"ecm.fields.attractant=exp(-(150 - x)/120)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
       {"haptotaxis",
        "Ligand that rises along x, on which adhesions and initiation depend (off the paper)",
        {"ecm.fields.ligand=min(2, max(0, 1 + x/100))", "cues.haptotaxis=4"}},

@@ -1,6 +1,7 @@
 #include "parameters/read.hpp"
 
 #include "fields/field.hpp"
+#include "fields/file_words.hpp"
 #include "fields/grids.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
@@ -22,6 +23,12 @@
 namespace matrigrate {
 
 namespace {
+
+/// True for a picture of which the directions are taken.
+bool names_directions(const std::string& text) {
+  const auto words = fields::file_words(text);
+  return words && words->options.contains("direction");
+}
 
 constexpr std::size_t largest_file = std::size_t{1} << 20;
 constexpr std::size_t longest_override = 4096;
@@ -165,6 +172,9 @@ private:
       fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),
                              place.file == command_line ? "" : std::filesystem::path(place.file).parent_path(),
                              *m_parameters.grids);
+    if (fault.empty() && kind(*row) == Kind::field && row->unit != "deg"
+        && names_directions(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters)))
+      fault = "direction= takes the direction of fibres from a picture, which is for fibres.field.direction_deg";
     if (!fault.empty()) complain(place, path, fault);
   }
 

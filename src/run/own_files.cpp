@@ -19,10 +19,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view exports = "export";
 
-constexpr std::array<ExportKind, 7> kinds{{
+constexpr std::array<ExportKind, 10> kinds{{
     {"--vtk", R"((matrix|outline|anchors)(\.pvd|_[0-9]{4,}\.vtp))"},
     {"--fields", R"(fields\.(h5|xdmf))"},
     {"--tracks", R"(tracks_(celltrackr\.csv|trackmate\.(csv|xml)))"},
+    {"--openvt", R"(openvt(\.csv|\.json|_simulator\.json))"},
+    {"--simularium", R"(run\.simularium)"},
+    {"--ome-tiff", R"(fields\.ome\.tif)"},
     {"--svg", R"((contact_sheet|path)\.svg)"},
     {"--png", R"(frame_[0-9]{4,}\.(svg|png))"},
     {"--movie", R"(movie\.mp4)"},

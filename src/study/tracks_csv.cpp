@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace matrigrate::study {
 
@@ -88,6 +89,36 @@ std::string tracks_csv(const Study& study, const std::vector<Result>& results,
     }
   }
   return columns.empty() ? std::string() : front_names(study) + "," + columns + "\n" + text;
+}
+
+std::vector<exchange::RunTracks> run_tracks(const Study& study, const std::vector<Result>& results,
+                                            const std::filesystem::path& study_folder) {
+  std::vector<exchange::RunTracks> all;
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
+    const store::CsvTable table = store::read_csv(tracks_of(file));
+    const auto column = [&](const char* name) {
+      if (const auto at = table.column(name)) return *at;
+      throw InputOutputError(fmt::format("{}: is damaged: it has no column {}", file.string(), name));
+    };
+    const std::size_t cell = column("track"), t = column("t_s"), x = column("x_um"), y = column("y_um"),
+                      area = column("area_um2");
+    const Point& point = study.points[r.run.point];
+    exchange::RunTracks run{
+        .name = r.run.hash, .condition = point.label, .replicate = r.run.replicate, .seed = r.run.seed, .rows = {}};
+    for (const Setting& setting : point.settings) run.settings.emplace_back(setting.key, setting.value);
+    for (const std::vector<std::string>& row : table.rows) {
+      const auto number = [&](std::size_t at) { return store::csv_number(row[at]); };
+      run.rows.push_back({.t = number(t),
+                          .cell = static_cast<std::uint32_t>(std::max(1.0, number(cell))) - 1,
+                          .centre = {number(x), number(y)},
+                          .area = number(area),
+                          .polarization = {}});
+    }
+    all.push_back(std::move(run));
+  }
+  return all;
 }
 
 } // namespace matrigrate::study

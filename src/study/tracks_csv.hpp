@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exchange/run_tracks.hpp"
 #include "study/results.hpp"
 
 #include <filesystem>
@@ -14,5 +15,10 @@ namespace matrigrate::study {
 /// @throws InputOutputError if tracks.csv of one of them cannot be read, is damaged, or has columns of its own
 std::string tracks_csv(const Study& study, const std::vector<Result>& results,
                        const std::filesystem::path& study_folder);
+
+/// The tracks of all runs that are done, in the order of results: times, cells, centres of mass and areas alone.
+/// @throws InputOutputError as tracks_csv
+std::vector<exchange::RunTracks> run_tracks(const Study& study, const std::vector<Result>& results,
+                                            const std::filesystem::path& study_folder);
 
 } // namespace matrigrate::study

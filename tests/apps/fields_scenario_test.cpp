@@ -79,6 +79,18 @@ TEST_F(FieldsOfScenarios, EveryFaultIsToldAtOnceWithItsPlaceAndNothingIsWritten)
     EXPECT_TRUE(contains(ended.err, part)) << part << "\n" << ended.err;
 }
 
+TEST_F(FieldsOfScenarios, DirectionsOfAPictureAreForFibresAlone) {
+  const std::string picture = MATRIGRATE_SOURCE_DIR "/scenarios/collagen.png pixel=0.5 direction=4";
+  scenario("[ecm.fields]\nyoungs_modulus = \"" + picture + "\"\nligand = \"" + picture + "\"\n");
+  const Ended ended = run("check cell.toml");
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_TRUE(contains(ended.err, "ecm.fields.youngs_modulus: direction= takes the direction of fibres")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "ecm.fields.ligand: direction= takes the direction of fibres")) << ended.err;
+  scenario("[fibres]\narrangement = \"uniaxial\"\nstiffness = \"10 kPa\"\n[fibres.field]\ndirection_deg = \"" + picture
+           + "\"\n");
+  EXPECT_EQ(run("check cell.toml").code, 0);
+}
+
 TEST_F(FieldsOfScenarios, AnObstacleBetweenParticlesIsToldOf) {
   const auto explained = [&](const std::string& radius2) {
     write("post.toml", "[ecm]\nradius = \"60 um\"\n[ecm.fields]\nyoungs_modulus = \"200 + x\"\nobstacle = "

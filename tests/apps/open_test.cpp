@@ -69,6 +69,11 @@ TEST_F(Live, OpensThePageThatIsInstalledBesideTheProgram) {
   EXPECT_EQ(text_of(folder / "opened"), page().string() + "\n");
 }
 
+TEST_F(Live, FindsThePageInAPythonPackageThatHoldsTheProgram) {
+  std::filesystem::rename(page(), base / "usr/live.html");
+  EXPECT_EQ(live("--print").out, (base / "usr/live.html").string() + "\n");
+}
+
 TEST_F(Live, CopiesThePageAndNeverOverwrites) {
   EXPECT_EQ(live("-o live.html").code, 0);
   EXPECT_EQ(text_of(folder / "live.html"), "<p>a cell");

@@ -23,7 +23,7 @@ import subprocess
 import tempfile
 import traceback
 
-reasons = {"builds the program", "needs Slurm", "needs root", "takes hours"}
+reasons = {"builds the program", "needs Slurm", "needs root", "needs napari", "takes hours"}
 
 
 @dataclasses.dataclass

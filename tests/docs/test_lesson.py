@@ -23,7 +23,7 @@ def settings_of(link: str) -> dict[str, str]:
 
 def rows_of(text: str) -> dict[str, list[str]]:
     cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("| ")]
-    return {row[0]: row[1:] for row in cells}
+    return {row[0]: row[1:] for row in reversed(cells)}  # of rows with one name, the first
 
 
 def results(start: str) -> dict[str, list[str]]:

@@ -50,7 +50,27 @@ stopifnot(
   identical(unique(pair$id), c("pair/1", "pair/2")), pair$run == "pair",
   all.equal(unname(sapply(split(pair, pair$id), speed_of)), expected$v_migr_abs_um_per_h, tolerance = 1e-9)
 )
+
+# One of the cells, and the tables of a run.
+second <- read_tracks(file.path(runs, "pair"), cell = 2)
+stopifnot(second$cell == 2, identical(second$x_um, pair$x_um[pair$cell == 2]), rownames(second)[1] == "1")
+summary_of_pair <- read_run(file.path(runs, "pair"))
+protrusions <- read_run(file.path(runs, "pair"), "protrusions.csv")
+of_second <- read_run(file.path(runs, "pair"), "protrusions.csv", cell = 2)
+group <- read_run(file.path(runs, "pair"), "group.csv")
+stopifnot(
+  summary_of_pair$cell == 1:2, all.equal(summary_of_pair$v_migr_abs_um_per_h, expected$v_migr_abs_um_per_h),
+  is.character(protrusions$cause), nrow(of_second) > 0, nrow(of_second) == sum(protrusions$cell == 2), of_second$cell == 2,
+  identical(group$t_s, second$t_s), is.numeric(group$order),
+  identical(read_run(file.path(runs, "run"), "msd.csv", cell = 1), read_run(file.path(runs, "run"), "msd.csv"))
+)
+refused("has no cell 3; its cells are 1, 2", read_tracks(file.path(runs, "pair"), cell = c(1, 3)))
+refused("has one cell, number 1", read_run(file.path(runs, "run"), cell = 2))
+refused("its rows are of all cells together", read_run(file.path(runs, "pair"), "group.csv", cell = 1))
+refused("is no folder of a run", read_run(file.path(runs, "study")))
+
 pairs <- read_tracks(file.path(runs, "pairs"))
+stopifnot(identical(read_tracks(file.path(runs, "pairs"), cell = 1)$x_um, pairs$x_um[pairs$cell == 1]))
 results_of_pairs <- read_results(file.path(runs, "pairs"))
 mean_speeds <- tapply(sapply(split(pairs, pairs$id), speed_of), sapply(split(pairs$run, pairs$id), unique), mean)
 stopifnot(
@@ -89,6 +109,7 @@ dir.create(work)
 setwd(work)
 invisible(file.symlink(file.path(runs, "run"), "cell-seed1"))
 invisible(file.symlink(file.path(runs, "study"), "stiffness-study"))
+invisible(file.symlink(file.path(runs, "pair"), "pair"))
 invisible(file.symlink(file.path(source_folder, "R"), "R"))
 page <- readLines(file.path(source_folder, "docs", "r.md"))
 fences <- grep("^```", page)

@@ -9,6 +9,7 @@ os.environ["MPLBACKEND"] = "agg"
 common.skip_without("matplotlib")
 
 import matrigrate  # noqa: E402
+import numpy as np  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
 
 
@@ -43,14 +44,73 @@ class Figures(common.InTemporaryFolder):
 
     def test_each_cell_has_its_outline(self):
         axes = matrigrate.plot.frame(self.pair)
-        fields = self.pair.fields
-        outline, nucleus = fields["outline/position"][-1], fields["nucleus/position"][-1]
-        bodies = sorted((patch.get_xy()[:-1] for patch in axes.patches), key=len)
-        self.assertEqual([len(body) for body in bodies], [len(nucleus) // 2] * 2 + [len(outline) // 2] * 2)
-        centres = [body[:, 0].mean() for body in bodies]
-        self.assertTrue(centres[0] < 0 < centres[1] and centres[2] < 0 < centres[3], centres)
-        for body in bodies:
-            self.assertLess(max(abs(body - body.mean(axis=0)).ravel()), 40, "no polygon joins the cells")
+        bodies = {patch.get_gid(): patch.get_xy()[:-1] for patch in axes.patches if patch.get_gid()}
+        self.assertEqual(sorted(bodies), ["cell 1", "cell 2", "nucleus 1", "nucleus 2"])
+        for number, cell in self.pair.cells.items():
+            np.testing.assert_array_equal(bodies[f"cell {number}"], cell.outline())
+            np.testing.assert_array_equal(bodies[f"nucleus {number}"], cell.nucleus())
+        fills = {patch.get_facecolor() for patch in axes.patches}
+        self.assertGreaterEqual(len(fills), 5, "rear and front of both cells, and nuclei")
+        words = [text.get_text() for text in axes.get_legend().get_texts()]
+        self.assertEqual(words[:3], ["cell 1: rear, front", "cell 2", "nucleus"])
+        self.assertEqual([text.get_text() for text in axes.texts if text.get_text() in "12"], ["1", "2"])
+        self.drawn(axes)
+
+    def test_the_window_is_what_was_asked_for(self):
+        def seen(**options):
+            axes = matrigrate.plot.frame(self.pair, hide=("legend",), **options)
+            self.addCleanup(pyplot.close, axes.figure)
+            return (*axes.get_xlim(), *axes.get_ylim())
+
+        whole = seen(window="all")
+        self.assertGreater(whole[1], 75)
+        self.assertEqual(seen(window=(-10, 30, 0, 20)), (-10, 30, 0, 20))
+        middle = self.pair.cells[2].outline().mean(axis=0)
+        followed = seen(window=50, follow=2)
+        np.testing.assert_allclose(followed, (middle[0] - 25, middle[0] + 25, middle[1] - 25, middle[1] + 25), rtol=1e-5)
+        own = seen()
+        for k in range(len(self.pair.fields.times)):
+            for outline in self.pair.fields.outlines(k).values():
+                self.assertTrue(own[0] < outline[:, 0].min() and outline[:, 0].max() < own[1])
+        self.assertEqual(own, seen(t=0), "the same at all times")
+        size = lambda limits: limits[1] - limits[0]  # noqa: E731
+        self.assertAlmostEqual(size(seen(follow=1)), size(seen(follow=1, t=0)), places=4)
+        self.assertGreater(size(seen(follow=True)), size(seen(follow=1)))
+        for options, words in (({"window": 0}, "window: 0 is neither a width"), ({"window": (0, 1, 2)}, "no left, right"),
+                               ({"window": (5, 1, 0, 2)}, "no left, right"), ({"follow": 3}, "no cell 3; the cells are 1, 2"),
+                               ({"window": (0, 1, 0, 1), "follow": 1}, "it is the width"), ({"hide": ("bar",)}, "there is no bar")):
+            with self.assertRaisesRegex(ValueError, words):
+                matrigrate.plot.frame(self.pair, **options)
+
+    def test_parts_can_be_hidden(self):
+        every = matrigrate.plot.frame(self.pair)
+        bar = [artist for artist in every.artists if artist.get_gid() == "scale bar"]
+        self.assertEqual((len(bar), every.get_xlabel(), len(every.figure.axes)), (1, "", 2))
+        self.assertIn("20 µm", [text.get_text() for text in bar[0].findobj(pyplot.Text)])
+        bare = matrigrate.plot.frame(self.pair, hide=matrigrate._drawing.overlays)
+        self.assertEqual((list(bare.patches), list(bare.lines), list(bare.texts)), ([], [], []))
+        self.assertEqual((bare.get_xlabel(), bare.get_legend(), len(bare.figure.axes)), ("x [µm]", None, 1))
+        self.drawn(every)
+        self.drawn(bare)
+
+    def test_fibres_are_the_bonds_of_the_lattice(self):
+        fields = self.run_.fields
+        reference, spacing = fields["matrix/reference"][:, :2].astype(float), float(fields["matrix/spacing"][0])
+        scenario = {"ecm": self.run_.scenario["ecm"],
+                    "fibres": {"arrangement": "uniaxial", "direction_deg": 0, "half_angle_deg": 30}}
+        bonds = matrigrate._fibres.bonds_of(fields, scenario)
+        self.assertGreater(len(bonds), 0)
+        self.assertLess(np.abs(bonds[:, 1] / bonds[:, 0]).max(), np.tan(np.radians(30.1)))
+        pairs = matrigrate._fibres.pairs_of(reference, bonds)
+        self.assertGreater(len(pairs), 0.9 * len(bonds) * len(reference) * (1 - 8 * spacing / 60))
+        ways = reference[pairs[:, 1]] - reference[pairs[:, 0]]
+        self.assertLess(max(np.hypot(*(bonds - way).T).min() for way in ways[::50]), 1e-3)
+        isotropic = matrigrate._fibres.bonds_of(fields, scenario | {"fibres": {"arrangement": "isotropic"}})
+        self.assertGreater(len(isotropic), len(bonds))
+        axes = matrigrate.plot.frame(self.run_)
+        self.addCleanup(pyplot.close, axes.figure)
+        self.assertIsNone(matrigrate._fibres.paint(axes, fields, self.run_.scenario, 0), "a run without fibres")
+        self.assertIsNotNone(matrigrate._fibres.paint(axes, fields, scenario, -1))
         self.drawn(axes)
 
     def test_each_cell_has_its_msd(self):
@@ -78,6 +138,20 @@ class Figures(common.InTemporaryFolder):
         for wrong in ("colour", "reference", "spacing"):
             with self.assertRaisesRegex(KeyError, f"{wrong}; the fields of the matrix are .*f_degr"):
                 matrigrate.plot.frame(self.run_, field=wrong)
+
+    def test_what_the_scenario_gives_the_matrix(self):
+        scenario = matrigrate.Scenario.load(common.runs / "cell.toml")
+        scenario.ecm.fields.youngs_modulus = "x < 20 ? 100 : 300"
+        scenario.ecm.fields.obstacle = "x > 40 && abs(y) < 6"
+        run = matrigrate.run(scenario, out="given", hours=0.02, overrides={"output.pictures": False})
+        axes = matrigrate.plot.frame(run, field="youngs_modulus", window="all")
+        self.assertEqual(axes.figure.axes[1].get_ylabel(), "Young's modulus [Pa]")
+        self.assertEqual(axes.figure.axes[1].get_ylim(), (100, 300))
+        solid = run.fields["matrix/obstacle"][...] == 1
+        drawn = [len(part.get_paths()) for part in axes.collections if len(part.get_paths())]
+        self.assertIn(int(solid.sum()), drawn)
+        self.assertGreater(solid.sum(), 3)
+        self.drawn(axes)
 
     def test_boxes(self):
         axes = matrigrate.plot.boxes(self.study)

@@ -62,6 +62,39 @@ class Runs(unittest.TestCase):
             with self.assertRaises(error):
                 wrong()
 
+    def test_cells_of_a_run(self):
+        pair = matrigrate.load(common.runs / "pair")
+        self.assertEqual(list(pair.cells), [1, 2])
+        self.assertEqual(sum(len(cell.tracks) for cell in pair.cells.values()), len(pair.tracks))
+        second = pair.cells[2]
+        self.assertEqual(set(second.tracks["track"]), {2})
+        self.assertEqual(list(second.tracks["x_um"]), list(pair.tracks["x_um"][pair.tracks["track"] == 2]))
+        self.assertEqual(list(second.protrusions["id"]),
+                         list(pair.protrusions["id"][pair.protrusions["cell"] == 2]))
+        self.assertGreater(len(second.protrusions), 0)
+        self.assertEqual(list(second.msd["msd_um2"]), list(pair.msd["msd_um2"][pair.msd["cell"] == 2]))
+        self.assertEqual(second.tracks.attrs["units"], pair.tracks.attrs["units"])
+        self.assertEqual(dict(second.readouts), dict(pair.readouts[2]))
+        self.assertGreater(second.outline()[:, 0].mean(), 0)
+        self.assertLess(pair.cells[1].nucleus(0)[:, 0].mean(), 0)
+        self.assertIn("cell 2 of Run(", repr(second))
+        with self.assertRaisesRegex(KeyError, "3; the cells are 1, 2"):
+            pair.cells[3]
+        only, = self.run_.cells.values()
+        self.assertEqual((len(only.tracks), len(only.msd)), (len(self.run_.tracks), len(self.run_.msd)))
+        self.assertEqual(only.readouts.f_mat, self.run_.readouts.f_mat)
+        with self.assertRaises(KeyError):
+            only.nucleus()
+
+    def test_readouts_of_a_group_are_those_of_the_study(self):
+        study = matrigrate.load_study(common.runs / "pairs")
+        for row in study.results.to_dict("records"):
+            readouts = study.runs[row["run"]].group_readouts
+            self.assertEqual(set(readouts), {"parting_index", "share_in_contact", "nearest_um", "order"})
+            for name, value in readouts.items():
+                np.testing.assert_allclose(value, row[name], rtol=1e-9, err_msg=name)
+        self.assertIn("cosine", readouts.meaning("parting_index"))
+
     def test_group(self):
         group = matrigrate.load(common.runs / "pair").group
         self.assertEqual(list(group["t_s"]), list(self.run_.tracks["t_s"][:len(group)]))

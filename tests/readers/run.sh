@@ -16,4 +16,21 @@ field_interval = "36 s"
 duration = "180 s"
 TOML
 "$1" run "$2.toml" -o "$2" --quiet
-"$1" export "$2" --vtk --tracks -o "$2/export"
+"$1" export "$2" --vtk --tracks --simularium --ome-tiff --openvt --times "every 36 s" -o "$2/export"
+# A study of two points, of which all tracks go into one table
+cat >"$2-study.toml" <<TOML
+title = "Stiffness"
+scenario = "$(basename "$2").toml"
+replicates = 2
+[[points]]
+label = "soft, or so"
+ecm.youngs_modulus = "50 Pa"
+run.duration = "36 s"
+[[points]]
+label = "stiff"
+ecm.youngs_modulus = "100 Pa"
+run.duration = "36 s"
+TOML
+rm -rf "$2-study"
+"$1" study run "$2-study.toml" -o "$2-study" --quiet
+"$1" export "$2-study" --tracks --openvt -o "$2-study/export"

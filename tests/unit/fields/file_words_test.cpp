@@ -42,8 +42,9 @@ TEST(FileWords, OfOtherKindsAreRefusedAsFiles) {
     EXPECT_EQ(fault_of(name), std::string("the file \"") + name
                                   + "\" cannot be read; PNG (.png), TIFF (.tif, .tiff) and CSV (.csv) can");
   EXPECT_EQ(fault_of("a.png pixel=1 pixel=2"), "pixel= is given twice");
-  EXPECT_EQ(fault_of("a.png size=2"), "\"size=\" is not known; allowed after the file: pixel=..., from=..., to=..., "
-                                      "black=..., white=..., x=..., y=..., page=..., channel=..., hash=...");
+  EXPECT_EQ(fault_of("a.png size=2"),
+            "\"size=\" is not known; allowed after the file: pixel=..., from=..., to=..., "
+            "black=..., white=..., direction=..., x=..., y=..., page=..., channel=..., hash=...");
   EXPECT_NE(fault_of("a.csv 5").find("\"5\" is not known; allowed after the file: column=..., hash=..."),
             std::string::npos);
   EXPECT_NE(fault_of("a.csv * 2").find("\"*\" is not known"), std::string::npos);

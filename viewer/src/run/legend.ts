@@ -147,7 +147,12 @@ export function signs(cells: number, obstacles: boolean, nucleus = false, measur
       ),
       "path of the centre",
     ),
-    measured ? entry(sign(s("path", { d: "M1 9l7 -5l8 6l6 -5l7 3", stroke: measuredColour(dark), "stroke-width": 1.6, fill: "none" })), `${measured}, from the start of the path`) : null,
+    measured
+      ? entry(
+          sign(s("path", { d: "M1 9l7 -5l8 6l6 -5l7 3", stroke: measuredColour(dark), "stroke-width": 1.6, fill: "none" })),
+          `${measured}, from the start of the path`,
+        )
+      : null,
     entry(
       sign(
         s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),

@@ -297,12 +297,11 @@ export class Stage {
 
   private cellScene(place: Place, dark: boolean): CellScene {
     const { film, camera, shown, edge, arrows, usual } = this;
-    const measured = this.measured.tracks;
     const { tracks, geometry } = this.run;
     const time = this.clock.time;
     const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
     const fibres = this.drawsFibres && this.fibreLayer ? this.fibreScale(this.fibreLayer).on(dark) : null;
-    return { film, place, time, camera, tracks, measured, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
+    return { film, place, time, camera, tracks, measured: this.measured.tracks, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
   }
 
   /** Paints at once and returns what has been painted; to be used before the browser goes on. */

@@ -217,8 +217,6 @@ export function paintCell(c: Pen, scene: CellScene): void {
   if (scene.fibres) paintFibres(c, scene, scene.fibres);
   part("arrows");
   if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
-  part("measured");
-  if (shown.measured) paintMeasured(c, scene.measured, scene.tracks, scene.time, camera, dark);
   part("cell");
   if (shown.cell) for (const cell of film.cells) paintBody(c, scene, outline, cell);
   if (shown.cell && film.nucleus) paintNuclei(c, scene, film.nucleus);
@@ -229,6 +227,9 @@ export function paintCell(c: Pen, scene: CellScene): void {
   if (shown.cell) paintEdge(c, camera, outline, film.cells, scene.edge, place);
   part("adhesions");
   if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
+  // Over the cell, which would hide short tracks.
+  part("measured");
+  if (shown.measured) paintMeasured(c, scene.measured, scene.tracks, scene.time, camera, dark);
   part("path");
   const tracks = tracksOfCells(scene.tracks);
   const lineOf = (number: number) => {

@@ -1,0 +1,91 @@
+#include "apps/export/tracks.hpp"
+
+#include "apps/export/time_list.hpp"
+#include "apps/verbs.hpp"
+#include "base/file.hpp"
+#include "run/provenance.hpp"
+#include "run/run_record.hpp"
+#include "store/track_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace matrigrate::apps {
+
+namespace {
+
+constexpr std::string_view every = "every ";
+constexpr std::string_view example = "an example: --times \"every 10 min\", or --times \"0 h, 1 h, 3 h\"";
+
+/// The day of "2026-01-31T12:00:00Z".
+std::string day_of(const std::string& time) { return time.substr(0, 10); }
+
+} // namespace
+
+exchange::Times wanted_times(const std::string& text) {
+  exchange::Times times;
+  const bool regular = text.starts_with(every);
+  std::vector<std::string> faults;
+  for (const std::string& item : regular ? std::vector{text.substr(every.size())} : items_of(text)) try {
+      const double t = time_of(item);
+      if (t < 0.0 || (regular && t == 0.0)) throw std::invalid_argument(regular ? "is not above 0" : "is below 0");
+      if (!times.list.empty() && t <= times.list.back())
+        throw std::invalid_argument("does not come after the time before it");
+      times.list.push_back(t);
+    } catch (const std::invalid_argument& fault) {
+      faults.push_back(fmt::format("\"{}\": {}", item, fault.what()));
+    }
+  if (!faults.empty()) throw UsageError(fmt::format("--times: {}; {}", fmt::join(faults, "; "), example));
+  if (regular) times = {.every = times.list.front(), .list = {}};
+  return times;
+}
+
+exchange::RunTracks single_run(const run::FinishedRun& run) {
+  const std::string name = scenario_name(run.record, run.folder);
+  return {.name = name, .condition = name, .replicate = 1, .seed = run.p.run.seed, .rows = run.memory.rows};
+}
+
+std::vector<exchange::RunTracks> at_times(std::vector<exchange::RunTracks> runs, const exchange::Times& times) {
+  std::vector<std::string> faults;
+  for (exchange::RunTracks& run : runs) try {
+      run.rows = exchange::rows_at(run, times);
+    } catch (const std::invalid_argument& fault) {
+      faults.emplace_back(fault.what());
+    }
+  if (!faults.empty()) throw UsageError(fmt::format("--times: {}", fmt::join(faults, "\n")));
+  return runs;
+}
+
+void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to) {
+  write_file(to / "tracks_celltrackr.csv", store::celltrackr_csv(run.memory.rows));
+  write_file(to / "tracks_trackmate.csv", store::trackmate_csv(run.memory.rows));
+  write_file(to / "tracks_trackmate.xml", store::trackmate_xml(run.memory.rows));
+}
+
+void write_openvt(const std::vector<exchange::RunTracks>& runs, exchange::OpenVtModel model,
+                  const std::filesystem::path& to) {
+  model.version = run::version_text();
+  write_file(to / "openvt.csv", exchange::openvt_csv(runs));
+  write_file(to / "openvt.json", exchange::openvt_record(model, runs));
+  write_file(to / "openvt_simulator.json", exchange::openvt_simulator(model.version));
+}
+
+exchange::OpenVtModel openvt_model(const run::FinishedRun& run) {
+  const std::string end = run::text_of(run.record, "end");
+  return {.title = run::run_title(run.p, scenario_name(run.record, run.folder)),
+          .version = {},
+          .updated = day_of(end.empty() ? run::text_of(run.record, "start") : end),
+          .base = run.p};
+}
+
+exchange::OpenVtModel openvt_model(const study::Study& study, const std::vector<study::Result>& results) {
+  std::string last;
+  for (const study::Result& result : results) last = std::max(last, result.standing.end);
+  return {.title = study.title, .version = {}, .updated = day_of(last), .base = study.base};
+}
+
+} // namespace matrigrate::apps

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "exchange/openvt.hpp"
+#include "run/finished_run.hpp"
+#include "study/results.hpp"
+#include "study/study.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Exports of tracks, of a run or of all runs of a study that are done.
+namespace matrigrate::apps {
+
+/// The times that --times names: "every 10 min", "0 h, 1 h, 3 h", or none: all.
+/// @throws UsageError naming all that cannot be read
+exchange::Times wanted_times(const std::string& text);
+
+/// The tracks of a run, as those of a study of one run.
+exchange::RunTracks single_run(const run::FinishedRun& run);
+
+/// The runs at these times.
+/// @throws UsageError naming all runs and times that they lack
+std::vector<exchange::RunTracks> at_times(std::vector<exchange::RunTracks> runs, const exchange::Times& times);
+
+/// tracks_celltrackr.csv, tracks_trackmate.csv and tracks_trackmate.xml of a run.
+void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to);
+
+/// openvt.csv, openvt.json, openvt_simulator.json.
+/// @param runs  at the times that are wanted
+void write_openvt(const std::vector<exchange::RunTracks>& runs, exchange::OpenVtModel model,
+                  const std::filesystem::path& to);
+
+/// What openvt.json says of a run, and of a study.
+exchange::OpenVtModel openvt_model(const run::FinishedRun& run);
+exchange::OpenVtModel openvt_model(const study::Study& study, const std::vector<study::Result>& results);
+
+} // namespace matrigrate::apps

@@ -1,0 +1,111 @@
+"""The cells of a run, one by one and as a group."""
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .results import Readouts, Run
+
+
+class CellOfRun:
+    """One cell of a run: its rows of the run's tables, and its shape in frames."""
+
+    def __init__(self, run: Run, number: int) -> None:
+        self.run, self.number = run, number
+
+    def __repr__(self) -> str:
+        return f"CellOfRun(cell {self.number} of {self.run!r})"
+
+    @functools.cached_property
+    def tracks(self) -> pandas.DataFrame:
+        """A row each minute: ``t_s`` [s], ``x_um``, ``y_um`` [um], area, perimeter, polarization, protrusions."""
+        return self._rows(self.run.tracks)
+
+    @functools.cached_property
+    def protrusions(self) -> pandas.DataFrame:
+        """A row for each protrusion."""
+        return self._rows(self.run.protrusions)
+
+    @functools.cached_property
+    def msd(self) -> pandas.DataFrame:
+        """Mean square displacement [um^2] over lags [s]."""
+        return self._rows(self.run.msd)
+
+    @property
+    def readouts(self) -> Readouts:
+        """The paper's read-outs of this cell."""
+        readouts: Any = self.run.readouts
+        return readouts[self.number] if self.number in readouts else readouts
+
+    def outline(self, frame: int = -1) -> np.ndarray[Any, Any]:
+        """The particles of its cortex [um] in a frame of ``run.fields``: x, y, in their order around the cell."""
+        return self.run.fields.outlines(frame)[self.number]
+
+    def nucleus(self, frame: int = -1) -> np.ndarray[Any, Any]:
+        """The particles of its nucleus [um] in a frame of ``run.fields``: x, y.
+
+        :raises KeyError: if the cells have no nucleus
+        """
+        return self.run.fields.nuclei(frame)[self.number]
+
+    def _rows(self, table: pandas.DataFrame) -> pandas.DataFrame:
+        column = next((name for name in ("track", "cell") if name in table), None)  # tables of one cell may have neither
+        rows = table if column is None else table[table[column] == self.number].reset_index(drop=True)
+        rows.attrs["units"] = table.attrs["units"]
+        return rows
+
+
+class CellsOfRun(Mapping[int, CellOfRun]):
+    """The cells of a run by their numbers, from 1."""
+
+    def __init__(self, run: Run) -> None:
+        self._cells = {int(number): CellOfRun(run, int(number)) for number in run.tracks["track"].unique()}
+
+    def __getitem__(self, number: int) -> CellOfRun:
+        if number not in self._cells:
+            raise KeyError(f"{number}; the cells are {', '.join(map(str, self._cells))}")
+        return self._cells[number]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._cells)
+
+    def __len__(self) -> int:
+        return len(self._cells)
+
+    def __repr__(self) -> str:
+        return f"CellsOfRun({len(self)}: {', '.join(map(str, self._cells))})"
+
+
+def group_readouts(cells: CellsOfRun, group: pandas.DataFrame) -> dict[str, float]:
+    """What cells do together, as in results.csv of a study.
+
+    :param group: group.csv
+    """
+    paths = [cell.tracks[["x_um", "y_um"]].to_numpy(float) for cell in cells.values()]
+    contacts, nearest = group["n_contacts"].dropna(), group["nearest_um"]
+    return {"parting_index": _mean_of_defined([_parting(paths, k) for k in range(len(paths))]),
+            "share_in_contact": _mean_of_defined(contacts > 0),
+            "nearest_um": float(nearest.iloc[-1]) if len(nearest) else math.nan,
+            "order": _mean_of_defined(group["order"])}
+
+
+def _parting(paths: list[np.ndarray[Any, Any]], own: int) -> float:
+    """Cosine between the displacement of a cell and the direction away from the cell that was nearest at the start."""
+    away = [paths[own][0] - path[0] for k, path in enumerate(paths) if k != own]
+    from_nearest = min(away, key=lambda way: float(np.hypot(*way)))
+    way = paths[own][-1] - paths[own][0]
+    length = float(np.hypot(*way))
+    return float(from_nearest @ way) / float(np.hypot(*from_nearest)) / length if length > 0 else math.nan
+
+
+def _mean_of_defined(values: Any) -> float:
+    numbers = np.asarray(values, dtype=float)
+    numbers = numbers[np.isfinite(numbers)]
+    return float(numbers.mean()) if len(numbers) else math.nan

@@ -1,0 +1,113 @@
+#include "exchange/run_tracks.hpp"
+
+#include "store/row_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+
+namespace matrigrate::exchange {
+
+namespace {
+
+constexpr double same_time = 1e-3; // [s]
+
+/// A cell of a run.
+struct Track {
+  const RunTracks* run;
+  std::uint64_t id; ///< among all
+  std::vector<TrackRow> rows;
+
+  std::string unique_id() const { return fmt::format("{}_{}", run->name, id); }
+  std::string label() const { return fmt::format("cell {}", number_of(rows.front().cell)); }
+};
+
+std::vector<Track> tracks_of(std::span<const RunTracks> runs) {
+  std::vector<Track> tracks;
+  for (const RunTracks& run : runs) {
+    std::vector<std::uint32_t> cells;
+    for (const TrackRow& row : run.rows)
+      if (std::ranges::find(cells, row.cell) == cells.end()) cells.push_back(row.cell);
+    for (const std::uint32_t cell : cells) tracks.push_back({&run, tracks.size(), rows_of(run.rows, cell)});
+  }
+  return tracks;
+}
+
+/// The times of the rows of a run, each once.
+std::vector<double> times_of(const RunTracks& run) {
+  std::vector<double> times;
+  for (const TrackRow& row : run.rows)
+    if (times.empty() || row.t > times.back()) times.push_back(row.t);
+  return times;
+}
+
+std::vector<double> wanted_times(const std::vector<double>& there, const Times& times) {
+  if (!times.every) return times.list.empty() ? there : times.list;
+  std::vector<double> wanted;
+  const double end = there.empty() ? -1.0 : there.back() + same_time;
+  for (double k = 0.0; k * *times.every <= end; ++k) wanted.push_back(k * *times.every);
+  return wanted;
+}
+
+} // namespace
+
+std::vector<TrackRow> rows_at(const RunTracks& run, const Times& times) {
+  const std::vector<double> there = times_of(run);
+  std::vector<TrackRow> rows;
+  std::vector<std::string> missing;
+  auto row = run.rows.begin();
+  for (const double t : wanted_times(there, times)) {
+    row = std::find_if(row, run.rows.end(), [&](const TrackRow& r) { return r.t >= t - same_time; });
+    if (row == run.rows.end() || row->t > t + same_time) missing.push_back(fmt::format("{:g} s", t));
+    for (; row != run.rows.end() && row->t <= t + same_time; ++row) {
+      rows.push_back(*row);
+      rows.back().t = t;
+    }
+  }
+  if (missing.empty()) return rows;
+  const std::size_t named = std::min<std::size_t>(missing.size(), 5);
+  const std::string more = missing.size() > named ? fmt::format(" and {} more", missing.size() - named) : "";
+  missing.resize(named);
+  if (there.size() < 2) throw std::invalid_argument(fmt::format("{} has too few positions", run.name));
+  throw std::invalid_argument(
+      fmt::format("{} has no position at {}{}: it has one every {:g} s from {:g} to {:g} s, and none is interpolated; "
+                  "output.track_interval sets that interval",
+                  run.name, fmt::join(missing, ", "), more, there[1] - there[0], there.front(), there.back()));
+}
+
+std::string spots_csv(std::span<const RunTracks> runs) {
+  std::string text = "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,POSITION_X,POSITION_Y,"
+                     "POSITION_Z,POSITION_T,FRAME,RADIUS\n";
+  std::uint64_t spot = 0;
+  for (const Track& track : tracks_of(runs)) {
+    const std::string unique = track.unique_id(), label = track.label();
+    for (std::size_t k = 0; k < track.rows.size(); ++k) {
+      const TrackRow& row = track.rows[k];
+      text +=
+          store::csv_line({std::string_view(unique), std::string_view(track.run->condition),
+                           store::count(track.run->replicate), store::count(track.run->replicate),
+                           std::string_view(track.run->name), std::string_view(label), spot++, track.id, row.centre.x(),
+                           row.centre.y(), 0.0, row.t, store::count(k), std::sqrt(row.area / std::numbers::pi)});
+    }
+  }
+  return text;
+}
+
+std::string tracks_csv(std::span<const RunTracks> runs) {
+  std::string text = "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,TRACK_ID,NUMBER_SPOTS,TRACK_START,"
+                     "TRACK_STOP\n";
+  for (const Track& track : tracks_of(runs)) {
+    const std::string unique = track.unique_id(), label = track.label();
+    text += store::csv_line({std::string_view(unique), std::string_view(track.run->condition),
+                             store::count(track.run->replicate), store::count(track.run->replicate),
+                             std::string_view(track.run->name), std::string_view(label), track.id,
+                             store::count(track.rows.size()), track.rows.front().t, track.rows.back().t});
+  }
+  return text;
+}
+
+} // namespace matrigrate::exchange

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "observe/tracks.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Tracks of several runs, for programs that read many tracks from one file.
+/// Test: tests/unit/exchange/tracks_test.cpp
+namespace matrigrate::exchange {
+
+/// The tracks of a run, and what it is among others.
+struct RunTracks {
+  std::string name;          ///< unique: of a run of a study its hash
+  std::string condition;     ///< label of its point
+  std::size_t replicate = 1; ///< from 1
+  std::uint64_t seed = 0;
+  std::vector<TrackRow> rows;                                  ///< of all its cells
+  std::vector<std::pair<std::string, std::string>> settings{}; ///< of its point: "ecm.youngs_modulus", "50 Pa"
+};
+
+/// The times that are wanted of each run.
+struct Times {
+  std::optional<double> every; ///< all multiples of it up to the end of the run, > 0 [s]
+  std::vector<double> list;    ///< without `every`: these, rising [s]; empty: all that there are
+};
+
+/// The rows of a run at some times, in the order of times.
+/// @throws std::invalid_argument naming all times that no row has; nothing is interpolated
+std::vector<TrackRow> rows_at(const RunTracks& run, const Times& times);
+
+/// A row a position: Unique_ID, Condition, experiment_nb, Repeat, File_name, LABEL, ID, TRACK_ID, POSITION_X,
+/// POSITION_Y, POSITION_Z [um], POSITION_T [s], FRAME, RADIUS [um]. CellTracksColab takes it as its table of spots,
+/// TrackMate's CSV importer and celltrackR choose columns by name. A track is a cell of a run; TRACK_ID counts from 0
+/// through all runs.
+std::string spots_csv(std::span<const RunTracks> runs);
+
+/// A row a track: Unique_ID, Condition, experiment_nb, Repeat, File_name, LABEL, TRACK_ID, NUMBER_SPOTS, TRACK_START,
+/// TRACK_STOP [s]: CellTracksColab's table of tracks.
+std::string tracks_csv(std::span<const RunTracks> runs);
+
+} // namespace matrigrate::exchange

@@ -1,0 +1,81 @@
+#include "program.hpp"
+
+#include "store/csv.hpp"
+
+namespace matrigrate {
+namespace {
+
+/// Exports of a short run and of a study for other programs.
+class Exchange : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"8 s\"\n[output]\ntrack_interval = \"2 s\"\n"
+                    "field_interval = \"4 s\"\nreport = false\n");
+  }
+
+  void refuses(const std::string& arguments, const std::string& words) const {
+    const Ended ended = run(arguments + " -o z");
+    EXPECT_EQ(ended.code, 2) << arguments;
+    EXPECT_TRUE(contains(ended.err, words)) << ended.err;
+    EXPECT_FALSE(exists("z"));
+  }
+};
+
+TEST_F(Exchange, WritesOnceAndReplacesOnlyIfTold) {
+  ASSERT_EQ(run("run s.toml -o r").code, 0);
+  ASSERT_EQ(run("export r --openvt --times 'every 4 s' --simularium --ome-tiff").code, 0);
+  const store::CsvTable openvt = store::read_csv(text_of(folder / "r/export/openvt.csv"));
+  ASSERT_EQ(openvt.rows.size(), 3U);
+  EXPECT_EQ(openvt.rows[2][1], "8");
+  const std::string stack = text_of(folder / "r/export/fields.ome.tif");
+  EXPECT_TRUE(contains(stack, "SizeT=\"3\""));
+  write("r/export/fields.ome.tif", "mine");
+  EXPECT_EQ(run("export r --ome-tiff").code, 5);
+  EXPECT_EQ(text_of(folder / "r/export/fields.ome.tif"), "mine");
+  ASSERT_EQ(run("export r --ome-tiff --force").code, 0);
+  EXPECT_EQ(text_of(folder / "r/export/fields.ome.tif"), stack);
+  ASSERT_EQ(run("export r --ome-tiff --pixel '4 um' -o coarse").code, 0);
+  EXPECT_TRUE(contains(text_of(folder / "coarse/fields.ome.tif"), "SizeX=\"20\""));
+}
+
+TEST_F(Exchange, NamesEveryFaultAndWritesNothing) {
+  ASSERT_EQ(run("run s.toml -o r").code, 0);
+  refuses("export r --openvt --times '0 s, x, 3 m, -1 s'", "\"x\": ");
+  refuses("export r --openvt --times '0 s, x, 3 m, -1 s'", "\"3 m\": is no time; \"-1 s\": is below 0");
+  refuses("export r --openvt --times '1 s, 2 s, 3 s, 1 h'",
+          "s has no position at 1 s, 3 s, 3600 s: it has one every 2 s");
+  refuses("export r --openvt --times 'every 0 s'", "is not above 0");
+  refuses("export r --tracks --times '2 s'", "--times: is for --openvt");
+  refuses("export r --ome-tiff --pixel 0", "allowed are");
+  refuses("export r --ome-tiff --pixel '1 s'", "is no length");
+  refuses("export r --simularium --pixel '1 um'", "--pixel: is for --ome-tiff");
+  ASSERT_EQ(run("run s.toml -o bare --set output.field_interval=0").code, 0);
+  for (const char* kind : {"--simularium", "--ome-tiff"}) {
+    const Ended ended = run(std::string("export bare -o z --openvt ") + kind);
+    EXPECT_EQ(ended.code, 5) << kind;
+    EXPECT_TRUE(contains(ended.err, "holds no frames")) << ended.err;
+  }
+  EXPECT_FALSE(exists("z"));
+}
+
+TEST_F(Exchange, GivesEachRunOfAStudyItsNumber) {
+  write("e.toml", "title = \"Stiffness\"\nscenario = \"s.toml\"\nreplicates = 2\n[[points]]\nlabel = \"soft, or so\"\n"
+                  "ecm.youngs_modulus = \"50 Pa\"\n[[points]]\nlabel = \"stiff\"\necm.youngs_modulus = \"100 Pa\"\n");
+  ASSERT_EQ(run("study run e.toml").code, 0);
+  refuses("export e-study --openvt --times '1 s'", "has no position at 1 s");
+  const Ended ended = run("export e-study --tracks --openvt --times '0 s, 6 s'");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const store::CsvTable openvt = store::read_csv(text_of(folder / "e-study/export/openvt.csv"));
+  const store::CsvTable spots = store::read_csv(text_of(folder / "e-study/export/tracks_spots.csv"));
+  const store::CsvTable results = store::read_csv(text_of(folder / "e-study/results.csv"));
+  ASSERT_EQ(openvt.rows.size(), 4U * 2U);
+  EXPECT_EQ(openvt.rows.back()[0], "3");
+  EXPECT_EQ(openvt.rows.back()[1], "6");
+  ASSERT_EQ(spots.rows.size(), 4U * 5U);
+  EXPECT_EQ(spots.rows[0][4], results.rows[0][0]);
+  EXPECT_EQ(spots.rows[0][1], "soft, or so");
+}
+
+} // namespace
+} // namespace matrigrate

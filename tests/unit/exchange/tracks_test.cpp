@@ -1,0 +1,104 @@
+#include "exchange/openvt.hpp"
+#include "exchange/run_tracks.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace matrigrate::exchange {
+namespace {
+
+TrackRow row(double t, std::uint32_t cell, const Vec2& centre) {
+  return {.t = t, .cell = cell, .centre = centre, .area = 3.141592653589793, .polarization = {}};
+}
+
+/// A run of two cells, and one of one cell that ended early.
+std::vector<RunTracks> two_runs() {
+  return {
+      {.name = "aa",
+       .condition = "soft, or so",
+       .replicate = 1,
+       .seed = 7,
+       .rows = {row(0, 0, {1, 2}), row(0, 1, {3, 4}), row(60, 0, {1.5, 2}), row(60, 1, {3, 4.5}), row(120, 0, {2, 2}),
+                row(120, 1, {3, 5})},
+       .settings = {{"ecm.youngs_modulus", "\"50 Pa\""}}},
+      {.name = "bb", .condition = "stiff", .replicate = 2, .seed = 8, .rows = {row(0, 0, {0, 0}), row(60, 0, {9, 9})}}};
+}
+
+TEST(RunTracks, AreTakenAtExactlyTheTimesAskedFor) {
+  const std::vector<RunTracks> runs = two_runs();
+  const auto times = [](const std::vector<TrackRow>& rows) {
+    std::vector<double> t;
+    for (const TrackRow& r : rows) t.push_back(r.t);
+    return t;
+  };
+  EXPECT_EQ(times(rows_at(runs[0], {})), (std::vector<double>{0, 0, 60, 60, 120, 120}));
+  EXPECT_EQ(times(rows_at(runs[0], {.every = 120.0, .list = {}})), (std::vector<double>{0, 0, 120, 120}));
+  EXPECT_EQ(times(rows_at(runs[0], {.every = {}, .list = {60.0}})), (std::vector<double>{60, 60}));
+  EXPECT_EQ(times(rows_at(runs[1], {.every = 60.0, .list = {}})), (std::vector<double>{0, 60}));
+}
+
+TEST(RunTracks, NameAllTimesThatARunLacks) {
+  const std::vector<RunTracks> runs = two_runs();
+  const auto fault = [&](const RunTracks& run, const Times& times) -> std::string {
+    try {
+      rows_at(run, times);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault(runs[0], {.every = {}, .list = {30.0, 60.0, 500.0}}),
+            "aa has no position at 30 s, 500 s: it has one every 60 s from 0 to 120 s, and none is interpolated; "
+            "output.track_interval sets that interval");
+  EXPECT_NE(fault(runs[0], {.every = 7.0, .list = {}}).find("at 7 s, 14 s, 21 s, 28 s, 35 s and 12 more"),
+            std::string::npos);
+  EXPECT_EQ(fault({.name = "cc", .condition = {}, .rows = {}}, {.every = {}, .list = {1.0}}),
+            "cc has too few positions");
+}
+
+TEST(RunTracks, HaveATrackForEachCellOfEachRun) {
+  const std::vector<RunTracks> runs = two_runs();
+  const std::string spots = spots_csv(runs);
+  EXPECT_EQ(spots.substr(0, spots.find('\n')), "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,"
+                                               "POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME,RADIUS");
+  EXPECT_NE(spots.find("\naa_1,\"soft, or so\",1,1,aa,cell 2,4,1,3,4.5,0,60,1,1\n"), std::string::npos);
+  EXPECT_NE(spots.find("\nbb_2,stiff,2,2,bb,cell 1,7,2,9,9,0,60,1,1\n"), std::string::npos);
+  EXPECT_EQ(tracks_csv(runs).substr(tracks_csv(runs).find("bb")), "bb_2,stiff,2,2,bb,cell 1,2,2,0,60\n");
+}
+
+TEST(OpenVt, HasTheColumnsOfItsPortal) {
+  const std::string text = openvt_csv(two_runs());
+  EXPECT_TRUE(text.starts_with("simID,time,cellID,cellType,x,y\n0,0,1,0,1,2\n0,0,2,0,3,4\n0,60,1,0,1.5,2\n"));
+  EXPECT_TRUE(text.ends_with("\n1,60,1,0,9,9\n"));
+}
+
+TEST(OpenVt, RecordsWhatWasSimulated) {
+  Parameters base;
+  base.ecm.radius = 80.0;
+  base.cells = {{-20.0, 0.0}, {20.0, 0.0}};
+  const auto record = nlohmann::json::parse(
+      openvt_record({.title = "A \xff title", .version = "1.2", .updated = "2026-01-31", .base = base}, two_runs()));
+  for (const auto& key : record.at("required")) EXPECT_TRUE(record.at("properties").contains(key)) << key;
+  const auto& properties = record.at("properties");
+  EXPECT_EQ(properties.at("parameters").at("ecm.radius"), "80 um");
+  EXPECT_TRUE(properties.at("parameters").contains("cells"));
+  EXPECT_EQ(properties.at("parameters").size(), 2U);
+  EXPECT_TRUE(properties.at("input_files").is_array());
+  ASSERT_EQ(properties.at("simulations").size(), 2U);
+  EXPECT_EQ(properties.at("simulations")[0].at("parameters").at("ecm.youngs_modulus"), "50 Pa");
+  EXPECT_EQ(properties.at("simulations")[1].at("simID"), 1);
+  EXPECT_EQ(properties.at("simulations")[1].at("seed"), 8);
+  const auto simulator = nlohmann::json::parse(openvt_simulator("1.2"));
+  for (const char* key : {"name", "category", "description"}) EXPECT_TRUE(simulator.at(key).is_string()) << key;
+  for (const auto& object : simulator.at("objects"))
+    for (const char* key : {"attributes", "processes"}) EXPECT_TRUE(object.at(key).is_array()) << object;
+  for (const auto& inside : simulator.at("containment")) EXPECT_TRUE(inside.at("inner_object_id").is_string());
+}
+
+} // namespace
+} // namespace matrigrate::exchange

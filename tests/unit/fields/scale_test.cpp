@@ -1,0 +1,139 @@
+#include "fields/field.hpp"
+#include "fields/scale.hpp"
+
+#include <gtest/gtest.h>
+#include <tiffio.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace matrigrate::fields {
+namespace {
+
+using Unit = StatedScale::Unit;
+
+std::optional<double> of_text(const std::string& description) { return pixel_width({.description = description}); }
+
+std::string ome(const std::string& attributes) {
+  return "<?xml version=\"1.0\"?><OME xmlns=\"x\"><Image><Pixels ID=\"Pixels:0\" " + attributes
+         + "><Channel/></Pixels></Image></OME>";
+}
+
+TEST(Scale, IsThatOfOmeXml) {
+  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.65\" PhysicalSizeY=\"0.65\"")), 0.65); // um by default
+  EXPECT_EQ(
+      of_text(ome("PhysicalSizeX='650' PhysicalSizeXUnit='nm' PhysicalSizeY='0.65' PhysicalSizeYUnit='\xc2\xb5m'")),
+      0.65);
+  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.001\" PhysicalSizeXUnit=\"mm\"")), 1.0);
+  for (const char* nothing : {"SizeX=\"3\"", "PhysicalSizeX=\"2\" PhysicalSizeXUnit=\"pixel\"", "PhysicalSizeX=\"-1\"",
+                              "PhysicalSizeX=\"nan\"", "PhysicalSizeX=\"1e999\"", "PhysicalSizeX=\"2"})
+    EXPECT_EQ(of_text(ome(nothing)), std::nullopt) << nothing;
+  EXPECT_THROW(of_text(ome("PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.6\"")), std::invalid_argument);
+}
+
+TEST(Scale, IsThatOfImageJOrOfPixelsInACentimetre) {
+  const StatedScale imagej{
+      .description = "ImageJ=1.54f\nimages=2\nunit=micron\n", .x_resolution = 2, .y_resolution = 2};
+  EXPECT_EQ(pixel_width(imagej), 0.5);
+  EXPECT_EQ(pixel_width({.description = "ImageJ=1.54f\nunit=\\u00B5m\n", .x_resolution = 4, .y_resolution = 4}), 0.25);
+  EXPECT_EQ(pixel_width({.description = "", .x_resolution = 5000, .y_resolution = 5000, .unit = Unit::centimetre}),
+            2.0);
+  EXPECT_EQ(pixel_width({.description = "", .x_resolution = 72, .y_resolution = 72, .unit = Unit::inch}), std::nullopt);
+  EXPECT_EQ(pixel_width({.description = "", .x_resolution = 1, .y_resolution = 1, .unit = Unit::none}), std::nullopt);
+  EXPECT_THROW(pixel_width({.description = "", .x_resolution = 2, .y_resolution = 3, .unit = Unit::centimetre}),
+               std::invalid_argument);
+}
+
+/// Fields of TIFF files.
+class ScaledFields : public testing::Test {
+protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "matrigrate-scale-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  void write(const char* name, std::uint32_t side, const std::vector<float>& samples, const std::string& description) {
+    TIFF* tiff = TIFFOpen((folder / name).c_str(), "w");
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, side);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, side);
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, side);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    if (!description.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+    std::vector<float> copy = samples;
+    TIFFWriteEncodedStrip(tiff, 0, copy.data(), static_cast<tmsize_t>(copy.size() * sizeof(float)));
+    TIFFClose(tiff);
+  }
+
+  std::string what(const std::string& text) const {
+    try {
+      const Field field(text, folder);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(ScaledFields, TakeTheWidthOfAPixelFromTheFileUnlessItIsGiven) {
+  write("a.tif", 2, {1, 2, 3, 4}, ome("PhysicalSizeX=\"5\""));
+  EXPECT_EQ(Field("a.tif", folder).description(), "a grid of 2 x 2 nodes from (-2.5, -2.5) to (2.5, 2.5) um");
+  EXPECT_EQ(Field("a.tif pixel=1", folder).description(), "a grid of 2 x 2 nodes from (-0.5, -0.5) to (0.5, 0.5) um");
+  EXPECT_EQ(Field("a.tif", folder).at({-2.5, 2.5}), 1.0);
+  write("b.tif", 2, {1, 2, 3, 4}, "");
+  EXPECT_NE(what("b.tif").find("a picture needs pixel=..."), std::string::npos);
+}
+
+TEST_F(ScaledFields, TakeBlackAndWhiteAsPercentiles) {
+  write("a.tif", 3, {0, 10, 20, 30, 40, 50, 60, 70, 1e6F}, "");
+  const Field field("a.tif pixel=1 from=0 to=1 black=12.5% white=75%", folder); // 10 and 60
+  EXPECT_NEAR(field.at({0, 1}), 0.0, 1e-12);
+  EXPECT_NEAR(field.at({-1, -1}), 1.0, 1e-12);
+  EXPECT_NEAR(field.at({0, 0}), 0.6, 1e-12);
+  EXPECT_NE(what("a.tif pixel=1 from=0 to=1 black=1% white=101%").find("white=101% is no percentage"),
+            std::string::npos);
+  EXPECT_NE(what("a.tif pixel=1 from=0 to=1 black=x% white=1").find("black=x% is no percentage"), std::string::npos);
+  write("even.tif", 2, {3, 3, 3, 3}, "");
+  EXPECT_NE(what("even.tif pixel=1 from=0 to=1 black=1% white=99%").find("must be different"), std::string::npos);
+}
+
+TEST_F(ScaledFields, TakeTheDirectionOfStripesFromTheStructureTensor) {
+  constexpr std::uint32_t side = 48;
+  for (const double angle : {0.0, 25.0, 60.0, 90.0, -40.0}) {
+    const double a = angle * 3.14159265358979 / 180.0;
+    std::vector<float> samples;
+    for (std::uint32_t row = 0; row < side; ++row)
+      for (std::uint32_t column = 0; column < side; ++column) // stripes along (cos a, sin a), y upwards
+        samples.push_back(static_cast<float>(std::sin(0.7 * (-std::sin(a) * column - std::cos(a) * row))));
+    write("stripes.tif", side, samples, "");
+    const Field field("stripes.tif pixel=0.5 direction=2", folder);
+    double off = std::abs(field.at({0.3, -0.2}) - angle);
+    off = std::min(off, 180.0 - off);
+    EXPECT_LT(off, 1.0) << angle << " " << field.at({0.3, -0.2});
+  }
+  EXPECT_NE(what("stripes.tif pixel=0.5 direction=2 from=0 to=1").find("takes no from="), std::string::npos);
+  EXPECT_NE(what("stripes.tif pixel=0.5 direction=0").find("must be from 0.25 to 50 um"), std::string::npos);
+  write("even.tif", 4, std::vector<float>(16, 7.0F), "");
+  EXPECT_NE(what("even.tif pixel=1 direction=1").find("is even everywhere"), std::string::npos);
+  write("small.tif", 2, {1, 2, 3, 4}, "");
+  EXPECT_NE(what("small.tif pixel=1 direction=1").find("is smaller than 3 x 3 pixels"), std::string::npos);
+}
+
+TEST(Samples, AreDirectionsWithoutASenseBetweenNodes) {
+  const Samples axes{.origin = {0, 0}, .spacing = {1, 1}, .columns = 2, .rows = 1, .values = {80, -80}, .axes = true};
+  EXPECT_NEAR(std::abs(axes.at({0.5, 0})), 90.0, 1e-9); // not 0
+  EXPECT_NEAR(axes.at({0, 0}), 80.0, 1e-9);
+}
+
+} // namespace
+} // namespace matrigrate::fields
