@@ -30,9 +30,9 @@ TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
   for (const char* name : {"claims.csv", "claims-A.csv", "report-A.html"})
     EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
   EXPECT_FALSE(exists("reproduce/stiffness")) << "no study is run";
-  EXPECT_TRUE(
-      contains(file("reproduce/claims.csv"),
-               "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat\n"));
+  EXPECT_TRUE(contains(
+      file("reproduce/claims.csv"),
+      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat\n"));
 }
 
 TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
