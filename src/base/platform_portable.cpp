@@ -18,10 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string& the_program() {
-  static std::string path;
-  return path;
-}
+constexpr const char* own_file = "MATRIGRATE_FILE"; // in the environment: what this program starts inherits it
 
 /// Where the shell found a command.
 fs::path found(const fs::path& command) {
@@ -37,15 +34,17 @@ fs::path found(const fs::path& command) {
 
 } // namespace
 
-void begin(const char* called_as) { the_program() = found(called_as == nullptr ? "" : called_as); }
+void begin(const char* called_as) { ::setenv(own_file, found(called_as == nullptr ? "" : called_as).c_str(), 1); }
 
 void at_exit(void (* /*see*/)(int, void*)) {}
 
 std::string this_program() { return program_file(); }
 
 fs::path program_file() {
-  if (the_program().empty()) throw InputOutputError("the file of this program is not known; call it by its path");
-  return the_program();
+  const char* file = std::getenv(own_file);
+  if (file == nullptr || *file == '\0')
+    throw InputOutputError("the file of this program is not known; call it by its path");
+  return file;
 }
 
 void end_with_parent() {}
