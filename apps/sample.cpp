@@ -187,7 +187,7 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
       "Exit code 3 with all faults of parameters and targets, 4 if the computation fails; then nothing is printed.");
   const auto options = std::make_shared<SampleArguments>();
   options->command_line = std::move(command_line);
-  verb->add_option("KEY=VALUE", options->words, "Parameters, over the preset or the scenario");
+  verb->add_option("PARAMETERS", options->words, "Values as key=value, over the preset or the scenario");
   CLI::Option* preset =
       verb->add_option("--preset", options->preset, "What they change: see `matrigrate list` (default: baseline)");
   verb->add_option("--scenario", options->scenario, "Change this scenario file instead")->excludes(preset);
