@@ -106,7 +106,10 @@ def main() -> None:
         about = next(tree.glob("*.dist-info")) / "WHEEL"
         about.write_text(about.read_text().replace(f"-{platform}\n", f"-{new}\n"))
         given.folder.mkdir(exist_ok=True)
-        packed(tree, given.folder / f"{'-'.join([*name, new])}.whl")
+        wheel = given.folder / f"{'-'.join([*name, new])}.whl"
+        part = wheel.with_suffix(".part")  # so that a wheel that is there is whole
+        packed(tree, part)
+        part.replace(wheel)
 
 
 if __name__ == "__main__":

@@ -137,7 +137,7 @@ int export_study(const ExportArguments& options) {
   const std::string text = study::tracks_csv(study.study, results, study.folder);
   const std::vector<exchange::RunTracks> tracks = study::run_tracks(study.study, results, study.folder);
   const bool openvt = options.wanted.find("--openvt")->second, table = options.wanted.find("--tracks")->second;
-  const std::vector<exchange::RunTracks> at = openvt ? at_times(tracks, times) : tracks;
+  const std::vector<exchange::RunTracks> at = openvt ? at_times(tracks, times) : std::vector<exchange::RunTracks>();
   const std::filesystem::path to = output_of(options);
   std::vector<ExportKind> kinds;
   if (table) kinds.push_back({.option = "--tracks", .names = R"(tracks(_spots|_tracks)?\.csv)"});
@@ -164,6 +164,7 @@ int export_run(ExportArguments options) {
   wanted["--panel"] = !options.panel.empty();
   const std::vector<ExportKind> kinds = wanted_kinds(options);
   if (!options.times.empty() && !wanted["--openvt"]) throw UsageError("--times: is for --openvt");
+  if (!options.pixel.empty() && !wanted["--ome-tiff"]) throw UsageError("--pixel: is for --ome-tiff");
   const bool only_tracks = std::ranges::all_of(
       kinds, [](const ExportKind& kind) { return kind.option == "--tracks" || kind.option == "--openvt"; });
   if (only_tracks && is_study(options.folder)) return export_study(options);
@@ -171,7 +172,6 @@ int export_run(ExportArguments options) {
   const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);
   require_drawable(run, options.drawn);
-  if (!options.pixel.empty() && !wanted["--ome-tiff"]) throw UsageError("--pixel: is for --ome-tiff");
   if (wanted["--vtk"] || wanted["--fields"] || wanted["--simularium"] || wanted["--ome-tiff"] || drawn.any()) {
     require_frames(run, options.folder);
     tell_lost_frames(run);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <sys/stat.h>
 #include <sys/types.h>
 
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -41,6 +44,9 @@ enum class Lock { alone, shared };
 /// Locks an open file for this process and for those that inherit its descriptor, without waiting.
 /// @return  0, or the error; EWOULDBLOCK if another process has it locked
 int lock(int descriptor, Lock kind);
+
+/// Changes whenever contents or attributes of a file do: both times of the file, as exactly as the system tells them.
+std::array<std::int64_t, 4> times_of(const struct stat& status);
 
 /// Gives memory that was freed back to the system, where it can be told to.
 void give_back_memory();

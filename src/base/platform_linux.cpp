@@ -53,6 +53,10 @@ int lock(int descriptor, Lock kind) {
   return ::flock(descriptor, (kind == Lock::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0 ? 0 : errno;
 }
 
+std::array<std::int64_t, 4> times_of(const struct stat& status) {
+  return {status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ctim.tv_sec, status.st_ctim.tv_nsec};
+}
+
 void give_back_memory() { ::malloc_trim(0); }
 
 std::string processor(std::string_view word) {

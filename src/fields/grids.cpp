@@ -1,6 +1,7 @@
 #include "fields/grids.hpp"
 
 #include "base/file.hpp"
+#include "base/platform.hpp"
 #include "fields/file_words.hpp"
 #include "fields/picture.hpp"
 #include "fields/structure_tensor.hpp"
@@ -10,7 +11,9 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -25,15 +28,12 @@ constexpr std::size_t max_file_bytes = std::size_t{1} << 28U;
 constexpr std::size_t kept_grids = 8, kept_values = std::size_t{1} << 25U;
 
 /// Changes whenever a file does.
-using Version = std::tuple<dev_t, ino_t, off_t, std::filesystem::file_time_type, time_t>;
+using Version = std::tuple<dev_t, ino_t, off_t, std::array<std::int64_t, 4>>;
 
 std::optional<Version> version_of(const std::filesystem::path& file) {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) return std::nullopt;
-  std::error_code error;
-  const auto written = std::filesystem::last_write_time(file, error);
-  if (error) return std::nullopt;
-  return Version(status.st_dev, status.st_ino, status.st_size, written, status.st_ctime);
+  return Version(status.st_dev, status.st_ino, status.st_size, platform::times_of(status));
 }
 
 /// What was read of a file.

@@ -64,6 +64,7 @@ TEST_F(Exchange, GivesEachRunOfAStudyItsNumber) {
                   "ecm.youngs_modulus = \"50 Pa\"\n[[points]]\nlabel = \"stiff\"\necm.youngs_modulus = \"100 Pa\"\n");
   ASSERT_EQ(run("study run e.toml").code, 0);
   refuses("export e-study --openvt --times '1 s'", "has no position at 1 s");
+  refuses("export e-study --tracks --pixel '1 um'", "--pixel: is for --ome-tiff");
   const Ended ended = run("export e-study --tracks --openvt --times '0 s, 6 s'");
   ASSERT_EQ(ended.code, 0) << ended.err;
   const store::CsvTable openvt = store::read_csv(text_of(folder / "e-study/export/openvt.csv"));

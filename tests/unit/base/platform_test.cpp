@@ -114,6 +114,20 @@ TEST(Platform, AProcessThatInheritsALockKeepsIt) {
   EXPECT_EQ(lock(file.descriptor(), Lock::shared), 0);
 }
 
+TEST(Platform, TimesOfAFileChangeWithIt) {
+  const OpenFile file;
+  const auto times = [&] {
+    struct stat status {};
+    EXPECT_EQ(::fstat(file.descriptor(), &status), 0);
+    return times_of(status);
+  };
+  const auto before = times();
+  const timespec earlier[2] = {{.tv_sec = 1000, .tv_nsec = 0}, {.tv_sec = 1000, .tv_nsec = 0}};
+  ASSERT_EQ(::futimens(file.descriptor(), earlier), 0);
+  EXPECT_NE(times(), before);
+  EXPECT_EQ(times()[0], 1000);
+}
+
 TEST(Platform, ALockOfNoFileIsAnError) { EXPECT_EQ(lock(-1, Lock::alone), EBADF); }
 
 TEST(Platform, WhatCannotBeToldIsEmpty) { EXPECT_EQ(processor("no processor has this"), ""); }

@@ -43,7 +43,7 @@ export function paths(made: Grid, measured: StudyPage["measured"] = []): HTMLEle
   box.addEventListener("change", draw);
   draw();
   if (holder.childElementCount === 0) return null;
-  const colour = h("span", { class: "patch measured" });
+  const colour = h("span", { class: "patch measured", style: `background:${measuredColour(isDark())}` });
   const words = sets.map(({ tracks, total }) => `${countOf(tracks, total)} of up to ${durationOf(tracks)}`).join("; ");
   return h("div", {}, h("label", { class: "choice" }, box, colour, words, ", each moved to the origin"), holder);
 }
