@@ -6,6 +6,7 @@ import type { Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import { momentHash, momentOf, momentTime } from "../src/run/save/moment";
 import { fileName } from "../src/run/save/saving";
+import { difference } from "./pictures";
 import { launch, open, until } from "./browser";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
@@ -57,6 +58,21 @@ test("pictures are saved as pixels and as vectors", async () => {
     const png = await saved("Save PNG");
     assert.equal(png.name, "sample-E-100-Pa-seed-1-degradation-1h5m.png");
     assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
+    const address = (bytes: Buffer) => `data:image/png;base64,${bytes.toString("base64")}`;
+    const size = (bytes: Buffer) => [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+    const [width, height] = size(png.bytes);
+    await page.getByLabel("px wide").fill(String(3 * width));
+    const wide = await saved("Save PNG");
+    assert.equal(size(wide.bytes)[0], 3 * width);
+    assert.ok(Math.abs(size(wide.bytes)[1] - 3 * height) <= 1);
+    assert.ok((await difference(page, address(png.bytes), address(wide.bytes))) < 0.01, "the wide picture is another one");
+    for (const wrong of ["199", "8001", "2000.5"]) {
+      await page.getByLabel("px wide").fill(wrong);
+      await page.getByRole("button", { name: "Save PNG" }).click();
+      await page.getByText("Not saved: Error: the width is a whole number from 200 to 8000").waitFor();
+      await page.getByLabel("px wide").fill("");
+      assert.deepEqual((await saved("Save PNG")).bytes, png.bytes, "the view is as it was");
+    }
     const svg = await saved("Save SVG");
     const seen = await page.evaluate(async (text) => {
       const parsed = new DOMParser().parseFromString(text, "image/svg+xml");

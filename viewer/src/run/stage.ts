@@ -14,32 +14,11 @@ import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/laye
 import type { Pen } from "./over/pen";
 import type { ParticlePainter } from "./matrix/particle_scene";
 import { particlePainter, plainInstead } from "./matrix/particles";
-import { isDarkGround, LayerScale, type Scale } from "./matrix/scale";
+import { isDarkGround, LayerScale } from "./matrix/scale";
 import type { SharedScales } from "./matrix/shared";
+import type { View } from "./stage_view";
 import { fibreLayer, fibreRows } from "./over/fibres";
 import { resample, valueOfNearest, valueOn, type Patch } from "./matrix/resample";
-
-/** A layer with its colours, as a colour bar shows them. */
-export interface Coloured {
-  layer: Layer;
-  scale: Scale;
-  /** Ends of the scale beyond which there are values. */
-  clamped: { low: boolean; high: boolean };
-}
-
-/** A picture of the stage as it is. */
-export interface View {
-  camera: Camera;
-  /** Pixels of the canvases in a pixel of the page. */
-  pixels: number;
-  matrix: HTMLCanvasElement;
-  top: HTMLCanvasElement;
-  /** What colours stand for: the layer, and the strain of fibres where they are drawn. */
-  bars: Coloured[];
-  title: string;
-  time: number;
-  dark: boolean;
-}
 
 export class Stage {
   readonly element: HTMLElement;
@@ -268,12 +247,17 @@ export class Stage {
 
   private fit(): void {
     const { clientWidth: width, clientHeight: height } = this.element;
-    this.pixels = Math.min(2, devicePixelRatio || 1);
-    for (const canvas of [this.painter.canvas, this.top]) {
-      canvas.width = Math.max(1, Math.round(width * this.pixels));
-      canvas.height = Math.max(1, Math.round(height * this.pixels));
-    }
     this.camera.resize(Math.max(1, width), Math.max(1, height));
+    this.resolve(Math.min(2, devicePixelRatio || 1));
+  }
+
+  /** @param pixels  of the canvases in a pixel of the page */
+  private resolve(pixels: number): void {
+    this.pixels = pixels;
+    for (const canvas of [this.painter.canvas, this.top]) {
+      canvas.width = Math.round(this.camera.width * pixels);
+      canvas.height = Math.round(this.camera.height * pixels);
+    }
   }
 
   draw(): void {
@@ -316,6 +300,18 @@ export class Stage {
     });
     const [title, time] = [this.run.title, this.clock.time];
     return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
+  }
+
+  /** The view at another resolution, for one picture.   @param pixels  of the canvases in a pixel of the page */
+  viewAt<T>(pixels: number, use: (view: View) => T): T {
+    const usual = this.pixels;
+    this.resolve(pixels);
+    try {
+      return use(this.view());
+    } finally {
+      this.resolve(usual);
+      this.paint();
+    }
   }
 
   /** Draws all that lies over the matrix, with another pen. */

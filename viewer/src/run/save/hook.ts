@@ -63,7 +63,7 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
       if (follow !== undefined) shown.setFollow(follow);
     },
     frame: (time) => {
-      paintPicture(canvas, at(time).view());
+      paintPicture(canvas, at(time).view(), true);
       return canvas;
     },
     svg: (time) => {

@@ -2,7 +2,8 @@
 import { css, mapped } from "../../colour";
 import { readable, timeText } from "../../numbers";
 import { labelFont, ink, type Pen } from "../over/pen";
-import type { Coloured, Stage, View } from "../stage";
+import type { Stage } from "../stage";
+import type { Coloured, View } from "../stage_view";
 import { escaped, SvgPen } from "../over/svg_pen";
 
 /** Beneath the view: time and title, and the colours with their limits [pixels of the page]. */
@@ -16,11 +17,10 @@ export const stripHeight = (width: number, bars: number): number => row * (width
 export function paintBar(c: Pen, { layer, scale, clamped }: Coloured, width: number, right: number, y: number, dark: boolean): void {
   const left = right - width;
   const steps = 64;
-  // Between whole pixels, so that no seams are seen.
-  const edge = (i: number) => Math.round(left + (width * i) / steps);
+  // Each over the rest of the bar, so that no seams are seen.
   for (let i = 0; i < steps; ++i) {
     c.fillStyle = css(mapped(scale.map, (i + 0.5) / steps));
-    c.fillRect(edge(i), y + 8, edge(i + 1) - edge(i), 11);
+    c.fillRect(left + (width * i) / steps, y + 8, width * (1 - i / steps), 11);
   }
   c.fillStyle = ink(dark).line;
   c.font = "12px sans-serif";
@@ -60,13 +60,16 @@ function paintStrip(c: Pen, { camera, dark, bars, title, time }: View, y: number
   );
 }
 
-/** Draws the view and the strip on a canvas. Call right after the stage has painted: the card keeps a picture no longer. */
-export function paintPicture(canvas: HTMLCanvasElement, view: View): void {
+/**
+ * Draws the view and the strip on a canvas. Call right after the stage has painted: the card keeps a picture no longer.
+ * @param even  whether width and height are even numbers of pixels, as films want them
+ */
+export function paintPicture(canvas: HTMLCanvasElement, view: View, even: boolean): void {
   const { camera, pixels, matrix, top, dark } = view;
   const strip = stripHeight(camera.width, view.bars.length);
   const [width, height] = [matrix.width, matrix.height + Math.round(strip * pixels)];
-  // Video wants even sizes; a size set anew would end a recording.
-  const [w, h] = [width + (width % 2), height + (height % 2)];
+  const [w, h] = even ? [width + (width % 2), height + (height % 2)] : [width, height];
+  // A size set anew would end a recording.
   if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
   const c = canvas.getContext("2d");
   if (!c) return;
@@ -79,9 +82,18 @@ export function paintPicture(canvas: HTMLCanvasElement, view: View): void {
   paintStrip(c, view, camera.height);
 }
 
-export function png(stage: Stage): Promise<Blob> {
+/** Limits of the width of a PNG, and its greatest height [pixels]; graphics cards draw up to 8192. */
+export const pngWidth = { least: 200, most: 8000 };
+
+/** @param width  within the limits [pixels]; null: as it is shown */
+export async function png(stage: Stage, width: number | null): Promise<Blob> {
   const canvas = document.createElement("canvas");
-  paintPicture(canvas, stage.view());
+  if (width === null) paintPicture(canvas, stage.view(), false);
+  else {
+    const pixels = width / stage.camera.width;
+    if (pixels * stage.camera.height > pngWidth.most) throw new Error(`it would be more than ${pngWidth.most} pixels high`);
+    stage.viewAt(pixels, (view) => paintPicture(canvas, view, false));
+  }
   return new Promise((done, failed) =>
     canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png"),
   );

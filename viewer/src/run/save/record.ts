@@ -22,7 +22,7 @@ export interface Recording {
  */
 export function record(clock: Clock, stage: Stage, type: string, done: (film: Blob | null) => void, gone: AbortSignal): Recording {
   const canvas = document.createElement("canvas");
-  paintPicture(canvas, stage.view());
+  paintPicture(canvas, stage.view(), true);
   const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 8e6 });
   const over = new AbortController();
   const pieces: Blob[] = [];
@@ -38,7 +38,7 @@ export function record(clock: Clock, stage: Stage, type: string, done: (film: Bl
   recorder.addEventListener("error", stop);
   gone.addEventListener("abort", stop);
   clock.onChange(() => {
-    paintPicture(canvas, stage.view());
+    paintPicture(canvas, stage.view(), true);
     // The last picture still has to reach the film.
     if (!clock.playing) setTimeout(stop, 120);
   }, over.signal);

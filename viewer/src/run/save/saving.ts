@@ -4,7 +4,7 @@ import { h } from "../../dom";
 import type { Clock } from "../clock";
 import { linkButton } from "./link";
 import { momentTime } from "./moment";
-import { png, svg } from "./picture";
+import { png, pngWidth, svg } from "./picture";
 import { record, recordable, type Recording } from "./record";
 import type { Stage } from "../stage";
 
@@ -41,8 +41,20 @@ export function pictureButtons(title: string, clock: Clock, shown: () => Stage |
       const stage = shown();
       if (stage) save(await make(stage), title, clock, stage, ending, tell);
     });
+  const width = h("input", {
+    type: "number",
+    min: pngWidth.least,
+    max: pngWidth.most,
+    step: 1,
+    placeholder: "as shown",
+    title: "Width of the PNG in pixels: text and lines grow with it. A column of 85 mm at 600 dpi has 2008",
+  });
   return [
-    picture("Save PNG", "The view with time and colour bar", "png", png),
+    picture("Save PNG", "The view with time and colour bar", "png", (stage) => {
+      if (!width.checkValidity()) throw new Error(`the width is a whole number from ${pngWidth.least} to ${pngWidth.most}`);
+      return png(stage, width.value === "" ? null : Number(width.value));
+    }),
+    h("label", {}, width, " px wide"),
     picture("Save SVG", "Cell, path and arrows as vector graphics over the matrix as an image", "svg", (stage) =>
       new Blob([svg(stage, title)], { type: "image/svg+xml" }),
     ),
