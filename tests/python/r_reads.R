@@ -1,8 +1,18 @@
-# R/matrigrate.R on the small runs: Rscript r_reads.R SOURCE_FOLDER SMALL_RUNS; runs the commands of docs/r.md as well.
+# The R package, installed into an empty library, on the small runs: Rscript r_reads.R SOURCE_FOLDER SMALL_RUNS; runs the package's own
+# tests and the commands of docs/r.md as well. MATRIGRATE is the program.
 arguments <- commandArgs(TRUE)
 source_folder <- normalizePath(arguments[1])
 runs <- normalizePath(arguments[2])
-source(file.path(source_folder, "R", "matrigrate.R"))
+library_folder <- tempfile("library")
+dir.create(library_folder)
+Sys.setenv(R_LIBS = library_folder)
+.libPaths(c(library_folder, .libPaths()))
+installed <- tempfile("installed")
+r <- file.path(R.home("bin"), "R")
+if (system2(r, c("CMD", "INSTALL", "-l", library_folder, shQuote(file.path(source_folder, "R"))), stdout = installed, stderr = installed) != 0) {
+  stop("R CMD INSTALL failed:\n", paste(readLines(installed), collapse = "\n"))
+}
+library(matrigrate)
 
 refused <- function(words, expression) {
   message <- tryCatch({ expression; "no error" }, error = conditionMessage)
@@ -50,6 +60,9 @@ stopifnot(
   identical(unique(pair$id), c("pair/1", "pair/2")), pair$run == "pair",
   all.equal(unname(sapply(split(pair, pair$id), speed_of)), expected$v_migr_abs_um_per_h, tolerance = 1e-9)
 )
+
+each <- read_summary(file.path(runs, "pair"))
+stopifnot(identical(each$id, c("pair/1", "pair/2")), identical(each$v_migr_abs_um_per_h, read_run(file.path(runs, "pair"))$v_migr_abs_um_per_h))
 
 # One of the cells, and the tables of a run.
 second <- read_tracks(file.path(runs, "pair"), cell = 2)
@@ -99,14 +112,61 @@ broken(whole, "no error")
 broken(substr(whole, 1, nchar(whole) - 3), "no error", "running")
 stopifnot(nrow(read_tracks(damaged)) == length(lines) - 2)
 
-refused("no folder of a run or a study", read_tracks("nowhere"))
+each <- read_summary(file.path(runs, "pairs"))
+stopifnot(
+  identical(unique(each$id), unique(pairs$id)), identical(each$label, rep("pair", 4)),
+  all.equal(as.vector(tapply(each$v_migr_abs_um_per_h, each$run, mean)[results_of_pairs$run]), results_of_pairs$v_migr_abs_um_per_h)
+)
+
+refused("nowhere: there is no such folder", read_tracks("nowhere"))
+refused("is no folder of a run or a study", read_tracks(runs))
 refused("no folder of a study", read_results(file.path(runs, "run")))
 refused("no such file", read_results(file.path(runs, "study"), "none.csv"))
 
-# The commands of docs/r.md, in a folder in which the runs have its names; those that need a package only with it.
+# The program: a run, which the same call leaves as it is; its words where something is wrong.
 work <- tempfile("r")
 dir.create(work)
 setwd(work)
+scenario <- file.path(runs, "cell.toml")
+for (k in 1:2) run <- run_matrigrate(scenario, seed = 3, out = "a run", hours = 0.01, set = list(ecm.radius = "50 um", output.pictures = FALSE))
+stopifnot(identical(run, "a run"), abs(max(read_tracks(run)$t_s) - 36) < 2.5, grepl("\"seed\": 3,", paste(readLines("a run/run.json"), collapse = "")))
+failed <- function(expression) tryCatch({ expression; NULL }, matrigrate_error = identity)
+unknown <- failed(run_matrigrate(scenario, set = c(ecm.youngs_modulu = "50 Pa")))
+stopifnot(unknown$exit_code == 3, grepl("^--set: ecm.youngs_modulu: .*did you mean ecm.youngs_modulus", conditionMessage(unknown)))
+other <- failed(run_matrigrate(scenario, out = "a run"))
+stopifnot(other$exit_code == 5, grepl("holds another run", conditionMessage(other)))
+stopifnot(failed(call_matrigrate("rnu"))$exit_code == 2, any(grepl("soft", call_matrigrate("list"))))
+
+# What the package has of its own agrees with the project: version, read-outs, columns of its examples, functions when sourced.
+stopifnot(identical(
+  as.character(utils::packageVersion("matrigrate")),
+  sub("^project\\(matrigrate VERSION ([0-9.]+) .*", "\\1", grep("^project", readLines(file.path(source_folder, "CMakeLists.txt")), value = TRUE))
+))
+json <- readLines(file.path(source_folder, "docs", "readouts.json"))
+for (key in c("name", "unit", "meaning")) {
+  values <- sub("^ *\"[a-z]+\": \"(.*)\",$", "\\1", grep(paste0("^ *\"", key, "\": "), json, value = TRUE))
+  if (!identical(readouts()[[key]], values)) stop("R/R/readouts.R differs from docs/readouts.json: ", setdiff(values, readouts()[[key]])[1])
+}
+own <- function(...) system.file("extdata", ..., package = "matrigrate")
+without_nucleus <- function(names) names[!grepl("^nucleus_", names)]
+for (table in c("tracks.csv", "summary.csv", "protrusions.csv", "msd.csv", "group.csv")) {
+  stopifnot(identical(names(read_run(own("pair"), table)), without_nucleus(names(read_run(file.path(runs, "pair"), table)))))
+}
+for (table in c("results.csv", "msd.csv")) {
+  stopifnot(identical(names(read_results(own("stiffness-study"), table)), names(read_results(file.path(runs, "study"), table))))
+}
+sourced <- new.env()
+source(file.path(source_folder, "R", "matrigrate.R"), local = sourced)
+stopifnot(identical(ls(sourced), sort(getNamespaceExports("matrigrate"))), identical(sourced$read_tracks(own("pair")), read_tracks(own("pair"))))
+
+for (test in list.files(file.path(source_folder, "R", "tests"), full.names = TRUE)) {
+  said <- tempfile("said")
+  code <- system2(file.path(R.home("bin"), "Rscript"), c("--vanilla", shQuote(test)), stdout = said, stderr = said)
+  if (code != 0) stop(test, " failed:\n", paste(readLines(said), collapse = "\n"))
+}
+
+# The commands of docs/r.md, in a folder in which the runs have its names; those that need a package only with it.
+invisible(file.copy(scenario, "cell.toml"))
 invisible(file.symlink(file.path(runs, "run"), "cell-seed1"))
 invisible(file.symlink(file.path(runs, "study"), "stiffness-study"))
 invisible(file.symlink(file.path(runs, "pair"), "pair"))

@@ -1,0 +1,148 @@
+plot_path <- function(x, cell = NULL, from_start = FALSE, ...) {
+  tracks <- if (is.data.frame(x)) x else read_tracks(x)
+  if (!is.null(cell)) tracks <- .of_cells(tracks, cell, "tracks")
+  .needs(tracks, c("id", "x_um", "y_um"), "x")
+  paths <- .by_cell(tracks)
+  if (length(paths) == 0) stop("there is no track to draw", call. = FALSE)
+  if (from_start) paths <- lapply(paths, .from_start)
+  groups <- vapply(paths, .group, "")
+  names <- unique(groups)
+  colours <- .colours(length(names))[match(groups, names)]
+  range_of <- function(column) range(unlist(lapply(paths, `[[`, column)), na.rm = TRUE)
+  x_seen <- range_of("x_um")
+  y_seen <- range_of("y_um")
+  below <- 0.12 * max(diff(x_seen), diff(y_seen), 1) # where the scale bar is
+  .frame(x_seen, c(y_seen[1] - below, y_seen[2]), asp = 1, xlab = .micro("x [um]"), ylab = .micro("y [um]"), ...)
+  for (k in seq_along(paths)) lines(paths[[k]]$x_um, paths[[k]]$y_um, col = colours[k], lwd = 1.4)
+  for (k in seq_along(paths)) {
+    path <- paths[[k]]
+    points(path$x_um[c(1, nrow(path))], path$y_um[c(1, nrow(path))], pch = 21, col = colours[k], bg = c("white", colours[k]), cex = 0.9)
+  }
+  .scale_bar()
+  if (length(names) > 1) .legend_above(names, .colours(length(names)))
+  invisible(tracks)
+}
+
+plot_msd <- function(x, cell = NULL, ...) {
+  of_study <- !is.data.frame(x) && .is_study(x)
+  if (of_study && !is.null(cell)) stop("cell: the table of a study is of all its cells; plot_msd(read_msd(study, cell)) draws some", call. = FALSE)
+  rows <- if (is.data.frame(x)) x else if (of_study) read_results(x, "msd.csv") else read_msd(x, cell)
+  .needs(rows, c("lag_s", "msd_um2"), "x")
+  rows <- rows[rows$msd_um2 > 0 & !is.na(rows$msd_um2), ]
+  if (nrow(rows) == 0) {
+    stop("there is no mean square displacement: its lags are 10 min to half a run, so a run of 20 min has the first", call. = FALSE)
+  }
+  curves <- if (of_study) split(rows, factor(rows$point, unique(rows$point))) else .by_cell(rows)
+  groups <- if (of_study) names(curves) else vapply(curves, .group, "")
+  names <- unique(groups)
+  colours <- .colours(length(names))[match(groups, names)]
+  band <- function(curve, sign) pmax(curve$msd_um2 + sign * curve$sem_um2, curve$msd_um2 / 10)
+  lags <- range(rows$lag_s) / 60
+  slopes <- min(rows$msd_um2[rows$lag_s == min(rows$lag_s)]) * rbind(1, lags[2] / lags[1], (lags[2] / lags[1])^2)
+  bands <- if (of_study) c(band(rows, 1), band(rows, -1))
+  .frame(lags, range(rows$msd_um2, slopes, bands, na.rm = TRUE),
+    log = "xy", xlab = "lag [min]", ylab = .micro("mean square displacement [um2]"), ...
+  )
+  for (k in 1:2) lines(lags, c(slopes[1], slopes[k + 1]), lty = 2, col = "grey60")
+  if (lags[2] > lags[1]) text(lags[2], slopes[2:3], c("slope 1", "slope 2"), adj = c(1, -0.4), cex = 0.8, col = "grey40", xpd = NA)
+  for (k in seq_along(curves)) {
+    curve <- curves[[k]]
+    lag <- curve$lag_s / 60
+    if (of_study) {
+      known <- !is.na(curve$sem_um2)
+      outline <- c(band(curve, 1)[known], rev(band(curve, -1)[known]))
+      polygon(c(lag[known], rev(lag[known])), outline, col = adjustcolor(colours[k], 0.15), border = NA)
+    }
+    lines(lag, curve$msd_um2, type = "o", pch = 16, cex = 0.6, col = colours[k], lwd = 1.4)
+  }
+  if (length(names) > 1) .legend_above(names, .colours(length(names)))
+  invisible(rows)
+}
+
+plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
+  results <- read_results(study)
+  results <- results[results$status == "done", ]
+  columns <- names(results)
+  known <- columns[-seq_len(match("trajectory_hash", columns))]
+  if (!is.character(readout) || length(readout) != 1 || !readout %in% known) {
+    stop(readout[1], ": is no read-out of ", study, "; there are ", paste(known, collapse = ", "), call. = FALSE)
+  }
+  samples <- split(results[[readout]], factor(results$label, unique(results$label)))
+  if (all(is.na(results[[readout]]))) stop(study, ": ", readout, " has no value in any of its runs", call. = FALSE)
+  .frame(c(0.5, length(samples) + 0.5), range(results[[readout]], na.rm = TRUE), xlab = "", ylab = .label_of(readout), xaxt = "n", ...)
+  boxes <- boxplot(samples, add = TRUE, axes = FALSE, outline = FALSE, boxwex = 0.5, col = "grey95", medcol = .colours(1), whisklty = 1)
+  for (k in seq_along(samples)) {
+    sample <- samples[[k]]
+    beside <- if (length(sample) > 1) seq(-0.12, 0.12, length.out = length(sample)) else 0
+    points(k + beside, sample, pch = 19, col = adjustcolor(.colours(1), 0.6))
+  }
+  .labels_below(names(samples))
+  invisible(boxes)
+}
+
+.needs <- function(table, columns, name) {
+  missing <- setdiff(columns, names(table))
+  if (length(missing) > 0) stop(name, ": has no column ", missing[1], call. = FALSE)
+}
+
+# A table for each cell of each run: two cells are never one track, and neither are the same cell under two labels.
+.by_cell <- function(table) {
+  key <- if (is.null(table$label)) table$id else paste(table$id, table$label)
+  unname(split(table, factor(key, unique(key))))
+}
+
+.from_start <- function(path) {
+  path$x_um <- path$x_um - path$x_um[1]
+  path$y_um <- path$y_um - path$y_um[1]
+  path
+}
+
+# What shares a colour: the point of a study, else the cell.
+.group <- function(table) as.character(if (is.null(table$label)) table$id[1] else table$label[1])
+
+.colours <- function(n) { # told apart by all eyes
+  known <- c("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+  if (n <= length(known)) known[seq_len(n)] else hcl.colors(n, "viridis")
+}
+
+# Units as they are printed, where the locale has the letters.
+.micro <- function(text) {
+  if (l10n_info()$`UTF-8`) gsub("um", "\u00b5m", gsub("um2", "\u00b5m\u00b2", text)) else text
+}
+
+.label_of <- function(readout) {
+  known <- readouts()
+  row <- match(readout, known$name)
+  if (is.na(row)) return(readout)
+  paste0(known$meaning[row], if (!known$unit[row] %in% c("", "-")) .micro(paste0(" [", known$unit[row], "]")))
+}
+
+.frame <- function(x, y, ...) {
+  own <- list(x = x, y = y, type = "n", las = 1, bty = "l")
+  given <- list(...)
+  do.call(plot, c(own[setdiff(names(own), names(given))], given))
+}
+
+.legend_above <- function(names, colours) {
+  legend("bottomleft", names, col = colours, lwd = 2, bty = "n", inset = c(0, 1), xpd = NA, cex = 0.8, ncol = min(length(names), 4))
+}
+
+# A bar of a round length, at most a quarter of the width, in the lower right corner.
+.scale_bar <- function() {
+  box <- par("usr")
+  quarter <- (box[2] - box[1]) / 4
+  steps <- c(1, 2, 5) * 10^floor(log10(quarter))
+  length <- max(steps[steps <= quarter])
+  right <- box[2] - 0.04 * (box[2] - box[1])
+  low <- box[3] + 0.04 * (box[4] - box[3])
+  segments(right - length, low, right, low, lwd = 3, lend = "butt")
+  text(right - length / 2, low, .micro(paste(format(length), "um")), pos = 3, cex = 0.8)
+}
+
+# Labels of boxes, aslant where they would touch.
+.labels_below <- function(labels) {
+  at <- seq_along(labels)
+  if (max(strwidth(labels)) < 0.95) return(axis(1, at, labels, tick = FALSE))
+  low <- par("usr")[3] - 0.03 * diff(par("usr")[3:4])
+  text(at, low, labels, srt = 30, adj = c(1, 1), xpd = NA, cex = 0.8)
+}

@@ -1,0 +1,34 @@
+# Unit and meaning of each read-out, as in docs/readouts.json; a test compares them.
+readouts <- function() {
+  table <- matrix(ncol = 3, byrow = TRUE, data = c(
+    "duration_s", "s", "duration",
+    "v_migr_abs_um_per_h", "um/h", "speed, start to end",
+    "v_migr_path_60s_um_per_h", "um/h", "speed along the path, sampled every 60 s",
+    "v_migr_path_600s_um_per_h", "um/h", "speed along the path, sampled every 600 s",
+    "n_protrusions", "", "protrusions initiated",
+    "n_unadhered", "", "of them, never adhered",
+    "tau_prot_min", "min", "life of a mature adhesion, mean",
+    "n_tau_prot", "", "adhesions in this mean",
+    "n_censored", "", "mature adhesions still alive, not in this mean",
+    "l_prot_um", "um", "length at the end of growth, mean",
+    "f_mat", "-", "maturation, mean",
+    "force_nN", "nN", "force at disassembly, mean",
+    "f_adh_rel", "-", "force at disassembly over f_mat F_am, mean",
+    "n_simultaneous_mean", "", "protrusions at a time, mean",
+    "n_simultaneous_max", "", "protrusions at a time, most",
+    "msd_slope", "", "log-log slope of the mean square displacement, lags of 10 min to half the run",
+    "path_angle_deg", "degrees", "mean angle of the path, sampled every 600 s, to uniaxial fibres",
+    "f_mat_along", "-", "maturation of protrusions along uniaxial fibres, mean",
+    "f_mat_across", "-", "maturation of protrusions across uniaxial fibres, mean",
+    "share_ruptured_along", "", "share of adhesions along uniaxial fibres that ended by rupture",
+    "share_ruptured_across", "", "share of adhesions across uniaxial fibres that ended by rupture",
+    "share_f_adh_rel_low", "", "share of mature adhesions that ended below f_adh_rel = 0.5",
+    "share_2_or_3_protrusions", "", "share of times with two or three protrusions",
+    "migration_index_x", "", "way along x over the length of the path, sampled every 600 s",
+    "parting_index", "", "cosine between displacement and the direction away from the nearest cell at the start",
+    "share_in_contact", "", "share of times with a contact between cells",
+    "nearest_um", "um", "distance of the nearest other cell at the end",
+    "order", "", "length of the mean unit vector of displacements over 10 min, mean over time"
+  ))
+  data.frame(name = table[, 1], unit = table[, 2], meaning = table[, 3])
+}

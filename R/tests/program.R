@@ -1,0 +1,47 @@
+# Calls of the program, which a script stands in for: its words, its exit codes as errors.
+library(matrigrate)
+
+caught <- function(expression) tryCatch({ expression; NULL }, matrigrate_error = identity)
+stand_in <- function(...) {
+  file <- tempfile("a program ")
+  writeLines(c("#!/bin/sh", ...), file)
+  Sys.chmod(file, "755")
+  Sys.setenv(MATRIGRATE = file)
+}
+
+words <- tempfile("words")
+stand_in(paste0("printf '%s\\n' \"$@\" >'", words, "'"), "echo '{'", "echo '  \"folder\": \"a \\\"b\\\"\",'", "echo '}'")
+folder <- run_matrigrate("my cell.toml",
+  seed = 5947041493131647, out = "a \"b\"", hours = 0.1,
+  set = list(ecm.youngs_modulus = "50 Pa", protrusion.initiation_rate = 5e-4, output.report = FALSE), force = TRUE
+)
+stopifnot(
+  identical(folder, "a \"b\""),
+  identical(readLines(words), c(
+    "run", "my cell.toml", "--json", "--quiet", "--seed", "5947041493131647", "-o", "a \"b\"", "--hours", "0.1", "--force",
+    "--set", "ecm.youngs_modulus=50 Pa", "--set", "protrusion.initiation_rate=0.0005", "--set", "output.report=false"
+  ))
+)
+
+stand_in("echo 'matrigrate: cell.toml:3: is wrong' >&2", "echo 'and more' >&2", "exit 3")
+wrong <- caught(run_matrigrate("cell.toml"))
+stopifnot(identical(conditionMessage(wrong), "cell.toml:3: is wrong\nand more"), wrong$exit_code == 3)
+
+stand_in("exit 75")
+stopped <- caught(call_matrigrate("resume", "cell-seed1"))
+stopifnot(stopped$exit_code == 75, grepl("ended with the exit code 75", conditionMessage(stopped)))
+
+stand_in("echo one", "echo two", "echo 'matrigrate: a warning' >&2")
+told <- character()
+lines <- withCallingHandlers(call_matrigrate("list"), message = function(m) {
+  told <<- conditionMessage(m)
+  invokeRestart("muffleMessage")
+})
+stopifnot(identical(lines, c("one", "two")), identical(told, "a warning\n"))
+
+Sys.setenv(MATRIGRATE = "/no/such/program")
+none <- caught(call_matrigrate("list"))
+stopifnot(is.na(none$exit_code), grepl("names /no/such/program, which is no program", conditionMessage(none)))
+
+unnamed <- tryCatch(run_matrigrate("cell.toml", set = "50 Pa"), error = conditionMessage)
+stopifnot(grepl("names of parameters are expected", unnamed))
