@@ -9,7 +9,7 @@ if(MATRIGRATE_PYTHON)
   install(CODE "execute_process(COMMAND ${MATRIGRATE_PYTHON} -B ${CMAKE_SOURCE_DIR}/tools/stubs.py
     \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/matrigrate/_sections.pyi COMMAND_ERROR_IS_FATAL ANY)")
 endif()
-install(FILES R/matrigrate.R DESTINATION ${data}/R)
+install(DIRECTORY R/ DESTINATION ${data}/R) # R CMD INSTALL /usr/share/matrigrate/R
 install(FILES CITATION.cff MODEL.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.md)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.cpp PATTERN *.md)
@@ -21,7 +21,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of a cell that migrates through
 set(CPACK_PACKAGE_DESCRIPTION
     "Simulates in two dimensions how a single cell migrates through a degradable viscoelastic extracellular matrix, after
 Heck et al. 2020 (PLoS Comput Biol 16(1): e1007250), with studies of many runs and their statistics. Contains the program, a Python package that
-reads results and calls the program, an R file, and the libraries with their headers.")
+reads results and calls the program, an R package, and the libraries with their headers.")
 set(CPACK_PACKAGE_CONTACT "The Matrigrate authors") # becomes Maintainer; there is no address
 set(CPACK_PACKAGE_FILE_NAME matrigrate_${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -8,6 +8,7 @@
 #   deb         the Debian package
 #   wheel       the Python package with matrigrate.Simulation, the program and the libraries that both need, for Python 3.11 on Linux
 #   site        the documentation, with report pages of short runs and the live page
+#   r           the R package as a source archive, matrigrate_<version>.tar.gz; where R is installed
 #   containers  the recipes of containers
 #   sbom        what the program is made of and linked with, as SPDX
 #   checksums   SHA256SUMS and CONTENTS, of all files that are there
@@ -17,7 +18,7 @@ cd "$(dirname "$0")/.."
 . tools/setup.sh
 umask 022
 
-steps_known="live source deb wheel site containers sbom checksums"
+steps_known="live source deb wheel site r containers sbom checksums"
 version=$(sed -n 's/^project(matrigrate VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 name=matrigrate-$version
 build=build/release
@@ -141,6 +142,20 @@ step_site() {
   [ -z "$(live_page)" ] || live=(--live "$(live_page)")
   /usr/bin/python3 -B "$work/$name/tools/site/build.py" "$work/$name-site" --program "$program" "${live[@]}" >/dev/null || die "the site could not be built"
   archive "$work/$name-site" "$to/$name-site.tar.gz"
+}
+
+# R CMD build writes time and user into DESCRIPTION; the time of the commit takes their place.
+step_r() {
+  if ! command -v R >/dev/null; then
+    say "the R package is left out: R is not installed (apt-get install r-base-core)"
+    return
+  fi
+  mkdir "$work/r"
+  git archive HEAD R | tar --extract --directory="$work/r"
+  (cd "$work/r" && R CMD build R) >"$work/r.log" 2>&1 || die "the R package could not be built: $(tail -n 3 "$work/r.log")"
+  tar --extract --directory="$work/r" --file="$work/r/matrigrate_$version.tar.gz"
+  sed -i "s/^Packaged: .*/Packaged: $(date -u -d "@$SOURCE_DATE_EPOCH" '+%F %T UTC'); matrigrate/" "$work/r/matrigrate/DESCRIPTION"
+  archive "$work/r/matrigrate" "$to/matrigrate_$version.tar.gz"
 }
 
 step_containers() {

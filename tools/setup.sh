@@ -59,7 +59,7 @@ python3-jsonschema: checks scenarios against docs/scenario.schema.json
 python3-tifffile: opens stacks of fields in their tests
 dpkg-dev: makes the Debian package in its test
 file: tells programs from scripts while that is made
-r-base-core: runs the R file in its test
+r-base-core: installs the R package in its test
 "
 packages_for_site="
 mkdocs: builds the documentation site

@@ -17,10 +17,11 @@ codemeta = json.loads((source / "codemeta.json").read_text(encoding="utf-8"))
 
 
 class Citation(unittest.TestCase):
-    def test_version_is_that_of_the_build_and_of_the_package(self):
+    def test_version_is_that_of_the_build_and_of_the_packages(self):
         build = re.search(r"project\(matrigrate VERSION (\S+)", (source / "CMakeLists.txt").read_text())[1]
         package = re.search(r'__version__ = "(.*)"', (source / "python" / "matrigrate" / "_version.py").read_text())[1]
-        self.assertEqual({str(cff["version"]), codemeta["version"], package}, {build})
+        of_r = re.search(r"^Version: (.*)", (source / "R" / "DESCRIPTION").read_text(), re.MULTILINE)[1]
+        self.assertEqual({str(cff["version"]), codemeta["version"], package, of_r}, {build})
 
     def test_program(self):
         self.assertEqual((cff["title"], cff["abstract"], str(cff["date-released"]), f"https://spdx.org/licenses/{cff['license']}"),

@@ -30,7 +30,8 @@ foreach(file bin/matrigrate include/matrigrate/simulation/advance.hpp lib/python
              lib/python3/dist-packages/matrigrate/scenario.schema.json lib/python3/dist-packages/matrigrate/readouts.json
              lib/python3/dist-packages/matrigrate/_sections.pyi share/man/man1/matrigrate.1
              share/bash-completion/completions/matrigrate share/matrigrate/studies/stiffness.toml
-             share/matrigrate/R/matrigrate.R share/doc/matrigrate/LICENSE share/doc/matrigrate/CITATION.cff
+             share/matrigrate/R/matrigrate.R share/matrigrate/R/DESCRIPTION share/matrigrate/R/R/read.R share/matrigrate/R/man/read_tracks.Rd
+             share/doc/matrigrate/LICENSE share/doc/matrigrate/CITATION.cff
              share/doc/matrigrate/MODEL.md share/doc/matrigrate/docs/tutorial.md share/doc/matrigrate/examples/04_my_force.cpp)
   if(NOT EXISTS ${FOLDER}/unpacked/usr/${file} AND NOT EXISTS ${FOLDER}/unpacked/usr/${file}.gz)
     message(SEND_ERROR "not in the package: /usr/${file}")

@@ -1,6 +1,7 @@
 """The steps of tools/release.sh that need no new build, made twice: the same bytes, all files in the checksums: test_release.py BUILD"""
 import hashlib
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -18,7 +19,7 @@ if not (source / ".git").exists():
 temporary = tempfile.TemporaryDirectory()
 folders = [pathlib.Path(temporary.name) / name for name in ("first", "second")]
 for folder in folders:
-    subprocess.run([source / "tools/release.sh", "--build", build, "--to", folder, "source", "containers", "sbom", "checksums"], check=True)
+    subprocess.run([source / "tools/release.sh", "--build", build, "--to", folder, "source", "r", "containers", "sbom", "checksums"], check=True)
 first, second = folders
 version = re.search(r'__version__ = "(.*)"', (source / "python/matrigrate/_version.py").read_text())[1]
 commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=source, capture_output=True, text=True, check=True).stdout.strip()
@@ -50,6 +51,19 @@ class Release(unittest.TestCase):
             self.assertLessEqual(set(tracked), files)
             self.assertEqual({(member.uid, member.uname) for member in archive}, {(0, "")})
 
+    @unittest.skipUnless(shutil.which("R"), "R is not installed")
+    def test_r_package_installs_and_has_this_version(self):
+        archive = first / f"matrigrate_{version}.tar.gz"
+        library = pathlib.Path(temporary.name) / "library"
+        library.mkdir()
+        done = subprocess.run(["R", "CMD", "INSTALL", "-l", library, archive], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        said = subprocess.run(["Rscript", "--vanilla", "-e", 'cat(as.character(packageVersion("matrigrate")))'], capture_output=True, text=True,
+                              env=os.environ | {"R_LIBS": str(library)})
+        self.assertEqual(said.stdout, version, said.stderr)
+        with tarfile.open(archive) as files:
+            self.assertNotIn("matrigrate/matrigrate.R", files.getnames())  # for source() in a clone only
+
     def test_every_file_has_its_checksum_and_size(self):
         sums = dict(reversed(line.split("  ")) for line in (first / "SHA256SUMS").read_text().splitlines())
         sizes = dict(reversed(match) for match in re.findall(r"^ *(\d+)  (\S+)$", (first / "CONTENTS").read_text(), re.MULTILINE))
@@ -75,8 +89,8 @@ class Release(unittest.TestCase):
         contained = [known[one["relatedSpdxElement"]]["versionInfo"] for one in parts["relationships"] if one["relationshipType"] == "CONTAINS"]
         self.assertEqual(contained, [plotly])
 
-    def test_the_live_page_is_taken_where_it_is_of_this_commit_and_else_its_absence_is_told(self):
-        """In a clone of its own, without Emscripten: tools/release.sh looks for the page in build/web/live/."""
+    def test_the_live_page_is_taken_where_it_is_of_this_commit_and_its_absence_is_told_as_is_that_of_r(self):
+        """In a clone of its own, without Emscripten and R: tools/release.sh looks for the page in build/web/live/."""
         clone = pathlib.Path(temporary.name) / "clone"
         subprocess.run(["git", "clone", "--quiet", "--depth", "1", source.as_uri(), clone], check=True)
         (clone / "bin").mkdir()
@@ -89,9 +103,10 @@ class Release(unittest.TestCase):
         for named, there in ((f"{commit}, with changes", False), (commit, True)):
             (page.parent / "COMMIT").write_text(f"{named}\n")
             to = clone / "release" / str(there)
-            done = subprocess.run([clone / "tools/release.sh", "--to", to, "live"], capture_output=True, text=True, env={"PATH": str(clone / "bin")})
+            done = subprocess.run([clone / "tools/release.sh", "--to", to, "live", "r"], capture_output=True, text=True, env={"PATH": str(clone / "bin")})
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual("Emscripten is not installed" in done.stdout, not there, done.stdout)
+            self.assertIn("R is not installed", done.stdout)
             self.assertEqual([file.read_text() for file in to.iterdir()], ["<p>a cell"] if there else [])
 
     def test_unknown_steps_are_refused(self):
