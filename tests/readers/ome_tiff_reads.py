@@ -5,6 +5,8 @@ try:
     import h5py
     import numpy as np
     import tifffile
+
+    import field_pixels
 except ImportError:
     sys.exit(77)
 
@@ -22,19 +24,10 @@ assert pixels["TimeIncrement"] == 36 and pixels["TimeIncrementUnit"] == "s"
 names = [channel["Name"] for channel in pixels["Channel"]]
 assert stack.shape == (6, len(names), 60, 60), stack.shape
 
+for frame, name, row, column, value in field_pixels.pixels(folder):
+    assert stack[frame, names.index(name), row, column] == np.float32(value), (frame, name, row, column)
+
 with h5py.File(f"{folder}/fields.h5") as fields:
-    x = fields["matrix/position"][:, :, :2].astype(float)
-    column = np.arange(60) * 2.0 - 59.0
-    for frame in (0, 3, 5):
-        for row, of in ((30, 30), (12, 40), (45, 22), (30, 48)):
-            place = np.array([column[of], -column[row]])  # the first row is the upper one
-            near = np.argsort(np.hypot(*(x[frame] - place).T))[:2]
-            if np.diff(np.hypot(*(x[frame, near] - place).T)) < 1e-4:
-                continue  # as near to two particles
-            for name, values in (("pressure [Pa]", fields["matrix/pressure"][frame]),
-                                 ("f_degr", fields["matrix/f_degr"][frame]),
-                                 ("displacement_y [um]", fields["matrix/displacement"][frame][:, 1])):
-                assert stack[frame, names.index(name), row, of] == np.float32(values[near[0]]), (frame, name, row, of)
     outline = fields["outline/position"][5].astype(float)[:, :2]
 cell = stack[5, names.index("cell")]
 following = np.roll(outline, -1, axis=0)
