@@ -2,13 +2,14 @@
 
 CellTracksColab, data type CellTracksColab: its loader demands TRACK_ID, POSITION_X, POSITION_Y, POSITION_T, and Condition,
 experiment_nb and Repeat that are the same throughout a File_name; it keeps tracks of two spots or more by Unique_ID.
-celltrackR: read.tracks.csv takes columns of any name for id, time and places. TrackMate's importer lets one choose them.
-CELLTRACKSCOLAB and CELLTRACKR name checkouts of these projects: their code then reads the files as well.
+TrackMate's importer (trackmate-sc/TrackMate-CSVImporter) lets one choose the columns; it skips a line in which a place is no
+number or frame, track or spot no integer, and one that begins with #.
+CELLTRACKSCOLAB names a checkout of CellTracksColab: its code then reads the files as well. celltrackr_reads.R has celltrackR.
 """
 import csv
 import importlib
+import math
 import os
-import subprocess
 import sys
 import types
 
@@ -24,12 +25,16 @@ for name, row in tracks.items():
     assert len(own) == int(row["NUMBER_SPOTS"]) > 2
     assert [int(spot["FRAME"]) for spot in own] == list(range(len(own)))
     times = [float(spot["POSITION_T"]) for spot in own]
+    assert times == [12.0 * k for k in range(len(own))], times  # TrackMate takes frame times interval
     assert times == sorted(set(times)) and times[-1] == float(row["TRACK_STOP"])
     for key in ("TRACK_ID", "Condition", "experiment_nb", "Repeat", "File_name"):
         assert {spot[key] for spot in own} == {row[key]}, (name, key)
-assert {row["Condition"] for row in tracks.values()} == {"soft, or so", "stiff"}
+assert {row["Condition"] for row in tracks.values()} == {"soft, or so", "stiff: it's #2"}
 assert len({row["File_name"] for row in tracks.values()}) == 4
-assert len({spot["ID"] for spot in spots}) == len(spots)
+assert len({int(spot["ID"]) for spot in spots}) == len(spots)
+for spot in spots:
+    assert all(math.isfinite(float(spot[key])) for key in ("POSITION_X", "POSITION_Y", "POSITION_Z", "RADIUS"))
+    assert int(spot["TRACK_ID"]) >= 0 and not spot["Unique_ID"].startswith("#")
 with open(f"{folder}/openvt.csv", newline="") as text:
     rows = list(csv.DictReader(text))
 assert len(rows) == len(spots) and {row["simID"] for row in rows} == {"0", "1", "2", "3"}
@@ -46,14 +51,4 @@ if "CELLTRACKSCOLAB" in os.environ:
     data.LoadTrackingData()
     assert len(data.spots_data) == len(spots) and len(data.tracks_data) == 4
     print("CellTracksColab has read it")
-if "CELLTRACKR" in os.environ:
-    code = (
-        "for (f in c('internal.R', 'data-structures.R', 'functions.R', 'track-measures.R'))\n"
-        "  try(source(file.path(Sys.getenv('CELLTRACKR'), 'R', f)), silent = TRUE)\n"
-        f"t <- read.tracks.csv('{folder}/tracks_spots.csv', id.column = 'Unique_ID', time.column = 'POSITION_T',\n"
-        "  pos.columns = c('POSITION_X', 'POSITION_Y'), sep = ',')\n"
-        f"stopifnot(inherits(t, 'tracks'), length(t) == 4, sum(sapply(t, nrow)) == {len(spots)}, all(is.finite(sapply(t, speed))))\n"
-    )
-    subprocess.run(["Rscript", "-e", code], check=True)
-    print("celltrackR has read it")
 print(f"{len(spots)} positions of {len(tracks)} tracks")

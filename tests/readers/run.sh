@@ -27,7 +27,7 @@ label = "soft, or so"
 ecm.youngs_modulus = "50 Pa"
 run.duration = "36 s"
 [[points]]
-label = "stiff"
+label = "stiff: it's #2"
 ecm.youngs_modulus = "100 Pa"
 run.duration = "36 s"
 TOML

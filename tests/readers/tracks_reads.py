@@ -2,7 +2,8 @@
 
 celltrackR, read.tracks.csv(file, sep = ",", pos.columns = 3:4): track, time and two coordinates, in this order, under a
 line of names; its defaults are blanks between columns, and three coordinates.
-TrackMate, spots as CSV: named columns, among them ID, TRACK_ID, POSITION_X, POSITION_Y, POSITION_T, FRAME.
+TrackMate, spots as CSV: named columns, among them ID, TRACK_ID, POSITION_X, POSITION_Y, POSITION_T, FRAME. Its importer
+takes FRAME times the interval of an open picture for the time.
 TrackMate, "Export tracks to XML file": Tracks(nTracks, spaceUnits, frameInterval, timeUnits, from) of
 particle(nSpots) of detection(t, x, y, z), with t the number of the frame.
 """
@@ -33,7 +34,8 @@ for row, written in zip(ours, table("export/tracks_celltrackr.csv"), strict=True
 for k, (row, spot) in enumerate(zip(ours, table("export/tracks_trackmate.csv"), strict=True)):
     assert {"ID", "TRACK_ID", "POSITION_X", "POSITION_Y", "POSITION_Z", "POSITION_T", "FRAME", "RADIUS"} == set(spot)
     assert int(spot["ID"]) == k and int(spot["FRAME"]) == k and spot["TRACK_ID"] == "0"
-    assert same(spot["POSITION_X"], row["x_um"]) and same(spot["POSITION_T"], row["t_s"]) and float(spot["RADIUS"]) > 0
+    assert same(spot["POSITION_X"], row["x_um"]) and same(spot["POSITION_Y"], row["y_um"]) and float(spot["POSITION_Z"]) == 0
+    assert same(spot["POSITION_T"], row["t_s"]) and same(12 * k, row["t_s"]) and float(spot["RADIUS"]) > 0
 
 root = xml.parse(f"{folder}/export/tracks_trackmate.xml").getroot()
 assert root.tag == "Tracks" and int(root.get("nTracks")) == len(root) == 1
