@@ -1,20 +1,32 @@
 #!/usr/bin/env bash
 # Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, judges these copies, saves
 # the figures of the pages made of them (tools/figures.mjs, which needs chromium), and writes the pages of verdicts anew.
-# Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
-#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
+# Studies that are not in the folder, or of which runs have not ended, stay as they are kept; --part keeps the results of
+# unfinished studies as well, to go on from them: reproduce ID --kept docs/validation -o FOLDER
+#   tools/keep_results.sh [--part] PROGRAM FOLDER_OF_REPRODUCE
 set -euo pipefail
+part=
+[ "$1" != --part ] || { part=1 && shift; }
 program=$(realpath "$1")
 from=$(realpath "$2")
 cd "$(dirname "$0")/.."
 to=docs/validation
 for folder in "$from"/*/; do
   study=$(basename "$folder")
-  [ -e "studies/$study.toml" ] || continue
-  if [ ! -e "$folder/results.csv" ] || grep -qE ',(missing|unfinished|running),' "$folder/results.csv"; then
-    echo "$study: not kept, since some of its runs have not ended" >&2
+  [ -e "studies/${study%-larger-disc}.toml" ] || continue
+  if [ ! -e "$folder/results.csv" ]; then
+    echo "$study: not kept, since it has no results" >&2
     continue
   fi
+  case $study in
+  *-larger-disc) ;; # made only of cells that reached the rim
+  *)
+    if [ -z "$part" ] && grep -qE ',(missing|unfinished|running),' "$folder/results.csv"; then
+      echo "$study: not kept, since some of its runs have not ended" >&2
+      continue
+    fi
+    ;;
+  esac
   tables=results
   case $study in # beside the results what the figures are drawn from
   stiffness) tables="results paths msd shapes centres adhesions" ;;

@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
 
 namespace matrigrate::apps {
 
@@ -37,50 +37,22 @@ void compute_missing(const StudyFolder& study, const std::vector<std::size_t>& r
     print_error(fmt::format("{}: {} points x {} replicates\n", study.study.title, study.study.points.size(),
                             study.study.replicates));
   const PoolOutcome outcome = compute(study, runs, {.jobs = job_count(options.jobs), .quiet = quiet});
+  if (outcome.signal != 0) throw Stopped{outcome.signal};
   const std::string troubles = troubles_text(study, outcome.troubles);
   if (!troubles.empty()) print_error(troubles);
-  if (outcome.signal != 0) throw Stopped{outcome.signal};
   if (outcome.cannot_write)
     throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
 }
 
-/// The study in a larger disc.
-StudyFolder second_of(const StudyFolder& study, std::string_view name, const ReproduceOptions& options) {
-  ReproduceOptions larger = options;
-  larger.overrides.push_back(
-      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
-  return planned(shipped(name, larger), std::filesystem::path(options.folder) / fmt::format("{}-larger-disc", name));
-}
+/// Whether a run has come to its end: computing it again would change nothing.
+bool has_ended(const study::Result& r) { return r.standing.done() || r.standing.failed_for_good(); }
 
-/// Runs again, in a larger disc, those that ended at the rim. @return all results, these replaced; none if there were
-/// none
-std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::vector<study::Result>& results,
-                                          std::string_view name, const ReproduceOptions& options) {
-  if (std::ranges::none_of(results, ended_at_rim)) return {};
-  const StudyFolder second = second_of(study, name, options);
-  std::vector<std::size_t> runs;
-  for (std::size_t k = 0; k < second.runs.size(); ++k)
-    if (std::ranges::any_of(results, [&](const study::Result& r) {
-          return ended_at_rim(r) && r.run.point == second.runs[k].point && r.run.replicate == second.runs[k].replicate;
-        }))
-      runs.push_back(k);
-  compute_missing(second, runs, options);
-  std::vector<study::Result> all = results;
-  for (study::Result& r : study::results(second.study, second.runs, second.folder)) {
-    const auto same = std::ranges::find_if(
-        all, [&](const study::Result& a) { return a.run.point == r.run.point && a.run.replicate == r.run.replicate; });
-    if (ended_at_rim(*same)) *same = std::move(r);
-  }
-  return all;
-}
-
-/// Adds the kept results of a study, if there are any. They must be of the very runs of the shipped study: the name of
-/// a run is a fingerprint of all parameters that decide on its results.
-void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceOptions& options) {
+/// The results in the table NAME-results.csv of a folder; none if it is not there. They must be of the very runs of the
+/// study: the name of a run is a fingerprint of all parameters that decide on its results.
+std::vector<study::Result> kept_results(const StudyFolder& study, const std::string& folder, std::string_view name) {
   constexpr std::size_t largest_table = std::size_t{1} << 28U;
-  const std::filesystem::path file = std::filesystem::path(options.from) / fmt::format("{}-results.csv", name);
-  if (!std::filesystem::exists(file)) return;
-  StudyFolder study = planned(shipped(name, options), {});
+  const std::filesystem::path file = std::filesystem::path(folder) / fmt::format("{}-results.csv", name);
+  if (folder.empty() || !std::filesystem::exists(file)) return {};
   auto results = study::read_results(study.study, read_file(file, largest_table), file.string());
   for (const study::Result& r : results)
     if (std::ranges::none_of(study.runs, [&](const study::Run& run) {
@@ -89,7 +61,90 @@ void add_kept(study::Evidence& evidence, std::string_view name, const ReproduceO
         }))
       throw InputOutputError(fmt::format("{}: run {} does not belong to the study: its parameters are different",
                                          file.string(), r.run.hash));
-  evidence.emplace(name, study::Ensemble{std::move(study.study), std::move(results)});
+  return results;
+}
+
+/// Puts results that have ended in the place of those of the same runs for which `replaced` holds.
+template <class Replaced>
+void replace(std::vector<study::Result>& results, const std::vector<study::Result>& by, const Replaced& replaced) {
+  for (const study::Result& r : by) {
+    if (!has_ended(r)) continue;
+    for (study::Result& old : results)
+      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && replaced(old)) old = r;
+  }
+}
+
+/// A study of which each run was asked for or not, and its results.
+struct Computed {
+  StudyFolder study;
+  Collected tables;                   ///< of the runs in its folder
+  std::vector<study::Result> results; ///< of these, and of the runs that are kept
+};
+
+/// Computes those of the wanted runs of a study that are neither in its folder nor kept, and writes its tables;
+/// results.csv holds the kept runs as well.
+/// @param wanted  of a run
+template <class Wanted>
+Computed computed(StudyFolder study, std::string_view name, const ReproduceOptions& options, const Wanted& wanted) {
+  const std::vector<study::Result> kept = kept_results(study, options.kept, name);
+  std::vector<std::size_t> runs;
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const auto same = [&](const study::Result& r) { return has_ended(r) && r.run.hash == study.runs[k].hash; };
+    if (wanted(study.runs[k]) && std::ranges::none_of(kept, same)) runs.push_back(k);
+  }
+  std::optional<Stopped> stopped;
+  try {
+    compute_missing(study, runs, options);
+  } catch (const Stopped& by) { // the tables tell how far it came
+    stopped = by;
+  }
+  Computed all{std::move(study), {}, {}};
+  all.tables = collect_tables(all.study);
+  all.results = all.tables.results;
+  replace(all.results, kept, [](const study::Result& r) { return !has_ended(r); });
+  if (!kept.empty()) write_file(all.study.folder / "results.csv", results_csv(all.study.study, all.results));
+  if (stopped) throw *stopped;
+  return all;
+}
+
+std::string larger_name(std::string_view name) { return fmt::format("{}-larger-disc", name); }
+
+/// The study in a larger disc, in its own folder.
+StudyFolder second_of(const StudyFolder& study, std::string_view name, const ReproduceOptions& options) {
+  ReproduceOptions larger = options;
+  larger.overrides.push_back(
+      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
+  return planned(shipped(name, larger), std::filesystem::path(options.folder) / larger_name(name));
+}
+
+/// Runs again, in a larger disc, those that ended at the rim. @return all results, these replaced; none if there were
+/// none
+std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::vector<study::Result>& results,
+                                          std::string_view name, const ReproduceOptions& options) {
+  if (std::ranges::none_of(results, ended_at_rim)) return {};
+  const Computed second =
+      computed(second_of(study, name, options), larger_name(name), options, [&](const study::Run& run) {
+        return std::ranges::any_of(results, [&](const study::Result& r) {
+          return ended_at_rim(r) && r.run.point == run.point && r.run.replicate == run.replicate;
+        });
+      });
+  std::vector<study::Result> all = results;
+  replace(all, second.results, ended_at_rim);
+  return all;
+}
+
+/// Adds the kept results of a study, if there are any, and those in a larger disc.
+void add_kept(ClaimEvidence& all, std::string_view name, const ReproduceOptions& options) {
+  StudyFolder study = planned(shipped(name, options), {});
+  auto results = kept_results(study, options.from, name);
+  if (results.empty()) return;
+  const auto second = kept_results(second_of(study, name, options), options.from, larger_name(name));
+  if (!second.empty()) {
+    auto larger = results;
+    replace(larger, second, ended_at_rim);
+    all.larger.emplace(name, study::Ensemble{study.study, std::move(larger)});
+  }
+  all.evidence.emplace(name, study::Ensemble{std::move(study.study), std::move(results)});
 }
 
 } // namespace
@@ -125,23 +180,20 @@ ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const Rep
     for (const std::string& name : claim.studies())
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   ClaimEvidence all;
-  std::vector<std::pair<StudyFolder, Collected>> collected;
+  std::vector<Computed> studies;
   for (const std::string& name : names) {
     if (!options.from.empty()) {
-      add_kept(all.evidence, name, options);
+      add_kept(all, name, options);
       continue;
     }
     StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
-    std::vector<std::size_t> runs(study.runs.size());
-    std::iota(runs.begin(), runs.end(), std::size_t{0});
-    compute_missing(study, runs, options);
-    Collected tables = collect_tables(study);
-    if (auto larger = in_larger_disc(study, tables.results, name, options); !larger.empty())
-      all.larger.emplace(name, study::Ensemble{study.study, std::move(larger)});
-    all.evidence.emplace(name, study::Ensemble{study.study, tables.results});
-    collected.emplace_back(std::move(study), std::move(tables));
+    Computed one = computed(std::move(study), name, options, [](const study::Run&) { return true; });
+    if (auto larger = in_larger_disc(one.study, one.results, name, options); !larger.empty())
+      all.larger.emplace(name, study::Ensemble{one.study.study, std::move(larger)});
+    all.evidence.emplace(name, study::Ensemble{one.study.study, one.results});
+    studies.push_back(std::move(one));
   }
-  for (auto& [study, tables] : collected) write_study_report(study, tables); // claims may need several studies
+  for (Computed& one : studies) write_study_report(one.study, one.tables); // claims may need several studies
   return all;
 }
 

@@ -29,8 +29,9 @@ study::Study shipped(std::string_view name, const ReproduceOptions& options);
 /// @throws ConfigurationError if an override is wrong
 void require_own_study_folders(const std::vector<study::Claim>& claims, const ReproduceOptions& options);
 
-/// Computes what is missing of the studies that claims need, each in its own folder; with options.from reads
-/// <study>-results.csv of that folder in place of it, where it is there.
+/// Computes what is missing of the studies that claims need, each in its own folder, but for runs whose results are
+/// kept in options.kept; with options.from reads <study>-results.csv and <study>-larger-disc-results.csv of that folder
+/// in place of it, where they are there.
 /// @throws Stopped after a signal
 /// @throws InputOutputError if a run cannot write its files, or a table cannot be read or is of other runs
 ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const ReproduceOptions& options);

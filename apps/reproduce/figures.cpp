@@ -35,21 +35,26 @@ std::filesystem::path case_table(std::string_view name, const ReproduceOptions& 
   return std::filesystem::path(options.folder) / fmt::format("validate-{0}/{0}.csv", name);
 }
 
-/// The film of the first run with two protrusions among fibres that is done; empty if there is none.
+/// The film of the first run with two protrusions among fibres that is done and in its folder; empty if there is none.
 observe::Film film_among_fibres(const study::Ensemble& ensemble, const ReproduceOptions& options) {
   constexpr std::size_t two_protrusions = 1;
-  const auto one = std::ranges::find_if(
-      ensemble.results, [](const auto& r) { return r.run.point == two_protrusions && r.standing.done(); });
-  if (one == ensemble.results.end()) return {};
-  return read_run(study::run_folder(std::filesystem::path(options.folder) / fibre_study, one->run)).film;
+  const auto folder = [&](const study::Result& r) {
+    return study::run_folder(std::filesystem::path(options.folder) / fibre_study, r.run);
+  };
+  const auto one = std::ranges::find_if(ensemble.results, [&](const study::Result& r) {
+    return r.run.point == two_protrusions && r.standing.done() && exists(folder(r));
+  });
+  return one == ensemble.results.end() ? observe::Film{} : read_run(folder(*one)).film;
 }
 
-/// The tables that are made of the runs themselves.
+/// The tables that are made of the runs themselves; of runs that are kept there is no more than their results.
 void write_tables(const study::Evidence& evidence, const ReproduceOptions& options) {
   for (const auto& [name, ensemble] : evidence) {
     const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
-    write_file(folder / "shapes.csv", study::shapes_csv(ensemble.study, ensemble.results, folder));
-    write_file(folder / "centres.csv", study::centres_csv(ensemble.study, ensemble.results, folder));
+    auto runs = ensemble.results;
+    std::erase_if(runs, [&](const study::Result& r) { return !exists(study::run_folder(folder, r.run)); });
+    write_file(folder / "shapes.csv", study::shapes_csv(ensemble.study, runs, folder));
+    write_file(folder / "centres.csv", study::centres_csv(ensemble.study, runs, folder));
   }
   if (const auto found = evidence.find(fibre_study); found != evidence.end())
     if (const observe::Film film = film_among_fibres(found->second, options); !film.frames.empty())

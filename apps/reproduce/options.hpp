@@ -15,6 +15,7 @@ struct ReproduceOptions {
   std::string id;
   std::string folder = "reproduce";
   std::string from; ///< folder of kept tables to judge by; empty: run what is missing
+  std::string kept; ///< folder of kept tables whose runs are not made again; empty: none
   std::optional<std::size_t> replicates;
   std::string integrator = "adaptive";
   std::string closures = "second"; ///< set of closures that is judged: "first" or "second"

@@ -87,7 +87,9 @@ std::string fields_of_runs(const study::Evidence& evidence, const ReproduceOptio
   if (found == evidence.end()) return csv;
   for (const study::Result& r : found->second.results) {
     if (r.run.replicate != 1 || (r.run.point != 1 && r.run.point != 4) || !r.standing.done()) continue;
-    const FinishedRun run = read_run(study::run_folder(std::filesystem::path(options.folder) / name, r.run));
+    const std::filesystem::path folder = study::run_folder(std::filesystem::path(options.folder) / name, r.run);
+    if (!exists(folder)) continue; // of a kept run there are no frames
+    const FinishedRun run = read_run(folder);
     csv += study::fields_rows(found->second.study.points[r.run.point].label, run.film);
   }
   return csv;

@@ -80,8 +80,9 @@ int reproduce(const ReproduceOptions& options) {
   const std::vector<study::Claim> claims = chosen_claims(options);
   for (const study::Claim& claim : claims) // faults of overrides before anything is written
     for (const std::string& name : claim.studies()) shipped(name, options);
-  if (!options.from.empty() && !std::filesystem::is_directory(options.from))
-    throw InputOutputError(fmt::format("{}: is no folder", options.from));
+  for (const std::string& folder : {options.from, options.kept})
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+      throw InputOutputError(fmt::format("{}: is no folder", folder));
   std::vector<study::Claim> needed = claims;
   if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
     ReproduceOptions first = options;
@@ -137,7 +138,9 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       "verification cases (matrigrate validate), by rules on the quantity that each claims, F1 on the frames of two "
       "runs.\n"
       "X rows are experiments beside the paper (docs/validation.md).\n"
-      "--from judges by kept tables and runs nothing: matrigrate reproduce all --from docs/validation");
+      "--from judges by kept tables and runs nothing: matrigrate reproduce all --from docs/validation. --kept goes on "
+      "from\n"
+      "kept tables: only runs that have not ended there are made.");
   const auto options = std::make_shared<ReproduceOptions>();
   options->command = command_text(command_line);
   verb->add_option("ID", options->id, "A, B, C, D, E, F, V, X, all, or one row such as A2; all leaves X out")
@@ -155,7 +158,10 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       ->allow_extra_args(false);
   CLI::Option* from = verb->add_option("--from", options->from,
                                        "Folder with kept tables (<study>-results.csv) to judge by; nothing is run");
-  for (const char* of_runs : {"--replicates", "--jobs", "--integrator", "--set"})
+  verb->add_option(
+      "--kept", options->kept,
+      "Folder with kept tables (<study>-results.csv), of this or another machine: their runs are not made again");
+  for (const char* of_runs : {"--replicates", "--jobs", "--integrator", "--set", "--kept"})
     from->excludes(verb->get_option(of_runs));
   CLI::Option* markdown =
       verb->add_flag("--markdown", options->markdown, "Print the table of verdicts as Markdown; write no page");

@@ -44,7 +44,8 @@ TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
   EXPECT_TRUE(contains(ended.err, "stiffness-results.csv: has no column run")) << ended.err;
   EXPECT_EQ(run("reproduce D1 --closures first --from kept").code, 4) << "undecided: no results of that study are kept";
   EXPECT_EQ(run("reproduce V1 --closures first --from kept").code, 4) << "nor of that case";
-  for (const char* of_runs : {"--replicates 3", "--set ecm.radius=40", "--integrator reference", "--jobs 2"})
+  for (const char* of_runs :
+       {"--replicates 3", "--set ecm.radius=40", "--integrator reference", "--jobs 2", "--kept kept"})
     EXPECT_EQ(run(std::string("reproduce A5 --closures first --from kept ") + of_runs).code, 2) << of_runs;
   EXPECT_EQ(run("reproduce A5 --json --markdown").code, 2);
 }
@@ -71,6 +72,37 @@ TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {
   EXPECT_TRUE(contains(page_data("reproduce/report-A5.html"), "made again in a larger disc: "));
   const auto runs = std::filesystem::directory_iterator(folder / "reproduce/stiffness-larger-disc/runs");
   EXPECT_GE(std::distance(begin(runs), end(runs)), 10);
+}
+
+TEST_F(Reproduce, GoesOnFromKeptResults) {
+  const std::string few = "reproduce A5 --replicates 1 --quiet --set 'ecm.radius=40 um' --set 'run.duration=0.1 h'"
+                          " --set protrusion.number=1";
+  ASSERT_EQ(run(few + " -o here").code, 4);
+  const std::string table = file("here/stiffness/results.csv");
+  std::filesystem::create_directory(folder / "kept");
+  write("kept/stiffness-larger-disc-results.csv", file("here/stiffness-larger-disc/results.csv"));
+  std::string part = table; // all but the last row
+  const std::size_t status = part.rfind(",failed,");
+  ASSERT_NE(status, std::string::npos) << table;
+  part.replace(status, 8, ",missing,");
+  write("kept/stiffness-results.csv", part);
+
+  ASSERT_EQ(run(few + " -o there --kept kept").code, 4);
+  const auto made = [&](const char* runs) {
+    const auto entries = std::filesystem::directory_iterator(folder / runs);
+    return std::count_if(begin(entries), end(entries), [](const auto& one) { return one.is_directory(); });
+  };
+  EXPECT_EQ(made("there/stiffness/runs"), 1) << "the one that is missing";
+  EXPECT_FALSE(exists("there/stiffness-larger-disc/runs")) << "all of them are kept";
+  EXPECT_EQ(file("there/stiffness/results.csv"), table);
+  EXPECT_EQ(file("there/claims-A5.csv"), file("here/claims-A5.csv"));
+
+  part.replace(part.find('\n') + 1, 16, "0123456789abcdef");
+  write("kept/stiffness-results.csv", part);
+  const Ended other = run(few + " -o other --kept kept");
+  EXPECT_EQ(other.code, 5);
+  EXPECT_TRUE(contains(other.err, "run 0123456789abcdef does not belong to the study")) << other.err;
+  EXPECT_EQ(run(few + " --kept nowhere").code, 5);
 }
 
 TEST_F(Reproduce, KeptVerdictsFollowFromKeptTables) {
