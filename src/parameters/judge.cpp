@@ -44,8 +44,7 @@ Answer answer(const Question& question) {
   const bool section = question.value("section", false);
   const Row* row = any_row(path);
   if (row == nullptr || question.contains("section"))
-    return {
-        fmt::format("there is no such {}{}", section ? "section" : "parameter", did_you_mean(nearest_parameter(path)))};
+    return {fmt::format("there is no such {}{}", section ? "section" : "parameter", parameter_hint(path))};
   Parameters p;
   std::string fault = assign(*row, typed_value(question), p);
   const auto* member = std::get_if<double& (*)(Parameters&)>(&row->member);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 
 namespace matrigrate {
 
@@ -25,7 +26,7 @@ std::size_t allowance(std::size_t length) { return std::max<std::size_t>(1, leng
 struct Alias {
   std::string_view word;     ///< alone or in one of the sections
   std::string_view sections; ///< in which it means this, each between spaces
-  std::string_view path;
+  std::string_view path;     ///< of the parameter, or the name of the read-out
 };
 
 constexpr std::array aliases{Alias{"stiffness", " ecm matrix gel ", "ecm.youngs_modulus"},
@@ -43,14 +44,21 @@ constexpr std::array aliases{Alias{"stiffness", " ecm matrix gel ", "ecm.youngs_
                              Alias{"step", " run time simulation ", "run.time_step"},
                              Alias{"contraction", " cell actomyosin ", "actomyosin.force"},
                              Alias{"contractility", " cell actomyosin ", "actomyosin.force"},
+                             Alias{"size", " cell ", "cell.radius"},
                              Alias{"diameter", " cell ", "cell.radius"},
                              Alias{"orientation", " fibres fibers ", "fibres.direction_deg"}};
 
-std::optional<std::string> alias_of(std::string_view path) {
+/// Words for what a run comes to, and the read-outs that tell it.
+constexpr std::array results{Alias{"speed", " cell ecm run migration ", "v_migr_abs_um_per_h"},
+                             Alias{"velocity", " cell ecm run migration ", "v_migr_abs_um_per_h"},
+                             Alias{"migration_speed", " cell ecm run migration ", "v_migr_abs_um_per_h"},
+                             Alias{"persistence", " cell ecm run migration ", "msd_slope"}};
+
+std::optional<std::string> meant_by(std::string_view path, std::span<const Alias> words) {
   const std::string_view word = last_part(path);
   const std::string section =
       word.size() == path.size() ? std::string() : fmt::format(" {} ", path.substr(0, path.size() - word.size() - 1));
-  for (const Alias& alias : aliases) // an exact word: no letters are forgiven
+  for (const Alias& alias : words) // an exact word: no letters are forgiven
     if (alias.word == word && alias.sections.find(section) != std::string_view::npos) return std::string(alias.path);
   return std::nullopt;
 }
@@ -91,7 +99,7 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
 
 std::optional<std::string> nearest_parameter(std::string_view path) {
   if (path.empty() || path.size() > longest_name) return std::nullopt;
-  if (auto meant = alias_of(path)) return meant;
+  if (auto meant = meant_by(path, aliases)) return meant;
   const std::string_view key = last_part(path);
   std::optional<std::string> best;
   std::size_t best_distance = allowance(path.size()) + 1;
@@ -112,6 +120,12 @@ std::optional<std::string> nearest_parameter(std::string_view path) {
 
 std::string did_you_mean(const std::optional<std::string>& name) {
   return name ? fmt::format("; did you mean {}?", *name) : std::string();
+}
+
+std::string parameter_hint(std::string_view path) {
+  if (const auto readout = meant_by(path, results))
+    return fmt::format("; it is a result, the read-out {}, and cannot be set", *readout);
+  return did_you_mean(nearest_parameter(path));
 }
 
 } // namespace matrigrate

@@ -20,7 +20,10 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
 /// paper's symbol of it ("E").
 std::optional<std::string> nearest_parameter(std::string_view path);
 
-/// " Did you mean X?", or nothing.
+/// "; did you mean X?", or nothing.
 std::string did_you_mean(const std::optional<std::string>& name);
+
+/// What to say of a parameter that does not exist: which one was most likely meant, or that it is a result; or nothing.
+std::string parameter_hint(std::string_view path);
 
 } // namespace matrigrate

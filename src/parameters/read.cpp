@@ -159,7 +159,7 @@ private:
 
   void unknown(const std::string& path, bool section, const Place& place) {
     complain(place, path, fmt::format("there is no such {}", section ? "section" : "parameter"),
-             [path] { return did_you_mean(nearest_parameter(path)); });
+             [path] { return parameter_hint(path); });
   }
 
   void take(const std::string& path, const toml::node& node, const Place& place) {

@@ -52,7 +52,7 @@ private:
     const std::string path = m_faults.text(node, "steps.factor");
     if (!path.empty() && find_row(path) == nullptr)
       m_faults.add(place_of(node), "steps.factor", fmt::format("there is no parameter {}", excerpt(path)),
-                   [path] { return did_you_mean(nearest_parameter(path)); });
+                   [path] { return parameter_hint(path); });
     return path;
   }
 

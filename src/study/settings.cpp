@@ -37,7 +37,7 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
       gather(*node.as_table(), path, section, own, faults, found);
     else
       faults.add(place_of(name), shown, "there is no such parameter",
-                 [path] { return did_you_mean(nearest_parameter(path)); });
+                 [path] { return parameter_hint(path); });
   }
 }
 

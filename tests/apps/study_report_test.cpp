@@ -50,7 +50,7 @@ TEST_F(StudyReport, BeginsWithWhatWasComputedAndWhatCameOut) {
   EXPECT_TRUE(page.at("facts").at(2).at("value").get<std::string>().starts_with("matrigrate 0."));
   EXPECT_EQ(page.at("facts").at(3).at("value"), "4 of 4");
   const std::string summary = page.at("summary");
-  EXPECT_TRUE(summary.starts_with("v_migr_abs is lowest, ")) << summary;
+  EXPECT_TRUE(summary.starts_with("Speed, start to end (v_migr_abs) is lowest, ")) << summary;
   EXPECT_TRUE(summary.ends_with("; no comparison has 3 runs at both points.")) << summary;
 }
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -157,6 +158,15 @@ Json players_json(const std::vector<PlayedRun>& played) {
   return list;
 }
 
+/// "Speed, start to end (v_migr_abs)"; the label alone of a read-out without words.
+std::string named(const Json& readout) {
+  const std::string label = readout.at("label");
+  std::string meaning = readout.at("meaning");
+  if (meaning == label || meaning == readout.at("name")) return label;
+  meaning.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning.front())));
+  return fmt::format("{} ({})", meaning, label);
+}
+
 } // namespace
 
 std::string result_sentence(const StudyReport& report) {
@@ -164,8 +174,8 @@ std::string result_sentence(const StudyReport& report) {
   const Json readout = readouts_json(report.study).at(0);
   std::vector<ReadOutSample> defined = samples(report.study, report.results);
   std::erase_if(defined, [&](const ReadOutSample& s) { return readout.at("name") != s.readout || s.moments.n == 0; });
-  const std::string label = readout.at("label");
-  if (defined.empty()) return fmt::format("No run has a value of {} yet.", label);
+  const std::string label = named(readout);
+  if (defined.empty()) return fmt::format("{}: no run has a value yet.", label);
   const auto value = [&](const ReadOutSample& s) {
     const std::string unit = readout.at("unit");
     return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit.empty() ? "" : " " + unit, s.moments.n,

@@ -47,11 +47,20 @@ TEST(Nearest, WordsThatPeopleTryAreKnown) {
   EXPECT_EQ(nearest_parameter("cell.contractility"), "actomyosin.force");
 }
 
+TEST(Nearest, ResultsAreNoParameters) {
+  const std::string speed = "; it is a result, the read-out v_migr_abs_um_per_h, and cannot be set";
+  EXPECT_EQ(parameter_hint("speed"), speed);
+  EXPECT_EQ(parameter_hint("cell.speed"), speed) << "not run.seed";
+  EXPECT_EQ(parameter_hint("ecm.velocity"), speed);
+  EXPECT_EQ(parameter_hint("ecm.stiffness"), "; did you mean ecm.youngs_modulus?");
+  EXPECT_EQ(parameter_hint("ecm.colour"), "");
+}
+
 TEST(Nearest, AliasesLeadToParameters) {
   for (const std::string_view word :
        {"ecm.elasticity", "ecm.elastic_modulus", "ecm.modulus", "ecm.rigidity", "ecm.domain_radius",
         "ecm.poisson_ratio", "ecm.resolution", "run.time", "run.end_time", "run.step", "cell.contraction",
-        "cell.diameter", "fibers.orientation"}) {
+        "cell.diameter", "cell.size", "fibers.orientation"}) {
     const auto meant = nearest_parameter(word);
     ASSERT_TRUE(meant) << word;
     EXPECT_NE(find_row(*meant), nullptr) << word;

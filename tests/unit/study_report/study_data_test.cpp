@@ -97,8 +97,8 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
   EXPECT_EQ(data.at("groups").at(0).at("low_quartile"), 0.2125) << "linear between order statistics";
   EXPECT_EQ(data.at("groups").at(1).at("n"), 1);
   EXPECT_TRUE(data.at("tests").at(0).contains("p_holm"));
-  EXPECT_EQ(data.at("summary"), "f_mat is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, 0.5 (mean of 1 run) "
-                                "at n_prot 2; no comparison has 3 runs at both points.");
+  EXPECT_EQ(data.at("summary"), "Maturation, mean (f_mat) is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, "
+                                "0.5 (mean of 1 run) at n_prot 2; no comparison has 3 runs at both points.");
 }
 
 TEST(StudyData, HoldsClaimsAndPlayedRuns) {
