@@ -1,8 +1,6 @@
 plot_path <- function(x, cell = NULL, from_start = FALSE, ...) {
-  tracks <- if (is.data.frame(x)) x else read_tracks(x)
-  if (!is.null(cell)) tracks <- .of_cells(tracks, cell, "tracks")
-  .needs(tracks, c("id", "x_um", "y_um"), "x")
-  paths <- .by_cell(tracks)
+  tracks <- .rows_of(x, cell, read_tracks, c("id", "cell", "t_s", "x_um", "y_um"))
+  paths <- .by_cell(tracks, "t_s")
   if (length(paths) == 0) stop("there is no track to draw", call. = FALSE)
   if (from_start) paths <- lapply(paths, .from_start)
   groups <- vapply(paths, .group, "")
@@ -13,26 +11,25 @@ plot_path <- function(x, cell = NULL, from_start = FALSE, ...) {
   y_seen <- range_of("y_um")
   below <- 0.12 * max(diff(x_seen), diff(y_seen), 1) # where the scale bar is
   .frame(x_seen, c(y_seen[1] - below, y_seen[2]), asp = 1, xlab = .micro("x [um]"), ylab = .micro("y [um]"), ...)
+  .legend(names, .colours(length(names)))
   for (k in seq_along(paths)) lines(paths[[k]]$x_um, paths[[k]]$y_um, col = colours[k], lwd = 1.4)
   for (k in seq_along(paths)) {
     path <- paths[[k]]
     points(path$x_um[c(1, nrow(path))], path$y_um[c(1, nrow(path))], pch = 21, col = colours[k], bg = c("white", colours[k]), cex = 0.9)
   }
   .scale_bar()
-  if (length(names) > 1) .legend_above(names, .colours(length(names)))
   invisible(tracks)
 }
 
 plot_msd <- function(x, cell = NULL, ...) {
   of_study <- !is.data.frame(x) && .is_study(x)
   if (of_study && !is.null(cell)) stop("cell: the table of a study is of all its cells; plot_msd(read_msd(study, cell)) draws some", call. = FALSE)
-  rows <- if (is.data.frame(x)) x else if (of_study) read_results(x, "msd.csv") else read_msd(x, cell)
-  .needs(rows, c("lag_s", "msd_um2"), "x")
+  rows <- if (of_study) read_results(x, "msd.csv") else .rows_of(x, cell, read_msd, c("id", "cell", "lag_s", "msd_um2"))
   rows <- rows[rows$msd_um2 > 0 & !is.na(rows$msd_um2), ]
   if (nrow(rows) == 0) {
     stop("there is no mean square displacement: its lags are 10 min to half a run, so a run of 20 min has the first", call. = FALSE)
   }
-  curves <- if (of_study) split(rows, factor(rows$point, unique(rows$point))) else .by_cell(rows)
+  curves <- if (of_study) split(rows, factor(rows$point, unique(rows$point))) else .by_cell(rows, "lag_s")
   groups <- if (of_study) names(curves) else vapply(curves, .group, "")
   names <- unique(groups)
   colours <- .colours(length(names))[match(groups, names)]
@@ -43,6 +40,7 @@ plot_msd <- function(x, cell = NULL, ...) {
   .frame(lags, range(rows$msd_um2, slopes, bands, na.rm = TRUE),
     log = "xy", xlab = "lag [min]", ylab = .micro("mean square displacement [um2]"), ...
   )
+  .legend(names, .colours(length(names)))
   for (k in 1:2) lines(lags, c(slopes[1], slopes[k + 1]), lty = 2, col = "grey60")
   if (lags[2] > lags[1]) text(lags[2], slopes[2:3], c("slope 1", "slope 2"), adj = c(1, -0.4), cex = 0.8, col = "grey40", xpd = NA)
   for (k in seq_along(curves)) {
@@ -55,7 +53,6 @@ plot_msd <- function(x, cell = NULL, ...) {
     }
     lines(lag, curve$msd_um2, type = "o", pch = 16, cex = 0.6, col = colours[k], lwd = 1.4)
   }
-  if (length(names) > 1) .legend_above(names, .colours(length(names)))
   invisible(rows)
 }
 
@@ -80,14 +77,21 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   invisible(boxes)
 }
 
-.needs <- function(table, columns, name) {
-  missing <- setdiff(columns, names(table))
-  if (length(missing) > 0) stop(name, ": has no column ", missing[1], call. = FALSE)
+# What a folder or a data frame has of some cells.
+.rows_of <- function(x, cell, read, columns) {
+  if (!is.data.frame(x)) return(read(x, cell))
+  missing <- setdiff(columns, names(x))
+  if (length(missing) > 0) stop("x: has no column ", missing[1], call. = FALSE)
+  if (is.null(cell)) x else .of_cells(x, cell, "x")
 }
 
 # A table for each cell of each run: two cells are never one track, and neither are the same cell under two labels.
-.by_cell <- function(table) {
+.by_cell <- function(table, column) {
   key <- if (is.null(table$label)) table$id else paste(table$id, table$label)
+  twice <- anyDuplicated(data.frame(key, table[[column]]))
+  if (twice > 0) {
+    stop("x: has two rows of ", table$id[twice], " at ", column, " = ", table[[column]][twice], "; give runs of one name an id of their own", call. = FALSE)
+  }
   unname(split(table, factor(key, unique(key))))
 }
 
@@ -101,7 +105,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 .group <- function(table) as.character(if (is.null(table$label)) table$id[1] else table$label[1])
 
 .colours <- function(n) { # told apart by all eyes
-  known <- c("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+  known <- c("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#7f7f7f")
   if (n <= length(known)) known[seq_len(n)] else hcl.colors(n, "viridis")
 }
 
@@ -123,8 +127,12 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   do.call(plot, c(own[setdiff(names(own), names(given))], given))
 }
 
-.legend_above <- function(names, colours) {
-  legend("bottomleft", names, col = colours, lwd = 2, bty = "n", inset = c(0, 1), xpd = NA, cex = 0.8, ncol = min(length(names), 4))
+# Above the figure if one line is enough, else in it; none for more names than the eye can tell apart.
+.legend <- function(names, colours) {
+  if (length(names) < 2 || length(names) > 8) return(invisible())
+  above <- length(names) * (0.8 * max(strwidth(names, "inches")) + 0.5) < par("pin")[1]
+  place <- if (above) list("bottomleft", inset = c(0, 1), xpd = NA, horiz = TRUE) else list("topleft")
+  do.call(legend, c(place, list(legend = names, col = colours, lwd = 2, cex = 0.8, bty = "n")))
 }
 
 # A bar of a round length, at most a quarter of the width, in the lower right corner.
@@ -143,6 +151,5 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 .labels_below <- function(labels) {
   at <- seq_along(labels)
   if (max(strwidth(labels)) < 0.95) return(axis(1, at, labels, tick = FALSE))
-  low <- par("usr")[3] - 0.03 * diff(par("usr")[3:4])
-  text(at, low, labels, srt = 30, adj = c(1, 1), xpd = NA, cex = 0.8)
+  text(at, grconvertY(-0.03, "npc"), labels, srt = 30, adj = c(1, 1), xpd = NA, cex = 0.8)
 }

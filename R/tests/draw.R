@@ -42,5 +42,6 @@ stopifnot(sum(steps$lengths[steps$values] == rows[1] - 1) == 2, rows[1] == rows[
 refused("is no read-out of", plot_boxes(study, "speed"))
 refused("there is no such folder", plot_path("nowhere"))
 refused("has no cell 7", plot_path(pair, cell = 7))
+refused("x: has two rows of pair/1 at t_s = 0", plot_path(rbind(read_tracks(pair), read_tracks(pair))))
 refused("x: has no column id", plot_path(data.frame(x_um = 1, y_um = 1)))
 refused("a run of 20 min has the first", plot_msd(read_msd(pair)[0, ]))
