@@ -79,6 +79,7 @@ _matrigrate() {
   matrigrate_reproduce:--closures) COMPREPLY=(); return ;;
   matrigrate_reproduce:--set) COMPREPLY=(); return ;;
   matrigrate_reproduce:--from) _matrigrate_files -d; return ;;
+  matrigrate_reproduce:--kept) COMPREPLY=(); return ;;
   esac
   case $verb in
   matrigrate)
@@ -128,7 +129,7 @@ _matrigrate() {
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_reproduce)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --closures --set --from --markdown --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --closures --set --from --kept --markdown --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_info)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   esac
