@@ -12,13 +12,13 @@ stand_in <- function(...) {
 words <- tempfile("words")
 stand_in(paste0("printf '%s\\n' \"$@\" >'", words, "'"), "echo '{'", "echo '  \"folder\": \"a \\\"b\\\"\",'", "echo '}'")
 folder <- run_matrigrate("my cell.toml",
-  seed = 5947041493131647, out = "a \"b\"", hours = 0.1,
+  seed = 1e15, out = "a \"b\"", hours = 0.1,
   set = list(ecm.youngs_modulus = "50 Pa", protrusion.initiation_rate = 5e-4, output.report = FALSE), force = TRUE
 )
 stopifnot(
   identical(folder, "a \"b\""),
   identical(readLines(words), c(
-    "run", "my cell.toml", "--json", "--quiet", "--seed", "5947041493131647", "-o", "a \"b\"", "--hours", "0.1", "--force",
+    "run", "my cell.toml", "--json", "--quiet", "--seed", "1000000000000000", "-o", "a \"b\"", "--hours", "0.1", "--force",
     "--set", "ecm.youngs_modulus=50 Pa", "--set", "protrusion.initiation_rate=0.0005", "--set", "output.report=false"
   ))
 )
