@@ -127,7 +127,7 @@ class Movie:
         :raises InputOutputError: if one of them is there and ``overwrite`` is not set; nothing is written then
         """
         folder = _arguments.path("folder", folder, "the path of a folder")
-        _pillow()
+        _tifffile()
         there = [name for name in _files if (folder / name).exists()]
         if there and not overwrite:
             raise InputOutputError(f"{folder}: has {', '.join(there)}; overwrite=True replaces them", folder)
@@ -140,13 +140,11 @@ class Movie:
 
     def _write_tiff(self, path: Path, stack: Array) -> None:
         """:param stack: shape (frames, channels, rows, columns)"""
-        image = _pillow()
-        frames, channels = stack.shape[:2]
-        words = [f"ImageJ=1.53t\nimages={frames * channels}", f"channels={channels}", f"frames={frames}", "hyperstack=true",
-                 "mode=grayscale", "unit=um", f"finterval={self.interval:g}", f"min={stack.min()}", f"max={stack.max()}", ""]
-        tags = {270: "\n".join(words), 282: 1.0 / self.grid.pixel, 283: 1.0 / self.grid.pixel, 296: 1}
-        pages = [image.fromarray(page) for page in stack.reshape(-1, *stack.shape[2:])]
-        pages[0].save(path, format="TIFF", save_all=True, append_images=pages[1:], tiffinfo=tags)
+        axes = "TCYX" if stack.shape[1] > 1 else "TYX"
+        words = {"axes": axes, "unit": "um", "finterval": self.interval, "mode": "grayscale",
+                 "min": int(stack.min()), "max": int(stack.max())}
+        _tifffile().imwrite(path, stack if axes == "TCYX" else stack[:, 0], imagej=True, metadata=words,
+                            resolution=(1.0 / self.grid.pixel, 1.0 / self.grid.pixel))
 
 
 def _cortex(grid: _raster.Grid, fields: Fields, k: int, width: float) -> Array:
@@ -205,9 +203,9 @@ def _blurred(picture: Array, width: float) -> Array:
     return picture
 
 
-def _pillow() -> Any:
+def _tifffile() -> Any:
     try:
-        from PIL import Image
+        import tifffile
     except ImportError:
-        raise ImportError("TIFF files need Pillow: apt install python3-pil, or pip install pillow") from None
-    return Image
+        raise ImportError("TIFF files need tifffile: apt install python3-tifffile, or pip install tifffile") from None
+    return tifffile

@@ -99,7 +99,7 @@ std::span<const Preset> presets() {
        reference({"ecm.fields.attractant=max(0, 0.5 + x/300)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
       {"openvt-chemotaxis-half-normal", "The same, with attractant that falls as a half-normal distribution",
        reference(
-           {"ecm.fields.attractant=exp(-0.5*((150 - x)/60)^2)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
+           {"ecm.fields.attractant=exp(-0.5*((150 - x)/120)^2)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
       {"openvt-chemotaxis-exponential", "The same, with attractant that falls exponentially",
        reference({"ecm.fields.attractant=exp(-(150 - x)/120)", "cues.chemotaxis=20", "cues.half_occupancy=0.5"})},
       {"haptotaxis",

@@ -1,13 +1,33 @@
 """Ground truth of a run: masks, fluorescence and tracks that agree with each other and with the run."""
+import os
+import shutil
+import subprocess
 import unittest
 
 import common
 
-common.skip_without("PIL")
+common.skip_without("tifffile")
 
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
-from PIL import Image  # noqa: E402
+import tifffile  # noqa: E402
+
+imagej = "/usr/share/java/ij.jar"
+opened_by_imagej = """
+setBatchMode(true);
+open(getArgument());
+getDimensions(width, height, channels, slices, frames);
+getVoxelSize(x, y, z, unit);
+print(width, height, channels, slices, frames, bitDepth(), x, y, unit.length, Stack.getFrameInterval());
+for (c = 1; c <= channels; c++) {
+  for (t = 1; t <= frames; t++) {
+    if (Stack.isHyperstack) { Stack.setDisplayMode("grayscale"); Stack.setPosition(c, 1, t); } else setSlice(t);
+    total = 0;
+    for (row = 0; row < height; row++) for (column = 0; column < width; column++) total += getPixel(column, row);
+    print(total);
+  }
+}
+"""
 
 
 class GroundTruth(common.InTemporaryFolder):
@@ -65,18 +85,17 @@ class GroundTruth(common.InTemporaryFolder):
         names = [path.name for path in self.movie.save("truth", seed=2)]
         self.assertEqual(names, ["labels.tif", "fluorescence.tif", "tracks.csv"])
         labels = self.movie.labels()
-        with Image.open("truth/labels.tif") as tiff:
-            self.assertEqual(tiff.n_frames, len(labels))
-            for k in range(len(labels)):
-                tiff.seek(k)
-                np.testing.assert_array_equal(np.asarray(tiff), labels[k])
-            tiff.seek(0)
-            self.assertEqual(float(tiff.tag_v2[282]), 2.0, "pixels per um")
-            self.assertIn("unit=um\nfinterval=300\n", tiff.tag_v2[270])
-        with Image.open("truth/fluorescence.tif") as tiff:
-            self.assertEqual(tiff.n_frames, 2 * len(labels))
-            tiff.seek(3)
-            np.testing.assert_array_equal(np.asarray(tiff), self.movie.fluorescence(seed=2)[1, 1])
+        pictures = self.movie.fluorescence(seed=2)
+        for name, axes, stack in (("labels", "TYX", labels), ("fluorescence", "TCYX", pictures)):
+            with tifffile.TiffFile(f"truth/{name}.tif") as tiff:
+                self.assertEqual((tiff.series[0].axes, len(tiff.pages)), (axes, np.prod(stack.shape[:-2])))
+                np.testing.assert_array_equal(tiff.asarray(), stack)
+                self.assertEqual({k: tiff.imagej_metadata[k] for k in ("unit", "finterval")}, {"unit": "um", "finterval": 300})
+                ahead, per = tiff.pages[0].tags["XResolution"].value
+                self.assertAlmostEqual(ahead / per, 2.0, msg="pixels per um")
+                first, number = tiff.pages[0].dataoffsets[0], f"{tiff.byteorder}u2"
+            # ImageJ reads one page after the other from where the first begins
+            np.testing.assert_array_equal(np.fromfile(f"truth/{name}.tif", number, stack.size, offset=first), stack.ravel())
         read = matrigrate.tracks.read("truth/tracks.csv")
         own = self.movie.tracks()
         np.testing.assert_allclose(read["2"][:, 0] - read["2"][0, 0],
@@ -84,6 +103,19 @@ class GroundTruth(common.InTemporaryFolder):
         with self.assertRaisesRegex(matrigrate.InputOutputError, "has labels.tif, fluorescence.tif, tracks.csv"):
             self.movie.save("truth")
         self.movie.save("truth", overwrite=True)
+
+    @unittest.skipUnless(os.path.exists(imagej) and shutil.which("xvfb-run"), "needs imagej and xvfb")
+    def test_files_open_in_imagej(self):
+        self.movie.save("truth", seed=2)
+        with open("open.ijm", "w") as macro:
+            macro.write(opened_by_imagej)
+        for name, stack in (("labels", self.movie.labels()[:, None]), ("fluorescence", self.movie.fluorescence(seed=2))):
+            said = subprocess.run(["xvfb-run", "-a", "java", "-Duser.home=.", "-cp", imagej, "ij.ImageJ", "-batch", "open.ijm",
+                                   os.path.abspath(f"truth/{name}.tif")], capture_output=True, text=True, timeout=120, check=False)
+            frames, channels, rows, columns = stack.shape
+            seen, *totals = said.stdout.split("\n")
+            self.assertEqual(seen, f"{columns} {rows} {channels} 1 {frames} 16 0.5 0.5 2 300", said.stderr)
+            np.testing.assert_array_equal([int(total) for total in totals if total], stack.sum(axis=(2, 3)).T.ravel())
 
     def test_wrong_use(self):
         for options, words in (({"pixel": 0.0}, "no width of a pixel"), ({"pixel": 1e-4}, "10\\^8 are the most")):
