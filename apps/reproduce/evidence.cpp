@@ -117,15 +117,20 @@ StudyFolder second_of(const StudyFolder& study, std::string_view name, const Rep
   return planned(shipped(name, larger), std::filesystem::path(options.folder) / larger_name(name));
 }
 
-/// Runs again, in a larger disc, those that ended at the rim. @return all results, these replaced; none if there were
-/// none
+/// Runs again, in a larger disc, those that ended at the rim, of points that decide on claims.
+/// @return all results, these replaced; none if there were none
 std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::vector<study::Result>& results,
-                                          std::string_view name, const ReproduceOptions& options) {
-  if (std::ranges::none_of(results, ended_at_rim)) return {};
+                                          const std::string& name, const std::vector<study::Claim>& claims,
+                                          const ReproduceOptions& options) {
+  const auto again = [&](const study::Result& r) {
+    const std::string& label = study.study.points[r.run.point].label;
+    return ended_at_rim(r) && std::ranges::any_of(claims, [&](const auto& c) { return c.depends_on(name, label); });
+  };
+  if (std::ranges::none_of(results, again)) return {};
   const Computed second =
       computed(second_of(study, name, options), larger_name(name), options, [&](const study::Run& run) {
         return std::ranges::any_of(results, [&](const study::Result& r) {
-          return ended_at_rim(r) && r.run.point == run.point && r.run.replicate == run.replicate;
+          return again(r) && r.run.point == run.point && r.run.replicate == run.replicate;
         });
       });
   std::vector<study::Result> all = results;
@@ -188,7 +193,7 @@ ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const Rep
     }
     StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
     Computed one = computed(std::move(study), name, options, [](const study::Run&) { return true; });
-    if (auto larger = in_larger_disc(one.study, one.results, name, options); !larger.empty())
+    if (auto larger = in_larger_disc(one.study, one.results, name, claims, options); !larger.empty())
       all.larger.emplace(name, study::Ensemble{one.study.study, std::move(larger)});
     all.evidence.emplace(name, study::Ensemble{one.study.study, one.results});
     studies.push_back(std::move(one));

@@ -10,8 +10,9 @@
 /// The results of the studies behind claims. Test: tests/apps/reproduce_test.cpp
 namespace matrigrate::apps {
 
-/// The evidence, and a second one in which each run that ended at the rim is replaced by the run of the same point and
-/// seed in a disc of larger_disc times the radius. The second evidence has only studies with such runs.
+/// The evidence, and a second one in which each run that ended at the rim, of a point that decides on a claim, is
+/// replaced by the run of the same point and seed in a disc of larger_disc times the radius. The second evidence has
+/// only studies with such runs.
 struct ClaimEvidence {
   study::Evidence evidence;
   study::Evidence larger;

@@ -125,22 +125,17 @@ int reproduce(const ReproduceOptions& options) {
 void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>& command_line) {
   CLI::App* verb = app.add_subcommand("reproduce", "Run the paper's ensembles and judge its claims by them");
   verb->footer(
-      "Computes what is missing of the studies that the rows need (each in its own folder below DIR, so that rows\n"
-      "share runs), then prints for each claim the published value, ours, the statistic and whether it holds, and\n"
-      "writes claims.csv, claims-<ID>.csv with every condition, and report-<ID>.html with all figures. Runs use the "
-      "adaptive\n"
-      "integrator with steps of up to 5 s unless --integrator reference is given: 0.4 s throughout, as in the paper, "
-      "and\n"
-      "7 to 9 times slower. Runs that end at the rim of the matrix are made again in a disc of 1.5 times the radius, "
-      "and\n"
-      "give a second verdict beside the first. Exit code 4 if a claim does not hold or is undecided. V rows are judged "
-      "on\n"
-      "verification cases (matrigrate validate), by rules on the quantity that each claims, F1 on the frames of two "
-      "runs.\n"
-      "X rows are experiments beside the paper (docs/validation.md).\n"
-      "--from judges by kept tables and runs nothing: matrigrate reproduce all --from docs/validation. --kept goes on "
-      "from\n"
-      "kept tables: only runs that have not ended there are made.");
+      "Computes what is missing of the studies that the rows need (each in its own folder below DIR, so that\n"
+      "rows share runs), then prints for each claim the published value, ours, the statistic and whether it\n"
+      "holds, and writes claims.csv, claims-<ID>.csv with every condition, and report-<ID>.html with all\n"
+      "figures. Runs use the adaptive integrator with steps of up to 5 s unless --integrator reference is\n"
+      "given: 0.4 s throughout, as in the paper, and 7 to 9 times slower. Runs that end at the rim of the\n"
+      "matrix, of points that decide on a claim, are made again in a disc of 1.5 times the radius, and give a\n"
+      "second verdict beside the first. Exit code 4 if a claim does not hold or is undecided. V rows are judged\n"
+      "on verification cases (matrigrate validate), by rules on the quantity that each claims, F1 on the frames\n"
+      "of two runs. X rows are experiments beside the paper (docs/validation.md). --from judges by kept tables\n"
+      "and runs nothing: matrigrate reproduce all --from docs/validation. --kept goes on from kept tables: only\n"
+      "runs that have not ended there are made.");
   const auto options = std::make_shared<ReproduceOptions>();
   options->command = command_text(command_line);
   verb->add_option("ID", options->id, "A, B, C, D, E, F, V, X, all, or one row such as A2; all leaves X out")
@@ -158,9 +153,8 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       ->allow_extra_args(false);
   CLI::Option* from = verb->add_option("--from", options->from,
                                        "Folder with kept tables (<study>-results.csv) to judge by; nothing is run");
-  verb->add_option(
-      "--kept", options->kept,
-      "Folder with kept tables (<study>-results.csv), of this or another machine: their runs are not made again");
+  verb->add_option("--kept", options->kept,
+                   "Folder with kept tables (<study>-results.csv): their runs are not made again");
   for (const char* of_runs : {"--replicates", "--jobs", "--integrator", "--set", "--kept"})
     from->excludes(verb->get_option(of_runs));
   CLI::Option* markdown =

@@ -76,6 +76,8 @@ struct Claim {
   ClaimKind kind_of(ClosureSet set) const { return set == ClosureSet::first ? kind_with_first.value_or(kind) : kind; }
   /// Names of the studies that it is judged by, its own first.
   std::vector<std::string> studies() const;
+  /// Whether the runs at a point of a study decide on it: a condition names the point, or all runs of the study.
+  bool depends_on(const std::string& of_study, const std::string& label) const;
 };
 
 /// "calibration", "predicted", ...

@@ -245,6 +245,15 @@ std::vector<std::string> Claim::studies() const {
   return names;
 }
 
+bool Claim::depends_on(const std::string& of_study, const std::string& label) const {
+  const auto is = [&](const std::string& name) { return (name.empty() ? study : name) == of_study; };
+  return std::ranges::any_of(conditions, [&](const ClaimCondition& c) {
+    const bool names_points = !c.from.label.empty() || !c.to.label.empty();
+    if (!names_points) return is(c.study);
+    return (c.from.label == label && is(c.from.study)) || (c.to.label == label && is(c.to.study));
+  });
+}
+
 std::string kind_name(ClaimKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 std::vector<Claim> read_claims(const toml::array& list, const std::vector<Point>& points, const LabelsOf& labels_of,

@@ -57,6 +57,11 @@ conditions = [
   EXPECT_EQ(c.conditions[4].runs, 18.0);
   EXPECT_FALSE(c.conditions[4].second);
   EXPECT_EQ(c.studies(), (std::vector<std::string>{"", "other"}));
+  EXPECT_TRUE(c.depends_on("", "one: youngs_modulus 50 Pa"));
+  EXPECT_TRUE(c.depends_on("", "two: youngs_modulus 50 Pa"));
+  EXPECT_FALSE(c.depends_on("", "one: youngs_modulus 200 Pa")) << "no condition names it";
+  EXPECT_TRUE(c.depends_on("other", "one: youngs_modulus 200 Pa")) << "a condition is on all runs of that study";
+  EXPECT_FALSE(c.depends_on("third", "any label"));
 }
 
 TEST(ReadClaims, StandInTheResolvedStudy) {
