@@ -36,8 +36,7 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
     else if (node.is_table() && is_section(path))
       gather(*node.as_table(), path, section, own, faults, found);
     else
-      faults.add(place_of(name), shown, "there is no such parameter",
-                 [path] { return parameter_hint(path); });
+      faults.add(place_of(name), shown, "there is no such parameter", [path] { return parameter_hint(path); });
   }
 }
 
