@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, judges these copies, saves
 # the figures of the pages made of them (tools/figures.mjs, which needs chromium), and writes the pages of verdicts anew.
-# Studies that are not in the folder, or of which runs have not ended, stay as they are kept; --part keeps the results of
-# unfinished studies as well, to go on from them: reproduce ID --kept docs/validation -o FOLDER
-#   tools/keep_results.sh [--part] PROGRAM FOLDER_OF_REPRODUCE
+# Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
+#   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
+# --part: copies the results so far to docs/validation/part, and judges nothing. To go on from them, on any
+# machine: reproduce ID --kept docs/validation/part -o FOLDER
+#   tools/keep_results.sh --part FOLDER_OF_REPRODUCE
 set -euo pipefail
 part=
-[ "$1" != --part ] || { part=1 && shift; }
-program=$(realpath "$1")
+[ "$1" != --part ] || part=1
+[ -n "$part" ] || program=$(realpath "$1")
 from=$(realpath "$2")
 cd "$(dirname "$0")/.."
 to=docs/validation
@@ -18,15 +20,16 @@ for folder in "$from"/*/; do
     echo "$study: not kept, since it has no results" >&2
     continue
   fi
-  case $study in
-  *-larger-disc) ;; # made only of cells that reached the rim
-  *)
-    if [ -z "$part" ] && grep -qE ',(missing|unfinished|running),' "$folder/results.csv"; then
-      echo "$study: not kept, since some of its runs have not ended" >&2
-      continue
-    fi
-    ;;
-  esac
+  if [ -n "$part" ]; then
+    mkdir -p "$to/part"
+    cp "$folder/results.csv" "$to/part/$study-results.csv"
+    continue
+  fi
+  # in the larger disc are only cells that reached the rim
+  if [ "${study%-larger-disc}" = "$study" ] && grep -qE ',(missing|unfinished|running|interrupted),' "$folder/results.csv"; then
+    echo "$study: not kept, since some of its runs have not ended" >&2
+    continue
+  fi
   tables=results
   case $study in # beside the results what the figures are drawn from
   stiffness) tables="results paths msd shapes centres adhesions" ;;
@@ -36,7 +39,9 @@ for folder in "$from"/*/; do
   for table in $tables; do
     [ ! -e "$folder/$table.csv" ] || cp "$folder/$table.csv" "$to/$study-$table.csv"
   done
+  rm -f "$to/part/$study-results.csv"
 done
+[ -z "$part" ] || exit 0
 for case in fibres fibres-uniaxial disassembly; do
   [ -e "$from/validate-$case/results.json" ] || continue
   sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"
