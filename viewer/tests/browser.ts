@@ -109,11 +109,14 @@ export async function shot(page: Page): Promise<string> {
   return (await page.locator(".stage").screenshot()).toString("base64");
 }
 
-/** The stage once two pictures in a row are the same: on a slow machine the page may still be laid out. */
+/** The stage once pictures a while apart are the same: on a slow machine the page may still be laid out. */
 export async function still(page: Page): Promise<string> {
-  let [last, now] = [await shot(page), await shot(page)];
-  for (const end = performance.now() + patience; now !== last && performance.now() < end; )
-    [last, now] = [now, await shot(page)];
+  const later = async () => {
+    await page.waitForTimeout(150);
+    return shot(page);
+  };
+  let [last, now] = [await shot(page), await later()];
+  for (const end = performance.now() + patience; now !== last && performance.now() < end; ) [last, now] = [now, await later()];
   return now;
 }
 
