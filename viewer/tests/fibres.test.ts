@@ -68,13 +68,21 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   const legend = page.getByText("Fibre strain", { exact: true });
   await until(async () => (await box.isChecked()) && (await legend.isVisible()), "fibres are drawn and explained");
   assert.ok(await page.getByText("beyond a strain of 0.075 they stiffen").isVisible());
-  const drawn = await still(page);
+  const off = () => until(async () => !(await box.isChecked()) && !(await legend.isVisible()), "the key switches them off");
+  const on = async () => {
+    await box.check();
+    await until(() => legend.isVisible(), "the box switches them on");
+    return still(page);
+  };
   await page.keyboard.press("b");
-  await until(async () => !(await box.isChecked()) && !(await legend.isVisible()), "the key switches them off");
+  await off();
   const bare = await still(page);
-  assert.ok(bare !== drawn, "the key changes nothing");
-  await box.check();
-  await until(async () => (await still(page)) === drawn, "the box draws them as before");
+  const drawn = await on();
+  assert.ok(bare !== drawn, "the box changes nothing");
+  await page.keyboard.press("b");
+  await off();
+  assert.ok((await still(page)) !== drawn, "the key changes nothing");
+  assert.equal((await on()) === drawn, true, "the box draws them as before");
   assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /fibres by their strain/);
   const bars = () => page.locator(".legend-layer .bar").evaluateAll((all) => all.map((e) => e.getAttribute("style")));
   await page.locator("input[value=pressure]").check();
