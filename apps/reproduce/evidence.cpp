@@ -74,7 +74,7 @@ void replace(std::vector<study::Result>& results, const std::vector<study::Resul
   }
 }
 
-/// A study of which each run was asked for or not, and its results.
+/// A study and its results.
 struct Computed {
   StudyFolder study;
   Collected tables;                   ///< of the runs in its folder

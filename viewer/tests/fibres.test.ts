@@ -82,7 +82,7 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   await page.keyboard.press("b");
   await off();
   assert.ok((await still(page)) !== drawn, "the key changes nothing");
-  assert.equal((await on()) === drawn, true, "the box draws them as before");
+  await until(async () => (await on()) === drawn, "the box draws them as before");
   assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /fibres by their strain/);
   const bars = () => page.locator(".legend-layer .bar").evaluateAll((all) => all.map((e) => e.getAttribute("style")));
   await page.locator("input[value=pressure]").check();

@@ -1,6 +1,7 @@
 #include "observe/readouts.hpp"
 
 #include "observe/readout_table.hpp"
+#include "parameters/nearest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
 #include <vector>
 
 using namespace matrigrate;
@@ -46,6 +48,17 @@ ProtrusionRecord ended(ProtrusionRecord r, EndCause cause, double t, double forc
 }
 
 } // namespace
+
+TEST(ReadOutTable, HasTheReadOutsThatHintsName) {
+  for (const char* word : {"speed", "cell.velocity", "migration_speed", "run.persistence"}) {
+    const std::string hint = parameter_hint(word);
+    const std::string before = "the read-out ";
+    const std::size_t at = hint.find(before);
+    ASSERT_NE(at, std::string::npos) << word << hint;
+    const std::string name = hint.substr(at + before.size(), hint.find(',', at) - at - before.size());
+    EXPECT_NE(find_readout(name), nullptr) << name;
+  }
+}
 
 TEST(PathLength, DependsOnTheSampling) {
   const auto rows = zigzag(30.0, 40); // 20 min
