@@ -66,6 +66,19 @@ test("pictures are saved as pixels and as vectors", async () => {
     assert.equal(size(wide.bytes)[0], 3 * width);
     assert.ok(Math.abs(size(wide.bytes)[1] - 3 * height) <= 1);
     assert.ok((await difference(page, address(png.bytes), address(wide.bytes))) < 0.01, "the wide picture is another one");
+    await page.getByLabel("px wide").fill("8000");
+    const large = page.waitForEvent("download").then(
+      (download) => download.path().then((path) => readFileSync(path)),
+      () => null,
+    );
+    await page.getByRole("button", { name: "Save PNG" }).click();
+    const refused = page.getByText("Not saved: Error: the graphics card draws no picture so large").waitFor().then(
+      () => null,
+      () => null,
+    );
+    const got = await Promise.race([large, refused]);
+    assert.ok(got !== null || card, "a plain canvas has no such limit");
+    if (got) assert.ok((await difference(page, address(png.bytes), address(got))) < 0.01, "the largest picture is another one");
     for (const wrong of ["199", "8001", "2000.5"]) {
       await page.getByLabel("px wide").fill(wrong);
       await page.getByRole("button", { name: "Save PNG" }).click();

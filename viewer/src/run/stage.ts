@@ -302,11 +302,15 @@ export class Stage {
     return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
   }
 
-  /** The view at another resolution, for one picture.   @param pixels  of the canvases in a pixel of the page */
+  /** The view at another resolution, for one picture. Throws if the graphics card draws none so large.   @param pixels  of the canvases in a pixel of the page */
   viewAt<T>(pixels: number, use: (view: View) => T): T {
     const usual = this.pixels;
     this.resolve(pixels);
     try {
+      const { canvas } = this.painter;
+      const card = canvas.getContext("webgl2"); // null: a plain canvas
+      if (card && (card.drawingBufferWidth < canvas.width || card.drawingBufferHeight < canvas.height))
+        throw new Error("the graphics card draws no picture so large; take a smaller width");
       return use(this.view());
     } finally {
       this.resolve(usual);

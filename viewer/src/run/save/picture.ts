@@ -82,7 +82,7 @@ export function paintPicture(canvas: HTMLCanvasElement, view: View, even: boolea
   paintStrip(c, view, camera.height);
 }
 
-/** Limits of the width of a PNG, and its greatest height [pixels]; graphics cards draw up to 8192. */
+/** Limits of the width of a PNG, and its greatest height [pixels]. A graphics card may draw less, and then says so. */
 export const pngWidth = { least: 200, most: 8000 };
 
 /** @param width  within the limits [pixels]; null: as it is shown */
