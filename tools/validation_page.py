@@ -148,6 +148,24 @@ def experiments(_page: str) -> str:
                   for row in rows])
 
 
+def constrictions(_page: str) -> str:
+    """Row X4 by width and kind: speed and number of the runs that finished; after a slash the same with those that ended at the rim made again."""
+    rows, again = (rows_of(KEPT / f"channel-width{disc}-results.csv") for disc in ("", "-larger-disc"))
+    if not rows:
+        return "The runs of the second set are still to be made."
+    column, kinds = "v_migr_abs_um_per_h", [", no degradation", ", nucleus, no degradation", "", ", nucleus"]
+    made = []
+    for width in dict.fromkeys(row["label"].split(",")[0] for row in rows):
+        cells = []
+        for label in (width + kind for kind in kinds):
+            values = numbers(rows, label, column)
+            cells.append(f"{cell(values, 1)} ({len(values)})")
+            if new := numbers(again, label, column):
+                cells[-1] += f" / {cell(values + new, 1)} ({len(values + new)})"
+        made.append([width, *cells])
+    return table(["constriction", *(kind.removeprefix(", ") or "with degradation" for kind in kinds[:3]), "nucleus, with degradation"], made)
+
+
 def study_means(_page: str) -> str:
     parts = []
     for name, varies in STUDIES:
@@ -287,8 +305,8 @@ def integrators(_page: str) -> str:
     return table(["read-out", "adaptive, up to 5 s", "reference", "difference, 95 % interval", "p"], made)
 
 
-PARTS = {"bottom line": bottom_line, "claims": claims, "experiments": experiments, "means": study_means,
-         "new seeds": new_seeds, "sensitivity": sensitivity, "integrators": integrators}
+PARTS = {"bottom line": bottom_line, "claims": claims, "experiments": experiments, "constrictions": constrictions,
+         "means": study_means, "new seeds": new_seeds, "sensitivity": sensitivity, "integrators": integrators}
 PART = re.compile(r"(<!-- generated: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
