@@ -126,13 +126,19 @@ def plain(text: str) -> str:
     return re.sub(r"\bstiffness: |\bcontraction: |\bkept-protrusions: ", "", text).replace("|", "\\|")
 
 
+def verdict(row: dict[str, str]) -> str:
+    """A row's verdict, and that with the cells that ended at the rim made again in a larger disc."""
+    again = row["second_edition_in_larger_disc"]
+    return f"**{row['verdict_second_edition']}**" + (f"; with cells at the rim made again: {again}" if again else "")
+
+
 def claims(_page: str) -> str:
     first = {row["id"]: row for row in rows_of(KEPT / "first/claims.csv")}
     made = []
     for row in rows_of(KEPT / "claims.csv"):
         before = first[row["id"]]
         kind = row["kind"] + ("*" if row["kind"] == "predicted" else "")
-        made.append([row["id"], kind, row["claim"], row["published"], plain(shortened(row["ours"], 5)), f"**{row['verdict_second_edition']}**",
+        made.append([row["id"], kind, row["claim"], row["published"], plain(shortened(row["ours"], 5)), verdict(row),
                      f"{before['verdict']} / {before['verdict_second_edition']}",
                      plain(shortened(row["why_not"].removeprefix("not met: ")))])
     return table(["row", "kind", "claim", "published", "ours: mean [95 % interval]", "verdict", "first set: first / second edition",
@@ -143,7 +149,7 @@ def experiments(_page: str) -> str:
     first = {row["id"]: row for row in rows_of(KEPT / "first/experiments.csv")}
     rows = rows_of(KEPT / "experiments.csv")
     return table(["row", "published", "ours: mean [95 % interval]", "verdict", "first set", "not met"],
-                 [[row["id"], row["claim"], plain(shortened(row["ours"], 5)), f"**{row['verdict_second_edition']}**",
+                 [[row["id"], row["claim"], plain(shortened(row["ours"], 5)), verdict(row),
                    first[row["id"]]["verdict_second_edition"], plain(shortened(row["why_not"].removeprefix("not met: ")))]
                   for row in rows])
 
@@ -178,8 +184,9 @@ def study_means(_page: str) -> str:
         ended = [row for row in rows if row["status"] != "done"]
         causes = sorted({row.get("cause") or row["status"] for row in ended})
         by_cause = ", ".join(f"{sum((row.get('cause') or row['status']) == cause for row in ended)} by {cause}" for cause in causes)
+        again = ", made again in a larger disc for the claims" if (KEPT / f"{name}-larger-disc-results.csv").exists() else ""
         parts.append(f"**{varies}**, {runs} runs a point; of {len(rows)} runs {len(ended)} ended early"
-                     + (f": {by_cause}" if ended else "") + ".\n\n"
+                     + (f": {by_cause}{again}" if ended else "") + ".\n\n"
                      + means(rows, [(label, label.replace("youngs_modulus ", "").replace("force ", "")) for label in labels]))
         figures = [(f"{name}{kind}.svg", what) for kind, what in
                    (("", "box plots"), ("-paths", "paths"), ("-shapes", "shapes"), ("-msd", "mean square displacements"),

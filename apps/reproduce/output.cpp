@@ -39,12 +39,17 @@ std::string second_edition(const study::Finding& finding) {
   return fmt::format("by the second edition of the rules: {}{}", to_string(finding.second), missed);
 }
 
+/// "with runs that ended at the rim made again in a larger disc: holds; by the second edition of the rules: ..."
+std::string with_larger_disc(const study::Finding& finding) {
+  return fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}", to_string(finding.verdict),
+                     second_edition(finding));
+}
+
 report::Statement statement(const study::JudgedClaim& row, const ReproducedFigures& figures) {
   std::vector<std::string> conditions = row.finding.conditions;
   conditions.push_back(second_edition(row.finding));
   if (row.in_larger_disc)
-    conditions.push_back(fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}",
-                                     to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief));
+    conditions.push_back(fmt::format("{}; {}", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief));
   return {.id = row.id,
           .kind = kind_name(row.kind),
           .sentence = row.sentence,
@@ -138,8 +143,7 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
     text += fmt::format("    {}\n", second_edition(row.finding));
     if (row.in_larger_disc)
-      text += fmt::format("    with runs that ended at the rim made again in a larger disc: {}\n      {}\n",
-                          to_string(row.in_larger_disc->verdict), row.in_larger_disc->brief);
+      text += fmt::format("    {}\n      {}\n", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief);
   }
   return text;
 }

@@ -32,7 +32,8 @@ TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
   EXPECT_FALSE(exists("reproduce/stiffness")) << "no study is run";
   EXPECT_TRUE(contains(
       file("reproduce/claims.csv"),
-      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat\n"));
+      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat,"
+      "second_edition_in_larger_disc\n"));
 }
 
 TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
@@ -66,7 +67,9 @@ TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {
   EXPECT_EQ(ended.code, 4) << ended.err;
   EXPECT_TRUE(contains(ended.out, "stiffness: 0 of 10 runs done; 10 ended at the rim, 0 by crossing themselves"))
       << ended.out;
-  EXPECT_TRUE(contains(ended.out, "made again in a larger disc: ")) << ended.out;
+  EXPECT_TRUE(
+      contains(ended.out, "made again in a larger disc: undecided; by the second edition of the rules: undecided"))
+      << ended.out;
   const std::string larger = file("reproduce/stiffness-larger-disc/scenario.resolved.toml");
   EXPECT_TRUE(contains(larger, "radius = \"60 um\"")) << larger;
   EXPECT_TRUE(contains(page_data("reproduce/report-A5.html"), "made again in a larger disc: "));

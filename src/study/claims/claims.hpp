@@ -55,7 +55,7 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims);
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
 
 /// For programs: {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,
-/// verdict_in_larger_disc, verdict_second_edition, against}.
+/// verdict_in_larger_disc, verdict_second_edition, against, second_edition_in_larger_disc}.
 nlohmann::ordered_json claim_json(const JudgedClaim& claim);
 
 /// Every mean and condition of each claim.

@@ -42,14 +42,15 @@ namespace {
 
 std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
 
-/// The verdict with other runs, where there is one.
-std::string in_larger_disc(const JudgedClaim& c) {
-  return c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : "";
+/// A verdict with runs in the larger disc, where there are any.
+std::string in_larger_disc(const JudgedClaim& c, Verdict Finding::*edition) {
+  return c.in_larger_disc ? to_string((*c.in_larger_disc).*edition) : "";
 }
 
-/// "holds", and beside it the second verdict where there is one.
-std::string verdict_text(const JudgedClaim& c) {
-  return to_string(c.finding.verdict) + (c.in_larger_disc ? fmt::format(" (larger disc: {})", in_larger_disc(c)) : "");
+/// "holds", and beside it the verdict with runs in the larger disc where there are any.
+std::string verdict_text(const JudgedClaim& c, Verdict Finding::*edition) {
+  return to_string(c.finding.*edition)
+         + (c.in_larger_disc ? fmt::format(" (larger disc: {})", in_larger_disc(c, edition)) : "");
 }
 
 } // namespace
@@ -60,7 +61,8 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims) {
       "|---|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
     text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, kind_name(c.kind), c.sentence,
-                        c.published, c.finding.brief, verdict_text(c), to_string(c.finding.second), why_not(c.finding));
+                        c.published, c.finding.brief, verdict_text(c, &Finding::verdict),
+                        verdict_text(c, &Finding::second), why_not(c.finding));
   return text;
 }
 
@@ -76,12 +78,14 @@ std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
 
 std::string claims_csv(const std::vector<JudgedClaim>& claims) {
   std::string text =
-      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat\n";
+      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat,"
+      "second_edition_in_larger_disc\n";
   for (const JudgedClaim& c : claims)
-    text += store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
-                             View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
-                             View(in_larger_disc(c)), View(to_string(c.finding.second)),
-                             View(joined(c.finding.against)), View(c.caveat)});
+    text +=
+        store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
+                         View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
+                         View(in_larger_disc(c, &Finding::verdict)), View(to_string(c.finding.second)),
+                         View(joined(c.finding.against)), View(c.caveat), View(in_larger_disc(c, &Finding::second))});
   return text;
 }
 
@@ -96,9 +100,10 @@ nlohmann::ordered_json claim_json(const JudgedClaim& c) {
           {"kind", kind_name(c.kind)},
           {"brief", c.finding.brief},
           {"why_not", why_not(c.finding)},
-          {"verdict_in_larger_disc", in_larger_disc(c)},
+          {"verdict_in_larger_disc", in_larger_disc(c, &Finding::verdict)},
           {"verdict_second_edition", to_string(c.finding.second)},
-          {"against", c.finding.against}};
+          {"against", c.finding.against},
+          {"second_edition_in_larger_disc", in_larger_disc(c, &Finding::second)}};
 }
 
 } // namespace matrigrate::study
