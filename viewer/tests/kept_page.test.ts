@@ -56,6 +56,10 @@ async function checkStudy(page: Page, name: string, study: StudyData): Promise<v
   assert.equal(paths.flat().length, lines.length, `${name}: paths`);
   assert.equal(sum(paths.flat()), sum(lines.map((line) => line.split(",").length)), `${name}: points of paths`);
   assert.equal((await traces(page, name)).length, study.readouts.length, `${name}: boxes`);
+  const heights = await page
+    .locator(`[data-figure="${name}"] .plotly-figure`)
+    .evaluateAll((all) => all.map((plot) => (plot as unknown as { _fullLayout: { _size: { h: number } } })._fullLayout._size.h));
+  assert.ok(Math.min(...heights) > 200, `${name}: boxes are ${heights.join(", ")} pixels high, beside their labels`);
   const [msd] = await traces(page, `${name}-msd`);
   if (study.msd.length > 0) assert.deepEqual(msd, [...study.msd.map((m) => m.lag_min.length), 2], `${name}: mean square displacements`);
   const outlines = study.runs.filter((run) => run.outline).length;

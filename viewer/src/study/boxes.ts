@@ -19,11 +19,16 @@ export const leastForBox = 5;
 
 export const boxesNote = `Boxes, of ${leastForBox} runs or more: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
 
+/** More columns than this have labels that stand upright, and bare numbers of runs. */
+const mostWideColumns = 8;
+
 export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
   const bars = brackets(study.tests, made, readout.name, show);
   const levels = Math.max(0, ...bars.map((b) => b.level + 1));
   const plotHeight = 270 + 17 * levels;
-  return figure(caption(study, readout), plotHeight + 60, () => {
+  const crowded = made.columns.length > mostWideColumns;
+  const labels = crowded ? 60 + 7 * Math.max(...made.columns.map((label) => label.length)) : 60;
+  return figure(caption(study, readout), plotHeight + labels, () => {
     const colours = ink();
     const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
     const [low, high] = [Math.min(...every), Math.max(...every)];
@@ -132,7 +137,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
           showarrow: false,
           font: { size: 12, color: colours.soft },
           text:
-            made.series.length > 1
+            made.series.length > 1 || crowded
               ? String(values(g, readout.name).length)
               : `n\u00a0=\u00a0${values(g, readout.name).length}`,
         })),
