@@ -59,7 +59,7 @@ async function checkStudy(page: Page, name: string, study: StudyData): Promise<v
   const heights = await page
     .locator(`[data-figure="${name}"] .plotly-figure`)
     .evaluateAll((all) => all.map((plot) => (plot as unknown as { _fullLayout: { _size: { h: number } } })._fullLayout._size.h));
-  assert.ok(Math.min(...heights) > 150, `${name}: boxes are ${heights.join(", ")} pixels high, beside their labels`);
+  assert.ok(Math.min(...heights) > 250, `${name}: boxes are ${heights.join(", ")} pixels high, beside their labels`);
   const [msd] = await traces(page, `${name}-msd`);
   if (study.msd.length > 0) assert.deepEqual(msd, [...study.msd.map((m) => m.lag_min.length), 2], `${name}: mean square displacements`);
   const outlines = study.runs.filter((run) => run.outline).length;

@@ -19,7 +19,13 @@ export const leastForBox = 5;
 
 export const boxesNote = `Boxes, of ${leastForBox} runs or more: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
 
-/** More columns than this have labels that stand upright, and bare numbers of runs. */
+/** Height that the labels of the columns and the title below them need [pixels]: turned labels need their length. */
+function labelRoom(columns: string[], width: number): number {
+  const longest = 7 * Math.max(...columns.map((label) => label.length));
+  return 60 + (columns.length * longest > Math.min(width, 560) - 120 ? longest : 0);
+}
+
+/** With more columns than this there is room for bare numbers of runs alone. */
 const mostWideColumns = 8;
 
 export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
@@ -27,8 +33,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
   const levels = Math.max(0, ...bars.map((b) => b.level + 1));
   const plotHeight = 270 + 17 * levels;
   const crowded = made.columns.length > mostWideColumns;
-  const labels = crowded ? 60 + 7 * Math.max(...made.columns.map((label) => label.length)) : 60;
-  return figure(caption(study, readout), plotHeight + labels, () => {
+  return figure(caption(study, readout), (width) => plotHeight + labelRoom(made.columns, width), () => {
     const colours = ink();
     const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
     const [low, high] = [Math.min(...every), Math.max(...every)];
