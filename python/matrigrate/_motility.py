@@ -29,6 +29,19 @@ meanings = {
     "turning_cosine": "cosine of this angle, mean of each track, mean over tracks",
 }
 
+needs = {
+    "directionality_ratio": "needs tracks of more than ten intervals",
+    "directionality_time_min": "needs tracks on which the ratio falls below one half",
+    "persistence_min": "needs three lags, and a time between half an interval and the largest lag",
+    "msd_slope_short": "needs tracks of three positions",
+    "msd_slope_long": "needs tracks of five positions",
+    "anisotropy": "needs tracks of four positions that move both along and across",
+    "turning_angle_deg": "needs two steps after one another",
+    "turning_cosine": "needs two steps after one another",
+}  #: of tracks, by the read-out; the others need two positions
+
+farthest = 1e9  # um, a kilometre: squares of what is beyond would not be numbers
+
 
 class Parts:
     """What each track contributes, an entry or row a track: read-outs of a resampled set need no more."""
@@ -61,15 +74,24 @@ class Parts:
         sums, counts = self.squares[which].sum(axis=0), self.pairs[which].sum(axis=0)
         return np.divide(sums, counts, out=np.full(len(sums), np.nan), where=counts > 0)
 
+    def buried(self, error: float, which: Any = slice(None)) -> float:
+        """The mean square displacement [um^2] at the shortest lag if the localisation error leaves nothing of it, else 0."""
+        square = self.msd(which)
+        shortest = float(square[np.isfinite(square)][:1].sum())
+        return shortest if 0 < shortest <= 4.0 * error**2 else 0.0
+
     def readouts(self, which: Any = slice(None), error: float = 0.0) -> dict[str, float]:
         """All read-outs of the tracks with these numbers; NaN for a read-out that the tracks do not define.
 
-        :param error: localisation error of a coordinate [um]; the mean square displacement is less by 4 error^2
+        :param error: localisation error of a coordinate [um]; the mean square displacement is less by 4 error^2, and defines
+            nothing if nothing is left of its shortest lag
         """
         speeds = self.speed[which]
         known = speeds[np.isfinite(speeds)]
         quartiles = np.percentile(known, [25, 50, 75]) if known.size else [np.nan] * 3
         square = self.msd(which) - 4.0 * error**2
+        if self.buried(error, which):
+            square[:] = np.nan
         longest = int(self.lengths[which].max(initial=0))
         return {
             "speed_um_per_h": _mean(speeds), "speed_median_um_per_h": float(quartiles[1]),
@@ -88,9 +110,9 @@ class Parts:
 def persistence(square: Track, interval: float) -> float:
     """Persistence time P [s] of Fuerth's formula, MSD(t) = 2 S^2 P (t - P (1 - exp(-t/P))), by least relative squares;
     NaN where the lags cannot tell it: P below half an interval (a diffusive path) or above the largest lag (a straight
-    one)."""
-    usable = np.isfinite(square) & (square > 0)
-    if np.count_nonzero(usable) < 3:
+    one), or a lag without a displacement, as where the localisation error is larger than the cells move."""
+    usable = np.isfinite(square)
+    if np.count_nonzero(usable) < 3 or not (square[usable] > 0).all():
         return float("nan")
     t, y = interval * (np.flatnonzero(usable) + 1.0), square[usable]
     candidates = np.geomspace(interval / 4, 4 * t[-1], 400)
@@ -149,8 +171,8 @@ def _directionality_time(ratios: Track) -> float:
 
 def _slope(square: Track, first: int, last: int) -> float:
     lags = np.arange(1, len(square) + 1)
-    usable = (lags >= first) & (lags <= last) & np.isfinite(square) & (square > 0)
-    if np.count_nonzero(usable) < 2:
+    usable = (lags >= first) & (lags <= last) & np.isfinite(square)
+    if np.count_nonzero(usable) < 2 or not (square[usable] > 0).all():
         return float("nan")
     return float(np.polyfit(np.log(lags[usable]), np.log(square[usable]), 1)[0])
 

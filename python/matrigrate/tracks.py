@@ -12,6 +12,7 @@ import math
 import os
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -30,6 +31,7 @@ __all__ = ["Tracks", "meaning", "of", "read"]
 
 _off_grid = 0.01  # of an interval
 _longest = 10_000  # intervals of a track
+_resamples = 200  # of the bootstrap
 
 
 def meaning(readout: str) -> str:
@@ -105,22 +107,29 @@ class Tracks(Mapping[str, Any]):
         return Tracks({name: track + random.normal(0.0, error, track.shape) for name, track in self.items()},
                       self.interval, [*self.notes, f"an error of {error:g} um is added"], self._starts)
 
-    def readouts(self, interval: float | None = None, *, error: float = 0.0, resamples: int = 200) -> pandas.DataFrame:
+    def readouts(self, interval: float | None = None, *, error: float = 0.0, resamples: int = _resamples) -> pandas.DataFrame:
         """A row a read-out: ``value``, ``standard_error`` (bootstrap over tracks; NaN of a single track), ``unit``,
-        ``meaning``.
+        ``meaning``. NaN is what the tracks do not define; ``notes`` then says it if ``error`` is the reason.
 
         :param interval: [s] if a longer one than that of the tracks
         :param error: localisation error of a coordinate [um], taken off the mean square displacement, and so of its slopes
             and of the persistence time; speeds, ratios and angles keep theirs: give simulated tracks the same with
             ``with_error``
         :param resamples: of the bootstrap; it always draws the same ones
+        :raises ConfigurationError: if the error is none, or positions are too far apart for any read-out
         """
+        if not isinstance(error, (int, float)):
+            raise _arguments.wrong("error", error, "a number of um")
         if error < 0 or not math.isfinite(error):
             raise ConfigurationError(f"error: {error:g} um is no localisation error")
-        parts = _motility.Parts(list((self if interval is None else self.every(interval)).values()), interval or self.interval)
+        parts = self._parts if interval is None else self.every(interval)._parts
+        if square := parts.buried(error):
+            said = (f"MSD at one interval, {square:.3g} um2, is below 4 error^2 = {4 * error**2:.3g} um2: the error is larger than "
+                    "the cells move, so slopes and the persistence time are not defined")
+            self.notes.extend([said] if said not in self.notes else [])
         values = parts.readouts(error=error)
         errors = dict.fromkeys(values, float("nan"))
-        drawn = _resampled(parts, error, resamples)
+        drawn = self._drawn if interval is None and error == 0 and resamples == _resamples else _resampled(parts, error, resamples)
         for name in values:
             known = [one[name] for one in drawn if math.isfinite(one[name])]
             if math.isfinite(values[name]) and len(known) > 1 and len(known) >= 0.9 * resamples:
@@ -130,14 +139,26 @@ class Tracks(Mapping[str, Any]):
 
     def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
         """Of the errors of these read-outs, by the bootstrap of ``readouts()``."""
-        drawn = _resampled(_motility.Parts(list(self.values()), self.interval), 0.0, 200)
-        table = np.array([[one[name] for name in readouts] for one in drawn])
+        table = np.array([[one[name] for name in readouts] for one in self._drawn])
         return np.atleast_2d(np.cov(table[np.isfinite(table).all(axis=1)].T))
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
-        square = _motility.Parts(list(self.values()), self.interval).msd()
+        square = self._parts.msd()
         return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
+
+    @cached_property
+    def _parts(self) -> _motility.Parts:
+        far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= _motility.farthest]
+        if far:
+            raise ConfigurationError("\n".join(f"track {name}: positions reach {np.nanmax(np.abs(self[name])):.3g} um; read-outs "
+                                               f"are defined up to {_motility.farthest:g} um (pixel)" for name in far))
+        return _motility.Parts(list(self.values()), self.interval)
+
+    @cached_property
+    def _drawn(self) -> list[dict[str, float]]:
+        """Read-outs of the bootstrap's sets, without an error."""
+        return _resampled(self._parts, 0.0, _resamples)
 
 
 def _resampled(parts: _motility.Parts, error: float, resamples: int) -> list[dict[str, float]]:

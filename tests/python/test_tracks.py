@@ -174,6 +174,31 @@ class Readouts(unittest.TestCase):
         self.assertLess(self.of(seen, resamples=0).msd_slope_short, 0.8)
         self.assertAlmostEqual(self.of(seen, resamples=0, error=0.7).msd_slope_short, 1, delta=0.05)
 
+    def test_an_error_larger_than_the_steps_defines_nothing(self):
+        random = np.random.default_rng(2)
+        walks = np.cumsum(random.normal(0, 1.4, (12, 60, 2)), axis=1)
+        cells = tracks.Tracks({str(k): walk for k, walk in enumerate(walks)}, 60.0, [])
+        self.assertTrue(np.isfinite(cells.readouts()["value"]["msd_slope_long"]))
+        found = cells.readouts(error=1.05)["value"]
+        self.assertTrue(found[["persistence_min", "msd_slope_short", "msd_slope_long"]].isna().all())
+        self.assertTrue(np.isfinite(found["speed_um_per_h"]))
+        cells.readouts(error=1.05)
+        self.assertEqual(len(cells.notes), 1, "said once")
+        self.assertRegex(cells.notes[0], r"^MSD at one interval, 4.09 um2, is below 4 error\^2 = 4.41 um2: the error is larger than the "
+                                         "cells move")
+
+    def test_positions_too_far_apart_and_wrong_errors(self):
+        walks = {"a": np.array([[0.0, 0], [1, 1], [1e308, 2], [3, 3]]), "b": np.cumsum(np.ones((4, 2)), axis=0)}
+        cells = tracks.Tracks(walks, 60.0, [])
+        for call in (cells.readouts, cells.msd, lambda: cells.covariance(["straightness"])):
+            with self.assertRaisesRegex(matrigrate.ConfigurationError, "track a: positions reach 1e\\+308 um; read-outs are defined up to"):
+                call()
+        near = tracks.Tracks({"b": walks["b"]}, 60.0, [])
+        with self.assertRaisesRegex(TypeError, "error is a string; a number of um is expected"):
+            near.readouts(error="x")
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "error: -1 um is no localisation error"):
+            near.readouts(error=-1)
+
     def test_standard_errors_cover(self):
         """Of 100 samples of 20 cells the mean lies within two standard errors of the truth in about 95."""
         inside = 0
