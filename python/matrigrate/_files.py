@@ -14,16 +14,18 @@ from .errors import InputOutputError
 if TYPE_CHECKING:
     import pandas
 
-_units = {"um_per_h": "um/h", "um_per_s": "um/s", "um2": "um^2", "um": "um", "min": "min", "s": "s", "nN": "nN",
-          "Pa": "Pa", "rad": "rad", "deg": "deg"}
+_units = {"um_per_h": "um/h", "um_per_s": "um/s", "nm_per_s": "nm/s", "um2_per_s": "um^2/s", "N_s_per_m": "N s/m", "N_per_m": "N/m",
+          "N_per_m2": "N/m^2", "N_per_m1.5": "N/m^1.5", "per_s": "1/s", "per_nN": "1/nN", "per_um": "1/um", "N_m": "N m",
+          "nN_um2": "nN um^2", "Pa_s": "Pa s", "um2": "um^2", "um": "um", "min": "min", "s": "s", "nN": "nN", "Pa": "Pa",
+          "rad": "rad", "deg": "deg"}
 _guarded = re.compile(r"'(?=[=+\-@\t\r\n])")
 
 
 def unit_of(column: str) -> str:
     """The unit that stands in the name of a column or read-out; "1" if none does.
 
-    >>> unit_of("v_migr_abs_um_per_h"), unit_of("n_protrusions")
-    ('um/h', '1')
+    >>> unit_of("v_migr_abs_um_per_h"), unit_of("n_protrusions"), unit_of("polarization.rate_per_s")
+    ('um/h', '1', '1/s')
     """
     return next((unit for suffix, unit in _units.items() if column.endswith("_" + suffix)), "1")
 

@@ -14,18 +14,19 @@ from . import _arguments, _emulator
 from . import tracks as _tracks
 from ._emulator import Array, Emulator, Prior
 from ._files import _pandas
-from ._measurement import Means, Points, differences, measurement, simulated
+from ._measurement import Means, Measurement, Points, differences, measurement, require_study, simulated, size_faults
+from ._posterior import at_bound, bound_note, constrained_width
 from .errors import ConfigurationError, InputOutputError
 from .studies import Study
 
 if TYPE_CHECKING:
     import pandas
 
-_constrained = 0.8  # of the width of the prior
 _implausible = 3.0
 _draws = 12000  # from the prior
 _least_explained = 0.05  # of the variance of points, for a read-out that depends on parameters
 _least_points = 10  # for each parameter
+_largest_discrepancy = 1e100  # its square is a number
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,8 @@ class Fit:
 
     table: pandas.DataFrame
     """A row a parameter: quantiles of prior and posterior, ``width`` of the 90 % interval over that of the prior, ``constrained``
-    (whether it is below 0.8), and the range ``plausible_low`` to ``plausible_high`` that history matching leaves."""
+    (whether it is below 0.8 and the prior cuts off neither end), ``at_bound`` ("lower" or "upper", the bound of the prior at which the
+    posterior ends), and the range ``plausible_low`` to ``plausible_high`` that history matching leaves."""
     readouts: pandas.DataFrame
     """A row a read-out: measured value and error; mean and 5 and 95 % quantiles over the posterior; ``implausibility`` at
     the best point; of the emulator, ``predicted`` share of the variance of points and ``coverage`` of its 90 % intervals."""
@@ -50,14 +52,15 @@ class Fit:
     simulated: _tracks.Tracks | None = None  #: of the points that fit best
 
     def __repr__(self) -> str:
-        shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained"]
+        shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]
         return "\n".join([self.table[shown].to_string(float_format="%.4g"), "",
                           self.readouts.to_string(float_format="%.3g"), *self.notes])
 
-    def write(self, folder: str | os.PathLike[str]) -> Path:
+    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Writes posterior.csv, sample.csv, readouts.csv, sensitivity.csv and report.html, which needs no other file, into a
         new folder.
 
+        :param overwrite: whether to replace these files in a folder that is there already
         :return: report.html
         """
         from ._fit_report import page
@@ -65,9 +68,10 @@ class Fit:
         path = _arguments.path("folder", folder)
         text = page(self)
         try:
-            path.mkdir(parents=True)
+            path.mkdir(parents=True, exist_ok=overwrite)
         except FileExistsError:
-            raise InputOutputError(f"{path}: exists already; give a new folder", path) from None
+            said = "is no folder" if not path.is_dir() else "exists already; give a new folder, or overwrite=True"
+            raise InputOutputError(f"{path}: {said}", path) from None
         except OSError as error:
             raise InputOutputError(f"{path}: {error.strerror}", path) from None
         for name, table in (("posterior", self.table), ("readouts", self.readouts)):
@@ -103,11 +107,11 @@ class Emulators:
         :param discrepancy: standard error of the model itself, by the names of read-outs
         :raises ConfigurationError: with all that is wrong
         """
-        wanted = measurement(measured, self.names, besides)
-        own = dict(discrepancy or {})
-        faults = [f"discrepancy: {name}: is no read-out of the emulators" for name in own if name not in self.names]
-        faults += [f"discrepancy: {name}: {value:g} is no standard error" for name, value in own.items()
-                   if not (np.isfinite(value) and value >= 0)]
+        return self._fit(measurement(measured, self.names, besides), measured, discrepancy, seed)
+
+    def _fit(self, wanted: Measurement, measured: _tracks.Tracks | Means, discrepancy: Mapping[str, float] | None, seed: int) -> Fit:
+        faults, own = _discrepancies(discrepancy, self.names)
+        faults += size_faults(wanted.table, self.points.values)
         if faults:
             raise ConfigurationError("\n".join(faults))
         value = wanted.table["value"].to_numpy(float)
@@ -132,6 +136,8 @@ class Emulators:
                          f"{best.max():.1f} standard errors even at the best ones")
         correlations = _pandas().DataFrame(np.atleast_2d(np.corrcoef(drawn.T)), parameters, parameters)
         table = _table(self.prior, drawn, kept)
+        notes += [bound_note(name, side, (self.prior.low if side == "lower" else self.prior.high)[k])
+                  for k, (name, side) in enumerate(table["at_bound"].items()) if side]
         notes += _untold(table, correlations, self.sensitivity)
         after, _ = _predictions(self.processes, drawn[:1000])
         low, high = np.percentile(after, [5, 95], axis=0)
@@ -153,7 +159,7 @@ class Emulators:
         """As many tracks of the points whose emulated read-outs are nearest to the measured ones."""
         if not self.points.tracks:
             return None
-        at = self.prior.to_cube(self.points.parameters.to_numpy(float))
+        at = self.prior.to_cube(self.points.parameters[self.prior.names].to_numpy(float))
         likely = likelihood(*_predictions(self.processes, at))
         chosen = {name: track for k in np.argsort(-likely)[:many] for name, track in self.points.tracks[k].items()}
         return _tracks.Tracks(dict(list(chosen.items())[:many]), self.points.tracks[0].interval, [])
@@ -168,12 +174,12 @@ def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = N
     :param interval: [s] between positions of the measured tracks
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     :param prior: ranges by the columns of ``study.parameters``: ``{"ecm.youngs_modulus_Pa": (50, 400, "log")}``; those of
-        the points of the study if left out
+        the points of the study if left out, whatever became of their runs
     :raises ConfigurationError: with all that is wrong
     :raises ImportError: without scikit-learn
     """
     _emulator.sklearn()
-    return of_points(simulated(study, list(readouts), interval, error), prior, seed)
+    return of_points(simulated(study, readouts, interval, error), prior, seed)
 
 
 def fit(study: Study, measured: _tracks.Tracks | Means, readouts: Sequence[str] | None = None, *,
@@ -187,18 +193,21 @@ def fit(study: Study, measured: _tracks.Tracks | Means, readouts: Sequence[str] 
     :param readouts: of tracks; those of published means if left out
     :param besides: means and standard errors of read-outs that tracks do not have: ``{"l_prot_um": (13.1, 0.4)}``
     """
+    require_study(study)
     if isinstance(measured, _tracks.Tracks):
         interval = measured.interval
-    given = {} if isinstance(measured, _tracks.Tracks) else measured
-    names = list(dict.fromkeys([*(given if readouts is None else readouts), *(besides or {})]))
-    measurement(measured, names, besides)  # its faults come before the work
+    given = measured if isinstance(measured, Mapping) and not isinstance(measured, _tracks.Tracks) else {}
+    names = readouts if isinstance(readouts, str) else [*(given if readouts is None else readouts)]
+    names = names if isinstance(names, str) else list(dict.fromkeys([*names, *_arguments.mapping("besides", besides)]))
+    wanted = measurement(measured, names, besides)  # its faults come before the work
     emulators = emulate(study, names, interval=interval, error=error, prior=prior, seed=seed)
-    return emulators.fit(measured, besides=besides, discrepancy=discrepancy, seed=seed)
+    return emulators._fit(wanted, measured, discrepancy, seed)
 
 
 def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int = 1) -> Emulators:
-    names, parameters = list(points.values.columns), list(points.parameters.columns)
-    whole = points.values.notna().all(axis=1).to_numpy(bool)
+    names, whole = list(points.values.columns), points.whole
+    design = points.parameters if points.design is None else points.design
+    parameters, fixed = varied(points.parameters[whole] if whole.any() else points.parameters)
     faults = [f"{name}: is the same in all simulations" for name in names
               if whole.sum() > 1 and points.values.loc[whole, name].nunique() == 1]
     if not parameters:
@@ -206,35 +215,81 @@ def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int 
     elif whole.sum() < _least_points * len(parameters):
         faults.append(f"{int(whole.sum())} points have all read-outs; {_least_points * len(parameters)} are needed: "
                       f"{_least_points} for each parameter")
-    ranges, prior_faults = prior_of(points.parameters, prior)
+        faults += [*points.lacking(), *points.notes]
+    ranges, prior_faults, prior_notes = prior_of(points.parameters.loc[whole, parameters], design[parameters], prior, fixed)
     if faults + prior_faults:
         raise ConfigurationError("\n".join(faults + prior_faults))
-    notes = list(points.notes)
+    notes = [*points.notes, *(f"{name}: is {value:.6g} at all points with read-outs, so it is left out: nothing can be said of it"
+                              for name, value in fixed.items()), *prior_notes]
     if not whole.all():
-        notes.append(f"{int((~whole).sum())} points without all read-outs are left out")
-    cube = ranges.to_cube(points.parameters[whole].to_numpy(float))
+        notes.append(f"{int((~whole).sum())} points without all read-outs are left out: {'; '.join(points.lacking())}")
+    cube = ranges.to_cube(points.parameters.loc[whole, parameters].to_numpy(float))
     processes = [Emulator(cube, points.values.loc[whole, name].to_numpy(float), points.runs[whole], seed) for name in names]
     notes += [f"{name}: depends on no parameter, as far as the points can tell: it is left out of the likelihood, and so are its Sobol indices"
               for name, process in zip(names, processes, strict=True) if process.explained < _least_explained]
     return Emulators(ranges, names, processes, points, _sensitivity(names, parameters, processes, seed), notes)
 
 
-def prior_of(points: pandas.DataFrame, given: Mapping[str, Any] | None) -> tuple[Prior, list[str]]:
-    """What is given, else the ranges of the points: in the logarithm where that is spread more evenly."""
-    faults = [f"prior: the study does not vary {name}; it varies {', '.join(points)}" for name in given or {} if name not in points]
-    low, high, is_log = [], [], []
-    for name in points:
-        values = np.sort(points[name].to_numpy(float))
-        entry = tuple((given or {}).get(name, ()))
-        if entry and not (len(entry) in (2, 3) and entry[0] < entry[1] and entry[2:] in ((), ("log",))
-                          and (len(entry) == 2 or entry[0] > 0)):
-            faults.append(f"prior: {name}: {entry} is no range (low, high) or (low, high, \"log\")")
-            entry = ()
-        ends = entry[:2] or (values[0], values[-1])
-        low.append(float(ends[0]))
-        high.append(float(ends[1]) if ends[1] > ends[0] else float(ends[0]) + 1.0)
+def varied(parameters: pandas.DataFrame) -> tuple[list[str], dict[str, float]]:
+    """The parameters that vary, and the values of those that do not."""
+    names = [name for name in parameters if parameters[name].nunique() > 1]
+    return names, {name: float(parameters[name].iloc[0]) for name in parameters if name not in names and len(parameters)}
+
+
+def prior_of(points: pandas.DataFrame, design: pandas.DataFrame, given: Mapping[str, Any] | None,
+             fixed: Mapping[str, float]) -> tuple[Prior, list[str], list[str]]:
+    """What is given, else the ranges of the design: in the logarithm where that is spread more evenly.
+
+    :param points: those with read-outs   :param design: all of them   :param fixed: parameters that do not vary
+    :return: the prior, faults, notes
+    """
+    given = _arguments.mapping("prior", given, "a dictionary of ranges")
+    faults = [f"prior: {name}: is {fixed[name]:.6g} at all points, so no range can be fitted" if name in fixed else
+              f"prior: the study does not vary {name}; it varies {', '.join(design)}" for name in given if name not in design]
+    low, high, is_log, notes = [], [], [], []
+    for name in design:
+        values = np.sort(design[name].to_numpy(float))
+        entry = _range_of(given[name]) if name in given else ()
+        if entry is None:
+            faults.append(f"prior: {name}: {given[name]!r} is no range (low, high) or (low, high, \"log\") of finite numbers")
+        ends = entry[:2] if entry else (float(values[0]), float(values[-1]))
+        low.append(ends[0])
+        high.append(ends[1])
         is_log.append(entry[2:] == ("log",) if entry else bool(values[0] > 0 and _unevenness(np.log(values)) < _unevenness(values)))
-    return Prior(list(points), np.array(low), np.array(high), is_log), faults
+        done = points[name].to_numpy(float)
+        if is_log[-1] and values[0] <= 0:
+            faults.append(f"prior: {name}: points reach down to {values[0]:.4g}, which has no logarithm")
+        elif len(done) and (beyond := _beyond(done, ends, is_log[-1])):
+            notes.append(f"prior: {name}: {ends[0]:.4g} to {ends[1]:.4g} goes {beyond} the points with read-outs, {done.min():.4g} to "
+                         f"{done.max():.4g}: nothing is known there, and the emulators extrapolate")
+    return Prior(list(design), np.array(low), np.array(high), is_log), faults, notes
+
+
+def _range_of(entry: Any) -> tuple[Any, ...] | None:
+    """(low, high) or (low, high, "log"), or None if it is no range."""
+    if isinstance(entry, str) or not isinstance(entry, Sequence) or len(entry) not in (2, 3) or list(entry[2:]) not in ([], ["log"]):
+        return None
+    if not all(isinstance(end, (int, float, np.number)) and np.isfinite(end) for end in entry[:2]):
+        return None
+    low, high = float(entry[0]), float(entry[1])
+    return (low, high, *entry[2:]) if low < high and (len(entry) == 2 or low > 0) else None
+
+
+def _beyond(values: Array, ends: tuple[float, float], is_log: bool) -> str:
+    """By more than the gap that a Latin hypercube leaves at its ends."""
+    scale = np.log if is_log else np.asarray
+    first, last, low, high = (float(scale(value)) for value in (values.min(), values.max(), *ends))
+    gap = max(0.05, 1.0 / len(values)) * (last - first)
+    sides = [side for side, off in (("below", first - low), ("above", high - last)) if off > gap]
+    return " and ".join(sides)
+
+
+def _discrepancies(given: Mapping[str, float] | None, names: Sequence[str]) -> tuple[list[str], dict[str, float]]:
+    own = dict(_arguments.mapping("discrepancy", given, "a dictionary of standard errors"))
+    faults = [f"discrepancy: {name}: is no read-out of the emulators" for name in own if name not in names]
+    faults += [f"discrepancy: {name}: {value!r} is no standard error" for name, value in own.items()
+               if not (isinstance(value, (int, float, np.number)) and np.isfinite(value) and 0 <= value < _largest_discrepancy)]
+    return faults, own
 
 
 def _unevenness(values: Array) -> float:
@@ -273,8 +328,10 @@ def _table(prior: Prior, drawn: Array, kept: Array) -> pandas.DataFrame:
     after = prior.from_cube(ends)
     left = prior.from_cube(np.array([kept.min(axis=0), kept.max(axis=0)])) if len(kept) else np.full((2, len(prior.names)), np.nan)
     width = (ends[2] - ends[0]) / 0.9
+    bounds = [at_bound(column) for column in drawn.T]
+    constrained = (width < constrained_width) & (np.array(bounds) == "")
     return _pandas().DataFrame({"prior_5": before[0], "prior_50": before[1], "prior_95": before[2], "posterior_5": after[0],
-                                "posterior_50": after[1], "posterior_95": after[2], "width": width, "constrained": width < _constrained,
+                                "posterior_50": after[1], "posterior_95": after[2], "width": width, "constrained": constrained, "at_bound": bounds,
                                 "plausible_low": left[0], "plausible_high": left[1]}, index=prior.names)
 
 
@@ -286,7 +343,7 @@ def _untold(table: pandas.DataFrame, correlations: pandas.DataFrame, sensitivity
         tied = [f"{other} ({r:.2f})" for other, r in others.items() if abs(r) > 0.7]
         if tied:
             notes.append(f"{name} is constrained only together with {', '.join(tied)}: the correlation in the posterior")
-        if row["constrained"]:
+        if row["width"] < constrained_width:
             continue
         total = sensitivity.loc[sensitivity["parameter"] == name, "total_95"].max()
         total = 0.0 if np.isnan(total) else total

@@ -25,7 +25,7 @@ td:first-child,th:first-child{text-align:left}img{max-width:100%}li{margin:.2rem
 
 def page(fit: Fit) -> str:
     """report.html: it needs no other file and no network."""
-    short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained"]]
+    short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]]
     notes = "".join(f"<li>{html.escape(note)}</li>" for note in fit.notes) or "<li>none</li>"
     return f"""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -35,7 +35,7 @@ def page(fit: Fit) -> str:
 <h2>Parameters</h2>
 {_table(short)}
 <p><small>Quantiles of prior and posterior in per cent. <i>width</i>: of the 90 % interval, over that of the prior. <i>constrained</i>: it is below
-0.8.</small></p>
+0.8, and the prior cuts off neither end. <i>at_bound</i>: the posterior ends at this bound of the prior.</small></p>
 {_figure(lambda: _corner(fit), "Posterior of each parameter, and of each pair")}
 <h2>What the data cannot tell</h2>
 <ul>{notes}</ul>

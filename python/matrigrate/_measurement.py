@@ -1,13 +1,14 @@
 """Measured read-outs, and the same read-outs of the points of a study."""
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _motility
+from . import _arguments, _motility
 from . import tracks as _tracks
 from ._files import _pandas
 from .errors import ConfigurationError
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 
 _means = ("speed_um_per_h", "net_speed_um_per_h", "straightness", "directionality_ratio", "turning_angle_deg",
           "turning_cosine")  # of tracks: their expectation does not depend on the number of tracks
+
+
+_least_widths, _most_widths = 1e-9, 1e6  # of the range of simulated values, for measured values and their errors
 
 
 @dataclass(frozen=True)
@@ -33,14 +37,32 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Points:
-    """Simulations of a study, a row a point."""
+    """Simulations of a study, a row a point with a run that is done."""
 
     parameters: pandas.DataFrame
-    values: pandas.DataFrame  #: a column a read-out
+    values: pandas.DataFrame  #: a column a read-out; NaN where it is not defined
     runs: np.ndarray[Any, Any]  #: that are done
     positions: int  #: of a track, median; 0 if no read-out is one of tracks
     notes: list[str]
     tracks: list[_tracks.Tracks] = field(default_factory=list)  #: of each point; none if no read-out is one of tracks
+    design: pandas.DataFrame | None = None  #: parameters of all points of the study, whatever became of their runs
+
+    @property
+    def whole(self) -> np.ndarray[Any, Any]:
+        """Which points have all read-outs."""
+        return np.asarray(np.isfinite(self.values.to_numpy(float)).all(axis=1))
+
+    def lacking(self) -> list[str]:
+        """Which read-outs are missing, in how many points, and why."""
+        missing = ~np.isfinite(self.values.to_numpy(float))
+        return [f"{name}: {n} of {len(missing)} points lack it: it {self._need(name)}"
+                for name, n in zip(self.values.columns, missing.sum(axis=0), strict=True) if n]
+
+    def _need(self, name: str) -> str:
+        if name not in _motility.meanings:
+            return "is not defined in their runs, or no number"
+        there = f"; simulated ones have {self.positions - 1}" if self.positions else ""
+        return f"{_motility.needs.get(name, 'needs tracks of two positions')}{there if 'intervals' in _motility.needs.get(name, '') else ''}"
 
 
 Means = Mapping[str, tuple[float, float]]
@@ -53,7 +75,14 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     :raises ConfigurationError: with all that is wrong
     """
     is_tracks = isinstance(measured, _tracks.Tracks)
+    _require_measured(measured)
+    _arguments.mapping("besides", besides, "a dictionary of means and standard errors")
+    if isinstance(names, str):
+        raise _arguments.wrong("readouts", names, "a list of read-outs")
     means = dict(besides or {}) if is_tracks else {**measured, **(besides or {})}
+    if odd := [f"{name}: {value!r} is no mean with its standard error; write {{\"{name}\": (14.4, 4.8)}}" for name, value in means.items()
+               if not _is_pair(value)]:
+        raise ConfigurationError("\n".join(odd))
     table = _pandas().DataFrame.from_dict(means, orient="index", columns=["value", "standard_error"], dtype=float)
     own = [name for name in names if name in _motility.meanings and name not in means] if is_tracks else []
     if own:
@@ -64,13 +93,15 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     lacking = [name for name in names if name not in table.index]
     known = f"; tracks have {', '.join(_motility.meanings)}" if is_tracks else ""
     faults = [f"{name}: has no measured value{known}" for name in lacking]
-    faults += _faults(table.loc[[name for name in names if name not in lacking]])
+    faults += [f"{name}: is measured, but not among the read-outs {', '.join(names)}" for name in means if names and name not in names]
+    faults += _faults(table.loc[[name for name in names if name not in lacking]], measured)
     if not names:
-        faults.append("one read-out is needed")
+        faults.append("one read-out is needed, such as readouts=[\"speed_um_per_h\", \"straightness\"]" + known)
     if faults:
         raise ConfigurationError("\n".join(faults))
     table = table.loc[list(names)]
-    covariance = np.diag(table["standard_error"].to_numpy(float)**2)
+    with np.errstate(over="ignore"):  # errors that tell nothing are faults later, beside what was simulated
+        covariance = np.diag(table["standard_error"].to_numpy(float)**2)
     if own:
         at = [list(names).index(name) for name in own]
         covariance[np.ix_(at, at)] = share * measured.covariance(own)
@@ -80,9 +111,68 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
                        list(measured.notes))
 
 
-def _faults(table: pandas.DataFrame) -> list[str]:
-    return [f"{name}: has no value" if not np.isfinite(row["value"]) else f"{name}: has no standard error above 0"
-            for name, row in table.iterrows() if not np.isfinite(row["value"]) or not row["standard_error"] > 0]
+def _require_measured(measured: Any) -> None:
+    if isinstance(measured, (str, os.PathLike)):
+        raise TypeError(f"measured is the text {str(measured)!r}; tracks are expected, as "
+                        f"matrigrate.tracks.read({str(measured)!r}) gives them, or a dictionary of means and standard errors")
+    if not isinstance(measured, Mapping):
+        raise _arguments.wrong("measured", measured, "tracks, or a dictionary of means and standard errors,")
+
+
+def _is_pair(value: Any) -> bool:
+    if isinstance(value, (str, bytes)) or not isinstance(value, (Sequence, np.ndarray)) or len(value) != 2:
+        return False
+    return all(isinstance(one, (int, float, np.number)) and not isinstance(one, bool) for one in value)
+
+
+def _faults(table: pandas.DataFrame, measured: Any) -> list[str]:
+    faults = []
+    for name, row in table.iterrows():
+        why = f": it {_motility.needs[name]}" if isinstance(measured, _tracks.Tracks) and name in _motility.needs else ""
+        if not np.isfinite(row["value"]):
+            faults.append(f"{name}: has no value{why}")
+        elif not (row["standard_error"] > 0 and np.isfinite(row["standard_error"])):
+            faults.append(f"{name}: has no standard error above 0")
+    return faults
+
+
+def size_faults(table: pandas.DataFrame, values: pandas.DataFrame) -> list[str]:
+    """Measured values and errors that simulated ones cannot be compared with: most often another unit.
+
+    :param values: simulated, a column a read-out
+    """
+    faults = []
+    for name, row in table.iterrows():
+        known = values[name].to_numpy(float)
+        known = known[np.isfinite(known)]
+        width = float(np.ptp(known)) if len(known) else 0.0
+        if not 0 < width < np.inf:
+            continue
+        value, error = float(row["value"]), float(row["standard_error"])
+        simulated = f"simulated ones reach from {known.min():.3g} to {known.max():.3g}"
+        if abs(value - known.mean()) > _most_widths * width:
+            faults.append(f"{name}: the measured value is {value:.3g}, {simulated}: is the unit right?")
+        if not _least_widths * width <= error <= _most_widths * width:
+            faults.append(f"{name}: the standard error is {error:.3g}, {simulated}: nothing can be told with such an error")
+    return faults
+
+
+def require_study(study: Any) -> None:
+    """:raises TypeError: if it is none"""
+    if isinstance(study, (str, os.PathLike)):
+        raise TypeError(f"study is the text {str(study)!r}; a study is expected, as matrigrate.load_study({str(study)!r}) gives it")
+    _arguments.one_of("study", study, Study)
+
+
+def lost(results: pandas.DataFrame) -> list[str]:
+    """What runs that are not done mean for those that are."""
+    undone = results["status"] != "done"
+    at_rim = int((results["cause"] == "rim").sum()) if "cause" in results else 0
+    notes = [f"{int(undone.sum())} runs of the study are not done, and left out"] if undone.any() else []
+    if at_rim:
+        notes.append(f"{at_rim} of {len(results)} runs ended at the rim of the matrix: what is left are the slower cells, and the fit leans "
+                     "to parameters of faster ones; run the study in a larger ecm.radius")
+    return notes
 
 
 def simulated(study: Study, names: Sequence[str], interval: float | None, error: float = 0.0) -> Points:
@@ -92,6 +182,9 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
     :param interval: [s] between positions of the measured tracks
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     """
+    require_study(study)
+    if isinstance(names, str):
+        raise _arguments.wrong("readouts", names, "a list of read-outs")
     results = study.results
     own = list(results.columns)
     known = own[own.index("trajectory_hash") + 1:]
@@ -120,12 +213,11 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
         rows.append(row)
         points.append(runs[study.parameters].iloc[0])
         counts.append(len(runs))
-    undone = int((results["status"] != "done").sum())
-    notes = [f"{undone} runs of the study are not done, and left out"] if undone else []
     lengths = [len(track) for seen in all_seen for track in seen.values()]
     frame = _pandas().DataFrame
     return Points(frame(points, columns=study.parameters).reset_index(drop=True), frame(rows, columns=list(names)).reset_index(drop=True),
-                  np.array(counts, dtype=float), int(np.median(lengths)) if lengths else 0, notes, all_seen)
+                  np.array(counts, dtype=float), int(np.median(lengths)) if lengths else 0, lost(results), all_seen,
+                  results.drop_duplicates("label")[study.parameters].reset_index(drop=True))
 
 
 def differences(points: Points, wanted: Measurement) -> list[str]:

@@ -17,8 +17,9 @@ import numpy as np
 
 from . import tracks as _tracks
 from ._files import _pandas
-from ._fit import Emulators, Fit, emulate, fit
-from ._measurement import differences, measurement, simulated
+from ._fit import Emulators, Fit, emulate, fit, varied
+from ._measurement import differences, measurement, require_study, simulated, size_faults
+from ._posterior import at_bound, bound_note, constrained_width
 from .errors import ConfigurationError
 from .studies import Study
 
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 __all__ = ["Emulators", "Fit", "Posterior", "by_tracks", "emulate", "fit", "weigh"]
 
 _least_sample = 20.0
-_constrained = 0.8
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,9 @@ class Posterior:
 
     weights: np.ndarray[Any, Any]  #: of the points; their sum is 1
     table: pandas.DataFrame
-    """A row a parameter: quantiles of prior and posterior, ``width`` (of the 90 % interval, over that of the prior), and
-    ``constrained``: whether the width is below 0.8."""
+    """A row a parameter that varies: quantiles of prior and posterior, ``width`` (of the 90 % interval, over that of the prior),
+    ``constrained``: whether the width is below 0.8 and the prior cuts off neither end, and ``at_bound``: the bound of the prior at
+    which the posterior ends, "lower" or "upper"."""
     fit: pandas.DataFrame  #: a row a read-out: measured value, its error, weighted mean of the points, and their range
     widened: float  #: factor on the errors, above 1 where fewer than 20 points would have counted
     notes: list[str]
@@ -56,23 +57,17 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
     :param measured: a row a read-out, with ``value`` and ``standard_error``
     """
     names = list(measured.index)
-    faults = [f"{name}: has no value" if not np.isfinite(measured.loc[name, "value"]) else
-              f"{name}: has no standard error above 0" for name in names
-              if not np.isfinite(measured.loc[name, "value"]) or not measured.loc[name, "standard_error"] > 0]
-    faults += [f"{name}: the simulations do not have it" for name in names if name not in found]
-    whole = found[[name for name in names if name in found]].notna().all(axis=1).to_numpy(bool)
-    faults += [f"{name}: is the same in all simulations" for name in names
-               if name in found and found.loc[whole, name].nunique() == 1]
-    if not faults and whole.sum() < 2 * _least_sample:
-        faults.append(f"{int(whole.sum())} simulations have all read-outs; {2 * _least_sample:g} are needed")
-    if not names or not len(points.columns):
-        faults.append("one read-out and one parameter are needed")
-    if faults:
+    known = [name for name in names if name in found]
+    whole = np.isfinite(found[known].to_numpy(float)).all(axis=1)
+    if faults := _faults(points, found, measured, known, whole):
         raise ConfigurationError("\n".join(faults))
     notes = [f"{int((~whole).sum())} simulations without all read-outs are left out"] if not whole.all() else []
+    notes += [f"{name}: is {value:.6g} in all simulations, so it is left out: nothing can be said of it"
+              for name, value in varied(points[whole])[1].items()]
     value, error = measured["value"].to_numpy(float), measured["standard_error"].to_numpy(float)
+    used = found.loc[whole, names].to_numpy(float)
     distance = np.full(len(points), np.inf)
-    distance[whole] = (((found.loc[whole, names].to_numpy(float) - value) / error)**2).sum(axis=1)
+    distance[whole] = (((used - value) / error)**2).sum(axis=1)
 
     def weights_at(factor: float) -> np.ndarray[Any, Any]:
         weights = np.exp(-(distance - distance.min()) / (2 * factor**2))
@@ -85,24 +80,50 @@ def weigh(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.Da
     if factor > 1:
         notes.append(f"errors are widened by a factor of {factor:.2g}, so that {_least_sample:g} points count: more points near "
                      "the measured read-outs would narrow the intervals")
-    rows = {}
-    for name in points.columns:
-        column = points[name].to_numpy(float)
-        prior = _quantiles(column[whole], np.ones(int(whole.sum())))
-        after = _quantiles(column, weights)
-        width = (after[2] - after[0]) / (prior[2] - prior[0]) if prior[2] > prior[0] else float("nan")
-        rows[name] = [*prior, *after, width, bool(width < _constrained)]
-        if not width < _constrained:
-            notes.append(f"the data do not constrain {name}: its 90 % interval is {width:.0%} of the prior's")
-    columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained"]
-    table = _pandas().DataFrame.from_dict(rows, orient="index", columns=columns)
-    used = found.loc[whole, names]
+    table = _table(points[whole], weights[whole], notes)
     fit = _pandas().DataFrame({"measured": value, "standard_error": error,
-                               "posterior_mean": (used.to_numpy(float) * weights[whole, None]).sum(axis=0),
-                               "least": used.min().to_numpy(float), "most": used.max().to_numpy(float)}, index=names)
+                               "posterior_mean": (used * weights[whole, None]).sum(axis=0),
+                               "least": used.min(axis=0), "most": used.max(axis=0)}, index=names)
     notes += [f"no simulation reaches the measured {name}" for name, row in fit.iterrows()
               if not row["least"] - 2 * row["standard_error"] <= row["measured"] <= row["most"] + 2 * row["standard_error"]]
     return Posterior(weights, table, fit, factor, notes)
+
+
+def _faults(points: pandas.DataFrame, found: pandas.DataFrame, measured: pandas.DataFrame, known: list[str], whole: Any) -> list[str]:
+    """:param known: read-outs that the simulations have   :param whole: which simulations have all of them"""
+    faults = [f"{name}: has no value" if not np.isfinite(row["value"]) else f"{name}: has no standard error above 0"
+              for name, row in measured.iterrows() if not (np.isfinite(row["value"]) and 0 < row["standard_error"] < np.inf)]
+    faults += [f"{name}: the simulations do not have it" for name in measured.index if name not in found]
+    faults += [f"{name}: is the same in all simulations" for name in known if found.loc[whole, name].nunique() == 1]
+    if not faults and whole.sum() < 2 * _least_sample:
+        faults.append(f"{int(whole.sum())} simulations have all read-outs; {2 * _least_sample:g} are needed")
+        faults += [f"{name}: {n} of {len(found)} simulations lack it" for name, n in (~np.isfinite(found[known])).sum().items() if n]
+    elif not faults:
+        faults += size_faults(measured, found[whole])
+    if not len(measured) or not len(points.columns):
+        faults.append("one read-out and one parameter are needed")
+    elif whole.any() and not varied(points[whole])[0]:
+        faults.append("no parameter varies")
+    return faults
+
+
+def _table(points: pandas.DataFrame, weights: Any, notes: list[str]) -> pandas.DataFrame:
+    """A row a parameter that varies; to the notes is added what the data do not constrain."""
+    rows = {}
+    for name in varied(points)[0]:
+        column = points[name].to_numpy(float)
+        prior, after = _quantiles(column, np.ones(len(column))), _quantiles(column, weights)
+        width = (after[2] - after[0]) / (prior[2] - prior[0]) if prior[2] > prior[0] else 1.0
+        order = np.sort(column)
+        rank = (np.searchsorted(order, column, "left") + np.searchsorted(order, column, "right")) / 2 / len(column)
+        side = at_bound(rank, weights)
+        rows[name] = [*prior, *after, width, bool(width < constrained_width and not side), side]
+        if side:
+            notes.append(bound_note(name, side, order[-1 if side == "upper" else 0]))
+        if not width < constrained_width:
+            notes.append(f"the data do not constrain {name}: its 90 % interval is {width:.0%} of the prior's")
+    columns = ["prior_5", "prior_50", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]
+    return _pandas().DataFrame.from_dict(rows, orient="index", columns=columns)
 
 
 def by_tracks(study: Study, measured: _tracks.Tracks, readouts: Sequence[str], *, error: float = 0.0) -> Posterior:
@@ -113,6 +134,7 @@ def by_tracks(study: Study, measured: _tracks.Tracks, readouts: Sequence[str], *
     :param readouts: those of tracks to compare, such as ``["speed_um_per_h", "straightness"]``
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     """
+    require_study(study)
     wanted = measurement(measured, readouts)
     points = simulated(study, readouts, measured.interval, error)
     posterior = weigh(points.parameters, points.values, wanted.table)

@@ -81,7 +81,7 @@ def recovered(design: matrigrate.Study, truths: matrigrate.Study) -> pandas.Data
             rows.append({"draw": label, "cells": len(cells), "parameter": name, "truth": truth,
                          **{k: row[f"posterior_{k}"] for k in (5, 50, 95)},
                          "inside": int(row["posterior_5"] <= truth <= row["posterior_95"]), "width": row["width"],
-                         "constrained": int(row["constrained"])})
+                         "narrow": int(row["width"] < 0.8)})
     return pandas.DataFrame(rows)
 
 
@@ -99,7 +99,7 @@ def main() -> None:
     table = recovered(*simulated(options))
     table.to_csv(options.results, index=False, float_format="%.4g")
     summary = table.groupby("parameter", sort=False).agg(draws=("inside", "size"), inside=("inside", "sum"),
-                                                         width=("width", "mean"), constrained=("constrained", "sum"))
+                                                         width=("width", "mean"), narrow=("narrow", "sum"))
     print(summary)
     share = table["inside"].mean()
     print(f"{share:.1%} of {len(table)} intervals of 90 % hold the truth")

@@ -32,7 +32,8 @@ class Recovery(unittest.TestCase):
             posterior = calibrate.weigh(points, found, measured_at(truth, random))
             table = posterior.table
             inside += sum(table.loc[k, "posterior_5"] <= truth[k] <= table.loc[k, "posterior_95"] for k in "abc")
-            told.append(list(table["constrained"]))
+            told.append(list(table["width"] < 0.8))
+            self.assertFalse((table["constrained"] & (table["at_bound"] != "")).any())
         self.assertGreater(inside, 0.85 * 300)
         self.assertLess(inside, 300, "intervals are not the whole prior")
         share = np.mean(told, axis=0)
@@ -61,6 +62,25 @@ class Recovery(unittest.TestCase):
             self.assertIn(words, str(caught.exception))
         with self.assertRaisesRegex(matrigrate.ConfigurationError, "10 simulations have all read-outs; 40 are needed"):
             calibrate.weigh(points[:10], found[:10], pandas.DataFrame({"value": [1], "standard_error": [1]}, index=["x"]))
+
+
+    def test_values_and_errors_that_tell_nothing(self):
+        points = pandas.DataFrame({"a": np.linspace(0, 1, 100), "fixed": 0.3})
+        found = pandas.DataFrame({"x": np.linspace(0, 1, 100)})
+        for value, error, words in ((0.5, 1e-300, "the standard error is 1e-300"), (1e160, 0.1, "the measured value is 1e\\+160"),
+                                    (0.5, np.inf, "has no standard error above 0"), (0.5, 1e200, "nothing can be told")):
+            with self.assertRaisesRegex(matrigrate.ConfigurationError, words):
+                calibrate.weigh(points, found, pandas.DataFrame({"value": [value], "standard_error": [error]}, index=["x"]))
+        measured = pandas.DataFrame({"value": [0.98], "standard_error": [0.2]}, index=["x"])
+        posterior = calibrate.weigh(points, found, measured)
+        self.assertEqual(list(posterior.table.index), ["a"])
+        self.assertEqual(posterior.notes, ["fixed: is 0.3 in all simulations, so it is left out: nothing can be said of it",
+                                           "a: the posterior ends at the upper bound of the prior, 1: widen the range"])
+        self.assertFalse(posterior.table.isna().any().any())
+        found.loc[:9, "x"] = np.inf
+        self.assertIn("10 simulations without all read-outs are left out", calibrate.weigh(points, found, measured).notes)
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "no parameter varies"):
+            calibrate.weigh(points[["fixed"]], found, measured)
 
 
 class OfAStudy(unittest.TestCase):

@@ -58,7 +58,7 @@ class OfAKnownModel(unittest.TestCase):
             truth = drawn(1, self.random)
             table = self.emulators.fit(measured_at(truth, self.random)).table
             inside += [table.loc[k, "posterior_5"] <= truth[k].iloc[0] <= table.loc[k, "posterior_95"] for k in "abc"]
-            narrow += table["constrained"].to_numpy()
+            narrow += (table["width"] < 0.8).to_numpy()
         self.assertGreaterEqual(inside.sum(), 0.7 * 30)
         self.assertGreaterEqual(min(narrow[:2]), 9, "a and b are constrained")
         self.assertEqual(narrow[2], 0, "nothing tells c")
@@ -107,8 +107,64 @@ class OfAKnownModel(unittest.TestCase):
             self.assertNotIn("http", text)
             for name in ("posterior", "readouts", "sensitivity", "sample"):
                 self.assertGreater(len(pandas.read_csv(page.parent / f"{name}.csv")), 1)
-            with self.assertRaisesRegex(matrigrate.InputOutputError, "exists already"):
+            (page.parent / "mine.txt").write_text("kept")
+            with self.assertRaisesRegex(matrigrate.InputOutputError, "exists already; give a new folder, or overwrite=True"):
                 fit.write(page.parent)
+            page.write_text("old")
+            self.assertEqual(fit.write(page.parent, overwrite=True).read_text(), text)
+            self.assertEqual((page.parent / "mine.txt").read_text(), "kept")
+            with self.assertRaisesRegex(matrigrate.InputOutputError, "is no folder"):
+                fit.write(page, overwrite=True)
+
+
+class Priors(unittest.TestCase):
+    """One read-out that rises with a; b, where it is there, changes nothing."""
+
+    @staticmethod
+    def fitted(low, high, measured, prior=None, design=None, **more):
+        random = np.random.default_rng(4)
+        parameters = pandas.DataFrame({"a": np.linspace(low, high, 40), **more})
+        values = pandas.DataFrame({"speed": 10 * parameters["a"] + random.normal(0, 0.2, 40)})
+        process = _fit.of_points(Points(parameters, values, np.ones(40), 0, [], [], design), prior)
+        return process.fit({"speed": measured})
+
+    def test_a_posterior_that_ends_at_a_bound_is_not_constrained_there(self):
+        for measured, side, end in (((19.9, 1.0), "upper", "2"), ((10.1, 1.0), "lower", "1")):
+            fit = self.fitted(1.0, 2.0, measured)
+            self.assertIn(f"a: the posterior ends at the {side} bound of the prior, {end}: widen the range", fit.notes)
+            self.assertEqual(fit.table.loc["a", "at_bound"], side)
+            self.assertLess(fit.table.loc["a", "width"], 0.8)
+            self.assertFalse(fit.table.loc["a", "constrained"])
+        fit = self.fitted(1.0, 2.0, (15.0, 1.0))
+        self.assertEqual(fit.notes, [])
+        self.assertTrue(fit.table.loc["a", "constrained"])
+
+    def test_ranges_are_those_of_the_design_whatever_became_of_its_runs(self):
+        design = pandas.DataFrame({"a": np.linspace(1.0, 3.0, 60)})
+        fit = self.fitted(1.0, 2.0, (15.0, 1.0), design=design)
+        self.assertEqual(fit.prior.high[0], 3.0)
+        self.assertIn("prior: a: 1 to 3 goes above the points with read-outs, 1 to 2: nothing is known there", "\n".join(fit.notes))
+
+    def test_ranges_beyond_the_points_are_noted_or_refused(self):
+        notes = "\n".join(self.fitted(1.0, 2.0, (15.0, 1.0), {"a": (0.5, 100)}).notes)
+        self.assertIn("prior: a: 0.5 to 100 goes below and above the points with read-outs, 1 to 2: nothing is known there, and the "
+                      "emulators extrapolate", notes)
+        self.assertNotIn("extrapolate", "\n".join(self.fitted(1.0, 2.0, (15.0, 1.0), {"a": (0.98, 2.02)}).notes))
+        for wrong in ((1, math.inf), (1, math.nan), "ab", 5, (2, 1), (0, 1, "log"), (1, 2, "lin"), ("1", "2"), None):
+            with self.assertRaisesRegex(matrigrate.ConfigurationError, "prior: a: .* is no range .* of finite numbers"):
+                self.fitted(1.0, 2.0, (15.0, 1.0), {"a": wrong})
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "points reach down to -1, which has no logarithm"):
+            self.fitted(-1.0, 2.0, (15.0, 1.0), {"a": (0.5, 2, "log")})
+        with self.assertRaisesRegex(TypeError, "prior is a number; a dictionary of ranges is expected"):
+            self.fitted(1.0, 2.0, (15.0, 1.0), 5)
+
+    def test_a_parameter_that_does_not_vary_is_left_out(self):
+        fit = self.fitted(1.0, 2.0, (15.0, 1.0), b=0.3)
+        self.assertEqual(list(fit.table.index), ["a"])
+        self.assertEqual(list(fit.sample.columns), ["a"])
+        self.assertEqual(fit.notes, ["b: is 0.3 at all points with read-outs, so it is left out: nothing can be said of it"])
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "prior: b: is 0.3 at all points, so no range can be fitted"):
+            self.fitted(1.0, 2.0, (15.0, 1.0), {"b": (0, 1)}, b=0.3)
 
 
 class OfTracks(unittest.TestCase):
@@ -156,11 +212,38 @@ class Refused(unittest.TestCase):
                       "prior: the study does not vary d", "prior: a: (2, 1) is no range"],
                      lambda: _fit.of_points(points_of(parameters, values), {"d": (0, 1), "a": (2, 1)}))
 
+    def test_points_that_lack_read_outs_are_named(self):
+        random = np.random.default_rng(1)
+        parameters = drawn(40, random)
+        values = simulated(parameters, random).rename(columns={"ratio": "directionality_ratio"})
+        values.loc[:, "directionality_ratio"] = np.nan
+        values.loc[:2, "speed"] = np.inf
+        self.refused(["0 points have all read-outs; 30 are needed", "speed: 3 of 40 points lack it: it is not defined in their runs, or no number",
+                      "directionality_ratio: 40 of 40 points lack it: it needs tracks of more than ten intervals; simulated ones have 6"],
+                     lambda: _fit.of_points(Points(parameters, values, np.ones(40), 7, [])))
+        values = values[["speed"]]
+        notes = _fit.of_points(points_of(parameters, values)).notes
+        self.assertIn("3 points without all read-outs are left out: speed: 3 of 40 points lack it: it is not defined in their runs, or no number", notes)
+
     def test_measured_values_with_all_faults(self):
         process = emulators(40)
         self.refused(["speed: has no value", "ratio: has no standard error above 0"],
                      lambda: process.fit({"speed": (math.nan, 1), "ratio": (1, 0)}))
         self.refused(["ratio: has no measured value"], lambda: process.fit({"speed": (1, 1)}))
+        self.refused(["len: is measured, but not among the read-outs speed, ratio"],
+                     lambda: process.fit({"speed": (1, 1), "ratio": (1, 1)}, besides={"len": (1, 1)}))
+        for wrong in (14, "ab", (1, 2, 3), ("1", 2), None):
+            self.refused(["ratio: ", " is no mean with its standard error"], lambda wrong=wrong: process.fit({"speed": (1, 1), "ratio": wrong}))
+        self.refused(["ratio: has no standard error above 0"], lambda: process.fit({"speed": (1, 1), "ratio": (1, math.inf)}))
+        self.refused(["speed: the standard error is 1e+200", "ratio: the measured value is 1e+200", "is the unit right?"],
+                     lambda: process.fit({"speed": (1, 1e200), "ratio": (1e200, 1)}))
+        self.refused(["speed: the standard error is 1e-300"], lambda: process.fit({"speed": (1, 1e-300), "ratio": (1, 1)}))
+        for wrong in (1e200, math.inf, "a"):
+            self.refused(["discrepancy: speed: "], lambda wrong=wrong: process.fit({"speed": (1, 1), "ratio": (1, 1)}, discrepancy={"speed": wrong}))
+        with self.assertRaisesRegex(TypeError, r"measured is the text 'tm4.csv'; tracks are expected, as matrigrate.tracks.read"):
+            process.fit("tm4.csv")
+        with self.assertRaisesRegex(TypeError, "measured is a number"):
+            process.fit(5)
         self.refused(["discrepancy: sped: is no read-out", "discrepancy: ratio: -1 is no standard error"],
                      lambda: process.fit({"speed": (1, 1), "ratio": (1, 1)}, discrepancy={"sped": 1, "ratio": -1}))
 
@@ -180,8 +263,42 @@ class OfAStudy(unittest.TestCase):
         self.refused("2 points have all read-outs; 10 are needed", measured={"n_protrusions": (5, 1)})
         self.refused("there is no read-out l_prot; there are speed_um_per_h", measured={"l_prot": (5, 1)})
         self.refused("interval: that of the measured tracks is needed", measured={"speed_um_per_h": (5, 1)})
-        self.refused("one read-out is needed", measured=tracks.of(self.study))
+        self.refused("one read-out is needed, such as readouts=", measured=tracks.of(self.study))
         self.refused("sped: has no measured value; tracks have speed_um_per_h", measured=tracks.of(self.study), readouts=["sped"])
+
+    def test_what_people_write(self):
+        with self.assertRaisesRegex(TypeError, r"study is the text 'design'; a study is expected, as matrigrate.load_study\('design'\)"):
+            calibrate.fit("design", {"n_protrusions": (5, 1)})
+        with self.assertRaisesRegex(TypeError, "study is a number"):
+            calibrate.by_tracks(3, tracks.of(self.study), ["speed_um_per_h"])
+        with self.assertRaisesRegex(TypeError, "measured is the text 'tm4.csv'"):
+            calibrate.fit(self.study, "tm4.csv", ["speed_um_per_h"])
+        with self.assertRaisesRegex(TypeError, "readouts is a string; a list of read-outs is expected"):
+            calibrate.fit(self.study, tracks.of(self.study), "speed_um_per_h")
+        with self.assertRaisesRegex(TypeError, "besides is a number"):
+            calibrate.fit(self.study, tracks.of(self.study), ["speed_um_per_h"], besides=3)
+        self.refused("speed_um_per_h: 14 is no mean with its standard error", measured={"speed_um_per_h": 14})
+
+    def test_the_bootstrap_is_drawn_once(self):
+        measured = tracks.of(self.study)
+        parts, seen = tracks._motility.Parts, []
+        plain = parts.readouts
+        with unittest.mock.patch.object(parts, "readouts", lambda *given, **named: seen.append(1) or plain(*given, **named)):
+            wanted = _fit.measurement(measured, ["speed_um_per_h", "straightness"])
+        self.assertEqual(len(seen), 201)
+        self.assertEqual(wanted.covariance.shape, (2, 2))
+        with unittest.mock.patch.object(_fit, "measurement", unittest.mock.Mock(wraps=_fit.measurement)) as called, \
+                self.assertRaises(matrigrate.ConfigurationError):
+            calibrate.fit(self.study, measured, ["speed_um_per_h"])
+        self.assertEqual(called.call_count, 1)
+
+    def test_runs_lost_at_the_rim_are_a_bias(self):
+        from matrigrate._measurement import lost
+
+        results = pandas.DataFrame({"status": ["done", "failed", "failed", "interrupted"], "cause": ["", "rim", "crossing", ""]})
+        self.assertEqual(lost(results), ["3 runs of the study are not done, and left out",
+                                         "1 of 4 runs ended at the rim of the matrix: what is left are the slower cells, and the fit leans "
+                                         "to parameters of faster ones; run the study in a larger ecm.radius"])
 
     def test_read_outs_of_tracks_and_of_runs(self):
         from matrigrate._measurement import simulated as of_study
