@@ -32,13 +32,6 @@ TestResult welch_test(Values a, Values b);
 /// continuity, as in R's wilcox.test.
 TestResult mann_whitney_test(Values a, Values b);
 
-/// An estimate with its confidence interval.
-struct Interval {
-  double value;
-  double low;
-  double high;
-};
-
 /// Difference of means, b minus a, with the interval that belongs to t_test (`pooled`) or to welch_test.
 /// @param alpha  1 minus the confidence, in (0, 1)
 Interval mean_difference(Values a, Values b, double alpha, bool pooled = true);

@@ -70,6 +70,13 @@ Correlation pearson(Values x, Values y) {
   return c;
 }
 
+Interval correlation_interval(const Correlation& found, double alpha) {
+  if (found.n < 4 || !(std::abs(found.r) < 1.0)) return {found.r, undefined, undefined};
+  const double reach = normal_quantile(1.0 - 0.5 * alpha) / std::sqrt(static_cast<double>(found.n) - 3.0);
+  const double z = std::atanh(found.r);
+  return {found.r, std::tanh(z - reach), std::tanh(z + reach)};
+}
+
 Correlation spearman(Values x, Values y) {
   const auto [u, v] = finite_pairs(x, y);
   return pearson(ranks(u), ranks(v));

@@ -19,6 +19,9 @@ struct Correlation {
 /// @throws std::invalid_argument if they are not
 Correlation pearson(Values x, Values y);
 
+/// Interval of r by Fisher's transformation, with r as its value; NaN for n < 4 and |r| = 1.
+Interval correlation_interval(const Correlation& found, double alpha);
+
 /// Spearman's rank correlation: Pearson's r of the ranks, of equal values the mean of theirs. p is by the same t, which
 /// is good from about ten pairs on.
 /// @throws std::invalid_argument if x and y are not of one length

@@ -46,6 +46,10 @@ double normal_two_sided(double z) {
   return 2.0 * bm::cdf(bm::complement(bm::normal_distribution<double, Quiet>(), std::abs(z)));
 }
 
+double normal_quantile(double probability) {
+  return bm::quantile(bm::normal_distribution<double, Quiet>(), probability);
+}
+
 double t_two_sided(double t, double df) {
   if (std::isnan(t) || !good(df)) return undefined;
   return 2.0 * bm::cdf(bm::complement(StudentsT(df), std::abs(t)));

@@ -9,6 +9,7 @@ namespace matrigrate::statistics {
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 double normal_two_sided(double z);                ///< P(|Z| > |z|)
+double normal_quantile(double probability);       ///< of the standard normal
 double t_two_sided(double t, double df);          ///< P(|T| > |t|)
 double t_quantile(double probability, double df); ///< of Student's t
 

@@ -22,6 +22,13 @@ struct Moments {
 };
 Moments moments(Values x);
 
+/// An estimate with its confidence interval.
+struct Interval {
+  double value;
+  double low;
+  double high;
+};
+
 /// Mean of the values that are not NaN; NaN if there are none.
 double mean_of_defined(Values x);
 

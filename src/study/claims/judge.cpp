@@ -20,6 +20,12 @@ constexpr double tenth = 0.1; // of a published mean: as near as it is read off 
 std::string_view word(Sign sign) { return sign == Sign::up ? "above" : "below"; }
 bool has(Sign sign, double value) { return sign == Sign::up ? value > 0.0 : value < 0.0; }
 
+/// Whether an interval reaches further to either side than half of what it is about: a difference of that size could
+/// not have been told.
+bool vague(const statistics::Interval& interval, double about) {
+  return 0.5 * (interval.high - interval.low) > 0.5 * std::abs(about);
+}
+
 /// Whether an interval lies wholly on the other side of a limit than stated.
 bool opposes(Sign stated, const statistics::Interval& interval, double limit = 0.0) {
   return stated == Sign::up ? interval.high < limit : interval.low > limit;
@@ -114,12 +120,17 @@ void Judge::condition(const std::string& wanted, const std::string& measured, bo
   if (!m_first) return;
   m_defined = m_defined && defined;
   m_met = m_met && met;
-  m_conditions.push_back(defined ? fmt::format("{} ({}): {}", wanted, measured, met ? "met" : "not met")
+  const bool untold = met && reading.vague;
+  m_vague = m_vague || untold;
+  m_conditions.push_back(defined ? fmt::format("{} ({}): {}", wanted, measured,
+                                               untold ? "too few runs to tell"
+                                               : met  ? "met"
+                                                      : "not met")
                                  : fmt::format("{}: too few runs", wanted));
   constexpr const char* too_few = "too few runs";
   if (defined && !met)
     m_unmet.push_back(shortened(fmt::format("{} ({})", wanted, measured)));
-  else if (!defined && std::ranges::find(m_unmet, too_few) == m_unmet.end())
+  else if ((!defined || untold) && std::ranges::find(m_unmet, too_few) == m_unmet.end())
     m_unmet.emplace_back(too_few);
 }
 
@@ -131,6 +142,7 @@ void Judge::compare(const ClaimCondition& c) {
   const std::vector<double> y = values(b, c.readout);
   const statistics::Interval d = statistics::mean_difference(x, y, alpha);
   const statistics::Interval g = statistics::hedges_g(x, y, alpha);
+  const double larger = std::max(std::abs(statistics::moments(x).mean), std::abs(statistics::moments(y).mean));
   const double p = statistics::t_test(x, y).p;
   const bool signed_so = has(c.sign, d.value);
   const bool significant = p < alpha;
@@ -148,11 +160,12 @@ void Judge::compare(const ClaimCondition& c) {
   } else if (c.rule == ClaimRule::same) {
     wanted = "not significantly different from";
     met = !significant;
-    reading = {.family = Family::no_difference, .p = p};
+    reading = {.family = Family::no_difference, .p = p, .vague = vague(d, larger)};
   } else { // not_beyond
     wanted = fmt::format("not significantly {}", word(c.sign));
     met = !(signed_so && significant);
-    reading = {.family = Family::no_difference, .p = signed_so ? p : 1.0};
+    reading = {
+        .family = Family::no_difference, .p = signed_so ? p : 1.0, .vague = vague(d, larger) && !opposes(c.sign, d)};
   }
   condition(fmt::format("{} at {} {} that at {}", c.readout, b.label, wanted, a.label),
             fmt::format("difference {:.3g} [{:.3g}, {:.3g}], p {:.2g}, g {:.2g} [{:.2g}, {:.2g}]", d.value, d.low,
@@ -189,10 +202,14 @@ void Judge::exceeds(const ClaimCondition& c) {
 void Judge::agrees_at(const Group& g, const ClaimCondition& c) {
   const std::vector<double> x = values(g, c.readout);
   const double mean = statistics::moments(x).mean;
+  const statistics::Interval interval = statistics::mean_interval(x, alpha);
   const double p = statistics::published_mean_test(x, c.value, c.runs).p;
   condition(fmt::format("{} at {} agrees with {:.3g}", c.readout, g.label, c.value),
             fmt::format("mean {:.3g}, p {:.2g}", mean, p), x.size() > 1, p >= alpha,
-            {.family = Family::agreement, .p = p, .close = std::abs(mean - c.value) <= tenth * std::abs(c.value)});
+            {.family = Family::agreement,
+             .p = p,
+             .close = std::abs(mean - c.value) <= tenth * std::abs(c.value),
+             .vague = vague(interval, c.value)});
 }
 
 void Judge::agrees(const ClaimCondition& c) { agrees_at(group(c.to), c); }
@@ -246,7 +263,8 @@ void Judge::correlate(const ClaimCondition& c) {
                         c.study.empty() ? m_study : c.study),
             fmt::format("r {:.2g}, p {:.2g}", found.r, found.p), std::isfinite(found.r),
             wanted ? signed_so && found.p < alpha : found.p >= alpha,
-            wanted ? Reading{.direction = signed_so, .against = !signed_so && found.p < alpha} : Reading{});
+            wanted ? Reading{.direction = signed_so, .against = !signed_so && found.p < alpha}
+                   : Reading{.vague = found.n < 4 || vague(statistics::correlation_interval(found, alpha), 1.0)});
 }
 
 void Judge::over_all_runs(const ClaimCondition& c) {
@@ -290,7 +308,7 @@ void Judge::judge_again(Finding& finding) const {
       if (c.reading.family == family) adjusted[family].push_back(c.reading.p);
     adjusted[family] = statistics::holm(adjusted[family]);
   }
-  bool defined = !m_again.empty(), met = true, states_direction = false, direction = true;
+  bool defined = !m_again.empty(), met = true, states_direction = false, direction = true, vague = false;
   std::map<Family, std::size_t> next;
   for (const Condition& c : m_again) {
     bool is_met = c.met;
@@ -298,21 +316,21 @@ void Judge::judge_again(Finding& finding) const {
       is_met = c.reading.close || !(adjusted[c.reading.family][next[c.reading.family]++] < alpha);
     defined = defined && c.defined;
     met = met && is_met;
+    vague = vague || (is_met && c.reading.vague);
     states_direction = states_direction || c.reading.direction.has_value();
     direction = direction && c.reading.direction.value_or(true);
     if (!is_met) finding.second_unmet.push_back(c.text);
     if (c.defined && c.reading.against) finding.against.push_back(c.text);
   }
-  finding.second = !defined                        ? Verdict::undecided
+  finding.second = !defined || (met && vague)      ? Verdict::undecided
                    : met                           ? Verdict::holds
                    : states_direction && direction ? Verdict::in_direction
                                                    : Verdict::does_not_hold;
 }
 
 Finding Judge::finding() const {
-  const Verdict verdict = !m_defined || m_conditions.empty() ? Verdict::undecided
-                          : m_met                            ? Verdict::holds
-                                                             : Verdict::does_not_hold;
+  const bool told = m_defined && !m_conditions.empty() && !(m_met && m_vague);
+  const Verdict verdict = !told ? Verdict::undecided : m_met ? Verdict::holds : Verdict::does_not_hold;
   Finding finding{.verdict = verdict, .ours = m_ours, .conditions = m_conditions, .brief = brief()};
   if (verdict != Verdict::holds) finding.unmet = m_unmet;
   judge_again(finding);

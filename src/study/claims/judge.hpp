@@ -18,6 +18,9 @@
 ///   published ones, p-values are corrected within the claim (Holm), since ten true nulls at 0.05 each fail two times
 ///   in five; a mean within a tenth of the published one agrees whatever the scatter; and a claim whose stated
 ///   directions and orders all come out, though a value or a significance is missed, is "in direction".
+/// By both editions a test that finds nothing says nothing where it could not have: where a 95 % interval reaches
+/// further to either side than half of what the condition is about (the larger of two means, the published mean,
+/// r = 1), a condition that p >= 0.05 would meet is not told, and the claim undecided unless another condition fails.
 /// Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
@@ -44,7 +47,8 @@ struct Finding {
   std::vector<std::string> against{};      ///< conditions whose direction comes out opposite by its whole interval
 };
 
-/// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs.
+/// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs or
+/// the runs that there are tell too little.
 class Judge {
 public:
   /// @param study  that conditions mean where they name none
@@ -71,6 +75,7 @@ private:
     double p = 1.0;       ///< of the condition's family
     bool close = false;   ///< agrees whatever its p-value
     bool against = false; ///< the 95 % interval lies wholly on the other side of the stated direction
+    bool vague = false;   ///< the interval is too wide for a p above 0.05 to meet the condition
   };
   struct Condition {
     std::string text; ///< shortened
@@ -112,6 +117,7 @@ private:
   std::vector<std::string> m_others; ///< correlations, and numbers over all runs of a study
   bool m_defined = true;
   bool m_met = true;
+  bool m_vague = false; ///< a condition that would be met is not told
   std::vector<std::string> m_ours;
   std::vector<std::string> m_conditions;
   std::vector<std::string> m_unmet;

@@ -81,6 +81,35 @@ TEST(Judge, EachCondition) {
   EXPECT_FALSE(holds(between("differs", 1, 2, up) + between("same", 1, 2))) << "all must be met";
 }
 
+// Two runs a point scatter so much that no test finds a difference.
+TEST(Judge, DoesNotTakeTooFewRunsForAgreement) {
+  const Evidence few = evidence(f, {{1.0, 9.0}, {2.0, 12.0}, {3.0, 4.0}});
+  for (const std::string& condition :
+       {between("same", 1, 2), between("not_beyond", 1, 2, up), between("not_beyond", 1, 2, down),
+        at("agrees", 1, "value = 5, runs = 12"), on("highest_agrees", "value = 7, runs = 12")}) {
+    const Finding found = finding(few, condition);
+    EXPECT_EQ(found.verdict, Verdict::undecided) << condition;
+    EXPECT_EQ(found.second, Verdict::undecided) << condition;
+    EXPECT_EQ(found.unmet, std::vector<std::string>{"too few runs"});
+  }
+  EXPECT_NE(finding(few, between("same", 1, 2)).conditions.at(0).find("too few runs to tell"), std::string::npos);
+  EXPECT_EQ(finding(few, between("leans", 1, 2, up)).verdict, Verdict::holds) << "no test is asked for";
+  EXPECT_EQ(finding(few, between("same", 1, 2) + between("leans", 1, 2, down)).verdict, Verdict::does_not_hold)
+      << "one condition fails whatever the other says";
+  EXPECT_EQ(finding(few, between("same", 1, 2) + between("leans", 1, 2, down)).second, Verdict::does_not_hold);
+  const Evidence below = evidence(f, {{8.0, 10.0, 9.0, 9.5}, {1.0, 3.0, 0.1, 2.0}});
+  EXPECT_EQ(finding(below, between("not_beyond", 1, 2, up)).verdict, Verdict::holds) << "wholly on the other side";
+}
+
+TEST(Judge, TakesAnIntervalOfHalfTheMeanForEnough) {
+  const auto verdict = [](double half) { // of the interval of the mean 10: t is 12.706 for two runs
+    const double off = half / 12.7062;
+    return finding(evidence(f, {{10.0 - off, 10.0 + off}}), at("agrees", 1, "value = 10, runs = 12")).verdict;
+  };
+  EXPECT_EQ(verdict(4.99), Verdict::holds);
+  EXPECT_EQ(verdict(5.01), Verdict::undecided);
+}
+
 // Three true nulls of which one has p = 0.033, and three of which one has p = 0.0005.
 TEST(SecondEdition, CorrectsWhatDoesNotDifferWithinAClaim) {
   const std::vector<double> x{1.0, 1.1, 1.2, 1.3};
@@ -165,7 +194,13 @@ TEST(Judge, CorrelatesReadOutsOverRuns) {
   EXPECT_FALSE(holds(on("correlates", "with = \"tau_prot_min\"" + up)));
   EXPECT_FALSE(holds(on("uncorrelated", "with = \"tau_prot_min\"")));
   EXPECT_FALSE(holds(on("correlates", "with = \"l_prot_um\"" + up)));
-  EXPECT_TRUE(holds(on("uncorrelated", "with = \"l_prot_um\"")));
+  const std::string uncorrelated = on("uncorrelated", "with = \"l_prot_um\"");
+  EXPECT_EQ(finding(e, uncorrelated).verdict, Verdict::undecided) << "r reaches from -0.6 to 0.6 in twelve runs";
+  std::vector<Result>& runs = e.at("s").results;
+  const std::vector<Result> twelve = runs;
+  runs.insert(runs.end(), twelve.begin(), twelve.end());
+  EXPECT_TRUE(holds(uncorrelated));
+  EXPECT_EQ(finding(e, uncorrelated).second, Verdict::holds);
 }
 
 TEST(Judge, PrintsNoNumbersThatAreNone) {
@@ -247,10 +282,10 @@ TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
         const Study s = parse_study(shipped_file(name, set).text, name, ".");
         std::vector<Result> results;
         for (std::size_t i = 0; i < s.points.size(); ++i)
-          for (std::size_t k = 1; k <= 3; ++k) { // any numbers, so that nothing is undecided
+          for (std::size_t k = 1; k <= 5; ++k) { // any numbers without much scatter, so that nothing is undecided
             std::vector<double> values(all_readouts().size());
             for (std::size_t v = 0; v < values.size(); ++v)
-              values[v] = static_cast<double>(1 + (i * 7 + k * k * 3 + v * k) % 11);
+              values[v] = static_cast<double>(100 + 40 * ((i * 7 + v) % 11) + (k * k * 3 + v * k) % 11);
             Result& r = results.emplace_back();
             r.run.point = i;
             r.readouts = values;

@@ -52,6 +52,22 @@ TEST(Compare, RanksOfAFewValuesAreCounted) { // 3 against 3 apart: 2 of 20 arran
   EXPECT_NEAR(mann_whitney_test(std::vector{1.0, 3.0}, std::vector{2.0, 4.0}).p, 4.0 / 6.0, 1e-12);
 }
 
+TEST(Compare, RanksDoNotHangOnTheLastBit) {
+  const std::vector<double> low{0.05, 0.1, 0.15, 0.2};
+  const std::vector<double> tied{0.15, 0.25, 0.3, 0.35};
+  std::vector<double> off = tied;
+  off[0] = 0.15000000000000002;
+  EXPECT_EQ(mann_whitney_test(low, off).statistic, mann_whitney_test(low, tied).statistic);
+  EXPECT_EQ(mann_whitney_test(low, off).p, mann_whitney_test(low, tied).p);
+  off[0] = 0.15000000001; // a difference of the eleventh digit is one
+  EXPECT_NE(mann_whitney_test(low, off).statistic, mann_whitney_test(low, tied).statistic);
+  for (const double scale : {1e-300, -1e-12, 1e15, 1e300}) {
+    const std::vector<double> a{1.0 * scale, 2.0 * scale, 3.0 * scale};
+    const std::vector<double> b{4.0 * scale, 5.0 * scale, 6.0 * scale};
+    EXPECT_NEAR(mann_whitney_test(a, b).p, 0.1, 1e-12) << scale;
+  }
+}
+
 TEST(Compare, SwappingTheSamplesTurnsTheSign) {
   EXPECT_DOUBLE_EQ(t_test(sleep_1, sleep_2).statistic, -t_test(sleep_2, sleep_1).statistic);
   EXPECT_DOUBLE_EQ(t_test(sleep_1, sleep_2).p, t_test(sleep_2, sleep_1).p);

@@ -20,6 +20,10 @@ TEST(Correlation, AsInR) { // R: cor.test(x, y)
   EXPECT_EQ(c.n, 9U);
   EXPECT_NEAR(c.r, 0.5711816, 1e-7);
   EXPECT_NEAR(c.p, 0.1082, 5e-5);
+  EXPECT_NEAR(correlation_interval(c, 0.05).low, -0.1497426, 1e-7);
+  EXPECT_NEAR(correlation_interval(c, 0.05).high, 0.8955795, 1e-7);
+  EXPECT_TRUE(std::isnan(correlation_interval({3, 0.5, 0.7}, 0.05).low));
+  EXPECT_TRUE(std::isnan(correlation_interval({9, 1.0, 0.0}, 0.05).low));
 }
 
 TEST(Correlation, LeavesOutPairsWithAGap) {
