@@ -144,10 +144,12 @@ struct CellContactParameters {
 };
 
 struct ContactParameters {
-  double range = 1.4;          ///< d_c [um]
-  double sample_spacing = 0.8; ///< points of the viscous coupling on a segment are no further apart [um]
-  double fluid_share = 0.15;   ///< of the viscous coupling to solid, with the fluid outside the cell [-]
-  double deepest_solid = 0.3;  ///< a solid particle deeper inside the cell becomes fluid at once [um]
+  double range = 1.4;             ///< d_c [um]
+  double sample_spacing = 0.8;    ///< points of the viscous coupling on a segment are no further apart [um]
+  double fluid_share = 0.15;      ///< of the viscous coupling to solid, with the fluid outside growing and maturing
+                                  ///< protrusions [-]
+  double body_fluid_share = 0.15; ///< the same of the rest of the cortex [-]
+  double deepest_solid = 0.3;     ///< a solid particle deeper inside the cell becomes fluid at once [um]
   CellContactParameters cells;
 };
 
@@ -197,12 +199,14 @@ struct AdhesionParameters {
   double stiffness = 2.0;   ///< k_ad [nN/um]
   double rest_length = 5.0; ///< l_0,adh [um]
   AdhesionHold hold = AdhesionHold::matter;
-  double spread = 1.0;            ///< smoothing length of its kernel over that of the matrix [-]
-  double least_support = 0.02;    ///< share of solid around the anchor below which the adhesion is lost [-]
-  double maturation_time = 600.0; ///< T_mat [s]
-  double step_threshold = 0.98;   ///< share of a step's force at which the next one begins [-]
-  double rest_speed = 0.004;      ///< of the tip, below which the first step may be done [um/s]; 0: at any speed
-  double base_drag = 1000.0;      ///< drag of each pinned base particle while maturing [nN s/um]
+  double spread = 1.0;             ///< smoothing length of its kernel over that of the matrix [-]
+  double least_support = 0.02;     ///< share of solid around the anchor below which the adhesion is lost [-]
+  double maturation_time = 600.0;  ///< T_mat [s]
+  double step_threshold = 0.98;    ///< share of a step's force at which the next one begins [-]
+  double rest_speed = 0.004;       ///< of the tip, below which the first step may be done [um/s]; 0: at any speed
+  double base_drag = 1000.0;       ///< drag of each pinned base particle while maturing [nN s/um]
+  int pinned_particles = 3;        ///< of either end of a maturing protrusion
+  double maturation_strands = 1.0; ///< strands of actomyosin whose full pull is the F_am of F_mat [-]
   Handover handover = Handover::bundle;
   double handover_time = 0.4;  ///< in which the bundle gives way [s]
   double handover_share = 0.9; ///< of f_mat F_am that bundle and cortex together put on the adhesion [-]
@@ -226,8 +230,10 @@ struct DegradationParameters {
   double protrusion_distance = 1.4; ///< [um]
   double body_rate = 0.033;         ///< [1/s]
   double body_distance = 1.9;       ///< reach of degradation around the cell's body [um]
+  double rear_share = 1.0;          ///< rate around the rear half of the body over body_rate [-]
   DegradationPressure pressure = DegradationPressure::sum;
-  double threshold = 0.02; ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
+  double smaller_share = 1.0; ///< weight of the smaller pressure in the sum [-]
+  double threshold = 0.02;    ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
 };
 
 /// Cues that the paper does not have; all off.

@@ -12,8 +12,10 @@ namespace matrigrate {
 
 std::vector<std::string> first_closures() {
   std::vector<std::string> overrides{"actomyosin.curvature_profile=triangle", "adhesion.rupture_strands=1",
-                                     "degradation.pressure=solid", "contact.fluid_share=0.1"};
-  for (const auto& [key, value] : before_their_keys) overrides.push_back(fmt::format("{}={}", key, value));
+                                     "degradation.pressure=solid", "contact.fluid_share=0.1",
+                                     "contact.body_fluid_share=0.1"};
+  for (const auto& [key, value] : before_their_keys)
+    if (find_row(value) == nullptr) overrides.push_back(fmt::format("{}={}", key, value));
   return overrides;
 }
 

@@ -61,7 +61,7 @@ class Reader {
 public:
   /// @param file  as it stands in faults
   Reader(const Parameters& defaults, std::string file)
-      : m_parameters(defaults), m_start(defaults.run), m_faults(std::move(file)) {
+      : m_parameters(defaults), m_start(defaults), m_faults(std::move(file)) {
     if (!m_parameters.grids) m_parameters.grids = std::make_shared<fields::Grids>();
   }
 
@@ -103,6 +103,7 @@ public:
     if (!m_refused) {
       follow_earlier_version();
       follow_integrator();
+      follow_fluid_share();
       check_cells();
       check_rules(rules());
       check_rules(more);
@@ -117,14 +118,22 @@ private:
     if (!m_resolved) return;
     for (const auto& [path, value] : before_their_keys)
       if (!m_given.contains(path))
-        take(std::string(path), *toml::parse(fmt::format("value = {}", value)).get("value"), {m_faults.file()});
+        take(std::string(path), *toml::parse(fmt::format("value = {}", value_before(value, m_parameters))).get("value"),
+             {m_faults.file()});
   }
 
   /// A usual step that nobody has named becomes that of the integrator.
   void follow_integrator() {
-    const bool usual = m_start.time_step == usual_time_step(m_start.integrator);
+    const bool usual = m_start.run.time_step == usual_time_step(m_start.run.integrator);
     if (usual && !m_given.contains("run.time_step"))
       m_parameters.run.time_step = usual_time_step(m_parameters.run.integrator);
+  }
+
+  /// A share of the body that nobody has named, and that was the share of protrusions, goes with it.
+  void follow_fluid_share() {
+    const bool one = m_start.contact.body_fluid_share == m_start.contact.fluid_share;
+    if (one && !m_given.contains("contact.body_fluid_share"))
+      m_parameters.contact.body_fluid_share = m_parameters.contact.fluid_share;
   }
 
   /// Nothing of the file was read.
@@ -232,7 +241,7 @@ private:
   }
 
   Parameters m_parameters;
-  RunParameters m_start; ///< before anything was given
+  Parameters m_start; ///< before anything was given
   FaultList m_faults;
   bool m_refused = false;
   bool m_resolved = false; ///< the file holds every parameter of the version that wrote it

@@ -125,6 +125,12 @@ std::string tip_width(const Parameters& p) {
                      p.protrusion.tip_half_width, p.protrusion.half_width);
 }
 
+std::string pinned_base(const Parameters& p) {
+  if (p.adhesion.pinned_particles <= p.protrusion.half_width + 1) return {};
+  return fmt::format("{} pinned particles at either end are more than a protrusion has; allowed are <= {}",
+                     p.adhesion.pinned_particles, p.protrusion.half_width + 1);
+}
+
 std::string supports(const Parameters& p) {
   if (p.ecm.orphan_support < p.ecm.support_floor) return {};
   return fmt::format("ecm.orphan_support is {}, but must be below ecm.support_floor, which is {}", p.ecm.orphan_support,
@@ -168,6 +174,7 @@ std::span<const Rule> rules() {
       {"the nucleus is closed", {"nucleus.particles", "nucleus.radius", "nucleus.repulsion_range"}, nucleus_spacing},
       {"a protrusion fits on the cortex", {"protrusion.half_width", "cell.particles"}, protrusion_width},
       {"a tip fits on a protrusion", {"protrusion.tip_half_width", "protrusion.half_width"}, tip_width},
+      {"a base lies on its protrusion", {"adhesion.pinned_particles", "protrusion.half_width"}, pinned_base},
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
       {"there is attractant to sense",

@@ -35,9 +35,10 @@ std::string comment(const Row& row) {
 }
 
 /// Whether a new scenario names the value, and does not only show it in a comment. A usual step is left to follow the
-/// integrator.
+/// integrator, and a body like its protrusions to follow them.
 bool is_open(const Row& row, const Parameters& p) {
   if (row.path == "run.time_step") return p.run.time_step != usual_time_step(p.run.integrator);
+  if (row.path == "contact.body_fluid_share") return p.contact.body_fluid_share != p.contact.fluid_share;
   return row.audience == Audience::usual || value_text(row, p) != value_text(row, {});
 }
 
@@ -165,8 +166,8 @@ std::string values_text(const Parameters& p) {
     if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
     if (p.nucleus.radius == 0.0 && section_of(row) == "nucleus") continue;
     if (row.path.starts_with("cues.") && value == value_text(row, {})) continue;
-    if (std::ranges::find(before_their_keys, std::pair(row.path, std::string_view(value))) != before_their_keys.end())
-      continue;
+    const auto before = std::ranges::find(before_their_keys, row.path, &KeyBefore::first);
+    if (before != before_their_keys.end() && value == value_before(before->second, p)) continue;
     text += fmt::format("{} = {}\n", row.path, value);
   }
   return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));

@@ -143,7 +143,7 @@ TEST(Migration, ACellInFluidIsResistedByItsOwnDragAndByAShareOfTheFluid) {
   const auto speed = [](double share) {
     Parameters p = hasty();
     p.protrusion.initiation_rate = 0.0;
-    p.contact.fluid_share = share;
+    p.contact.body_fluid_share = share;
     State s = initial_state(p);
     for (std::size_t i = 0; i < s.ecm.size(); ++i)
       if (!s.ecm.clamped[i]) s.ecm.f[i] = 0.0;

@@ -14,7 +14,7 @@ double degradation_pressure(double distance, double solid_pressure, const Parame
   case DegradationPressure::larger:
     return std::max(solid_pressure, of_contact);
   case DegradationPressure::sum:
-    return solid_pressure + of_contact;
+    return std::max(solid_pressure, of_contact) + p.degradation.smaller_share * std::min(solid_pressure, of_contact);
   case DegradationPressure::solid:
     break;
   }
@@ -29,16 +29,17 @@ double degradation_rate(double distance, bool on_protrusion, double solid_pressu
   return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
 }
 
-void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby,
-             std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt) {
+void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby, const DegradingParts& parts,
+             std::span<const Vec2> tips, double dt) {
   const double K = moduli(p.ecm).K;
   const double tip_reach2 = p.degradation.tip_distance * p.degradation.tip_distance;
   for (const NearbyParticle& e : nearby) {
     const std::uint32_t k = e.particle;
     if (ecm.f[k] <= 0.0 || ecm.in_obstacle(k)) continue;
     const double stiffness = ecm.stiffness(k);
-    double rate =
-        degradation_rate(e.distance, on_protrusion[e.segment] != 0, pressure(ecm.rho[k], K * stiffness), p, stiffness);
+    const bool on_protrusion = parts.on_protrusion[e.segment] != 0;
+    double rate = degradation_rate(e.distance, on_protrusion, pressure(ecm.rho[k], K * stiffness), p, stiffness);
+    if (!on_protrusion && !parts.of_front.empty() && parts.of_front[e.segment] == 0) rate *= p.degradation.rear_share;
     const Vec2 x = ecm.x[k] - 0.5 * dt * ecm.v[k];
     const bool at_tip =
         std::ranges::any_of(tips, [&](const Vec2& tip) { return (x - tip).squaredNorm() < tip_reach2; });

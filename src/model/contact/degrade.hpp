@@ -12,7 +12,8 @@
 namespace matrigrate {
 
 /// The pressure that degradation.pressure names, which is compared with p_th [kPa]: that of the solid, the larger of it
-/// and the contact pressure, or their sum.   @param distance  to the closest segment [um]
+/// and the contact pressure, or their sum, in which the smaller one counts smaller_share.   @param distance  to the
+/// closest segment [um]
 double degradation_pressure(double distance, double solid_pressure, const Parameters& p, double stiffness = 1.0);
 
 /// Rate at which an encounter degrades its particle [1/s]: the protrusion's or the body's, where the particle is closer
@@ -22,12 +23,18 @@ double degradation_pressure(double distance, double solid_pressure, const Parame
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,
                         double stiffness = 1.0);
 
+/// Parts of the cortex that degrade at rates of their own.
+struct DegradingParts {
+  std::span<const std::uint8_t> on_protrusion; ///< 1 for the segments that belong to any protrusion
+  std::span<const std::uint8_t> of_front{};    ///< 1 for the particles of the front; empty: all of them
+};
+
 /// Degrades for dt, after positions have moved by dt v: around the tips at tip_rate whatever the pressure, along
-/// protrusions and body by degradation_rate(); the faster one counts. Particles that reach f = 0 become fluid.
-/// @param on_protrusion  1 for the segments that belong to any protrusion
-/// @param tips           positions of the pushing particles of all growing protrusions in the middle of the step [um]
-void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby,
-             std::span<const std::uint8_t> on_protrusion, std::span<const Vec2> tips, double dt);
+/// protrusions and body by degradation_rate(), around the rear of the body rear_share times that (a segment is of the
+/// front if its first particle is); the faster one counts. Particles that reach f = 0 become fluid.
+/// @param tips  positions of the pushing particles of all growing protrusions in the middle of the step [um]
+void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby, const DegradingParts& parts,
+             std::span<const Vec2> tips, double dt);
 
 /// Fluidizes solid particles deeper inside the cell than contact.deepest_solid.   @return how many
 std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby);

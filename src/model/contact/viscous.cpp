@@ -4,6 +4,7 @@
 #include "sph/kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -19,11 +20,12 @@ struct Samples {
   std::vector<std::uint32_t> first{0};
   std::vector<std::uint32_t> segment;
   std::vector<Vec2> x, along;        // a sample, and its segment as a vector [um]
+  std::vector<std::uint8_t> soft;    // whether its segment grows or matures
   std::vector<double> s;             // position along the segment, 0 to 1 [-]
   std::vector<double> shared_volume; // of a sample and a particle; pair_drag takes V_i V_j as a square [um^2]
 };
 
-Samples samples(const CortexState& c, const Parameters& p, double V0) {
+Samples samples(const CortexState& c, std::span<const std::uint8_t> soft, const Parameters& p, double V0) {
   Samples points;
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec2 e = c.x[c.next(i)] - c.x[i];
@@ -32,6 +34,7 @@ Samples samples(const CortexState& c, const Parameters& p, double V0) {
     const double volume = l / count * p.ecm.particle_spacing; // per depth [um^2]
     for (int m = 0; m < count; ++m) {
       points.segment.push_back(static_cast<std::uint32_t>(i));
+      points.soft.push_back(soft[i]);
       points.s.push_back((m + 0.5) / count);
       points.x.emplace_back(c.x[i] + points.s.back() * e);
       points.along.push_back(e);
@@ -70,13 +73,15 @@ void find_near(const Vec2& x, std::span<const std::uint32_t> segments, const Sam
 }
 
 /// Sets the share of the drag that each sample exerts on particle k; removes samples whose share is 0.
-void share_drag(const EcmState& ecm, std::uint32_t k, const Samples& points, double fluid_share, NearbySamples& near) {
-  const double inside = ecm.f[k], outside = ecm.f[k] + fluid_share * (1.0 - ecm.f[k]);
+void share_drag(const EcmState& ecm, std::uint32_t k, const Samples& points, const ContactParameters& p,
+                NearbySamples& near) {
+  const double inside = ecm.f[k];
+  const std::array outside{inside + p.body_fluid_share * (1.0 - inside), inside + p.fluid_share * (1.0 - inside)};
   std::size_t count = 0;
   for (std::size_t n = 0; n < near.count; ++n) {
     const std::uint32_t m = near.point[n];
     const bool is_outside = cross(ecm.x[k] - points.x[m], points.along[m]) > 0.0; // the cortex runs counter-clockwise
-    const double share = is_outside ? outside : inside;
+    const double share = is_outside ? outside[points.soft[m]] : inside;
     near.share[count] = share;
     near.shared_volume[count] = points.shared_volume[m];
     near.point[count] = m;
@@ -98,16 +103,17 @@ void evaluate_drag(const EcmParameters& p, const Kernel& kernel, NearbySamples& 
 
 } // namespace
 
-void add_viscous_contact(const EcmState& ecm, const CortexState& c, const Parameters& p, const SegmentGrid& grid,
-                         std::uint32_t first, DragSystem& A) {
+void add_viscous_contact(const EcmState& ecm, const CortexState& c, std::span<const std::uint8_t> soft,
+                         const Parameters& p, const SegmentGrid& grid, std::uint32_t first, DragSystem& A) {
   const Kernel kernel(p.ecm.smoothing_length);
-  const Samples points = samples(c, p, ecm.V0);
+  const Samples points = samples(c, soft, p, ecm.V0);
+  const bool in_fluid = std::max(p.contact.fluid_share, p.contact.body_fluid_share) > 0.0;
   NearbySamples near(points.x.size() + 1); // the entry after the last is written before it is known to count
   for (const std::uint32_t k : grid.candidates(ecm.x)) {
     const bool rigid = ecm.in_obstacle(k);
-    if ((ecm.clamped[k] && !rigid) || (ecm.f[k] <= 0.0 && p.contact.fluid_share <= 0.0)) continue;
+    if ((ecm.clamped[k] && !rigid) || (ecm.f[k] <= 0.0 && !in_fluid)) continue;
     find_near(ecm.x[k], grid.near(ecm.x[k]), points, kernel.support(), near);
-    share_drag(ecm, k, points, p.contact.fluid_share, near);
+    share_drag(ecm, k, points, p.contact, near);
     evaluate_drag(p.ecm, kernel, near);
     for (std::size_t n = 0; n < near.count; ++n) {
       const std::size_t i = points.segment[near.point[n]];

@@ -7,11 +7,9 @@ namespace matrigrate {
 
 namespace {
 
-constexpr int pinned = 3; // particles at either end
-
 void pin_base(const CortexState& c, const Protrusion& protrusion, const Parameters& p, std::uint32_t first,
               DragSystem& A) {
-  for (int k = 0; k < pinned; ++k)
+  for (int k = 0; k < p.adhesion.pinned_particles; ++k)
     for (const int end : {-p.protrusion.half_width + k, p.protrusion.half_width - k})
       A.diagonal[first + c.along(protrusion.centre, end)] += p.adhesion.base_drag;
 }
@@ -35,10 +33,12 @@ void pull_base(const CortexState& c, const Protrusion& protrusion, const Paramet
 
 } // namespace
 
+double maturation_force(const Parameters& p) { return p.adhesion.maturation_strands * p.actomyosin.force; }
+
 double maturing_f_mat(int steps) { return std::min(1.0, maturation_step * (steps + 1)); }
 
 double step_force(int steps, const Parameters& p) {
-  return maturation_step * (steps + p.adhesion.step_threshold) * p.actomyosin.force;
+  return maturation_step * (steps + p.adhesion.step_threshold) * maturation_force(p);
 }
 
 bool step_done(int steps, double F, double recoil, const Parameters& p) {
@@ -61,7 +61,7 @@ void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint3
     }
     const auto* maturing = std::get_if<Maturing>(&protrusion.phase);
     if (maturing == nullptr) continue;
-    force[first + protrusion.centre] -= maturing_f_mat(maturing->steps) * p.actomyosin.force * maturing->direction;
+    force[first + protrusion.centre] -= maturing_f_mat(maturing->steps) * maturation_force(p) * maturing->direction;
     pin_base(cell.cortex, protrusion, p, first, A);
   }
 }

@@ -14,10 +14,14 @@ namespace matrigrate {
 inline constexpr double maturation_step = 0.1; ///< f_mat gained in a step [-]
 inline constexpr int max_maturation_steps = 10;
 
+/// F_am of the pull of maturation: that of as many strands as maturation_strands says (MODEL.md, I28) [nN].
+double maturation_force(const Parameters& p);
+
 /// f_mat while maturing, after a number of steps done: 0.1 (steps + 1), at most 1 [-].
 double maturing_f_mat(int steps);
 
-/// Force of the adhesion at which the running step is done: (f_mat - 0.1) F_am + 0.98 x 0.1 F_am [nN].
+/// Force of the adhesion at which the running step is done: (f_mat - 0.1) F_am + 0.98 x 0.1 F_am, with the F_am of
+/// maturation_force() [nN].
 double step_force(int steps, const Parameters& p);
 
 /// Whether the running step is done: the adhesion bears its force, and, if it is the first one, the recoil of growth is
@@ -34,7 +38,7 @@ bool step_done(int steps, double F, double recoil, const Parameters& p);
 double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 
 /// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot, and the high drag of
-/// the three particles at either end of it that pins its base.
+/// pinned_particles at either end of it that pins its base.
 /// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
 /// With handover = bundle also the pull that is left of F_mat in contracting protrusions, between the centre and both
 /// ends of the base.

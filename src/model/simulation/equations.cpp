@@ -107,7 +107,8 @@ void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w)
   w.drag.F.resize(node_count(s), Vec2::Zero());
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     const CortexState c = after_a_quarter_step(s.cells[k].cortex, p, dt);
-    add_viscous_contact(s.ecm, c, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length), first_node(s, k), w.drag);
+    add_viscous_contact(s.ecm, c, w.cells[k].membership.soft, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length),
+                        first_node(s, k), w.drag);
   }
 }
 

@@ -50,7 +50,9 @@ std::vector<double> product(std::vector<double> a, std::span<const double> b) {
 void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w) {
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     const CellShape& shape = w.cells[k];
-    degrade(s.ecm, p, shape.nearby, shape.membership.on_protrusion, tips_of(s.cells[k], p, dt), dt);
+    std::vector<std::uint8_t> of_front;
+    if (p.degradation.rear_share != 1.0) of_front = front_of(s.cells[k]);
+    degrade(s.ecm, p, shape.nearby, {shape.membership.on_protrusion, of_front}, tips_of(s.cells[k], p, dt), dt);
     w.health.engulfed += fluidize_engulfed(s.ecm, p, shape.nearby);
   }
 }

@@ -55,6 +55,23 @@ TEST(DegradationRate, AddsThePressuresOfSolidAndContact) {
   EXPECT_EQ(degradation_rate(distance, true, -of_contact, p), 0.0) << "a solid under tension bears part of the contact";
 }
 
+TEST(DegradationRate, WeighsTheSmallerPressureBetweenTheSumAndTheLarger) {
+  Parameters sum;
+  Parameters larger;
+  larger.degradation.pressure = DegradationPressure::larger;
+  for (const double distance : {0.5, 1.36, 1.5})
+    for (const double of_solid : {-0.01, 0.0, 0.015, 0.7}) {
+      const double of_contact = contact_pressure(distance, sum);
+      sum.degradation.smaller_share = 1.0;
+      EXPECT_EQ(degradation_pressure(distance, of_solid, sum), of_solid + of_contact) << "in every bit";
+      sum.degradation.smaller_share = 0.0;
+      EXPECT_EQ(degradation_pressure(distance, of_solid, sum), degradation_pressure(distance, of_solid, larger));
+      sum.degradation.smaller_share = 0.25;
+      EXPECT_DOUBLE_EQ(degradation_pressure(distance, of_solid, sum),
+                       std::max(of_solid, of_contact) + 0.25 * std::min(of_solid, of_contact));
+    }
+}
+
 TEST(Degrade, FollowsTheRateOfEachNearbyParticleAndLeavesTheRestAlone) {
   Scene s = touching_scene();
   const EcmState before = s.ecm;
@@ -63,7 +80,7 @@ TEST(Degrade, FollowsTheRateOfEachNearbyParticleAndLeavesTheRestAlone) {
   for (std::size_t i = 0; i < 12; ++i) on_protrusion[i] = 1;
   s.p.degradation.protrusion_rate = 0.011;
   s.p.degradation.pressure = DegradationPressure::larger; // the contact alone presses
-  degrade(s.ecm, s.p, nearby, on_protrusion, {}, 0.4);
+  degrade(s.ecm, s.p, nearby, {on_protrusion}, {}, 0.4);
   std::vector<double> expected = before.f;
   for (const NearbyParticle& e : nearby)
     expected[e.particle] -= 0.4 * degradation_rate(e.distance, on_protrusion[e.segment] != 0, 0.0, s.p);
@@ -75,12 +92,33 @@ TEST(Degrade, FollowsTheRateOfEachNearbyParticleAndLeavesTheRestAlone) {
   EXPECT_GT(changed, 5);
 }
 
+TEST(Degrade, WorksMoreSlowlyAroundTheRearOfTheBodyWhereAsked) {
+  Scene s = touching_scene();
+  const EcmState before = s.ecm;
+  const std::vector<NearbyParticle> nearby = s.nearby();
+  std::vector<std::uint8_t> on_protrusion(s.c.size(), 0), of_front(s.c.size(), 0);
+  for (std::size_t i = 0; i < s.c.size(); ++i) {
+    on_protrusion[i] = i % 4 == 0 ? 1 : 0;
+    of_front[i] = i < s.c.size() / 2 ? 1 : 0;
+  }
+  s.p.degradation.rear_share = 0.25;
+  degrade(s.ecm, s.p, nearby, {on_protrusion, of_front}, {}, 0.4);
+  int rear = 0;
+  for (const NearbyParticle& e : nearby) {
+    const double usual = 0.4 * degradation_rate(e.distance, on_protrusion[e.segment] != 0, 0.0, s.p);
+    const bool slow = on_protrusion[e.segment] == 0 && of_front[e.segment] == 0;
+    EXPECT_NEAR(before.f[e.particle] - s.ecm.f[e.particle], (slow ? 0.25 : 1.0) * usual, 1e-15);
+    if (slow && usual > 0.0) ++rear;
+  }
+  EXPECT_GT(rear, 2);
+}
+
 TEST(Degrade, WorksAtATipWhateverThePressureAndTheFasterRateCounts) {
   Scene s = touching_scene();
   const Vec2 tip = s.c.x[0];
   const std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
   const EcmState before = s.ecm;
-  degrade(s.ecm, s.p, s.nearby(), on_protrusion, std::vector<Vec2>{tip, tip}, 0.4);
+  degrade(s.ecm, s.p, s.nearby(), {on_protrusion}, std::vector<Vec2>{tip, tip}, 0.4);
   int at_tip = 0;
   for (std::size_t k = 0; k < s.ecm.size(); ++k) {
     if ((s.ecm.x[k] - tip).norm() >= 2.4 || s.ecm.clamped[k]) continue;
@@ -102,8 +140,8 @@ TEST(Degrade, TakesTipsAndParticlesWhereTheyAreInTheMiddleOfTheStep) {
     moving.ecm.v[k] = v;
     moving.ecm.x[k] += dt * v;
   }
-  degrade(rest.ecm, rest.p, nearby, on_protrusion, std::vector<Vec2>{tip}, dt);
-  degrade(moving.ecm, moving.p, nearby, on_protrusion, std::vector<Vec2>{tip + 0.5 * dt * v}, dt);
+  degrade(rest.ecm, rest.p, nearby, {on_protrusion}, std::vector<Vec2>{tip}, dt);
+  degrade(moving.ecm, moving.p, nearby, {on_protrusion}, std::vector<Vec2>{tip + 0.5 * dt * v}, dt);
   EXPECT_EQ(moving.ecm.f, rest.ecm.f);
   EXPECT_LT(std::ranges::min(rest.ecm.f), 1.0);
 }
@@ -120,7 +158,7 @@ TEST(Degrade, TurnsAParticleIntoFluidInThirtySecondsAtTheBody) {
   s.ecm.S[k](0, 1) = 0.01;
   int steps = 0;
   for (; s.ecm.f[k] > 0.0 && steps < 1000; ++steps)
-    degrade(s.ecm, s.p, nearby, std::vector<std::uint8_t>(s.c.size(), 0), {}, 0.4);
+    degrade(s.ecm, s.p, nearby, {std::vector<std::uint8_t>(s.c.size(), 0)}, {}, 0.4);
   EXPECT_NEAR(0.4 * steps, 1.0 / 0.033, 0.41);
   EXPECT_EQ(s.ecm.S[k].norm(), 0.0);
 }

@@ -40,7 +40,8 @@ TEST(Obstacle, ResistsTheCellAndHasNoTermOfItsOwn) {
   const Pillar s;
   const Assembled a = assemble(s.ecm.size() + s.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
     add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), 0.4, s.first(), force, A);
-    add_viscous_contact(s.ecm, s.c, s.p, SegmentGrid(s.c, s.reach), s.first(), A);
+    add_viscous_contact(s.ecm, s.c, std::vector<std::uint8_t>(s.c.size(), 0), s.p, SegmentGrid(s.c, s.reach), s.first(),
+                        A);
   });
   const double expected = obstacle_contact * 0.5 * moduli(s.p.ecm).K * 2.0 * 1.0;
   EXPECT_LT((a.force[s.first() + 10] + 0.5 * expected * s.out).norm(), 1e-9);
@@ -73,7 +74,7 @@ TEST(Obstacle, IsNeverDegraded) {
   s.ecm.rho[s.k] = 1.7; // under a pressure at which solid is degraded
   const std::vector<std::uint8_t> on_protrusion(s.c.size(), 1);
   const std::vector<Vec2> tips{s.ecm.x[s.k]};
-  degrade(s.ecm, s.p, s.nearby(), on_protrusion, tips, 5.0);
+  degrade(s.ecm, s.p, s.nearby(), {on_protrusion}, tips, 5.0);
   EXPECT_EQ(s.ecm.f[s.k], 1.0);
   s.ecm.x[s.k] -= 4.0 * s.out; // deep inside the cell
   EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, s.nearby()), 0U);

@@ -10,19 +10,21 @@ using namespace matrigrate;
 
 namespace {
 
-DragSystem coupling(const Scene& s) {
+/// @param soft  of the segments; empty: none grows
+DragSystem coupling(const Scene& s, std::vector<std::uint8_t> soft = {}) {
+  soft.resize(s.c.size(), 0);
   return assemble(s.ecm.size() + s.c.size(),
                   [&](std::span<Vec2>, DragSystem& A) {
-                    add_viscous_contact(s.ecm, s.c, s.p, SegmentGrid(s.c, s.reach), s.first(), A);
+                    add_viscous_contact(s.ecm, s.c, soft, s.p, SegmentGrid(s.c, s.reach), s.first(), A);
                   })
       .A;
 }
 
 /// Force on the cell while it moves by and the matrix rests.
-Vec2 drag_on_cell(const Scene& s, const Vec2& speed) {
+Vec2 drag_on_cell(const Scene& s, const Vec2& speed, const std::vector<std::uint8_t>& soft = {}) {
   std::vector<Vec2> v(s.ecm.size(), Vec2::Zero());
   v.resize(s.ecm.size() + s.c.size(), speed);
-  const std::vector<Vec2> f = drag_force(coupling(s), v);
+  const std::vector<Vec2> f = drag_force(coupling(s, soft), v);
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = s.ecm.size(); i < f.size(); ++i) sum -= f[i];
   return sum;
@@ -74,7 +76,7 @@ TEST(ViscousContact, IsThePairDragOfTheirVolumesTimesTheSolidAndAShareOfTheFluid
   }
   ASSERT_GT(pair, 0.0);
   for (const double share : {0.0, 0.1, 1.0}) {
-    s.p.contact.fluid_share = share;
+    s.p.contact.body_fluid_share = share;
     EXPECT_NEAR(drag_on_cell(s, {1.0, 0.0}).x(), -(0.25 + 0.75 * share) * pair, 1e-12) << share;
   }
 }
@@ -95,8 +97,33 @@ TEST(ViscousContact, FluidHoldsTheCellLessThanSolid) {
   const double in_fluid = drag_on_cell(loose, {1.0, 0.0}).x();
   EXPECT_LT(in_fluid, 0.0);
   EXPECT_GT(in_fluid, 0.2 * drag_on_cell(held, {1.0, 0.0}).x());
-  loose.p.contact.fluid_share = 0.0;
+  loose.p.contact.fluid_share = loose.p.contact.body_fluid_share = 0.0;
   EXPECT_EQ(drag_on_cell(loose, {1.0, 0.0}).norm(), 0.0);
+}
+
+TEST(ViscousContact, FluidHoldsGrowingProtrusionsAndTheBodyByTheirOwnShares) {
+  Scene s = touching_scene();
+  std::fill(s.ecm.f.begin(), s.ecm.f.end(), 0.0);
+  const std::vector<std::uint8_t> all(s.c.size(), 1);
+  std::vector<std::uint8_t> half = all;
+  std::fill_n(half.begin(), s.c.size() / 2, 0);
+  std::vector<std::uint8_t> other_half;
+  for (const std::uint8_t grows : half) other_half.push_back(grows == 0 ? 1 : 0);
+  const auto drag = [&](double of_tips, double of_body, const std::vector<std::uint8_t>& soft) {
+    s.p.contact.fluid_share = of_tips;
+    s.p.contact.body_fluid_share = of_body;
+    return drag_on_cell(s, {1.0, 0.0}, soft).x();
+  };
+  const double whole = drag(0.2, 0.2, {});
+  ASSERT_LT(whole, 0.0);
+  EXPECT_DOUBLE_EQ(drag(0.2, 0.2, half), whole) << "one share for both, as before";
+  EXPECT_DOUBLE_EQ(drag(0.2, 0.0, all), whole);
+  EXPECT_EQ(drag(0.2, 0.0, {}), 0.0) << "a body without drag from fluid";
+  EXPECT_EQ(drag(0.0, 0.2, all), 0.0);
+  const double of_half = drag(0.2, 0.0, half);
+  EXPECT_LT(of_half, 0.0);
+  EXPECT_NEAR(of_half + drag(0.2, 0.0, other_half), whole, 1e-12) << "a share of each segment";
+  EXPECT_NEAR(drag(0.2, 0.05, half), of_half + 0.25 * (whole - of_half), 1e-12);
 }
 
 TEST(ViscousContact, DoesNotDependOnHowFinelyTheSegmentsAreSampled) {

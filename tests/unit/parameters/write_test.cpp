@@ -128,7 +128,9 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
     const bool beyond = kind(row) == Kind::field || row.path.starts_with("contact.cells.")
                         || row.path.starts_with("cues.") || row.path.starts_with("nucleus.")
                         || row.path == "adhesion.spread" || row.path == "adhesion.handover_time"
-                        || row.path == "adhesion.handover_share";
+                        || row.path == "adhesion.handover_share" || row.path == "adhesion.pinned_particles"
+                        || row.path == "adhesion.maturation_strands" || row.path == "contact.body_fluid_share"
+                        || row.path == "degradation.rear_share" || row.path == "degradation.smaller_share";
     const std::string value = row.unit == "rad" ? "1.0471975511965976" : value_text(row, {}); // not in degrees here
     EXPECT_EQ(text.find(std::string(row.path) + " = " + value + "\n") == std::string::npos, beyond) << row.path;
   }
@@ -143,7 +145,8 @@ TEST(Write, AResolvedFileWithoutALaterKeyMeansWhatWasDoneBefore) {
   std::string text = to_toml(parameters_of(*find_preset("first-closures")));
   EXPECT_EQ(parse_parameters(text, "written.toml").adhesion.rest_speed, 0.0);
   for (const auto& [path, value] : before_their_keys) { // as an earlier version wrote it
-    const std::string line = "\n" + std::string(path.substr(path.find('.') + 1)) + " = " + std::string(value);
+    const std::string line = "\n" + std::string(path.substr(path.find('.') + 1)) + " = "
+                             + value_before(value, parameters_of(*find_preset("first-closures")));
     const std::size_t at = text.find(line);
     ASSERT_NE(at, std::string::npos) << path;
     text.erase(at, line.size());
@@ -154,6 +157,24 @@ TEST(Write, AResolvedFileWithoutALaterKeyMeansWhatWasDoneBefore) {
   EXPECT_EQ(values_text(p).find("rest_speed"), std::string::npos) << "the fingerprint is that of the earlier runs";
   EXPECT_GT(parse_parameters("[adhesion]\nhold = \"place\"\n", "by_hand.toml").adhesion.rest_speed, 0.0)
       << "a scenario that somebody wrote takes today's defaults";
+}
+
+TEST(Write, ABodyHasTheFluidShareOfItsProtrusionsUnlessItHasItsOwn) {
+  const Parameters one = parse_parameters("[contact]\nfluid_share = 0.3\n", "scenario.toml");
+  EXPECT_EQ(one.contact.body_fluid_share, 0.3);
+  EXPECT_EQ(values_text(one).find("body_fluid_share"), std::string::npos) << "the fingerprint is that of earlier runs";
+  const Parameters own = apply_overrides(one, {"contact.body_fluid_share=0.03"});
+  EXPECT_EQ(own.contact.fluid_share, 0.3);
+  EXPECT_EQ(own.contact.body_fluid_share, 0.03);
+  EXPECT_NE(values_text(own).find("contact.body_fluid_share = 0.03\n"), std::string::npos);
+  EXPECT_EQ(apply_overrides(one, {"contact.fluid_share=0.2"}).contact.body_fluid_share, 0.2) << "both were one";
+  EXPECT_EQ(apply_overrides(own, {"contact.fluid_share=0.2"}).contact.body_fluid_share, 0.03);
+  Parameters usual_body; // protrusions have their own
+  usual_body.contact.fluid_share = 0.3;
+  EXPECT_TRUE(same(parse_parameters(to_toml(usual_body), "written.toml"), usual_body));
+  std::string earlier = to_toml(one);
+  earlier.erase(earlier.find("\nbody_fluid_share = "), std::string("\nbody_fluid_share = 0.3").size());
+  EXPECT_TRUE(same(parse_parameters(earlier, "earlier.toml"), one)) << "a resolved file of an earlier version";
 }
 
 TEST(Write, PresetsAreGoodAndDiffer) {
@@ -183,9 +204,10 @@ TEST(Write, AScenarioShowsEveryParameterAndHidesNumerics) {
     const bool open = text.find("\n" + key + " = ") != std::string::npos;
     const bool hidden = text.find("\n# " + key + " = ") != std::string::npos;
     EXPECT_TRUE(open || hidden) << row.path;
-    const bool follows = row.path == "run.time_step";            // the integrator
-    const bool of_cells = row.path.starts_with("contact.cells.") // "range" stands in [contact], too
-                          || row.path.starts_with("nucleus.");   // and "radius" in [cell]
+    const bool follows = row.path == "run.time_step"                // the integrator
+                         || row.path == "contact.body_fluid_share"; // the share of protrusions
+    const bool of_cells = row.path.starts_with("contact.cells.")    // "range" stands in [contact], too
+                          || row.path.starts_with("nucleus.");      // and "radius" in [cell]
     if (!of_cells) {
       EXPECT_EQ(open, row.audience == Audience::usual && !follows) << row.path;
     }

@@ -25,6 +25,35 @@ TEST(Maturation, AStepIsDoneAtNinetyEightPercentOfItsForce) {
   EXPECT_DOUBLE_EQ(step_force(4, p), 0.4 * 0.6 + 0.98 * 0.06);
 }
 
+TEST(Maturation, PullsWithAsManyStrandsAsAsked) {
+  Parameters p;
+  p.adhesion.maturation_strands = 1.5;
+  EXPECT_DOUBLE_EQ(step_force(4, p), 1.5 * (0.4 * 0.6 + 0.98 * 0.06));
+  p = small_matrix();
+  p.adhesion.maturation_strands = 2.0;
+  Scene s = cell_in_matrix(p);
+  add_protrusion(s, 50, Maturing{.direction = {1.0, 0.0}, .anchor = 2.0 * s.cell.cortex.x[50], .steps = 2});
+  const Assembled a = assemble(
+      s.nodes(), [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s.cell, p, a_step, s.first(), force, A); });
+  EXPECT_NEAR(a.force[s.node(50)].x(), -2.0 * 0.3 * 0.6, 1e-12);
+}
+
+TEST(Maturation, PinsAsManyParticlesOfTheBaseAsAsked) {
+  for (const int pinned : {1, 3, 7}) {
+    Parameters p = small_matrix();
+    p.adhesion.pinned_particles = pinned;
+    Scene s = cell_in_matrix(p);
+    add_protrusion(s, 50, Maturing{.direction = {1.0, 0.0}, .anchor = 2.0 * s.cell.cortex.x[50]});
+    const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
+      add_maturation(s.cell, p, a_step, s.first(), force, A);
+    });
+    for (std::size_t i = 0; i < s.cell.cortex.size(); ++i) {
+      const bool on_base = (i >= 30 && i < 30U + pinned) || (i <= 70 && i > 70U - pinned);
+      EXPECT_EQ(a.A.diagonal[s.node(i)], on_base ? p.adhesion.base_drag : 0.0) << pinned << " " << i;
+    }
+  }
+}
+
 TEST(Maturation, TheFirstStepWaitsUntilTheRecoilOfGrowthIsOver) {
   Parameters p;
   p.adhesion.rest_speed = 0.004;
