@@ -35,10 +35,11 @@ struct CheckArguments {
 struct Finding {
   std::string file;
   bool study = false;
-  std::string size;          ///< of a good study: "4 points x 2 replicates = 8 runs"
-  std::string cost;          ///< of a good scenario: what its steps cost; may be empty
-  std::vector<Fault> faults; ///< none if it is good
-  std::string unreadable;    ///< why it cannot be read; empty if it can
+  std::string size;               ///< of a good study: "4 points x 2 replicates = 8 runs"
+  std::vector<std::string> notes; ///< on the measured tracks of a study
+  std::string cost;               ///< of a good scenario: what its steps cost; may be empty
+  std::vector<Fault> faults;      ///< none if it is good
+  std::string unreadable;         ///< why it cannot be read; empty if it can
 };
 
 Finding look_at(const std::string& file) {
@@ -52,6 +53,8 @@ Finding look_at(const std::string& file) {
                                    .replicates = {},
                                    .more = start_rules(),
                                    .labels_of = study::other_studies(std::filesystem::path(file).parent_path())});
+      for (const study::Target& target : s.targets)
+        found.notes.insert(found.notes.end(), target.notes.begin(), target.notes.end());
       found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
     } else {
       found.cost = run::cost_of_reference_steps(read_parameters(file, {}, start_rules()));
@@ -79,6 +82,7 @@ void print_finding(const Finding& found) {
   if (!found.faults.empty()) return;
   print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
                     found.study ? " study: " + found.size : ""));
+  for (const std::string& note : found.notes) print(fmt::format("{}: {}\n", found.file, note));
   if (!found.cost.empty()) print(fmt::format("{}: {}\n", found.file, found.cost));
 }
 

@@ -64,6 +64,7 @@ int run_program(int argc, char** argv) {
   add_live(app, chosen);
   add_diff(app, chosen);
   add_export(app, chosen);
+  add_tracks(app, chosen);
   add_validate(app, chosen);
   add_selftest(app, chosen);
   add_study(app, chosen);

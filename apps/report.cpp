@@ -2,6 +2,7 @@
 #include "apps/shipped_pages.hpp"
 #include "apps/study/files.hpp"
 #include "apps/terminal/terminal.hpp"
+#include "apps/track_options.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -23,13 +24,23 @@ struct ReportArguments {
   std::string folder;
   std::vector<std::string> play;
   std::string tracks;
+  TrackArguments reading;
 };
+
+/// The measured tracks that are to be drawn; none if no file is named.
+std::vector<study::CellTrack> tracks_to_draw(const ReportArguments& options) {
+  if (options.tracks.empty()) return {};
+  std::vector<std::string> notes;
+  auto tracks =
+      study::measured_tracks(options.tracks, track_options(options.reading), study::TracksFor::drawing, notes);
+  for (const std::string& note : notes) print(fmt::format("{}: {}\n", options.tracks, note));
+  return tracks;
+}
 
 int report(const ReportArguments& options) {
   const std::filesystem::path folder = options.folder;
   std::error_code error;
-  std::vector<study::CellTrack> tracks;
-  if (!options.tracks.empty()) tracks = study::measured_tracks(options.tracks, study::TracksFor::drawing);
+  const std::vector<study::CellTrack> tracks = tracks_to_draw(options);
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
     const StudyFolder study = study::open_study(folder);
     Collected collected = gathered(study);
@@ -64,9 +75,11 @@ void add_report(CLI::App& app, Action& chosen) {
                    "A run that the page of a study is to play, by the name of its folder; may "
                    "be repeated")
       ->allow_extra_args(false);
-  verb->add_option("--tracks", options->tracks,
-                   "Measured tracks to draw over the simulated paths, each moved to their start: a CSV file with the "
-                   "columns track, t_s, x_um, y_um");
+  verb->add_option(
+      "--tracks", options->tracks,
+      "Measured tracks to draw over the simulated paths, each moved to their start: a file that matrigrate "
+      "tracks reads, with the options of that verb");
+  add_track_options(*verb, options->reading);
   verb->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 

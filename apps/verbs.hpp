@@ -55,6 +55,7 @@ void add_open(CLI::App& app, Action& chosen);
 void add_live(CLI::App& app, Action& chosen);
 void add_report(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
+void add_tracks(CLI::App& app, Action& chosen);
 void add_validate(CLI::App& app, Action& chosen);
 void add_selftest(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);

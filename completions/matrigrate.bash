@@ -11,7 +11,7 @@ _matrigrate() {
   local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} verb=matrigrate word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case ${verb}_$word in
-    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_sample|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_live|matrigrate_diff|matrigrate_export|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
+    matrigrate_new|matrigrate_list|matrigrate_check|matrigrate_explain|matrigrate_run|matrigrate_resume|matrigrate_sample|matrigrate_demo|matrigrate_report|matrigrate_open|matrigrate_live|matrigrate_diff|matrigrate_export|matrigrate_tracks|matrigrate_validate|matrigrate_selftest|matrigrate_study|matrigrate_study_plan|matrigrate_study_run|matrigrate_study_status|matrigrate_study_collect|matrigrate_study_submit|matrigrate_study_task|matrigrate_reproduce|matrigrate_info) verb=${verb}_$word ;;
     esac
   done
   case $verb:$previous in
@@ -43,6 +43,13 @@ _matrigrate() {
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
   matrigrate_report:--tracks) COMPREPLY=(); return ;;
+  matrigrate_report:--pixel) COMPREPLY=(); return ;;
+  matrigrate_report:--interval) COMPREPLY=(); return ;;
+  matrigrate_report:--time-unit) COMPREPLY=($(compgen -W "ms s min h d" -- "$cur")); return ;;
+  matrigrate_report:--columns) COMPREPLY=(); return ;;
+  matrigrate_report:--layout) COMPREPLY=(); return ;;
+  matrigrate_report:--splits) COMPREPLY=($(compgen -W "refuse cut drop" -- "$cur")); return ;;
+  matrigrate_report:--jitter) COMPREPLY=(); return ;;
   matrigrate_live:-o|matrigrate_live:--output) _matrigrate_files -d; return ;;
   matrigrate_export:--times) COMPREPLY=(); return ;;
   matrigrate_export:--pixel) COMPREPLY=(); return ;;
@@ -52,6 +59,19 @@ _matrigrate() {
   matrigrate_export:--size) COMPREPLY=(); return ;;
   matrigrate_export:--layer) COMPREPLY=($(compgen -W "degradation displacement von_mises pressure fibre_von_mises" -- "$cur")); return ;;
   matrigrate_export:-o|matrigrate_export:--output) _matrigrate_files -d; return ;;
+  matrigrate_tracks:--pixel) COMPREPLY=(); return ;;
+  matrigrate_tracks:--interval) COMPREPLY=(); return ;;
+  matrigrate_tracks:--time-unit) COMPREPLY=($(compgen -W "ms s min h d" -- "$cur")); return ;;
+  matrigrate_tracks:--columns) COMPREPLY=(); return ;;
+  matrigrate_tracks:--layout) COMPREPLY=(); return ;;
+  matrigrate_tracks:--splits) COMPREPLY=($(compgen -W "refuse cut drop" -- "$cur")); return ;;
+  matrigrate_tracks:--jitter) COMPREPLY=(); return ;;
+  matrigrate_tracks:--shortest) COMPREPLY=(); return ;;
+  matrigrate_tracks:--fewest) COMPREPLY=(); return ;;
+  matrigrate_tracks:--every) COMPREPLY=(); return ;;
+  matrigrate_tracks:--error) COMPREPLY=(); return ;;
+  matrigrate_tracks:--resamples) COMPREPLY=(); return ;;
+  matrigrate_tracks:-o|matrigrate_tracks:--output) _matrigrate_files -d; return ;;
   matrigrate_validate:-o|matrigrate_validate:--output) _matrigrate_files -d; return ;;
   matrigrate_validate:--scenario) _matrigrate_files -f; return ;;
   matrigrate_validate:--set) COMPREPLY=(); return ;;
@@ -83,7 +103,7 @@ _matrigrate() {
   esac
   case $verb in
   matrigrate)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume sample demo report open live diff export validate selftest study reproduce info" -- "$cur")); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new list check explain run resume sample demo report open live diff export tracks validate selftest study reproduce info" -- "$cur")); fi ;;
   matrigrate_new)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
@@ -101,7 +121,7 @@ _matrigrate() {
   matrigrate_demo)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --preset --hours --no-open" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_report)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks --pixel --interval --time-unit --columns --layout --splits --jitter --recalibrate" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_live)
@@ -110,6 +130,8 @@ _matrigrate() {
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_export)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --openvt --times --simularium --ome-tiff --pixel --svg --png --panel --movie --fps --seconds --size --follow --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
+  matrigrate_tracks)
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --pixel --interval --time-unit --columns --layout --splits --jitter --recalibrate --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_validate)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all" -- "$cur")); fi ;;
   matrigrate_selftest)

@@ -6,7 +6,7 @@ function __matrigrate_at
   set -l verbs
   for word in (commandline -opc)[2..]
     switch (string join -- _ matrigrate $verbs $word)
-      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_sample matrigrate_demo matrigrate_report matrigrate_open matrigrate_live matrigrate_diff matrigrate_export matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
+      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_sample matrigrate_demo matrigrate_report matrigrate_open matrigrate_live matrigrate_diff matrigrate_export matrigrate_tracks matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
         set -a verbs $word
     end
   end
@@ -28,6 +28,7 @@ complete -c matrigrate -n '__matrigrate_at' -a open -d 'Open the page of a run, 
 complete -c matrigrate -n '__matrigrate_at' -a live -d 'Open the live page: a cell computed in the browser while you watch'
 complete -c matrigrate -n '__matrigrate_at' -a diff -d 'Compare two runs or two scenarios: parameters, read-outs, first difference'
 complete -c matrigrate -n '__matrigrate_at' -a export -d 'Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks'
+complete -c matrigrate -n '__matrigrate_at' -a tracks -d 'Read measured tracks of cells, and print their read-outs'
 complete -c matrigrate -n '__matrigrate_at' -a validate -d 'Verify the matrix on its own against closed forms and measured limits'
 complete -c matrigrate -n '__matrigrate_at' -a selftest -d 'Prove on this machine that runs are reproducible to the last bit'
 complete -c matrigrate -n '__matrigrate_at' -a study -d 'Many runs: plan, compute, collect and compare them'
@@ -99,7 +100,15 @@ complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the 
 complete -c matrigrate -n '__matrigrate_at report' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at report' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at report' -l play -x -d 'A run that the page of a study is to play, by the name of its folder; may be repeated'
-complete -c matrigrate -n '__matrigrate_at report' -l tracks -x -d 'Measured tracks to draw over the simulated paths, each moved to their start: a CSV file with the columns track, t_s, x_um, y_um'
+complete -c matrigrate -n '__matrigrate_at report' -l tracks -x -d 'Measured tracks to draw over the simulated paths, each moved to their start: a file that matrigrate tracks reads, with the options of that verb'
+complete -c matrigrate -n '__matrigrate_at report' -l pixel -x -d 'um per unit of length of the file of tracks, where it does not state um'
+complete -c matrigrate -n '__matrigrate_at report' -l interval -x -d 'Time from frame to frame [s]'
+complete -c matrigrate -n '__matrigrate_at report' -l time-unit -x -a 'ms s min h d' -d 'Unit of the column of time, where the file does not state it: ms, s, min, h or d'
+complete -c matrigrate -n '__matrigrate_at report' -l columns -x -d 'Which columns hold what, where the names are not known: KEY=NAME,... of track, t, frame, x, y, z, group (tells movies apart), made_up, measured; of a table without header their numbers from 1; may be repeated'
+complete -c matrigrate -n '__matrigrate_at report' -l layout -x -d 'Take the names of columns of one program alone: celltrackscolab, trackmate, plain, btrack, trackpy, mosaic, manual-tracking, mtrackj, imaris, cellprofiler, napari, celltrackr'
+complete -c matrigrate -n '__matrigrate_at report' -l splits -x -a 'refuse cut drop' -d 'Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)'
+complete -c matrigrate -n '__matrigrate_at report' -l jitter -x -d 'By which a step of time may differ from the interval, as a share of it'
+complete -c matrigrate -n '__matrigrate_at report' -l recalibrate -d 'Take --pixel, --interval and --time-unit against what the file states'
 
 complete -c matrigrate -n '__matrigrate_at open' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at open' -s h -l help -d 'Print this help message and exit'
@@ -133,6 +142,26 @@ complete -c matrigrate -n '__matrigrate_at export' -l follow -d 'Of --movie and 
 complete -c matrigrate -n '__matrigrate_at export' -l layer -x -a 'degradation displacement von_mises pressure fibre_von_mises' -d 'What the matrix is coloured by (default: displacement; of --movie degradation)'
 complete -c matrigrate -n '__matrigrate_at export' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into (default: DIR/export)'
 complete -c matrigrate -n '__matrigrate_at export' -l force -d 'Replace an earlier export of the same kind'
+
+complete -c matrigrate -n '__matrigrate_at tracks' -F
+complete -c matrigrate -n '__matrigrate_at tracks' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at tracks' -l pixel -x -d 'um per unit of length of the file of tracks, where it does not state um'
+complete -c matrigrate -n '__matrigrate_at tracks' -l interval -x -d 'Time from frame to frame [s]'
+complete -c matrigrate -n '__matrigrate_at tracks' -l time-unit -x -a 'ms s min h d' -d 'Unit of the column of time, where the file does not state it: ms, s, min, h or d'
+complete -c matrigrate -n '__matrigrate_at tracks' -l columns -x -d 'Which columns hold what, where the names are not known: KEY=NAME,... of track, t, frame, x, y, z, group (tells movies apart), made_up, measured; of a table without header their numbers from 1; may be repeated'
+complete -c matrigrate -n '__matrigrate_at tracks' -l layout -x -d 'Take the names of columns of one program alone: celltrackscolab, trackmate, plain, btrack, trackpy, mosaic, manual-tracking, mtrackj, imaris, cellprofiler, napari, celltrackr'
+complete -c matrigrate -n '__matrigrate_at tracks' -l splits -x -a 'refuse cut drop' -d 'Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)'
+complete -c matrigrate -n '__matrigrate_at tracks' -l jitter -x -d 'By which a step of time may differ from the interval, as a share of it'
+complete -c matrigrate -n '__matrigrate_at tracks' -l recalibrate -d 'Take --pixel, --interval and --time-unit against what the file states'
+complete -c matrigrate -n '__matrigrate_at tracks' -l shortest -x -d 'Leave tracks of fewer positions out (default 4)'
+complete -c matrigrate -n '__matrigrate_at tracks' -l fewest -x -d 'Refuse fewer tracks (default 2)'
+complete -c matrigrate -n '__matrigrate_at tracks' -l drift -d 'Take the mean motion of all tracks away; five are needed'
+complete -c matrigrate -n '__matrigrate_at tracks' -l every -x -d 'Take positions at a longer interval [s], a whole multiple'
+complete -c matrigrate -n '__matrigrate_at tracks' -l error -x -d 'Localisation error of a coordinate [um], taken off the mean square displacement'
+complete -c matrigrate -n '__matrigrate_at tracks' -l resamples -x -d 'Draws of the bootstrap (default 200)'
+complete -c matrigrate -n '__matrigrate_at tracks' -s o -l output -x -a '(__fish_complete_directories)' -d 'Write the tracks into this CSV file'
+complete -c matrigrate -n '__matrigrate_at tracks' -l force -d 'Replace that file'
+complete -c matrigrate -n '__matrigrate_at tracks' -l json -d 'Print JSON'
 
 complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all'
 complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this help message and exit'

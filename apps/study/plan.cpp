@@ -68,6 +68,8 @@ int print_plan(const study::StudyFolder& study, int jobs, bool json) {
                     "memory     {:.0f} MB\ndisk       {:.0f} MB\n",
                     wall_time_text(c.wall_time / jobs), jobs, jobs == 1 ? "" : "s", wall_time_text(c.wall_time),
                     jobs * c.memory_bytes / 1e6, c.disk_bytes / 1e6));
+  for (const study::Target& target : study.study.targets)
+    for (const std::string& note : target.notes) print(fmt::format("tracks     {}\n", note));
   if (c.looked_at < n)
     print(fmt::format("warnings   looked for at {} of the {} points, spread evenly; {} found\n", c.looked_at, n,
                       c.warnings.size()));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tracks/options.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -22,17 +24,18 @@ struct CellTrack {
 /// @throws InputOutputError if tracks.csv cannot be read, or has no times or places
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder);
 
-/// What a file of measured tracks is read for.
+/// What measured tracks are wanted for.
 enum class TracksFor {
-  drawing, ///< rising times
-  readouts ///< one interval without gaps, and two tracks, since a mean needs an error
+  drawing, ///< any tracks
+  readouts ///< two tracks without gaps, since a mean needs an error, and a read-out of a run all its rows
 };
 
-/// Tracks of a CSV file with the columns track, t_s, x_um and y_um; others are passed over. A track has any name, and
-/// its rows are together or not, in the order of time. Times count from the start of each track.
+/// Measured tracks as those of a run. Times count from the start of each track.
+/// @param notes  get what the reader has to tell
 /// @throws InputOutputError if the file cannot be read
-/// @throws ConfigurationError with all faults, each with its line
-std::vector<CellTrack> measured_tracks(const std::filesystem::path& file, TracksFor use = TracksFor::readouts);
+/// @throws ConfigurationError with all faults
+std::vector<CellTrack> measured_tracks(const std::filesystem::path& file, tracks::TrackOptions options, TracksFor use,
+                                       std::vector<std::string>& notes);
 
 /// A file of these tracks, from which measured_tracks() reads the same numbers.
 std::string measured_csv(const std::vector<CellTrack>& tracks);

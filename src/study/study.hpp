@@ -52,6 +52,7 @@ struct Target {
   double weight = 1.0;                                    ///< > 0
   std::vector<std::size_t> at;                            ///< conditions that it holds at; empty: all
   std::shared_ptr<const std::vector<CellTrack>> tracks{}; ///< that tell value and error; those of one file once
+  std::vector<std::string> notes{};                       ///< what the reader of these tracks has to tell
 };
 
 /// How factors are varied so that each has an effect of its own (effects.hpp).

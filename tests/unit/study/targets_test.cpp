@@ -201,19 +201,42 @@ TEST_F(MeasuredTracks, OfAnyReadoutOfAPath) {
   EXPECT_EQ(faults(tracks, "readout = \"msd_slope\"\n" + file).find("f.toml:"), 0U) << "2 of both: the same";
 }
 
+TEST_F(MeasuredTracks, OfOtherProgramsAreReadByKeys) {
+  const std::string table =
+      "Track n\u00b0\tSlice n\u00b0\tX\tY\n1\t1\t0\t0\n1\t2\t6\t8\n2\t1\t0\t0\n2\t2\t18\t24\n3\t1\t0\t0\n";
+  const Study s = study_of(table, speed + file + "pixel = \"500 nm\"\ninterval = \"10 min\"\n");
+  EXPECT_DOUBLE_EQ(s.targets[0].low, 60.0);
+  EXPECT_EQ(s.targets[0].notes, std::vector<std::string>{"1 track of fewer than 2 positions is left out"});
+  // The copy in the folder of the study needs no keys.
+  EXPECT_EQ(to_toml(s, "x.toml").find("pixel"), std::string::npos);
+  const std::string named = "A;B;C;D\n1;0;0;0\n1;600;3;4\n2;0;0;0\n2;600;9;12\n";
+  EXPECT_DOUBLE_EQ(
+      study_of(named,
+               speed + file
+                   + "pixel = 1\ntime_unit = \"s\"\ncolumns = {track = \"A\", t = \"B\", x = \"C\", y = \"D\"}\n")
+          .targets[0]
+          .low,
+      60.0);
+  EXPECT_EQ(faults(table, speed + file + "pixel = \"5 s\"\ninterval = 0\n"),
+            "f.toml:8:9: targets.pixel: \"5 s\": is a time; write it in um\n"
+            "f.toml:9:12: targets.interval: 0 is out of range; allowed are numbers above 0 up to 1e9");
+}
+
 TEST_F(MeasuredTracks, EachFaultHasItsLine) {
   const std::string good = "1,0,0,0\n1,600,3,4\n2,0,0,0\n2,600,9,12\n";
   EXPECT_EQ(faults(head + good), "none");
-  EXPECT_EQ(faults("track,t,x_um,y\n1,0,0,0\n").substr(0, 83),
-            "c.csv:1:1: has no column t_s; its columns are track, t, x_um, y. In Python, matrigr");
-  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,nan,4\n1,x,3,4\n"),
-            "c.csv:3:1: x_um: \"nan\" is no finite number\nc.csv:4:1: t_s: \"x\" is no finite number");
-  EXPECT_EQ(faults(head + "1,0,0\n"), "c.csv:2:1: has 3 fields, its header 4");
-  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,3,4\n"), "c.csv: has 1 track; the error of a mean needs 2 or more");
+  EXPECT_EQ(faults("track,t,x_um,y_um\n1,0,0,0\n1,9,1,1\n"),
+            "c.csv: does not state the unit of t: give time_unit = \"s\" or \"min\"");
+  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,inf,4\n1,x,3,4\n"),
+            "c.csv:3:1: x_um: \"inf\" is no finite number\nc.csv:4:1: t_s: \"x\" is no finite number");
+  EXPECT_EQ(faults(head + "1,0,0\n"), "c.csv:2:1: has 3 fields, the header 4");
+  EXPECT_EQ(faults(head + "1,0,0,0\n1,600,3,4\n"),
+            "c.csv: has 1 track of at least 2 positions; 2 are needed to tell how "
+            "cells differ (shortest, fewest)");
+  EXPECT_EQ(faults(head + good + "2,1800,3,4\n"), "c.csv: 1 of 2 tracks have gaps (2); a target needs tracks without");
   EXPECT_EQ(
-      faults(head + good + "2,1800,3,4\n3,0,0,0\n"),
-      "c.csv:6:1: is 1200 s after the row before of its track; the first step is 600 s: one interval without gaps is "
-      "needed\nc.csv:7:1: is the only row of its track");
+      faults(head + good + "2,900,3,4\n"),
+      "c.csv:6:1: track 2 has a step of 300 s, most have 600 s: one interval is needed, within 10 % (jitter = 0.1)");
   EXPECT_EQ(faults(head + "1,0,0,0\n1,600,3,4\n2,0,0,0\n2,600,3,4\n"),
             "f.toml:7:10: targets.tracks: all tracks of \"c.csv\" have the same v_migr_path_600s_um_per_h");
   EXPECT_EQ(
@@ -226,6 +249,8 @@ TEST_F(MeasuredTracks, EachFaultHasItsLine) {
   EXPECT_EQ(faults(head + good, speed + file + "value = 3\nerror = 1\n"),
             "f.toml:8:9: targets.value: stands beside tracks, which tell it\n"
             "f.toml:9:9: targets.error: stands beside tracks, which tell it");
+  EXPECT_EQ(faults(head + good, speed + "value = 3\nerror = 1\ninterval = 5\n"),
+            "f.toml:9:12: targets.interval: tells how tracks are read; there are none: write tracks = \"FILE\"");
   const std::string missing = faults(head + good, speed + "tracks = \"d.csv\"\n");
   EXPECT_EQ(missing.find("f.toml:7:10: targets.tracks: d.csv: "), 0U) << missing;
 }

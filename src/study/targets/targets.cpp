@@ -5,6 +5,7 @@
 #include "statistics/sample.hpp"
 #include "study/cell_tracks.hpp"
 #include "study/conditions.hpp"
+#include "study/targets/track_keys.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,13 +15,19 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
+#include <utility>
 
 namespace matrigrate::study {
 
 namespace {
 
 const std::vector<std::string>& target_keys() {
-  static const std::vector<std::string> keys{"readout", "value", "low", "high", "error", "weight", "at", "tracks"};
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all{"readout", "value", "low", "high", "error", "weight", "at", "tracks"};
+    all.insert(all.end(), track_keys().begin(), track_keys().end());
+    return all;
+  }();
   return keys;
 }
 
@@ -54,6 +61,10 @@ private:
   }
 
   void read_value(const toml::table& table, Target& target) {
+    for (const std::string& key : track_keys())
+      if (const auto* node = table.get(key))
+        m_faults.add(place_of(*node), fmt::format("targets.{}", key),
+                     "tells how tracks are read; there are none: write tracks = \"FILE\"");
     read_range(table, target);
     if (const auto* node =
             m_faults.wanted(table, "targets", "error", "; write error = 1.0, the standard error of what was measured"))
@@ -71,17 +82,11 @@ private:
       return m_faults.add(
           place_of(node), "targets.tracks",
           fmt::format("tell no {}; they tell {}", target.readout, fmt::join(readouts_of_tracks(), ", ")));
+    const auto tracks = tracks_of(m_folder / name, node, table, target);
+    if (tracks == nullptr) return;
+    target.tracks = tracks;
     std::vector<double> values;
-    try {
-      auto& tracks = m_tracks[m_folder / name];
-      if (tracks == nullptr) tracks = std::make_shared<const std::vector<CellTrack>>(measured_tracks(m_folder / name));
-      for (const CellTrack& track : *tracks) values.push_back(readout_of(track, target.readout));
-      target.tracks = tracks;
-    } catch (const ConfigurationError& error) {
-      return m_faults.add(error.faults());
-    } catch (const InputOutputError& error) {
-      return m_faults.add(place_of(node), "targets.tracks", error.what());
-    }
+    for (const CellTrack& track : *tracks) values.push_back(readout_of(track, target.readout));
     const statistics::Moments m = statistics::moments(statistics::finite(values));
     target.low = target.high = m.mean;
     target.error = m.sd / std::sqrt(static_cast<double>(m.n));
@@ -92,6 +97,29 @@ private:
     else if (!(target.error > 1e-9 * std::abs(m.mean))) // rounding is no scatter
       m_faults.add(place_of(node), "targets.tracks",
                    fmt::format("all tracks of \"{}\" have the same {}", excerpt(name), target.readout));
+  }
+
+  /// The tracks of a file, read once for each way in which it is to be read; null, and faults, if it cannot be.
+  std::shared_ptr<const std::vector<CellTrack>> tracks_of(const std::filesystem::path& file, const toml::node& node,
+                                                          const toml::table& table, Target& target) {
+    std::ostringstream keys; // that tell how it is to be read
+    for (const std::string& key : track_keys())
+      if (const auto* given = table.get(key))
+        given->visit([&](const auto& value) { keys << key << " = " << value << '\n'; });
+    auto& tracks = m_tracks[{file, keys.str()}];
+    if (tracks != nullptr) return tracks;
+    try {
+      FaultList wrong_keys(m_faults.file());
+      const tracks::TrackOptions options = read_track_keys(table, "targets", wrong_keys);
+      wrong_keys.raise();
+      tracks = std::make_shared<const std::vector<CellTrack>>(
+          measured_tracks(file, options, TracksFor::readouts, target.notes));
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    } catch (const InputOutputError& error) {
+      m_faults.add(place_of(node), "targets.tracks", error.what());
+    }
+    return tracks;
   }
 
   void read_range(const toml::table& table, Target& target) {
@@ -175,7 +203,8 @@ private:
 
   FaultList& m_faults;
   std::filesystem::path m_folder;
-  std::map<std::filesystem::path, std::shared_ptr<const std::vector<CellTrack>>> m_tracks; ///< by their files
+  /// By their files, and by the keys that tell how these are read.
+  std::map<std::pair<std::filesystem::path, std::string>, std::shared_ptr<const std::vector<CellTrack>>> m_tracks;
   std::vector<std::string> m_readouts;
   std::vector<std::string> m_labels;
   std::set<std::pair<std::string, std::size_t>> m_seen;

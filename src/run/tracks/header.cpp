@@ -1,0 +1,139 @@
+#include "tracks/header.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace matrigrate::tracks {
+
+namespace {
+
+/// The columns of a row as a header; nothing if it is none.
+class HeaderReader {
+public:
+  HeaderReader(const SheetRow& row, const TrackOptions& options) : m_header(row.fields), m_options(options) {
+    if (!m_header.empty() && m_header[0].starts_with('#')) m_header[0] = trimmed(m_header[0].substr(1));
+    for (const std::string& name : m_header) m_titles.push_back(column_title(name));
+  }
+
+  std::optional<Table> table() const {
+    if (m_header.size() < 3 || m_header.size() > most_columns) return std::nullopt;
+    for (const Layout& layout : layouts())
+      if (m_options.layout.empty() || m_options.layout == layout.name)
+        if (auto found = of(layout)) return found;
+    return std::nullopt;
+  }
+
+  /// How many of the columns that the caller names are there.
+  std::size_t named() const {
+    const ColumnNames& names = m_options.columns;
+    std::size_t count = 0;
+    for (const std::string& name : {names.track, names.t, names.frame, names.x, names.y})
+      count += !name.empty() && of_caller(name, m_header, m_titles) ? 1 : 0;
+    return count;
+  }
+
+private:
+  std::optional<Table> of(const Layout& layout) const {
+    for (const std::string_view name : layout.required)
+      if (!of_layout({name}, m_titles)) return std::nullopt;
+    const ColumnNames& own = m_options.columns;
+    Table table;
+    table.header = m_header;
+    bool all = true; // of the columns that the caller names
+    const auto find = [&](const std::string& name, const Layout::Names& names) {
+      if (name.empty()) return of_layout(names, m_titles);
+      const Table::Column column = of_caller(name, m_header, m_titles);
+      all = all && column.has_value();
+      return column;
+    };
+    table.track = find(own.track, layout.track);
+    table.t = find(own.t, own.frame.empty() ? layout.t : Layout::Names{});
+    table.frame = find(own.frame, own.t.empty() ? layout.frame : Layout::Names{});
+    table.x = find(own.x, layout.x);
+    table.y = find(own.y, layout.y);
+    table.z = find(own.z, layout.z);
+    if (own.measured.size() > 0) table.measured = find(own.measured, {});
+    if (!all || !table.track || !table.x || !table.y || (!table.t && !table.frame)) return std::nullopt;
+    const bool named = !own.track.empty() && !own.x.empty() && !own.y.empty() && !(own.t.empty() && own.frame.empty());
+    table.layout = named ? "named" : layout.name;
+    table.unique = layout.unique && own.track.empty() && own.group.empty();
+    if (!add_further(table)) return std::nullopt;
+    return table;
+  }
+
+  /// Columns that tell movies and made-up positions, and units. @return whether all that the caller names are there
+  bool add_further(Table& table) const {
+    const ColumnNames& own = m_options.columns;
+    for (std::size_t c = 0; c < m_titles.size(); ++c) {
+      const bool used = c == table.track || c == table.t || c == table.frame || c == table.x || c == table.y;
+      if (own.group.empty() && !used && !table.unique && tells_movies_apart(m_titles[c].name)) table.group.push_back(c);
+      if (own.made_up.empty() && tells_made_up(m_titles[c].name)) table.made_up = c;
+      if (m_titles[c].name == "unit" && table.layout == "imaris") table.unit = c;
+    }
+    for (const std::string& name : own.group) {
+      if (name == "none") continue;
+      const Table::Column column = of_caller(name, m_header, m_titles);
+      if (!column) return false;
+      table.group.push_back(*column);
+    }
+    if (!own.made_up.empty() && own.made_up != "none") {
+      table.made_up = of_caller(own.made_up, m_header, m_titles);
+      if (!table.made_up) return false;
+    }
+    const auto unit = [&](Table::Column c) { return c ? m_titles[*c].unit : std::string(); };
+    table.x_unit = unit(table.x);
+    table.y_unit = unit(table.y);
+    table.t_unit = unit(table.t);
+    return true;
+  }
+
+  std::vector<std::string> m_header;
+  const TrackOptions& m_options;
+  Titles m_titles;
+};
+
+} // namespace
+
+/// The column of the first of these names that is there.
+Table::Column of_layout(const Layout::Names& names, const Titles& titles) {
+  for (const std::string_view name : names)
+    for (std::size_t c = 0; c < titles.size(); ++c) {
+      const bool start = name.ends_with('*');
+      if (start ? titles[c].name.starts_with(name.substr(0, name.size() - 1))
+                : titles[c].whole == name || titles[c].name == name)
+        return c;
+    }
+  return std::nullopt;
+}
+
+/// A name of the caller's as the number of a column from 1; nothing if it is none.
+std::optional<std::size_t> column_number(std::string_view name) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error != std::errc() || end != name.data() + name.size() || number == 0 || number > most_columns)
+    return std::nullopt;
+  return number - 1;
+}
+
+/// The column that the caller names: so written, or the same in other letters, or by its number.
+Table::Column of_caller(std::string_view name, const std::vector<std::string>& header, const Titles& titles) {
+  if (const auto same = std::ranges::find(header, trimmed(name)); same != header.end())
+    return static_cast<std::size_t>(same - header.begin());
+  const std::string plain = column_title(name).whole;
+  for (std::size_t c = 0; c < titles.size(); ++c)
+    if (!plain.empty() && titles[c].whole == plain) return c;
+  const auto number = column_number(name);
+  return number && *number < header.size() ? number : std::nullopt;
+}
+
+std::optional<Table> header_of(const SheetRow& row, const TrackOptions& options) {
+  return HeaderReader(row, options).table();
+}
+
+std::size_t named_columns(const SheetRow& row, const TrackOptions& options) {
+  return HeaderReader(row, options).named();
+}
+
+bool is_numeric(std::string_view field) { return sheet_number(field, false) || sheet_number(field, true); }
+
+} // namespace matrigrate::tracks

@@ -1,0 +1,164 @@
+#include "tracks/layouts.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace matrigrate::tracks {
+
+namespace {
+
+using UnitSizes = std::map<std::string, double, std::less<>>;
+
+const UnitSizes& lengths() {
+  static const UnitSizes sizes{{"um", 1.0},          {"\u00b5m", 1.0},    {"\u03bcm", 1.0},     {"micron", 1.0},
+                               {"microns", 1.0},     {"micrometer", 1.0}, {"micrometers", 1.0}, {"micrometre", 1.0},
+                               {"micrometres", 1.0}, {"nm", 1e-3},        {"mm", 1e3},          {"cm", 1e4}};
+  return sizes;
+}
+
+const UnitSizes& times() {
+  static const UnitSizes sizes{{"ms", 1e-3},   {"msec", 1e-3},   {"s", 1.0},        {"sec", 1.0},
+                               {"secs", 1.0},  {"second", 1.0},  {"seconds", 1.0},  {"min", 60.0},
+                               {"mins", 60.0}, {"minute", 60.0}, {"minutes", 60.0}, {"h", 3600.0},
+                               {"hr", 3600.0}, {"hrs", 3600.0},  {"hour", 3600.0},  {"hours", 3600.0},
+                               {"d", 86400.0}, {"day", 86400.0}, {"days", 86400.0}};
+  return sizes;
+}
+
+/// A unit without the brackets around it, in lower case.
+std::string bare_unit(std::string_view unit) {
+  unit = trimmed(unit);
+  while (unit.size() >= 2
+         && ((unit.front() == '(' && unit.back() == ')') || (unit.front() == '[' && unit.back() == ']')))
+    unit = trimmed(unit.substr(1, unit.size() - 2));
+  return lower(unit);
+}
+
+std::optional<double> size_of_unit(const UnitSizes& sizes, std::string_view unit) {
+  const auto found = sizes.find(bare_unit(unit));
+  return found == sizes.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool is_unit(std::string_view text) {
+  return length_unit(text) || time_unit(text) || counts_frames(text) || text == "px" || text == "pixel"
+         || text == "pixels";
+}
+
+/// In lower case, of ASCII alone, with single blanks.
+std::string plain_name(std::string_view written) {
+  std::string name;
+  for (const char c : lower(trimmed(written))) {
+    if (static_cast<unsigned char>(c) >= 0x80) continue;
+    if (c == ' ' && (name.empty() || name.back() == ' ')) continue;
+    name += c;
+  }
+  return std::string(trimmed(name));
+}
+
+} // namespace
+
+const std::vector<Layout>& layouts() {
+  static const std::vector<Layout> all{
+      {.name = "celltrackscolab",
+       .track = {"unique_id"},
+       .t = {"position_t"},
+       .frame = {"frame"},
+       .x = {"position_x"},
+       .y = {"position_y"},
+       .z = {"position_z"},
+       .unique = true},
+      {.name = "trackmate",
+       .track = {"track_id"},
+       .t = {"position_t"},
+       .frame = {"frame"},
+       .x = {"position_x"},
+       .y = {"position_y"},
+       .z = {"position_z"}},
+      {.name = "plain", .track = {"track"}, .t = {"t"}, .frame = {"frame"}},
+      {.name = "btrack", .track = {"id"}, .t = {"t"}, .required = {"parent", "root"}},
+      {.name = "trackpy", .track = {"particle"}, .frame = {"frame"}},
+      {.name = "mosaic", .track = {"trajectory"}, .frame = {"frame"}},
+      {.name = "manual-tracking", .track = {"track n*"}, .frame = {"slice n*"}},
+      {.name = "mtrackj", .track = {"tid"}, .t = {"t"}, .required = {"pid"}},
+      {.name = "imaris",
+       .track = {"trackid"},
+       .t = {"time"},
+       .x = {"position x"},
+       .y = {"position y"},
+       .z = {"position z"}},
+      {.name = "cellprofiler",
+       .track = {"trackobjects_label*"},
+       .frame = {"metadata_frame", "metadata_t", "metadata_timepoint", "imagenumber"},
+       .x = {"location_center_x", "areashape_center_x"},
+       .y = {"location_center_y", "areashape_center_y"},
+       .z = {"location_center_z"}},
+      {.name = "napari", .track = {"track_id"}, .t = {"t"}},
+      {.name = "celltrackr", .track = {"id"}, .t = {"t"}, .frame = {"frame"}},
+      {.name = "any",
+       .track = {"unique_id", "track_id", "track id", "trackid", "track", "track n*", "track number", "track name",
+                 "particle", "particle_id", "trajectory", "cell_id", "cell id", "cellid", "cell", "tid", "id"},
+       .t = {"t", "time", "position_t", "position t", "time point", "timepoint", "time_point"},
+       .frame = {"frame", "frames", "frame number", "frame_number", "frame no", "slice", "slice n*", "image",
+                 "imagenumber"},
+       .x = {"x", "position_x", "position x", "pos_x", "x position", "x_position", "centroid_x", "centroid x",
+             "location_center_x"},
+       .y = {"y", "position_y", "position y", "pos_y", "y position", "y_position", "centroid_y", "centroid y",
+             "location_center_y"},
+       .z = {"z", "position_z", "position z", "pos_z"}}};
+  return all;
+}
+
+bool tells_movies_apart(std::string_view plain) {
+  static const std::vector<std::string_view> names{
+      "movie",    "video",     "file",       "filename",      "file_name",  "file name", "well",
+      "position", "condition", "experiment", "experiment_nb", "repeat",     "replicate", "run",
+      "series",   "fov",       "field",      "site",          "scene",      "plate",     "dish",
+      "sample",   "embryo",    "donor",      "image",         "image_name", "cid"};
+  return std::ranges::find(names, plain) != names.end()
+         || (plain.starts_with("metadata_") && plain != "metadata_frame" && plain != "metadata_t"
+             && plain != "metadata_timepoint");
+}
+
+bool tells_made_up(std::string_view plain) {
+  static const std::vector<std::string_view> names{"dummy", "interpolated", "is_interpolated", "predicted"};
+  return std::ranges::find(names, plain) != names.end();
+}
+
+ColumnTitle column_title(std::string_view written) {
+  const std::string_view text = trimmed(written);
+  ColumnTitle title{.whole = plain_name(text), .name = {}, .unit = {}};
+  title.name = title.whole;
+  if (const std::size_t open = text.find_last_of("[(");
+      open != std::string_view::npos && open > 0 && (text.back() == ']' || text.back() == ')')) {
+    title.name = plain_name(text.substr(0, open));
+    title.unit = bare_unit(text.substr(open));
+  } else if (const std::size_t bar = text.find_last_of('_');
+             bar != std::string_view::npos && bar > 0 && is_unit(lower(text.substr(bar + 1)))) {
+    title.name = plain_name(text.substr(0, bar));
+    title.unit = lower(text.substr(bar + 1));
+  }
+  return title;
+}
+
+std::optional<double> length_unit(std::string_view unit) { return size_of_unit(lengths(), unit); }
+std::optional<double> time_unit(std::string_view unit) { return size_of_unit(times(), unit); }
+
+bool counts_frames(std::string_view unit) {
+  const std::string bare = bare_unit(unit);
+  return bare == "frame" || bare == "frames";
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\n\r\f\v");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\n\r\f\v") - first + 1);
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+} // namespace matrigrate::tracks

@@ -1,0 +1,120 @@
+#include "tracks/options.hpp"
+
+#include "parameters/nearest.hpp"
+#include "parameters/scan.hpp"
+#include "tracks/layouts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace matrigrate::tracks {
+
+namespace {
+
+/// The key that stands at the start of a text, before "="; empty if none does.
+std::string_view key_at(std::string_view text) {
+  for (const std::string_view key : column_keys)
+    if (text.starts_with(key) && text.substr(key.size()).starts_with('=')) return key;
+  return {};
+}
+
+std::string* place(ColumnNames& names, std::string_view key) {
+  if (key == "track") return &names.track;
+  if (key == "t") return &names.t;
+  if (key == "frame") return &names.frame;
+  if (key == "x") return &names.x;
+  if (key == "y") return &names.y;
+  if (key == "z") return &names.z;
+  if (key == "made_up") return &names.made_up;
+  return key == "measured" ? &names.measured : nullptr;
+}
+
+void set_column(std::string_view key, std::string name, ColumnNames& names) {
+  if (name.empty()) throw std::invalid_argument(fmt::format("\"{}=\" names no column", key));
+  if (std::string* own = place(names, key); own == nullptr)
+    names.group.push_back(std::move(name));
+  else if (own->empty())
+    *own = std::move(name);
+  else
+    throw std::invalid_argument(fmt::format("{} is named twice: \"{}\" and \"{}\"", key, excerpt(*own), excerpt(name)));
+}
+
+} // namespace
+
+bool ColumnNames::any() const {
+  return !(track.empty() && t.empty() && frame.empty() && x.empty() && y.empty() && z.empty() && group.empty()
+           && made_up.empty() && measured.empty());
+}
+
+void add_columns(std::string_view text, ColumnNames& names) {
+  while (!text.empty()) {
+    const std::string_view key = key_at(text);
+    if (key.empty()) {
+      const std::string typed(text.substr(0, text.find_first_of("=,")));
+      const std::vector<std::string> known(std::begin(column_keys), std::end(column_keys));
+      throw std::invalid_argument(fmt::format("\"{}\" is no KEY=NAME; the keys are {}{}", excerpt(text),
+                                              fmt::join(known, ", "), did_you_mean(nearest(typed, known))));
+    }
+    text.remove_prefix(key.size() + 1);
+    std::size_t end = text.find(',');
+    while (end != std::string_view::npos && end + 1 < text.size() && key_at(text.substr(end + 1)).empty())
+      end = text.find(',', end + 1);
+    set_column(key, std::string(text.substr(0, end)), names);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+}
+
+std::optional<Splits> splits_of(std::string_view text) {
+  if (text == "refuse") return Splits::refuse;
+  if (text == "cut") return Splits::cut;
+  return text == "drop" ? std::optional(Splits::drop) : std::nullopt;
+}
+
+std::string TrackOptions::say(std::string_view option, std::string_view value) const {
+  std::string name(option);
+  if (spelling == Spelling::keys) {
+    std::ranges::replace(name, '-', '_');
+    return value.empty() ? name : fmt::format("{} = {}", name, value);
+  }
+  return value.empty() ? fmt::format("--{}", name) : fmt::format("--{} {}", name, value);
+}
+
+const std::vector<std::string>& time_units() {
+  static const std::vector<std::string> units{"ms", "s", "min", "h", "d"};
+  return units;
+}
+
+std::vector<std::string> layout_names() {
+  std::vector<std::string> names;
+  for (const Layout& layout : layouts())
+    if (layout.name != "any") names.emplace_back(layout.name);
+  return names;
+}
+
+std::vector<std::string> faults_of(const TrackOptions& options) {
+  std::vector<std::string> faults;
+  const auto positive = [&](const std::optional<double>& value, std::string_view name) {
+    if (value && !(*value > 0.0 && *value <= 1e9))
+      faults.push_back(
+          fmt::format("{}: {:g} is out of range; allowed are numbers above 0 up to 1e9", options.say(name), *value));
+  };
+  const auto one_of = [&](const std::string& value, std::string_view name, const std::vector<std::string>& known) {
+    if (!value.empty() && std::ranges::find(known, value) == known.end())
+      faults.push_back(fmt::format("{}: there is no \"{}\"; there are {}{}", options.say(name), excerpt(value),
+                                   fmt::join(known, ", "), did_you_mean(nearest(value, known))));
+  };
+  positive(options.pixel, "pixel");
+  positive(options.interval, "interval");
+  one_of(options.time_unit, "time-unit", time_units());
+  one_of(options.layout, "layout", layout_names());
+  if (!(options.jitter >= 0.0 && options.jitter < 0.5))
+    faults.push_back(fmt::format("{}: {:g} is out of range; allowed is 0 to below 0.5 of the interval",
+                                 options.say("jitter"), options.jitter));
+  return faults;
+}
+
+} // namespace matrigrate::tracks

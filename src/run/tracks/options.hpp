@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a caller says of a file of measured tracks. Test: tests/unit/tracks/options_test.cpp
+namespace matrigrate::tracks {
+
+/// What a column may be named for.
+inline constexpr std::string_view column_keys[] = {"track", "t",     "frame",   "x",       "y",
+                                                   "z",     "group", "made_up", "measured"};
+
+/// Names of columns as in the header, or their numbers from 1; empty where the reader is to find them.
+struct ColumnNames {
+  std::string track, t, frame, x, y, z;
+  std::vector<std::string> group; ///< tell movies apart in which ids repeat; "none": there are none
+  std::string made_up;  ///< true where a tracker has put a position that it did not see; "none": there is none
+  std::string measured; ///< false where it has
+
+  bool any() const;
+};
+
+/// Reads "track=Track n°,x=X [um],...". A comma belongs to a name unless a key and "=" follow it.
+/// @throws std::invalid_argument saying what is wrong
+void add_columns(std::string_view text, ColumnNames& names);
+
+/// What is done with a track that has two positions at one time.
+enum class Splits {
+  refuse,
+  cut, ///< it ends before that time
+  drop ///< it is left out
+};
+
+/// "refuse", "cut" or "drop"; nothing for other text.
+std::optional<Splits> splits_of(std::string_view text);
+
+/// How messages spell an option: as one of the command line, or as a key of a study file.
+enum class Spelling { options, keys };
+
+struct TrackOptions {
+  std::optional<double> pixel;    ///< um per unit of length of the file
+  std::optional<double> interval; ///< s from frame to frame
+  std::string time_unit;          ///< of the column of time: one of time_units(); empty: what the file states
+  ColumnNames columns{};
+  std::string layout; ///< only the names of this one; empty: of any
+  Splits splits = Splits::refuse;
+  double jitter = 0.1;      ///< by which a step may differ from the interval, as a share of it
+  bool recalibrate = false; ///< pixel, interval and time_unit replace what the file states
+  std::size_t shortest = 4; ///< tracks of fewer positions are left out
+  std::size_t fewest = 2;   ///< fewer tracks are refused
+  bool may_stand = false;   ///< whether tracks without any motion are taken
+  Spelling spelling = Spelling::options;
+
+  /// "--interval S" or "interval = S"; without a value the name alone.
+  std::string say(std::string_view option, std::string_view value = {}) const;
+};
+
+/// "ms", "s", "min", "h", "d".
+const std::vector<std::string>& time_units();
+
+/// The names of the layouts.
+std::vector<std::string> layout_names();
+
+/// What is wrong with the values of the options themselves, one sentence each.
+std::vector<std::string> faults_of(const TrackOptions& options);
+
+} // namespace matrigrate::tracks

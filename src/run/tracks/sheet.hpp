@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A text as rows of fields. Test: tests/unit/tracks/text_test.cpp
+namespace matrigrate::tracks {
+
+struct SheetRow {
+  std::size_t line = 0; ///< where it begins, from 1
+  std::vector<std::string> fields;
+  bool open_quote = false; ///< whether a quote of it is not closed
+};
+
+inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
+
+/// The rows that are not empty. A field that begins with a quote ends with one; two stand for one within. A blank as
+/// separator stands for any number of blanks and tabs; other fields lose the blanks around them.
+/// @param most  rows
+std::vector<SheetRow> sheet_rows(std::string_view text, char separator, std::size_t most = all_rows);
+
+/// The separator that a first line "sep=;" names, which is taken off the text.
+std::optional<char> named_separator(std::string_view& text);
+
+/// A decimal number and nothing else: no hexadecimal, no "inf", no "1_000".
+/// @param comma  whether the comma is the decimal sign
+std::optional<double> sheet_number(std::string_view field, bool comma);
+
+/// Whether a field says that there is no value: empty, "NaN", "NA", "None", "-"...
+bool says_nothing(std::string_view field);
+
+} // namespace matrigrate::tracks

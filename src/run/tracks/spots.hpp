@@ -1,0 +1,51 @@
+#pragma once
+
+#include "tracks/findings.hpp"
+#include "tracks/options.hpp"
+#include "tracks/table.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Positions as a file has them, in its own units. Test: tests/unit/tracks/read_tracks_test.cpp
+namespace matrigrate::tracks {
+
+struct Spot {
+  std::size_t track = 0; ///< index into Spots::names
+  double t = 0.0;        ///< if there is a time
+  double frame = 0.0;    ///< if there are frames
+  double x = 0.0;
+  double y = 0.0;
+  std::size_t line = 0; ///< 0 where it has none
+};
+
+/// What the columns of a file were taken for; empty where there is none.
+struct ColumnsUsed {
+  std::string track, t, frame, x, y, made_up, measured;
+  std::vector<std::string> group;
+};
+
+struct Spots {
+  std::vector<Spot> spots;
+  std::vector<std::string> names; ///< of the tracks
+  ColumnsUsed columns;
+  std::string layout;
+  char separator = '\0'; ///< none of XML
+  bool decimal_comma = false;
+  std::string length_unit; ///< as the file states it; empty if it does not
+  std::string time_unit;   ///< of t
+  bool has_t() const { return !columns.t.empty(); }
+  bool has_frames() const { return !columns.frame.empty(); }
+  std::size_t nowhere = 0; ///< rows without a position
+  std::size_t made_up = 0; ///< positions that a tracker has made up, and that are left out
+};
+
+/// The spots of a table of text.
+Spots table_spots(std::string_view text, const TrackOptions& options, Findings& findings);
+
+/// The spots of TrackMate's "Export tracks to XML file".
+Spots xml_spots(std::string_view text, Findings& findings);
+
+} // namespace matrigrate::tracks

@@ -1,0 +1,266 @@
+#include "parameters/scan.hpp"
+#include "tracks/layouts.hpp"
+#include "tracks/spots.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace matrigrate::tracks {
+
+namespace {
+
+/// Whether numbers of these columns have the comma as their decimal sign; a fault if some have, and others a point.
+bool has_decimal_commas(const Table& table, Findings& findings) {
+  std::string comma, point;
+  std::size_t line = 0;
+  for (const SheetRow& row : table.rows)
+    for (const Table::Column c : {table.x, table.y, table.t}) {
+      if (!c || *c >= row.fields.size()) continue;
+      const std::string& field = row.fields[*c];
+      if (comma.empty() && field.find(',') != std::string::npos && sheet_number(field, true)) {
+        comma = field;
+        line = row.line;
+      }
+      if (point.empty() && field.find('.') != std::string::npos && sheet_number(field, false)) point = field;
+    }
+  if (comma.empty()) return false;
+  if (!point.empty()) {
+    findings.fault(line, fmt::format("has numbers with a comma, {}, and others with a point, {}: write points alone",
+                                     comma, point));
+    return false;
+  }
+  std::string meant = comma;
+  std::ranges::replace(meant, ',', '.');
+  findings.note(fmt::format("commas are read as decimal signs: {} is {}", comma, meant));
+  return true;
+}
+
+/// Whether a text is a truth value, and which.
+std::optional<bool> truth(std::string_view field) {
+  const std::string word = lower(trimmed(field));
+  if (word == "true" || word == "1" || word == "yes" || word == "t" || word == "1.0") return true;
+  if (word == "false" || word == "0" || word == "no" || word == "f" || word == "0.0" || word.empty()) return false;
+  return std::nullopt;
+}
+
+/// An id without the ".0" that it gets where ids are read as numbers.
+std::string id_text(const std::string& field) {
+  if (!field.ends_with(".0") || field.size() < 3) return field;
+  const std::string whole = field.substr(0, field.size() - 2);
+  return std::ranges::all_of(whole, [](char c) { return c >= '0' && c <= '9'; }) ? whole : field;
+}
+
+/// Reads the rows of a table.
+class SpotReader {
+public:
+  SpotReader(const Table& table, Findings& findings) : m_table(table), m_findings(findings) {
+    m_comma = table.separator != ',' && has_decimal_commas(table, findings);
+  }
+
+  Spots spots() {
+    if (!m_findings.good()) return {}; // of decimal signs
+    const std::vector<std::size_t> movies = group_columns();
+    std::map<std::string, std::set<std::string>> groups;  // in which an id occurs
+    std::vector<std::pair<std::string, std::string>> ids; // group and id of each row that has a track
+    std::vector<const SheetRow*> rows;
+    for (const SheetRow& row : m_table.rows) {
+      if (!is_whole(row)) continue;
+      const std::string id = id_text(row.fields[*m_table.track]);
+      if (says_nothing(id)) {
+        ++m_loose;
+        continue;
+      }
+      std::string group;
+      for (const std::size_t c : movies) group += row.fields[c] + "/";
+      groups[id].insert(group);
+      ids.emplace_back(std::move(group), id);
+      rows.push_back(&row);
+    }
+    const bool repeat = std::ranges::any_of(groups, [](const auto& one) { return one.second.size() > 1; });
+    for (std::size_t i = 0; i < rows.size(); ++i) add(*rows[i], repeat ? ids[i].first + ids[i].second : ids[i].second);
+    tell(repeat, movies);
+    return finished(repeat ? movies : std::vector<std::size_t>{});
+  }
+
+private:
+  const std::string& field(const SheetRow& row, Table::Column column) const {
+    static const std::string none;
+    return column && *column < row.fields.size() ? row.fields[*column] : none;
+  }
+
+  /// A row has as many fields as the header; empty ones at its end do not count.
+  bool is_whole(const SheetRow& row) {
+    const std::size_t wanted = m_table.header.empty() ? m_table.rows.front().fields.size() : m_table.header.size();
+    std::size_t least = wanted;
+    while (least > 0 && !m_table.header.empty() && m_table.header[least - 1].empty()) --least;
+    std::size_t fields = row.fields.size();
+    while (fields > wanted && row.fields[fields - 1].empty()) --fields;
+    if (row.open_quote) {
+      m_findings.fault(row.line, "has a quote that is not closed");
+    } else if (fields < least || fields > wanted) {
+      const bool commas = m_table.separator == ',' && fields > wanted;
+      m_findings.fault(row.line,
+                       fmt::format("has {} fields, the header {}{}", fields, wanted,
+                                   commas ? ": if commas are decimal signs, save it with semicolons or tabs between "
+                                            "columns, or with points in numbers"
+                                          : ""));
+    } else {
+      return has_columns(row);
+    }
+    return false;
+  }
+
+  /// Of a table without header the caller may name columns that are not there.
+  bool has_columns(const SheetRow& row) {
+    std::vector<Table::Column> used{m_table.track, m_table.t,       m_table.frame,   m_table.x,
+                                    m_table.y,     m_table.made_up, m_table.measured};
+    used.insert(used.end(), m_table.group.begin(), m_table.group.end());
+    for (const Table::Column c : used)
+      if (c && *c >= row.fields.size()) {
+        m_findings.fault(row.line, fmt::format("has {} fields; there is no column {}", row.fields.size(), *c + 1));
+        return false;
+      }
+    return true;
+  }
+
+  /// The columns that tell movies apart. One whose every value stands at one time alone names pictures, not movies.
+  std::vector<std::size_t> group_columns() const {
+    std::vector<std::size_t> columns;
+    const Table::Column time = m_table.frame ? m_table.frame : m_table.t;
+    for (const std::size_t c : m_table.group) {
+      std::map<std::string, std::string> first;
+      bool one_time = true;
+      for (const SheetRow& row : m_table.rows) {
+        if (c >= row.fields.size()) continue;
+        const auto [at, added] = first.emplace(row.fields[c], field(row, time));
+        one_time = one_time && at->second == field(row, time);
+      }
+      if (first.size() > 1 && !one_time) columns.push_back(c);
+    }
+    return columns;
+  }
+
+  std::optional<double> number(const SheetRow& row, Table::Column column) {
+    const std::string& text = field(row, column);
+    if (const auto value = sheet_number(text, m_comma)) return value;
+    const bool comma = m_table.separator != ',' && sheet_number(text, true).has_value();
+    m_findings.fault(row.line, fmt::format("{}: \"{}\" is no finite number{}", m_table.name(column), excerpt(text),
+                                           comma ? ": it has a comma, others a point" : ""));
+    return std::nullopt;
+  }
+
+  /// @return false if a tracker has made the position of this row up
+  bool is_seen(const SheetRow& row) {
+    for (const auto& [column, seen] : {std::pair(m_table.made_up, false), std::pair(m_table.measured, true)}) {
+      if (!column) continue;
+      const auto value = truth(field(row, column));
+      if (!value)
+        m_findings.fault(row.line, fmt::format("{}: \"{}\" is neither true nor false", m_table.name(column),
+                                               excerpt(field(row, column))));
+      if (value.value_or(seen) != seen) return false;
+    }
+    return true;
+  }
+
+  void add(const SheetRow& row, const std::string& name) {
+    if (!is_seen(row)) {
+      ++m_spots.made_up;
+      return;
+    }
+    if (says_nothing(field(row, m_table.x)) || says_nothing(field(row, m_table.y))) {
+      ++m_spots.nowhere;
+      return;
+    }
+    const auto x = number(row, m_table.x), y = number(row, m_table.y);
+    const auto t = m_table.t ? number(row, m_table.t) : 0.0;
+    const auto frame = m_table.frame ? number(row, m_table.frame) : 0.0;
+    if (frame && *frame != std::round(*frame))
+      m_findings.fault(row.line,
+                       fmt::format("{}: {} is no whole number, as frames have", m_table.name(m_table.frame), *frame));
+    find_unit(row);
+    if (m_table.z) m_heights.insert(field(row, m_table.z));
+    if (!x || !y || !t || !frame) return;
+    const auto [own, added] = m_numbers.emplace(name, m_spots.names.size());
+    if (added) m_spots.names.push_back(name);
+    m_spots.spots.push_back({.track = own->second, .t = *t, .frame = *frame, .x = *x, .y = *y, .line = row.line});
+  }
+
+  /// Imaris states the unit in each row.
+  void find_unit(const SheetRow& row) {
+    if (!m_table.unit) return;
+    const std::string& unit = field(row, m_table.unit);
+    if (m_spots.length_unit.empty()) m_spots.length_unit = unit;
+    if (unit != m_spots.length_unit)
+      m_findings.fault(row.line,
+                       fmt::format("is in {}, rows before it in {}", excerpt(unit), excerpt(m_spots.length_unit)));
+  }
+
+  void tell(bool repeat, const std::vector<std::size_t>& movies) {
+    if (m_loose > 0) m_findings.note(fmt::format("{} in no track are left out", counted(m_loose, "position")));
+    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are those of the projection on the plane");
+    if (m_spots.made_up > 0)
+      m_findings.note(fmt::format("{} that the tracker made up ({}) are missing positions",
+                                  counted(m_spots.made_up, "position"),
+                                  m_table.name(m_table.made_up ? m_table.made_up : m_table.measured)));
+    if (m_spots.nowhere > 0)
+      m_findings.note(fmt::format("{} without a position are missing positions", counted(m_spots.nowhere, "row")));
+    if (repeat) m_findings.note(fmt::format("ids repeat: tracks are kept apart by {}", fmt::join(names(movies), ", ")));
+    if (m_table.x_unit != m_table.y_unit)
+      m_findings.fault(0, fmt::format("{} is in {}, {} in {}", m_table.name(m_table.x),
+                                      m_table.x_unit.empty() ? "no unit" : m_table.x_unit, m_table.name(m_table.y),
+                                      m_table.y_unit.empty() ? "no unit" : m_table.y_unit));
+  }
+
+  std::vector<std::string> names(const std::vector<std::size_t>& columns) const {
+    std::vector<std::string> list;
+    for (const std::size_t c : columns) list.push_back(m_table.name(c));
+    return list;
+  }
+
+  Spots finished(const std::vector<std::size_t>& movies) {
+    m_spots.layout = m_table.layout;
+    m_spots.separator = m_table.separator;
+    m_spots.decimal_comma = m_comma;
+    if (m_spots.length_unit.empty()) m_spots.length_unit = m_table.x_unit;
+    m_spots.time_unit = m_table.t_unit;
+    const auto name = [this](Table::Column column) { return m_table.name(column); };
+    m_spots.columns = {.track = name(m_table.track),
+                       .t = name(m_table.t),
+                       .frame = name(m_table.frame),
+                       .x = name(m_table.x),
+                       .y = name(m_table.y),
+                       .made_up = name(m_table.made_up),
+                       .measured = name(m_table.measured),
+                       .group = names(movies)};
+    return std::move(m_spots);
+  }
+
+  const Table& m_table;
+  Findings& m_findings;
+  Spots m_spots;
+  std::map<std::string, std::size_t> m_numbers; ///< of tracks, by their names
+  std::set<std::string> m_heights;
+  std::size_t m_loose = 0;
+  bool m_comma = false;
+};
+
+} // namespace
+
+Spots table_spots(std::string_view text, const TrackOptions& options, Findings& findings) {
+  const std::optional<Table> table = find_table(text, options, findings);
+  if (!table) return {};
+  if (table->rows.empty()) {
+    findings.fault(0, "has a header, but no rows");
+    return {};
+  }
+  return SpotReader(*table, findings).spots();
+}
+
+} // namespace matrigrate::tracks

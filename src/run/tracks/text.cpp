@@ -1,0 +1,143 @@
+#include "tracks/text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+
+namespace matrigrate::tracks {
+
+namespace {
+
+/// The characters 0x80 to 0x9f of Windows-1252; 0 where it has none.
+constexpr std::array<std::uint16_t, 32> windows_1252{0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
+                                                     0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
+                                                     0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
+                                                     0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0,      0x017e, 0x0178};
+constexpr std::uint32_t replacement = 0xfffd;
+
+unsigned byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
+
+void append(std::uint32_t c, std::string& text) {
+  const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
+  if (c < 0x80) return byte(c);
+  if (c < 0x800) {
+    byte(0xc0 | (c >> 6U));
+  } else {
+    if (c < 0x10000) {
+      byte(0xe0 | (c >> 12U));
+    } else {
+      byte(0xf0 | (c >> 18U));
+      byte(0x80 | ((c >> 12U) & 0x3fU));
+    }
+    byte(0x80 | ((c >> 6U) & 0x3fU));
+  }
+  byte(0x80 | (c & 0x3fU));
+}
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const unsigned first = byte_at(text, i);
+    const std::size_t more = first < 0x80                    ? 0
+                             : first >= 0xc2 && first < 0xe0 ? 1
+                             : first >= 0xe0 && first < 0xf0 ? 2
+                             : first >= 0xf0 && first < 0xf5 ? 3
+                                                             : 4;
+    if (more == 4 || i + more >= text.size()) return false;
+    for (std::size_t k = 1; k <= more; ++k)
+      if ((byte_at(text, i + k) & 0xc0U) != 0x80) return false;
+    i += more + 1;
+  }
+  return true;
+}
+
+std::string from_windows_1252(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size() + bytes.size() / 8);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const unsigned c = byte_at(bytes, i);
+    const std::uint32_t known = c >= 0x80 && c < 0xa0 ? windows_1252[c - 0x80] : c;
+    append(known == 0 && c != 0 ? replacement : known, text);
+  }
+  return text;
+}
+
+std::string from_utf16(std::string_view bytes, bool big) {
+  std::string text;
+  const auto unit = [&](std::size_t i) {
+    const unsigned a = byte_at(bytes, i), b = byte_at(bytes, i + 1);
+    return big ? a << 8U | b : b << 8U | a;
+  };
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    const std::uint32_t c = unit(i);
+    if (c < 0xd800 || c > 0xdfff) {
+      append(c, text);
+      continue;
+    }
+    const std::uint32_t low = c < 0xdc00 && i + 3 < bytes.size() ? unit(i + 2) : 0;
+    if (low >= 0xdc00 && low <= 0xdfff) {
+      append(0x10000 + ((c - 0xd800) << 10U) + (low - 0xdc00), text);
+      i += 2;
+    } else {
+      append(replacement, text);
+    }
+  }
+  return text;
+}
+
+/// \r\n and \r become \n.
+void mend_line_ends(std::string& text) {
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+    text[to++] = text[i] == '\r' ? '\n' : text[i];
+  }
+  text.resize(to);
+}
+
+/// Why a file is no text, by its first bytes; empty if it may be one.
+std::string other_kind(std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04")) return "is a workbook (.xlsx) or another archive: save the sheet as CSV";
+  if (bytes.starts_with("\xd0\xcf\x11\xe0")) return "is a workbook (.xls): save the sheet as CSV";
+  if (bytes.starts_with("\x1f\x8b")) return "is compressed (gzip): unpack it";
+  if (bytes.starts_with("\x89HDF")) return "is an HDF5 file: export the tracks as CSV";
+  return {};
+}
+
+void find_control_characters(std::string_view text, Findings& findings) {
+  std::size_t line = 1;
+  for (const char c : text) {
+    if (c == '\n') ++line;
+    if ((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) || c == '\n' || c == '\t' || c == '\f' || c == '\v')
+      continue;
+    return findings.fault(line, c == '\0' ? "is no text, or UTF-16 without its mark: save it as CSV in UTF-8"
+                                          : "has a control character: is it a text?");
+  }
+}
+
+} // namespace
+
+Text decoded(std::string_view bytes, Findings& findings) {
+  Text text{.utf8 = {}, .encoding = "UTF-8"};
+  if (const std::string why = other_kind(bytes); !why.empty()) {
+    findings.fault(0, why);
+    return text;
+  }
+  const bool little = bytes.starts_with("\xff\xfe");
+  if (little || bytes.starts_with("\xfe\xff")) {
+    text = {.utf8 = from_utf16(bytes.substr(2), !little), .encoding = "UTF-16"};
+  } else {
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+    if (is_utf8(bytes)) {
+      text.utf8 = bytes;
+    } else {
+      text = {.utf8 = from_windows_1252(bytes), .encoding = "Windows-1252"};
+      findings.note("the file is not UTF-8; it is read as Windows-1252");
+    }
+  }
+  mend_line_ends(text.utf8);
+  find_control_characters(text.utf8, findings);
+  return text;
+}
+
+} // namespace matrigrate::tracks

@@ -1,0 +1,127 @@
+#include "unit/tracks/reading.hpp"
+
+#include "base/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace matrigrate::tracks {
+namespace {
+
+Tracks one(std::vector<double> x, std::vector<double> y, double interval = 60.0) {
+  Tracks tracks;
+  tracks.interval = interval;
+  Track& track = tracks.tracks.emplace_back();
+  for (std::size_t k = 0; k < x.size(); ++k) track.k.push_back(k);
+  track.x = std::move(x);
+  track.y = std::move(y);
+  return tracks;
+}
+
+/// Steps of constant length whose direction is a random walk: persistence time interval / (1 - mean cosine), about.
+Tracks persistent(std::size_t cells, std::size_t steps, double turn) {
+  Tracks tracks;
+  tracks.interval = 60.0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    Track& track = tracks.tracks.emplace_back();
+    double x = 0.0, y = 0.0, angle = 0.0;
+    for (std::size_t k = 0; k <= steps; ++k) {
+      track.k.push_back(k);
+      track.x.push_back(x);
+      track.y.push_back(y);
+      angle += turn * (2.0 * uniform(7, Purpose::test, k, static_cast<std::uint32_t>(c)) - 1.0);
+      x += std::cos(angle);
+      y += std::sin(angle);
+    }
+  }
+  return tracks;
+}
+
+TEST(TrackReadouts, OfAStraightTrack) {
+  std::vector<double> x;
+  for (int k = 0; k <= 20; ++k) x.push_back(0.5 * k);
+  const Tracks straight = one(x, std::vector<double>(21, 0.0));
+  for (const char* name : {"speed_um_per_h", "speed_median_um_per_h", "net_speed_um_per_h"})
+    EXPECT_DOUBLE_EQ(readout(straight, name), 30.0) << name;
+  for (const char* name : {"straightness", "directionality_ratio", "turning_cosine"})
+    EXPECT_DOUBLE_EQ(readout(straight, name), 1.0) << name;
+  for (const char* name : {"msd_slope_short", "msd_slope_long"})
+    EXPECT_NEAR(readout(straight, name), 2.0, 1e-12) << name;
+  EXPECT_EQ(readout(straight, "turning_angle_deg"), 0.0);
+  for (const char* name : {"persistence_min", "directionality_time_min", "anisotropy"})
+    EXPECT_TRUE(std::isnan(readout(straight, name))) << name;
+}
+
+TEST(TrackReadouts, OfASquare) {
+  const Tracks square = one({0, 1, 1, 0, 0}, {0, 0, 1, 1, 0});
+  EXPECT_EQ(readout(square, "net_speed_um_per_h"), 0.0);
+  EXPECT_DOUBLE_EQ(readout(square, "speed_um_per_h"), 60.0);
+  EXPECT_DOUBLE_EQ(readout(square, "turning_angle_deg"), 90.0);
+  EXPECT_NEAR(readout(square, "turning_cosine"), 0.0, 1e-15);
+  EXPECT_DOUBLE_EQ(readout(square, "anisotropy"), 1.0);
+  EXPECT_TRUE(std::isnan(readout(square, "directionality_ratio"))) << "it needs ten intervals";
+  // MSD 1, 2, 1, 0: distance over path 1, sqrt(1/2), 1/3: one half between 2 and 3 intervals.
+  const std::vector<std::size_t> all{0};
+  EXPECT_EQ(TrackParts(square).msd(all), (std::vector<double>{1, 2, 1, 0}));
+  const double half = std::numbers::sqrt2 / 2.0;
+  EXPECT_NEAR(readout(square, "directionality_time_min"), 2.0 + (half - 0.5) / (half - 1.0 / 3.0), 1e-12);
+}
+
+TEST(TrackReadouts, PairsAcrossAGapOnly) {
+  Tracks gap = one({0, 1, 3}, {0, 0, 0});
+  gap.tracks[0].k = {0, 1, 3};
+  EXPECT_DOUBLE_EQ(readout(gap, "speed_um_per_h"), 60.0) << "the step over the gap is none";
+  EXPECT_DOUBLE_EQ(readout(gap, "net_speed_um_per_h"), 60.0);
+  const std::vector<std::size_t> all{0};
+  EXPECT_EQ(TrackParts(gap).msd(all), (std::vector<double>{1, 4, 9}));
+}
+
+TEST(TrackReadouts, PersistenceOfAPersistentWalk) {
+  const double turn = 0.6, cosine = std::sin(turn) / turn;
+  const Tracks walk = persistent(100, 100, turn);
+  EXPECT_NEAR(readout(walk, "turning_cosine"), cosine, 0.003);
+  const double time = -1.0 / std::log(cosine); // of the correlation of directions [min]
+  EXPECT_NEAR(readout(walk, "persistence_min"), time, 0.1 * time);
+  EXPECT_NEAR(readout(walk, "speed_um_per_h"), 60.0, 1e-9);
+}
+
+TEST(TrackReadouts, AnErrorOfPositionsIsTakenOffTheMeanSquareDisplacement) {
+  const double turn = 0.6, error = 0.5;
+  Tracks walk = persistent(100, 100, turn);
+  const double clean = readout(walk, "msd_slope_short");
+  for (std::size_t c = 0; c < walk.tracks.size(); ++c)
+    for (std::size_t k = 0; k < walk.tracks[c].x.size(); ++k) {
+      const double r = error * std::sqrt(-2.0 * std::log(uniform(8, Purpose::test, k, static_cast<std::uint32_t>(c))));
+      const double phi = 2.0 * std::numbers::pi * uniform(9, Purpose::test, k, static_cast<std::uint32_t>(c));
+      walk.tracks[c].x[k] += r * std::cos(phi);
+      walk.tracks[c].y[k] += r * std::sin(phi);
+    }
+  const auto slope = static_cast<std::size_t>(
+      std::ranges::find(track_readouts, std::string_view("msd_slope_short"), &ReadoutMeaning::name)
+      - track_readouts.begin());
+  EXPECT_LT(TrackParts(walk).readouts()[slope], clean - 0.2);
+  EXPECT_NEAR(TrackParts(walk).readouts(error)[slope], clean, 0.03);
+}
+
+TEST(TrackReadouts, StandardErrorsAreThoseOfTheMean) {
+  const Tracks walk = persistent(50, 30, 1.0);
+  const TrackReadouts found = readouts(walk, 0.0, 400);
+  const TrackParts parts(walk);
+  double sum = 0.0, square = 0.0;
+  for (std::size_t k = 0; k < 50; ++k) {
+    const std::vector<std::size_t> own{k};
+    const double net = parts.readouts(own, 0.0)[4];
+    sum += net;
+    square += net * net;
+  }
+  const double mean = sum / 50.0, error = std::sqrt((square - 50.0 * mean * mean) / 49.0 / 50.0);
+  EXPECT_DOUBLE_EQ(found.value[4], mean);
+  EXPECT_NEAR(found.standard_error[4], error, 0.1 * error);
+  EXPECT_EQ(readouts(walk, 0.0, 400).standard_error[4], found.standard_error[4]) << "the same draws each time";
+  EXPECT_TRUE(std::isnan(readouts(one({0, 1, 2}, {0, 1, 0})).standard_error[0])) << "of one track";
+}
+
+} // namespace
+} // namespace matrigrate::tracks

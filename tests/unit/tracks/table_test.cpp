@@ -1,0 +1,101 @@
+#include "unit/tracks/reading.hpp"
+
+#include <gtest/gtest.h>
+
+/// Which columns of a table are taken for what.
+namespace matrigrate::tracks {
+namespace {
+
+TrackOptions with_columns(const std::string& columns, TrackOptions options = calibrated(1.0, 60.0)) {
+  add_columns(columns, options.columns);
+
+  return few(options);
+}
+
+const TrackOptions own_units = with_columns("");
+
+std::string layout(const std::string& header, const std::string& row = "1,0,0,0\n1,1,1,1\n") {
+  return of_text(header + "\n" + row, own_units).layout;
+}
+
+TEST(TrackTable, LayoutsByTheirNames) {
+  EXPECT_EQ(layout("TRACK_ID,FRAME,POSITION_X,POSITION_Y"), "trackmate");
+  EXPECT_EQ(layout("track,t,x,y"), "plain");
+  EXPECT_EQ(layout("particle,frame,x,y"), "trackpy");
+  EXPECT_EQ(layout("id,t,x,y"), "celltrackr");
+  EXPECT_EQ(layout("track_id,t,y,x"), "napari");
+  EXPECT_EQ(layout("Trajectory,Frame,x,y"), "mosaic");
+  EXPECT_EQ(layout("TrackObjects_Label_50,ImageNumber,Location_Center_X,Location_Center_Y"), "cellprofiler");
+  EXPECT_EQ(layout("TrackID,Time,Position X,Position Y"), "imaris");
+  EXPECT_EQ(layout("Track number,Slice,X position,Y position"), "any");
+  EXPECT_EQ(layout("Nr,TID,PID,x [pixel],y [pixel],t [frame]", "1,1,1,0,0,1\n2,1,2,1,1,2\n"), "mtrackj");
+}
+
+TEST(TrackTable, UnitsOfTheHeader) {
+  TrackOptions own = own_units;
+  own.pixel.reset();
+  own.interval.reset();
+  const Tracks cells = of_text("Track ID;Time [min];X [\u00b5m];Y [\u00b5m]\n1;0;0;0\n1;5;3;4\n", own);
+  EXPECT_EQ(cells.interval, 300.0);
+  EXPECT_EQ(speed(cells), 60.0);
+  EXPECT_EQ(faults("track,t_s,x_um,y_px\n1,0,0,0\n1,1,1,1\n", own), "f: x_um is in um, y_px in px");
+}
+
+TEST(TrackTable, LinesBeforeTheHeader) {
+  EXPECT_EQ(layout("# my cells, 2024\ntrack,t,x,y"), "plain");
+  EXPECT_EQ(layout("sep=,\ntrack,t,x,y"), "plain");
+  EXPECT_EQ(layout("#track,t,x,y"), "plain");
+  EXPECT_EQ(layout("Experiment;7\n\ntrack,t,x,y"), "plain");
+}
+
+TEST(TrackTable, NamesOfRowsAsRWritesThem) {
+  EXPECT_EQ(of_text("id t x y\n\"1\" 1 0 0 0\n\"2\" 1 1 3 4\n", own_units).tracks[0].x.back(), 3.0);
+  EXPECT_EQ(of_text("\"\",\"id\",\"t\",\"x\",\"y\"\n\"1\",1,0,0,0\n\"2\",1,1,3,4\n", own_units).tracks[0].x.back(),
+            3.0);
+}
+
+TEST(TrackTable, ColumnsOfTheCaller) {
+  const std::string own = "Zelle;Bild;Ort x [px];Ort y [px];dt\n1;0;0;0;7\n1;1;3;4;7\n";
+  EXPECT_EQ(faults(own, own_units),
+            "f:1:1: has no column for the track, the time, x, y that is known; its columns are Zelle, Bild, Ort x "
+            "[px], Ort y [px], dt. Name them: --columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
+  const Tracks cells = of_text(own, with_columns("track=Zelle,frame=Bild,x=Ort x [px],y=ort Y [px]"));
+  EXPECT_EQ(cells.layout, "named");
+  EXPECT_EQ(speed(cells), 300.0);
+  EXPECT_EQ(speed(of_text(own, with_columns("track=1,frame=2,x=3,y=4"))), 300.0) << "by their numbers";
+  EXPECT_EQ(faults(own, with_columns("track=Zele,frame=Bild,x=Ort x [px],y=Ort y [px]")),
+            "f:1:1: --columns: there is no column \"Zele\"; did you mean Zelle?; the columns are Zelle, Bild, Ort x "
+            "[px], Ort y "
+            "[px], dt");
+  // One of the names of the caller, the others of the layout.
+  EXPECT_EQ(of_text("cell;frame;x;y;x0\n1;0;0;0;0\n1;1;9;9;3\n", with_columns("x=x0")).tracks[0].x.back(), 3.0);
+}
+
+TEST(TrackTable, OneLayoutAlone) {
+  TrackOptions options = own_units;
+  options.layout = "trackpy";
+  EXPECT_EQ(faults("track,t,x,y\n1,0,0,0\n", options), "f:1:1: has no column for the track, the time that is known of "
+                                                       "trackpy; its columns are track, t, x, y. Name them: "
+                                                       "--columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
+}
+
+TEST(TrackTable, OtherTablesOfTrackMate) {
+  EXPECT_EQ(faults("LABEL,TRACK_INDEX,TRACK_ID,NUMBER_SPOTS,TRACK_DURATION\na,0,0,5,5\n", own_units),
+            "f:1:1: is TrackMate's table of Tracks; export the table of Spots");
+  EXPECT_EQ(faults("LABEL,TRACK_ID,SPOT_SOURCE_ID,SPOT_TARGET_ID,EDGE_TIME\na,0,0,1,5\n", own_units),
+            "f:1:1: is TrackMate's table of Edges; export the table of Spots");
+  EXPECT_EQ(faults("", own_units), "f: is empty");
+  EXPECT_EQ(faults("track,t,x,y\n", own_units), "f: has a header, but no rows");
+}
+
+TEST(TrackTable, TrackMateTitlesAreNoRows) {
+  const std::string head = "TRACK_ID,POSITION_X,POSITION_Y,FRAME\n";
+  EXPECT_EQ(of_text(head + "Track ID,X,Y,Frame\nTrack ID,X,Y,Frame\n,(pixel),(pixel),\n0,0,0,0\n0,1,1,1\n", own_units)
+                .positions(),
+            2U);
+  EXPECT_EQ(faults(head + "0,a,0,0\n0,1,1,1\n", own_units), "f:2:1: POSITION_X: \"a\" is no finite number")
+      << "a bad row is no title";
+}
+
+} // namespace
+} // namespace matrigrate::tracks
