@@ -23,7 +23,6 @@ namespace matrigrate::apps {
 
 namespace {
 
-bool ended_at_rim(const study::Result& r) { return r.standing.cause == FailureCause::rim; }
 bool crossed_itself(const study::Result& r) { return r.standing.cause == FailureCause::crossing; }
 
 /// Computes those of the given runs that are missing.
@@ -113,7 +112,7 @@ std::string larger_name(std::string_view name) { return fmt::format("{}-larger-d
 StudyFolder second_of(const StudyFolder& study, std::string_view name, const ReproduceOptions& options) {
   ReproduceOptions larger = options;
   larger.overrides.push_back(
-      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
+      fmt::format("ecm.radius={} um", study::larger_disc * study.study.base.ecm.radius)); // lengths are in um
   return planned(shipped(name, larger), std::filesystem::path(options.folder) / larger_name(name));
 }
 
@@ -124,7 +123,8 @@ std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::v
                                           const ReproduceOptions& options) {
   const auto again = [&](const study::Result& r) {
     const std::string& label = study.study.points[r.run.point].label;
-    return ended_at_rim(r) && std::ranges::any_of(claims, [&](const auto& c) { return c.depends_on(name, label); });
+    return study::ended_at_rim(r)
+           && std::ranges::any_of(claims, [&](const auto& c) { return c.depends_on(name, label); });
   };
   if (std::ranges::none_of(results, again)) return {};
   const Computed second =
@@ -134,7 +134,7 @@ std::vector<study::Result> in_larger_disc(const StudyFolder& study, const std::v
         });
       });
   std::vector<study::Result> all = results;
-  replace(all, second.results, ended_at_rim);
+  replace(all, second.results, study::ended_at_rim);
   return all;
 }
 
@@ -146,7 +146,7 @@ void add_kept(ClaimEvidence& all, std::string_view name, const ReproduceOptions&
   const auto second = kept_results(second_of(study, name, options), options.from, larger_name(name));
   if (!second.empty()) {
     auto larger = results;
-    replace(larger, second, ended_at_rim);
+    replace(larger, second, study::ended_at_rim);
     all.larger.emplace(name, study::Ensemble{study.study, std::move(larger)});
   }
   all.evidence.emplace(name, study::Ensemble{std::move(study.study), std::move(results)});
@@ -205,7 +205,7 @@ ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const Rep
 std::string ends_text(const study::Ensemble& ensemble) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(ensemble.results, condition); };
   const auto finished = count([](const study::Result& r) { return r.standing.done(); });
-  const auto rim = count(ended_at_rim);
+  const auto rim = count(study::ended_at_rim);
   const auto crossing = count(crossed_itself);
   const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
   return fmt::format("{} of {} runs done; {} ended at the rim, {} by crossing themselves, {} otherwise", finished, all,

@@ -11,14 +11,12 @@
 namespace matrigrate::apps {
 
 /// The evidence, and a second one in which each run that ended at the rim, of a point that decides on a claim, is
-/// replaced by the run of the same point and seed in a disc of larger_disc times the radius. The second evidence has
-/// only studies with such runs.
+/// replaced by the run of the same point and seed in a disc of study::larger_disc times the radius. The second evidence
+/// has only studies with such runs.
 struct ClaimEvidence {
   study::Evidence evidence;
   study::Evidence larger;
 };
-
-inline constexpr double larger_disc = 1.5;
 
 /// A shipped study with the settings of the options. With --from, a file NAME.toml beside the kept tables stands in its
 /// place.

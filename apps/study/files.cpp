@@ -18,14 +18,19 @@ namespace {
 
 constexpr std::size_t most_shown = 30; // points or pairs that a person reads
 
+/// @param lost  runs of each point that ended at the rim: a column, if there are any
 std::string groups_text(const StudyFolder& study, const std::vector<study::ReadOutSample>& samples,
-                        const std::string& readout) {
+                        const std::string& readout, const std::vector<std::size_t>& lost) {
   std::vector<std::vector<std::string>> rows{{"point", "n", "mean", "95 % interval"}};
   rows[0][3] = fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.study.comparisons.alpha));
-  for (const study::ReadOutSample& s : samples)
-    if (s.readout == readout)
-      rows.push_back({study::point_text(study.study, s.point), fmt::format("{}", s.moments.n),
-                      number_text(s.mean.value), interval_text(s.mean)});
+  const bool any = std::ranges::any_of(lost, [](std::size_t n) { return n > 0; });
+  if (any) rows[0].emplace_back("lost at the rim");
+  for (const study::ReadOutSample& s : samples) {
+    if (s.readout != readout) continue;
+    rows.push_back({study::point_text(study.study, s.point), fmt::format("{}", s.moments.n), number_text(s.mean.value),
+                    interval_text(s.mean)});
+    if (any) rows.back().push_back(fmt::format("{}", lost[s.point]));
+  }
   return aligned(rows, 1);
 }
 
@@ -101,13 +106,14 @@ Collected collect(const StudyFolder& study) {
 
 std::string collected_text(const StudyFolder& study, const Collected& collected) {
   const std::vector<study::ReadOutSample> samples = study::samples(study.study, collected.results);
+  const std::vector<std::size_t> lost = lost_at_rim(study.study, collected.results);
   std::string text;
   for (const std::string& readout : study.study.readouts) {
     const bool defined = std::ranges::any_of(
         samples, [&](const study::ReadOutSample& s) { return s.readout == readout && s.moments.n > 0; });
     text += readout + (defined ? "\n" : ": no run has a value yet\n");
     if (!defined) continue;
-    if (study.study.points.size() <= most_shown) text += groups_text(study, samples, readout);
+    if (study.study.points.size() <= most_shown) text += groups_text(study, samples, readout, lost);
     text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
   return text + remarks_text(collected.comparisons) + screening_text(study.study, collected.screening)

@@ -74,16 +74,24 @@ std::vector<std::size_t> all_runs(const StudyFolder& study) {
   return all;
 }
 
-void print_outcome(const StudyOptions& options, const StudyFolder& study, const PoolOutcome& outcome) {
+/// On a line of its own, before the closing line; nothing if no run ended at the rim.
+void print_rim(const StudyFolder& study, const std::vector<study::Result>& results) {
+  if (const std::string text = rim_text(study.study, results); !text.empty()) print(text + "\n");
+}
+
+void print_outcome(const StudyOptions& options, const StudyFolder& study, const PoolOutcome& outcome,
+                   const std::vector<study::Result>& results) {
   if (options.json)
     return print_json({{"folder", study.folder.string()},
                        {"runs", study.runs.size()},
                        {"done", outcome.done_before + outcome.done_now},
                        {"done_now", outcome.done_now},
                        {"exit_code", exit_code(outcome)},
+                       {"ended_at_rim", std::ranges::count_if(results, study::ended_at_rim)},
                        {"not_done", to_json(study, outcome.troubles)}});
   const std::string list = troubles_text(study, outcome.troubles);
   if (!list.empty()) options.quiet ? print_error(list) : print(list);
+  print_rim(study, results);
   print(fmt::format("{} of {} runs done, {} of them now; results: {}\n", outcome.done_before + outcome.done_now,
                     study.runs.size(), outcome.done_now, (study.folder / "results.csv").string()));
 }
@@ -113,8 +121,9 @@ int run_study(const StudyOptions& options) {
   const PoolOutcome outcome = compute(
       study, all_runs(study),
       {.jobs = job_count(options.jobs), .retry_failed = options.retry_failed, .quiet = options.quiet || options.json});
-  if (!outcome.cannot_write) collect(study);
-  print_outcome(options, study, outcome);
+  const std::vector<study::Result> results =
+      outcome.cannot_write ? std::vector<study::Result>() : collect(study).results;
+  print_outcome(options, study, outcome, results);
   return exit_code(outcome);
 }
 
@@ -157,10 +166,15 @@ int collect_study(const StudyOptions& options) {
     if (!collected.claims.empty()) files.push_back("claims.csv");
     if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
     if (!study.study.steps.empty()) files.push_back("effects.csv");
-    print_json({{"folder", options.folder}, {"runs", study.runs.size()}, {"done", finished}, {"files", files}});
+    print_json({{"folder", options.folder},
+                {"runs", study.runs.size()},
+                {"done", finished},
+                {"ended_at_rim", std::ranges::count_if(collected.results, study::ended_at_rim)},
+                {"files", files}});
     return done;
   }
   if (!options.quiet) print(collected_text(study, collected));
+  print_rim(study, collected.results);
   print(fmt::format("{} of {} runs done; results: {}\n", finished, study.runs.size(),
                     (study.folder / "results.csv").string()));
   return done;

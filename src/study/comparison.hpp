@@ -50,8 +50,10 @@ std::vector<ReadOutSample> samples(const Study& study, const std::vector<Result>
 inline constexpr std::size_t least_runs = 3;
 
 /// statistics.csv: a row for each comparison, with the swept parameters of both points. Means, standard deviations,
-/// differences and their bounds are in the unit that ends the name of the read-out.
-std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons);
+/// differences and their bounds are in the unit that ends the name of the read-out. Like groups.csv it counts the runs
+/// that ended at the rim.
+std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons,
+                           const std::vector<Result>& results);
 
 /// groups.csv: a row for each point and read-out: swept parameters, size, mean with interval, standard deviation,
 /// quartiles, whiskers.

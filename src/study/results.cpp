@@ -10,11 +10,13 @@
 #include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace matrigrate::study {
@@ -159,6 +161,33 @@ std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
   }
   std::ranges::stable_sort(all, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
   return all;
+}
+
+bool ended_at_rim(const Result& r) { return r.standing.cause == FailureCause::rim; }
+
+std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Result>& results) {
+  std::vector<std::size_t> lost(study.points.size(), 0);
+  for (const Result& r : results)
+    if (ended_at_rim(r)) ++lost[r.run.point];
+  return lost;
+}
+
+std::string rim_text(const Study& study, const std::vector<Result>& results) {
+  constexpr std::size_t most_named = 6;
+  const std::vector<std::size_t> lost = lost_at_rim(study, results);
+  const std::size_t all = std::accumulate(lost.begin(), lost.end(), std::size_t{0});
+  if (all == 0) return {};
+  std::vector<std::string> points;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    if (lost[i] > 0) points.push_back(fmt::format("{}: {} of {}", study.points[i].label, lost[i], study.replicates));
+  if (points.size() > most_named) points = {fmt::format("at {} of {} points", points.size(), study.points.size())};
+  double radius = 0.0; // [um]
+  for (const Point& point : study.points) radius = std::max(radius, point.parameters.ecm.radius);
+  return fmt::format(
+      "{} of {} runs ended at the rim of the matrix ({}): means are those of the slower cells; take a larger "
+      "ecm.radius. With ecm.radius = \"{:.4g} um\" under [set] and another folder (-o) the same seeds run in a "
+      "disc {} times as large.",
+      all, results.size(), fmt::join(points, "; "), larger_disc * radius, larger_disc);
 }
 
 std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {

@@ -52,6 +52,19 @@ struct Result {
   std::vector<double> readouts; ///< in the order of all_readouts(); NaN where not defined or the run is not done
 };
 
+/// Whether a run ended early because a cell came to the clamped rim of the matrix: those cells were the fast ones.
+bool ended_at_rim(const Result& r);
+
+/// Runs of each point that ended at the rim.
+std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Result>& results);
+
+/// By how much reproduce, and the advice of rim_text, makes the disc larger.
+inline constexpr double larger_disc = 1.5;
+
+/// "9 of 12 runs ended at the rim of the matrix (50 Pa: 3 of 6; 200 Pa: 6 of 6): means are those of the slower cells.
+/// ...": what that means, and what to do; empty if none did.
+std::string rim_text(const Study& study, const std::vector<Result>& results);
+
 /// The read-outs in the folder of a run that is done, in the order of all_readouts(); NaN where not defined.
 /// @throws InputOutputError if a table cannot be read
 std::vector<double> readouts_of(const std::filesystem::path& run_folder);

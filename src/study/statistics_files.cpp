@@ -38,7 +38,9 @@ std::vector<ReadOutSample> samples(const Study& study, const std::vector<Result>
   return all;
 }
 
-std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons) {
+std::string statistics_csv(const Study& study, const std::vector<Comparison>& comparisons,
+                           const std::vector<Result>& results) {
+  const std::vector<std::size_t> lost = lost_at_rim(study, results);
   const std::vector<std::string> swept = swept_columns(study);
   std::vector<std::string> names{"readout", "point_a", "point_b"};
   for (const char* end : {"_a", "_b"})
@@ -47,6 +49,7 @@ std::string statistics_csv(const Study& study, const std::vector<Comparison>& co
                            "difference_high", "test", "statistic", "df", "p", "p_holm", "hedges_g", "hedges_g_low",
                            "hedges_g_high", "detectable_difference_80_percent"})
     names.emplace_back(name);
+  names.insert(names.end(), {"lost_at_rim_a", "lost_at_rim_b"});
   std::string text = csv_line({names.begin(), names.end()});
   const std::string test = name(study.comparisons.test);
   for (const Comparison& c : comparisons) {
@@ -61,6 +64,7 @@ std::string statistics_csv(const Study& study, const std::vector<Comparison>& co
                {count(c.sample_a.n), count(c.sample_b.n), c.sample_a.mean, c.sample_b.mean, c.sample_a.sd,
                 c.sample_b.sd, c.difference.value, c.difference.low, c.difference.high, View(test), c.test.statistic,
                 c.test.df, c.test.p, c.p_holm, c.g.value, c.g.low, c.g.high, c.detectable});
+    row.insert(row.end(), {count(lost[c.a]), count(lost[c.b])});
     text += csv_line(row);
   }
   return text;
@@ -72,6 +76,8 @@ std::string groups_csv(const Study& study, const std::vector<Result>& results) {
   for (const char* name : {"n", "mean", "mean_low", "mean_high", "sd", "low_whisker", "low_quartile", "median",
                            "high_quartile", "high_whisker"})
     names.emplace_back(name);
+  names.emplace_back("lost_at_rim");
+  const std::vector<std::size_t> lost = lost_at_rim(study, results);
   std::string text = csv_line({names.begin(), names.end()});
   for (const ReadOutSample& s : samples(study, results)) {
     const Point& point = study.points[s.point];
@@ -80,6 +86,7 @@ std::string groups_csv(const Study& study, const std::vector<Result>& results) {
     row.insert(row.end(), values.begin(), values.end());
     row.insert(row.end(), {count(s.moments.n), s.mean.value, s.mean.low, s.mean.high, s.moments.sd, s.box.low_whisker,
                            s.box.low_quartile, s.box.median, s.box.high_quartile, s.box.high_whisker});
+    row.push_back(count(lost[s.point]));
     text += csv_line(row);
   }
   return text;

@@ -52,6 +52,22 @@ TEST_F(Study, PlanWritesNothing) {
   EXPECT_EQ(entries(), 2U);
 }
 
+TEST_F(Study, TellsWhichWayMeansLeanWhereRunsEndAtTheRim) {
+  write_study("\"200 Pa\"", 2, "[set]\nrun.duration = \"0.1 h\"\nprotrusion.number = 1\n");
+  const std::string said =
+      "2 of 2 runs ended at the rim of the matrix (youngs_modulus 200 Pa: 2 of 2): means are those of "
+      "the slower cells; take a larger ecm.radius. With ecm.radius = \"60 um\" under [set]";
+  const Ended ended = run("study run e.toml --quiet");
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_TRUE(contains(ended.out, said)) << ended.out;
+  const Ended collected = run("study collect e-study");
+  EXPECT_TRUE(contains(collected.out, said)) << collected.out;
+  EXPECT_EQ(json::parse(run("study collect e-study --json").out).at("ended_at_rim"), 2);
+  EXPECT_EQ(json::parse(run("study run e.toml --json").out).at("ended_at_rim"), 2);
+  EXPECT_TRUE(contains(page_data("e-study/report.html"), "2 of 2 runs ended at the rim of the matrix"));
+  EXPECT_TRUE(contains(file("e-study/groups.csv"), ",lost_at_rim\n")) << file("e-study/groups.csv");
+}
+
 TEST_F(Study, RunsOnceAndAddsWhatIsNew) {
   const Ended first = run("study run e.toml --jobs 2");
   ASSERT_EQ(first.code, 0) << first.out << first.err;

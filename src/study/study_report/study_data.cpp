@@ -209,10 +209,12 @@ Json study_data(const StudyReport& report) {
   Json msd = Json::array();
   for (std::size_t i = 0; i < place.size(); ++i)
     msd.push_back(msd_json(mean_msd(report.results, i, report.folder), place[i]));
+  std::string status = fmt::format("{} of {} runs done.", done, report.results.size());
+  if (const std::string rim = rim_text(report.study, report.results); !rim.empty()) status += " " + rim;
   Json data{{"format", "matrigrate-study"},
             {"version", 1},
             {"title", titled(report.study)},
-            {"status", fmt::format("{} of {} runs done.", done, report.results.size())},
+            {"status", status},
             {"summary", result_sentence(report) + screening_sentence(report.study, report.screening)},
             {"facts", facts_json(report)},
             {"runs", std::move(runs)},

@@ -34,7 +34,7 @@ TEST(Comparison, DifferencesAndTheirCorrection) {
   EXPECT_NEAR(c[0].p_holm, 2.0 * c[0].test.p, 1e-15);
   EXPECT_EQ(c[1].p_holm, c[1].test.p);
   EXPECT_NEAR(c[0].detectable, 0.3, 0.05);
-  const std::string csv = statistics_csv(s, c);
+  const std::string csv = statistics_csv(s, c, results);
   EXPECT_TRUE(csv.starts_with("readout,point_a,point_b,protrusion.number_a,protrusion.number_b,n_a,")) << csv;
   EXPECT_NE(csv.find("\nf_mat,n_prot 1,n_prot 2,1,2,3,3,"), std::string::npos) << csv;
   EXPECT_NE(groups_csv(s, results).find("\nf_mat,n_prot 3,3,3,"), std::string::npos);
@@ -56,8 +56,9 @@ TEST(Comparison, TheIntervalOfADifferenceIsThatOfTheTest) {
 
 TEST(Comparison, TooFewRunsGiveEmptyFields) {
   const Study s = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
-  const std::string csv = statistics_csv(s, comparisons(s, results_of("f_mat", {{0.1}, {}})));
-  EXPECT_NE(csv.find("\nf_mat,n_prot 1,n_prot 2,1,2,1,0,0.1,,,,,,,t,,,,,,,,\n"), std::string::npos) << csv;
+  const auto results = results_of("f_mat", {{0.1}, {}});
+  const std::string csv = statistics_csv(s, comparisons(s, results), results);
+  EXPECT_NE(csv.find("\nf_mat,n_prot 1,n_prot 2,1,2,1,0,0.1,,,,,,,t,,,,,,,,,0,0\n"), std::string::npos) << csv;
 }
 
 TEST(Comparison, TablesHaveAColumnForEachSweptParameter) {
@@ -69,7 +70,7 @@ TEST(Comparison, TablesHaveAColumnForEachSweptParameter) {
   EXPECT_NE(groups.find(",50,1,2,0.15"), std::string::npos) << groups;
   const std::string header = "readout,point_a,point_b,ecm.youngs_modulus_Pa_a,protrusion.number_a,"
                              "ecm.youngs_modulus_Pa_b,protrusion.number_b,n_a,";
-  const std::string csv = statistics_csv(s, comparisons(s, results));
+  const std::string csv = statistics_csv(s, comparisons(s, results), results);
   EXPECT_TRUE(csv.starts_with(header)) << csv;
   EXPECT_NE(csv.find(",50,1,50,2,2,1,"), std::string::npos) << csv;
 }
@@ -90,11 +91,35 @@ TEST(Results, LabelsAreNoFormulas) {
                        "[[points]]\nlabel = \"-1.5\"\nprotrusion.number = 2\n");
   const std::vector<Result> results = results_of("f_mat", {{0.5, 0.6}, {0.7, 0.8}});
   for (const std::string& csv :
-       {results_csv(s, results), groups_csv(s, results), statistics_csv(s, comparisons(s, results))}) {
+       {results_csv(s, results), groups_csv(s, results), statistics_csv(s, comparisons(s, results), results)}) {
     EXPECT_NE(csv.find(",'=cmd|'/c calc'!A1,"), std::string::npos) << csv;
     EXPECT_EQ(csv.find(",=cmd"), std::string::npos) << csv;
     EXPECT_NE(csv.find(",-1.5,"), std::string::npos) << csv;
   }
+}
+
+TEST(Results, TellWhichWayMeansLeanWhereRunsEndedAtTheRim) {
+  const Study s = read("readouts = [\"f_mat\"]\n[set]\necm.radius = \"50 um\"\n[sweep]\nprotrusion.number = [1, 2]\n");
+  std::vector<Result> results = results_of("f_mat", {{0.1, 0.2, 0.3}, {0.6, 0.7, 0.8}});
+  EXPECT_EQ(rim_text(s, results), "");
+  results[5].standing.status = RunState::failed;
+  results[5].standing.cause = FailureCause::crossing;
+  EXPECT_EQ(rim_text(s, results), "");
+  for (const std::size_t k : {0, 3, 4}) {
+    results[k].standing.status = RunState::failed;
+    results[k].standing.cause = FailureCause::rim;
+    results[k].readouts.assign(all_readouts().size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  EXPECT_EQ(
+      rim_text(s, results),
+      "3 of 6 runs ended at the rim of the matrix (n_prot 1: 1 of 3; n_prot 2: 2 of 3): means are those of the "
+      "slower cells; take a larger ecm.radius. With ecm.radius = \"75 um\" under [set] and another folder (-o) the "
+      "same seeds run in a disc 1.5 times as large.");
+  const std::string groups = groups_csv(s, results);
+  EXPECT_EQ(store::csv_column(groups, "lost_at_rim"), (std::vector<double>{1.0, 2.0})) << groups;
+  const std::string csv = statistics_csv(s, comparisons(s, results), results);
+  EXPECT_EQ(store::csv_column(csv, "lost_at_rim_a"), std::vector<double>{1.0}) << csv;
+  EXPECT_EQ(store::csv_column(csv, "lost_at_rim_b"), std::vector<double>{2.0}) << csv;
 }
 
 TEST(Results, NumbersOfAColumn) {

@@ -101,6 +101,21 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
                                 "0.5 (mean of 1 run) at n_prot 2; no comparison has 3 runs at both points.");
 }
 
+TEST(StudyData, SaysThatRunsEndedAtTheRim) {
+  const Study study = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
+  std::vector<Result> results = results_of("f_mat", {{0.1, 0.2}, {0.5}});
+  for (Result& r : results) r.standing.status = RunState::running;
+  const auto status = [&] {
+    return study_data({study, results, comparisons(study, results), "nowhere", "commit"})
+        .at("status")
+        .get<std::string>();
+  };
+  EXPECT_EQ(status(), "0 of 3 runs done.");
+  results[2].standing.status = RunState::failed;
+  results[2].standing.cause = FailureCause::rim;
+  EXPECT_EQ(status(), "0 of 3 runs done. " + rim_text(study, results));
+}
+
 TEST(StudyData, HoldsClaimsAndPlayedRuns) {
   const Study study = read("[sweep]\nprotrusion.number = [1, 2]\n");
   const Finding finding{Verdict::does_not_hold, {"f_mat at 1 0.3 [0.2, 0.4] (n = 3)"}, {"p 0.2: not met"}};
