@@ -126,7 +126,12 @@ int read_and_tell(const TracksArguments& asked) {
   const double error = asked.error.empty() ? 0.0 : quantity_option(asked.error, "--error", "um");
   if (!(error >= 0.0)) throw UsageError(fmt::format("--error: {:g} um is no localisation error", error));
   check_output(asked);
-  const tracks::Tracks cells = wanted_tracks(asked);
+  tracks::Tracks cells = wanted_tracks(asked);
+  if (const double square = tracks::TrackParts(cells).buried(error); square > 0.0)
+    cells.notes.push_back(
+        fmt::format("MSD at one interval, {:.3g} um2, is below 4 error^2 = {:.3g} um2: the error is larger than the "
+                    "cells move, so slopes and the persistence time are not defined",
+                    square, 4.0 * error * error));
   const tracks::TrackReadouts found = tracks::readouts(cells, error, asked.resamples);
   if (!asked.output.empty()) write_file(asked.output, tracks::plain_csv(cells));
   if (asked.json) {

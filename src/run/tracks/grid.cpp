@@ -197,8 +197,8 @@ private:
       }
     }
     if (off > 0)
-      m_findings.note(fmt::format("{} {} not whole intervals after the first: {} times stay as they are",
-                                  counted(off, "track"), off == 1 ? "begins" : "begin", off == 1 ? "its" : "their"));
+      m_findings.note(fmt::format("{} {} between the times of the others, and {} own times", counted(off, "track"),
+                                  off == 1 ? "begins" : "begin", off == 1 ? "keeps its" : "keep their"));
   }
 
   const TrackOptions& m_options;

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace matrigrate::tracks {
 
@@ -89,11 +92,12 @@ std::pair<double, double> turning(const Dense& at, const std::vector<double>& le
   return {mean_of_defined(angles), mean_of_defined(cosines)};
 }
 
-/// Log-log slope over lags from first to last; NaN of fewer than two.
+/// Log-log slope over lags from first to last; NaN of fewer than two, and where one has no displacement.
 double slope(const std::vector<double>& square, std::size_t first, std::size_t last) {
   std::vector<double> a, b;
   for (std::size_t lag = first; lag <= last && lag <= square.size(); ++lag)
-    if (square[lag - 1] > 0.0) {
+    if (!std::isnan(square[lag - 1])) {
+      if (!(square[lag - 1] > 0.0)) return nan;
       a.push_back(std::log(static_cast<double>(lag)));
       b.push_back(std::log(square[lag - 1]));
     }
@@ -114,12 +118,19 @@ double half_time(const std::vector<double>& mean) {
   return nan;
 }
 
+/// The mean square displacement at the shortest lag if the localisation error leaves nothing of it, else 0.
+double buried_of(std::span<const double> square, double error) {
+  const auto shortest = std::ranges::find_if(square, [](double one) { return !std::isnan(one); });
+  return shortest != square.end() && *shortest > 0.0 && *shortest <= 4.0 * error * error ? *shortest : 0.0;
+}
+
 } // namespace
 
 double persistence(std::span<const double> square, double interval) {
   std::vector<double> t, y;
   for (std::size_t k = 0; k < square.size(); ++k)
-    if (square[k] > 0.0) {
+    if (!std::isnan(square[k])) {
+      if (!(square[k] > 0.0)) return nan;
       t.push_back(interval * static_cast<double>(k + 1));
       y.push_back(square[k]);
     }
@@ -195,7 +206,8 @@ std::vector<double> TrackParts::msd(std::span<const std::size_t> which) const {
 
 ReadoutValues TrackParts::readouts(std::span<const std::size_t> which, double error) const {
   std::vector<double> square = msd(which);
-  for (double& one : square) one -= 4.0 * error * error;
+  const bool is_buried = buried_of(square, error) > 0.0;
+  for (double& one : square) one = is_buried ? nan : one - 4.0 * error * error;
   const std::size_t longest = square.size();
   const auto gathered = [&](double Part::*member) {
     std::vector<double> values;
@@ -229,11 +241,15 @@ ReadoutValues TrackParts::readouts(std::span<const std::size_t> which, double er
           mean(&Part::cosine)};
 }
 
-ReadoutValues TrackParts::readouts(double error) const {
-  std::vector<std::size_t> all(size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return readouts(all, error);
+std::vector<std::size_t> TrackParts::all() const {
+  std::vector<std::size_t> indices(size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
 }
+
+ReadoutValues TrackParts::readouts(double error) const { return readouts(all(), error); }
+
+double TrackParts::buried(double error) const { return buried_of(msd(all()), error); }
 
 TrackReadouts readouts(const Tracks& tracks, double error, std::size_t resamples) {
   const TrackParts parts(tracks);

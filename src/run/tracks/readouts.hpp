@@ -52,10 +52,15 @@ public:
   ReadoutValues readouts(std::span<const std::size_t> which, double error) const;
   ReadoutValues readouts(double error = 0.0) const; ///< of all tracks
 
+  /// The mean square displacement at the shortest lag [um^2] if the localisation error leaves nothing of it: then it
+  /// defines no slope and no persistence time. Else 0.
+  double buried(double error) const;
+
   /// Mean square displacement [um^2] at lags of 1, 2, ... intervals, over all pairs of positions; NaN without a pair.
   std::vector<double> msd(std::span<const std::size_t> which) const;
 
 private:
+  std::vector<std::size_t> all() const;
   struct Part {
     std::vector<double> squares; ///< sum of square displacements by lag
     std::vector<double> pairs;   ///< that it has
@@ -79,7 +84,7 @@ TrackReadouts readouts(const Tracks& tracks, double error = 0.0, std::size_t res
 
 /// Persistence time P [s] of Fuerth's formula, MSD(t) = 2 S^2 P (t - P (1 - exp(-t/P))), by least relative squares; NaN
 /// where the lags cannot tell it: P below half an interval (a diffusive path) or above the largest lag (a straight
-/// one).
+/// one), or a lag without a displacement.
 double persistence(std::span<const double> square, double interval);
 
 } // namespace matrigrate::tracks

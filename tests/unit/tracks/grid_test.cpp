@@ -41,7 +41,7 @@ TEST(TrackGrid, TracksOutOfPhaseKeepTheirTimes) {
       of_text(head + "a,0,0,0\na,60,1,0\na,120,1,1\nb,30,0,0\nb,90,1,0\nb,150,2,0\nc,62,0,0\nc,122,1,0\n", few());
   EXPECT_EQ(cells.tracks[1].start, 30.0);
   EXPECT_EQ(cells.tracks[2].start, 60.0) << "within the tolerance";
-  EXPECT_TRUE(notes(cells, "1 track begins not whole intervals after the first: its times stay as they are"));
+  EXPECT_TRUE(notes(cells, "1 track begins between the times of the others, and keeps its own times"));
   EXPECT_NE(plain_csv(cells).find("b,30,0,0\nb,90,1,0\n"), std::string::npos);
 }
 

@@ -105,6 +105,14 @@ TEST(TrackReadouts, AnErrorOfPositionsIsTakenOffTheMeanSquareDisplacement) {
   EXPECT_NEAR(TrackParts(walk).readouts(error)[slope], clean, 0.03);
 }
 
+TEST(TrackReadouts, AnErrorThatExceedsTheMotionDefinesNoSlope) {
+  const TrackParts square(one({0, 1, 1, 0, 0, 1}, {0, 0, 1, 1, 0, 0})); // one um in each step
+  EXPECT_EQ(square.buried(0.49), 0.0);
+  EXPECT_DOUBLE_EQ(square.buried(0.5), 1.0);
+  EXPECT_TRUE(std::isnan(square.readouts(0.5)[9]));
+  EXPECT_DOUBLE_EQ(square.readouts(0.5)[0], 60.0) << "speeds stay";
+}
+
 TEST(TrackReadouts, StandardErrorsAreThoseOfTheMean) {
   const Tracks walk = persistent(50, 30, 1.0);
   const TrackReadouts found = readouts(walk, 0.0, 400);
