@@ -57,6 +57,25 @@ TEST_F(TracksVerb, WritesThePlainFormAndKeepsWhatIsThere) {
   EXPECT_EQ(text_of(folder / "plain.csv"), plain);
 }
 
+TEST_F(TracksVerb, ReadsWhatThisProgramWrites) {
+  write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"16 s\"\n[output]\ntrack_interval = \"2 s\"\n");
+  ASSERT_EQ(run("run s.toml -o r").code, 0);
+  ASSERT_EQ(run("export r --tracks -o e").code, 0);
+  const std::string options = " --json --fewest 1";
+  const json own = json::parse(run("tracks r/tracks.csv" + options).out).at("rows");
+  EXPECT_EQ(own.size(), 9U);
+  const auto positions = [](json rows) {
+    for (json& row : rows) row.erase(0); // the name of the track
+    return rows;
+  };
+  for (const char* file : {"tracks_celltrackr.csv --pixel 1 --time-unit s",
+                           "tracks_trackmate.csv --pixel 1 --time-unit s", "tracks_trackmate.xml"}) {
+    const Ended ended = run(std::string("tracks e/") + file + options);
+    ASSERT_EQ(ended.code, 0) << file << ended.err;
+    EXPECT_EQ(positions(json::parse(ended.out).at("rows")), positions(own)) << file;
+  }
+}
+
 TEST_F(TracksVerb, FaultsAreToldAllAtOnceAndNothingIsWritten) {
   const Ended ended = run("tracks files/uncalibrated.csv -o plain.csv --json");
   EXPECT_EQ(ended.code, 3);
