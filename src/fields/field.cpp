@@ -30,8 +30,14 @@ Field::Field(Field&&) noexcept = default;
 Field::~Field() = default;
 
 double Field::at(const Vec2& x) const {
-  if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of)) return (*grid)->at(x);
-  return std::get<Formula>(m_source->of).at(x);
+  if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of)) return m_factor * (*grid)->at(x);
+  return m_factor * std::get<Formula>(m_source->of).at(x);
+}
+
+const std::string& Field::column() const {
+  static const std::string none;
+  const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of);
+  return grid == nullptr ? none : (*grid)->samples.column;
 }
 
 std::string Field::description() const {

@@ -30,8 +30,14 @@ public:
   Field(Field&&) noexcept;
   ~Field();
 
-  /// Its value at a point [um], in the unit of its parameter; may be NaN or infinite of a formula.
+  /// Its value at a point [um], in the unit of its formula or file; may be NaN or infinite of a formula.
   double at(const Vec2& x) const;
+
+  /// The name of a CSV file's column that the values are from; empty of all else.
+  const std::string& column() const;
+
+  /// The same field in another unit: `factor` times its values, > 0.
+  void scale(double factor) { m_factor *= factor; }
 
   /// "a formula", or "a grid of 301 x 301 nodes from (-150, -150) to (150, 150) um".
   std::string description() const;
@@ -44,6 +50,7 @@ private:
   struct Source;
   std::string m_text;
   std::unique_ptr<Source> m_source;
+  double m_factor = 1.0;
 };
 
 /// Whether a text names a file by its whole path and fingerprint, as Field::text() does.

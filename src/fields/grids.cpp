@@ -55,10 +55,17 @@ void require(const FileWords& words, std::initializer_list<const char*> keys) {
 
 /// The width of a pixel: as the text says, else as the file states it [um].
 double pixel_of(const FileWords& words, const Picture& picture) {
+  const std::optional<double> given = words.number("pixel");
+  if (given && *given <= 0.0) throw std::invalid_argument("pixel must be above 0 um");
+  if (given) return *given;
   if (!picture.pixel) require(words, {"pixel"});
-  const double pixel = words.number("pixel").value_or(picture.pixel.value_or(0.0));
-  if (pixel <= 0.0) throw std::invalid_argument("pixel must be above 0 um");
-  return pixel;
+  const auto [width, height] = *picture.pixel;
+  if (std::abs(width - height) > 1e-3 * std::max(width, height))
+    throw std::invalid_argument(
+        fmt::format("has pixels of {:g} x {:g} um; scale it so that they are square, or state the width of a square "
+                    "pixel with pixel=",
+                    width, height));
+  return width;
 }
 
 /// The sample that has a share of all below it, straight between neighbours.

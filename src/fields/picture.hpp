@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fields/scale.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -19,7 +21,7 @@ struct PictureChoice {
 struct Picture {
   std::size_t width = 0, height = 0;
   std::vector<double> samples;        ///< row by row, downwards; finite
-  std::optional<double> pixel{};      ///< width of a pixel that the file states [um]
+  std::optional<PixelSize> pixel{};   ///< that the file states for this page
   std::optional<double> black, white; ///< the samples that are black and white; none of samples of floating point
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fields/scale.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,10 +21,10 @@ struct Raster {
   bool colour = false; ///< the first three channels are red, green and blue
   bool alpha = false;  ///< the last channel tells how opaque a pixel is
   SampleType type = SampleType::whole_8;
-  double full = 255.0;           ///< the largest sample; 1 of floating point
-  bool zero_is_white = false;    ///< else black
-  std::optional<double> pixel{}; ///< width of a pixel that the file states [um]
-  std::vector<std::byte> data;   ///< width * height * channels samples in the byte order of the machine
+  double full = 255.0;              ///< the largest sample; 1 of floating point
+  bool zero_is_white = false;       ///< else black
+  std::optional<PixelSize> pixel{}; ///< that the file states
+  std::vector<std::byte> data;      ///< width * height * channels samples in the byte order of the machine
 
   /// Sets the size of the data.
   /// @throws std::invalid_argument if there are no pixels, or more than 16 million, or 64 million samples

@@ -161,7 +161,9 @@ Samples samples_from_csv(std::string_view csv, std::string_view column) {
     value.push_back(number(fields[at_value], k + 1));
   }
   if (x.empty()) throw std::invalid_argument("has no rows");
-  return on_grid(x, y, value);
+  Samples samples = on_grid(x, y, value);
+  samples.column = header[at_value];
+  return samples;
 }
 
 Samples samples_from_picture(const Picture& picture, double pixel, const Vec2& centre, double zero, double one) {

@@ -4,6 +4,7 @@
 #include "fields/picture.hpp"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Samples {
   Vec2 spacing = Vec2::Ones(); ///< between nodes along x and y, > 0 [um]
   std::size_t columns = 0, rows = 0;
   std::vector<double> values; ///< row by row, upwards; columns * rows of them
+  std::string column{};       ///< that the values are from, of a CSV file
   bool axes = false;          ///< the values are directions without a sense [degrees]: 90 is -90
 
   double at(const Vec2& x) const;

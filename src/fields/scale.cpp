@@ -1,12 +1,11 @@
 #include "fields/scale.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace matrigrate::fields {
 
@@ -43,14 +42,6 @@ std::optional<double> number_in(std::optional<std::string_view> text) {
   return value;
 }
 
-double square(double x, double y) {
-  if (std::abs(x - y) > 1e-3 * std::max(x, y))
-    throw std::invalid_argument(fmt::format("has pixels of {:g} x {:g} um; scale it so that they are "
-                                            "square, or state pixel=",
-                                            x, y));
-  return x;
-}
-
 /// An attribute of OME's element Pixels, in quotes of either kind.
 std::optional<std::string_view> attribute(std::string_view element, const std::string& name) {
   for (const char* quote : {"\"", "'"})
@@ -59,24 +50,82 @@ std::optional<std::string_view> attribute(std::string_view element, const std::s
   return std::nullopt;
 }
 
-/// @param element  of OME-XML: Pixels, without its end
-std::optional<double> of_ome(std::string_view element) {
+/// A whole number; nothing if it is none.
+std::optional<std::size_t> count_in(std::optional<std::string_view> text) {
+  std::size_t value = 0;
+  if (!text) return std::nullopt;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  return error == std::errc() && end == text->data() + text->size() ? std::optional(value) : std::nullopt;
+}
+
+/// The start tag of each element of a name, with what follows it up to the next one.
+/// @param name  "Pixels"; the name of an XML namespace may stand before it
+std::vector<std::string_view> elements(std::string_view xml, const std::string& name) {
+  std::vector<std::string_view> found;
+  std::size_t last = std::string_view::npos;
+  for (std::size_t at = xml.find(name + " "); at != std::string_view::npos; at = xml.find(name + " ", at + 1)) {
+    if (at == 0 || (xml[at - 1] != '<' && xml[at - 1] != ':')) continue;
+    const std::size_t bracket = xml.rfind('<', at);
+    if (bracket == std::string_view::npos || xml.substr(bracket, 2) == "</") continue;
+    if (last != std::string_view::npos) found.back() = xml.substr(last, at - last);
+    found.push_back(xml.substr(at));
+    last = at;
+  }
+  return found;
+}
+
+std::string_view start_tag(std::string_view element) { return element.substr(0, element.find('>')); }
+
+/// Whether the planes of an Image are in a directory of the file: as its elements TiffData say.
+bool has_directory(std::string_view pixels, std::size_t directory) {
+  for (const std::string_view element : elements(pixels, "TiffData")) {
+    const std::string_view tag = start_tag(element);
+    const auto first = count_in(attribute(tag, "IFD")), planes = count_in(attribute(tag, "PlaneCount"));
+    const std::size_t begin = first.value_or(0);
+    if (directory < begin) continue;
+    if (planes ? directory - begin < *planes : !first || directory == begin) return true;
+  }
+  return false;
+}
+
+/// @param pixels  of OME-XML: the element Pixels
+std::optional<PixelSize> size_of_ome(std::string_view pixels, const StatedScale& page) {
+  const std::string_view tag = start_tag(pixels);
+  const auto differs = [&](const char* name, std::size_t here) {
+    const auto stated = count_in(attribute(tag, name));
+    return stated && here > 0 && *stated != here;
+  };
+  if (differs("SizeX", page.columns) || differs("SizeY", page.rows)) return std::nullopt; // a smaller version of it
   const auto side = [&](const std::string& name) -> std::optional<double> {
-    const auto size = number_in(attribute(element, name));
-    const auto unit = micrometres(attribute(element, name + "Unit").value_or("um"));
+    const auto size = number_in(attribute(tag, name));
+    const auto unit = micrometres(attribute(tag, name + "Unit").value_or("um"));
     return size && unit ? std::optional(*size * *unit) : std::nullopt;
   };
   const auto x = side("PhysicalSizeX");
-  return x ? std::optional(square(*x, side("PhysicalSizeY").value_or(*x))) : std::nullopt;
+  return x ? std::optional(PixelSize{*x, side("PhysicalSizeY").value_or(*x)}) : std::nullopt;
+}
+
+/// Nothing as well where several Images say that the page is theirs, of different sizes.
+std::optional<PixelSize> of_ome(const StatedScale& page) {
+  const std::vector<std::string_view> images = elements(page.description, "Pixels");
+  std::optional<PixelSize> size;
+  bool found = false;
+  for (const std::string_view pixels : images) {
+    if (images.size() > 1 && !has_directory(pixels, page.directory)) continue;
+    const auto own = size_of_ome(pixels, page);
+    if (found && own != size) return std::nullopt;
+    size = own;
+    found = true;
+  }
+  return size;
 }
 
 } // namespace
 
-std::optional<double> pixel_width(const StatedScale& scale) {
+std::optional<PixelSize> pixel_size(const StatedScale& scale) {
   const std::string_view text = scale.description;
-  const std::size_t ome = text.find("Pixels ");
-  if (ome != std::string_view::npos && text.find("<OME") != std::string_view::npos)
-    if (const auto width = of_ome(text.substr(ome, text.find('>', ome) - ome))) return width;
+  if (text.find("<OME") != std::string_view::npos)
+    if (const auto size = of_ome(scale)) return size;
   if (!(scale.x_resolution > 0.0) || !std::isfinite(scale.x_resolution)) return std::nullopt;
   const double y_resolution = scale.y_resolution > 0.0 ? scale.y_resolution : scale.x_resolution;
   std::optional<double> unit;
@@ -84,7 +133,7 @@ std::optional<double> pixel_width(const StatedScale& scale) {
     if (const auto name = value_behind(text, "\nunit=", "\r\n")) unit = micrometres(*name);
   if (!unit && scale.unit == StatedScale::Unit::centimetre) unit = 1e4;
   if (!unit) return std::nullopt;
-  return square(*unit / scale.x_resolution, *unit / y_resolution);
+  return PixelSize{*unit / scale.x_resolution, *unit / y_resolution};
 }
 
 } // namespace matrigrate::fields

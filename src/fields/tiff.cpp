@@ -1,105 +1,22 @@
 #include "fields/raster.hpp"
-#include "fields/scale.hpp"
+#include "fields/tiff_pages.hpp"
 
 #include <fmt/format.h>
 #include <tiffio.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
-#include <string>
 
 namespace matrigrate::fields {
 
 namespace {
 
-constexpr std::size_t max_block_bytes = std::size_t{1} << 28U; // of a strip or tile, and of anything libtiff allocates
-
-/// A TIFF in memory, as libtiff asks for it.
-struct Source {
-  std::string_view bytes;
-  std::uint64_t at = 0;
-  std::array<char, 200> message{}; ///< the first fault
-
-  static Source& of(thandle_t handle) { return *static_cast<Source*>(handle); }
-
-  static tmsize_t read(thandle_t handle, void* to, tmsize_t size) {
-    Source& source = of(handle);
-    if (source.at >= source.bytes.size() || size <= 0) return 0;
-    const std::size_t got = std::min(static_cast<std::size_t>(size), source.bytes.size() - source.at);
-    std::memcpy(to, source.bytes.data() + source.at, got);
-    source.at += got;
-    return static_cast<tmsize_t>(got);
-  }
-  static tmsize_t write(thandle_t /*handle*/, void* /*from*/, tmsize_t /*size*/) { return 0; }
-  static toff_t seek(thandle_t handle, toff_t offset, int whence) {
-    Source& source = of(handle);
-    if (whence == SEEK_CUR) offset += source.at;
-    if (whence == SEEK_END) offset += source.bytes.size();
-    return source.at = offset;
-  }
-  static int close(thandle_t /*handle*/) { return 0; }
-  static toff_t size(thandle_t handle) { return of(handle).bytes.size(); }
-
-  static int fail(TIFF* /*tiff*/, void* user_data, const char* /*module*/, const char* format, va_list values) {
-    auto& message = static_cast<Source*>(user_data)->message;
-    if (message[0] == '\0') std::vsnprintf(message.data(), message.size(), format, values);
-    return 1;
-  }
-  static int ignore(TIFF* /*tiff*/, void* /*user_data*/, const char* /*module*/, const char* /*format*/,
-                    va_list /*values*/) {
-    return 1;
-  }
-};
-
-using Tiff = std::unique_ptr<TIFF, void (*)(TIFF*)>;
-
-Tiff open(Source& source) {
-  const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(),
-                                                                             TIFFOpenOptionsFree);
-  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_block_bytes));
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &Source::fail, &source);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &Source::ignore, nullptr);
-  return {TIFFClientOpenExt("picture", "rm", &source, &Source::read, &Source::write, &Source::seek, &Source::close,
-                            &Source::size, nullptr, nullptr, options.get()),
-          TIFFClose};
-}
-
-[[noreturn]] void refuse(const Source& source) {
-  throw std::invalid_argument(
-      fmt::format("cannot be read as TIFF{}{}", source.message[0] == '\0' ? "" : ": ", source.message.data()));
-}
-
-template <class Value>
-Value value_of(TIFF* tiff, std::uint32_t tag, Value otherwise) {
-  Value value = otherwise;
-  return TIFFGetFieldDefaulted(tiff, tag, &value) == 0 ? otherwise : value;
-}
-
-void choose_page(TIFF* tiff, const Source& source, const std::optional<std::size_t>& page) {
-  const std::size_t pages = TIFFNumberOfDirectories(tiff);
-  if (!page && pages > 1)
-    throw std::invalid_argument(fmt::format("has {0} pages: choose one with page=1 to page={0}", pages));
-  if (page && *page > pages) throw std::invalid_argument(fmt::format("has no page {}: it has {}", *page, pages));
-  if (TIFFSetDirectory(tiff, static_cast<tdir_t>(page.value_or(1) - 1)) == 0) refuse(source);
-}
-
-/// Of the first page.
-StatedScale scale_of(TIFF* tiff) {
-  StatedScale scale;
-  const char* text = nullptr;
-  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) != 0 && text != nullptr) scale.description = text;
-  scale.x_resolution = double{value_of<float>(tiff, TIFFTAG_XRESOLUTION, 0.0F)};
-  scale.y_resolution = double{value_of<float>(tiff, TIFFTAG_YRESOLUTION, 0.0F)};
-  const auto unit = value_of<std::uint16_t>(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-  if (unit == RESUNIT_INCH) scale.unit = StatedScale::Unit::inch;
-  if (unit == RESUNIT_CENTIMETER) scale.unit = StatedScale::Unit::centimetre;
-  return scale;
-}
+using tiff::max_block_bytes;
+using tiff::refuse;
+using tiff::Source;
+using tiff::value_of;
 
 /// What the samples of a page are.
 struct Layout {
@@ -108,6 +25,35 @@ struct Layout {
   bool palette = false;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
 };
+
+/// @throws std::invalid_argument if samples are compressed in a way that may change them
+void require_lossless(TIFF* tiff) {
+  const auto name = [&]() -> const char* {
+    switch (value_of<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
+    case COMPRESSION_OJPEG:
+    case COMPRESSION_JPEG:
+    case 34892: // of DNG
+      return "JPEG";
+    case COMPRESSION_JP2000:
+    case 33003: // of Aperio
+    case 33005:
+      return "JPEG 2000";
+    case COMPRESSION_LERC:
+      return "LERC";
+    case COMPRESSION_WEBP:
+      return "WebP";
+    case COMPRESSION_JXL:
+      return "JPEG XL";
+    default:
+      return nullptr;
+    }
+  }();
+  if (name != nullptr)
+    throw std::invalid_argument(fmt::format(
+        "is compressed as {}, which changes the numbers, so there is no way to read it; save the original without "
+        "compression, or with deflate or LZW",
+        name));
+}
 
 SampleType type_of(std::size_t bits, std::uint16_t format) {
   if (format == SAMPLEFORMAT_IEEEFP && bits == 32) return SampleType::real_32;
@@ -237,6 +183,27 @@ void read_samples(TIFF* tiff, const Source& source, const Layout& layout, Raster
       }
 }
 
+/// A plane that ImageJ stores behind the one that a directory tells of: as long, uncompressed, without a gap.
+void read_plane(TIFF* tiff, std::string_view file, std::size_t plane, const Layout& layout, Raster& raster) {
+  raster.allocate();
+  const std::uint64_t begin = TIFFGetStrileOffset(tiff, 0), size = raster.data.size();
+  std::uint64_t end = begin;
+  bool whole = value_of<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE
+               && TIFFIsTiled(tiff) == 0 && layout.bits >= 8 && !layout.separate;
+  for (std::uint32_t strip = 0; whole && strip < TIFFNumberOfStrips(tiff); ++strip) {
+    whole = TIFFGetStrileOffset(tiff, strip) == end;
+    end += TIFFGetStrileByteCount(tiff, strip);
+  }
+  if (!whole || end - begin != size || begin > file.size() || (file.size() - begin) / size <= plane)
+    throw std::invalid_argument("is a stack in one directory, whose planes do not follow one another uncompressed: "
+                                "save it as separate pages");
+  std::memcpy(raster.data.data(), file.data() + begin + plane * size, size);
+  if (TIFFIsByteSwapped(tiff) == 0) return;
+  const auto bytes = static_cast<std::ptrdiff_t>(bytes_of(raster.type));
+  for (auto sample = raster.data.begin(); sample != raster.data.end(); sample += bytes)
+    std::reverse(sample, sample + bytes);
+}
+
 /// The colours that the samples of a page are numbers of.
 void apply_palette(TIFF* tiff, std::size_t bits, Raster& raster) {
   std::array<std::uint16_t*, 3> colours{};
@@ -275,13 +242,15 @@ void turn_upright(std::uint16_t orientation, Raster& raster) {
 
 Raster read_tiff(std::string_view bytes, const std::optional<std::size_t>& page) {
   Source source{bytes};
-  const Tiff tiff = open(source);
+  const tiff::Tiff tiff = tiff::open(source);
   if (!tiff) refuse(source);
   Raster raster;
-  raster.pixel = pixel_width(scale_of(tiff.get()));
-  choose_page(tiff.get(), source, page);
+  const tiff::Page chosen = tiff::choose_page(tiff.get(), source, page);
+  raster.pixel = chosen.pixel;
+  require_lossless(tiff.get());
   const Layout layout = describe(tiff.get(), raster);
-  read_samples(tiff.get(), source, layout, raster);
+  chosen.plane == 0 ? read_samples(tiff.get(), source, layout, raster)
+                    : read_plane(tiff.get(), bytes, chosen.plane, layout, raster);
   if (layout.palette) apply_palette(tiff.get(), layout.bits, raster);
   turn_upright(layout.orientation, raster);
   return raster;

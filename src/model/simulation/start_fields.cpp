@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "fields/field.hpp"
+#include "parameters/column_unit.hpp"
 
 #include <fmt/format.h>
 
@@ -20,14 +21,19 @@ const std::string& text_of(const Parameters& p, const Row& row) {
   return std::get<Text>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
 }
 
-/// @return nothing where the scenario gives no such field
+/// The unit of the attractant is of the user's choice.
+bool unit_is_free(const Row& row) { return row.path.starts_with("ecm.fields.attractant"); }
+
+/// The field in the unit of its row. @return nothing where the scenario gives no such field
 /// @throws ConfigurationError
 std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_view path) {
   const Row& row = *find_row(path);
   const std::string& text = text_of(p, row);
   if (text.empty()) return nullptr;
   try {
-    return std::make_shared<const fields::Field>(text, "", p.grids.get());
+    const auto field = std::make_shared<fields::Field>(text, "", p.grids.get());
+    if (!unit_is_free(row)) field->scale(units::factor_of_column(field->column(), row.unit));
+    return field;
   } catch (const std::invalid_argument& error) {
     throw ConfigurationError({{"", 0, 0, std::string(path), error.what()}});
   } catch (const InputOutputError& error) {

@@ -7,12 +7,15 @@
 #include <tiffio.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::fields {
@@ -180,6 +183,126 @@ TEST_F(Pictures, AskForAPageAndAChannel) {
   const std::string channels = tiff_of<std::uint8_t>({.width = 1, .channels = 5}, {{1, 2, 3, 4, 5}});
   EXPECT_EQ(refusal(channels), "has 5 channels: choose one with channel=1 to channel=5");
   EXPECT_EQ(read_picture(channels, {.page = {}, .channel = 4}).samples, Numbers{4});
+}
+
+/// What is set for each page besides.
+using Tags = std::vector<std::function<void(TIFF*)>>;
+
+/// Grey pages of 8 bits, of one value each.
+std::string pages_of(const std::filesystem::path& folder, const std::vector<std::array<std::uint32_t, 2>>& sizes,
+                     const Tags& tags, const char* mode = "w") {
+  const std::string file = (folder / "pages.tif").string();
+  TIFF* tiff = TIFFOpen(file.c_str(), mode);
+  for (std::size_t page = 0; page < sizes.size(); ++page) {
+    const auto [width, height] = sizes[page];
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, width);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, height);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    tags[page](tiff);
+    Bytes row(width, static_cast<std::uint8_t>(page + 1));
+    for (std::uint32_t k = 0; k < height; ++k) TIFFWriteScanline(tiff, row.data(), k, 0);
+    TIFFWriteDirectory(tiff);
+  }
+  TIFFClose(tiff);
+  return read_file(file, 1U << 20U);
+}
+
+TEST_F(Pictures, HaveTheScaleOfTheirPage) {
+  const auto in_centimetres = [](float resolution, std::uint32_t kind = 0) {
+    return [=](TIFF* tiff) {
+      TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_CENTIMETER);
+      TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution);
+      TIFFSetField(tiff, TIFFTAG_YRESOLUTION, resolution);
+      TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, kind);
+    };
+  };
+  const auto nothing = [](TIFF*) {};
+  const auto width_of = [](const std::string& bytes, std::size_t page) -> std::optional<double> {
+    const auto pixel = read_picture(bytes, {.page = page, .channel = {}}).pixel;
+    return pixel ? std::optional(pixel->width) : std::nullopt;
+  };
+  const std::string plain =
+      pages_of(folder, {{6, 4}, {3, 2}, {3, 2}}, {in_centimetres(20000), in_centimetres(10000), nothing});
+  EXPECT_EQ(width_of(plain, 1), 0.5);
+  EXPECT_EQ(width_of(plain, 2), 1.0);
+  EXPECT_EQ(width_of(plain, 3), std::nullopt);
+  const std::string pyramid = pages_of(folder, {{6, 4}, {3, 2}, {3, 2}},
+                                       {in_centimetres(20000), in_centimetres(20000, FILETYPE_REDUCEDIMAGE),
+                                        in_centimetres(10000, FILETYPE_REDUCEDIMAGE)});
+  EXPECT_EQ(width_of(pyramid, 2), std::nullopt) << "a copy of that of the whole picture";
+  EXPECT_EQ(width_of(pyramid, 3), 1.0);
+  const auto imagej = [](TIFF* tiff) {
+    TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, "ImageJ=1.54f\nimages=2\nunit=um\n");
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 2.0F);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 2.0F);
+  };
+  const std::string stack = pages_of(folder, {{6, 4}, {6, 4}}, {imagej, nothing});
+  EXPECT_EQ(width_of(stack, 2), 0.5) << "of the first page, which describes all";
+}
+
+/// A TIFF of 2 x 2 pixels of 16 bits in one strip, with more behind it. ImageJ writes stacks of more than 4 GB so.
+std::string one_directory(bool big_endian, std::uint16_t compression, const std::string& description,
+                          const Words& samples) {
+  std::string bytes = big_endian ? "MM" : "II";
+  const auto put = [&](std::uint32_t value, std::size_t size) {
+    for (std::size_t k = 0; k < size; ++k) bytes += static_cast<char>(value >> 8 * (big_endian ? size - 1 - k : k));
+  };
+  constexpr std::uint32_t entries = 9, text = 8 + 2 + 12 * entries + 4;
+  const std::uint32_t strip = text + static_cast<std::uint32_t>(description.size()) + 1;
+  put(42, 2);
+  put(8, 4);
+  put(entries, 2);
+  const auto entry = [&](std::uint32_t tag, std::uint32_t value) {
+    put(tag, 2);
+    put(4, 2);
+    put(1, 4);
+    put(value, 4);
+  };
+  entry(TIFFTAG_IMAGEWIDTH, 2);
+  entry(TIFFTAG_IMAGELENGTH, 2);
+  entry(TIFFTAG_BITSPERSAMPLE, 16);
+  entry(TIFFTAG_COMPRESSION, compression);
+  entry(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  put(TIFFTAG_IMAGEDESCRIPTION, 2);
+  put(2, 2);
+  put(static_cast<std::uint32_t>(description.size()) + 1, 4);
+  put(text, 4);
+  entry(TIFFTAG_STRIPOFFSETS, strip);
+  entry(TIFFTAG_ROWSPERSTRIP, 2);
+  entry(TIFFTAG_STRIPBYTECOUNTS, 8);
+  put(0, 4);
+  bytes += description + '\0';
+  for (const std::uint16_t sample : samples) put(sample, 2);
+  return bytes;
+}
+
+TEST_F(Pictures, OfAStackInOneDirectoryAreChosenByTheirPage) {
+  const std::string three = "ImageJ=1.54f\nimages=3\nslices=3\n";
+  const Words planes{1, 2, 3, 4, 500, 600, 700, 800, 9, 10, 11, 65535};
+  for (const bool big_endian : {false, true}) {
+    const std::string bytes = one_directory(big_endian, COMPRESSION_NONE, three, planes);
+    EXPECT_EQ(refusal(bytes), "has 3 pages: choose one with page=1 to page=3");
+    EXPECT_EQ(read_picture(bytes, {.page = 1, .channel = {}}).samples, (Numbers{1, 2, 3, 4}));
+    EXPECT_EQ(read_picture(bytes, {.page = 2, .channel = {}}).samples, (Numbers{500, 600, 700, 800}));
+    EXPECT_EQ(read_picture(bytes, {.page = 3, .channel = {}}).samples, (Numbers{9, 10, 11, 65535}));
+    EXPECT_EQ(refusal(bytes, {.page = 4, .channel = {}}), "has no page 4: it has 3");
+    EXPECT_EQ(refusal(bytes.substr(0, bytes.size() - 1), {.page = 3, .channel = {}}),
+              "is a stack in one directory, whose planes do not follow one another uncompressed: save it as separate "
+              "pages");
+  }
+  EXPECT_EQ(read_picture(one_directory(false, COMPRESSION_NONE, "images=3", planes), {}).samples, (Numbers{1, 2, 3, 4}))
+      << "not of ImageJ";
+}
+
+TEST_F(Pictures, WithALossyCompressionAreRefusedAsTheyAreElsewhere) {
+  for (const auto& [compression, name] :
+       {std::pair(COMPRESSION_JPEG, "JPEG"), std::pair(COMPRESSION_OJPEG, "JPEG"), std::pair(COMPRESSION_WEBP, "WebP"),
+        std::pair(COMPRESSION_JP2000, "JPEG 2000")})
+    EXPECT_EQ(refusal(one_directory(false, static_cast<std::uint16_t>(compression), "", {1, 2, 3, 4})),
+              std::string("is compressed as ") + name
+                  + ", which changes the numbers, so there is no way to read it; save the original without "
+                    "compression, or with deflate or LZW");
 }
 
 TEST_F(Pictures, AreRefusedIfTransparentAndTakenIfOpaque) {

@@ -1,5 +1,6 @@
 #include "fields/field.hpp"
 #include "fields/scale.hpp"
+#include "fields/structure_tensor.hpp"
 
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -17,7 +18,9 @@ namespace {
 
 using Unit = StatedScale::Unit;
 
-std::optional<double> of_text(const std::string& description) { return pixel_width({.description = description}); }
+std::optional<PixelSize> of_text(const std::string& description) { return pixel_size({.description = description}); }
+
+PixelSize square(double side) { return {side, side}; }
 
 std::string ome(const std::string& attributes) {
   return "<?xml version=\"1.0\"?><OME xmlns=\"x\"><Image><Pixels ID=\"Pixels:0\" " + attributes
@@ -25,28 +28,53 @@ std::string ome(const std::string& attributes) {
 }
 
 TEST(Scale, IsThatOfOmeXml) {
-  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.65\" PhysicalSizeY=\"0.65\"")), 0.65); // um by default
+  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.65\" PhysicalSizeY=\"0.65\"")), square(0.65)); // um by default
   EXPECT_EQ(
       of_text(ome("PhysicalSizeX='650' PhysicalSizeXUnit='nm' PhysicalSizeY='0.65' PhysicalSizeYUnit='\xc2\xb5m'")),
-      0.65);
-  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.001\" PhysicalSizeXUnit=\"mm\"")), 1.0);
+      square(0.65));
+  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.001\" PhysicalSizeXUnit=\"mm\"")), square(1.0));
   for (const char* nothing : {"SizeX=\"3\"", "PhysicalSizeX=\"2\" PhysicalSizeXUnit=\"pixel\"", "PhysicalSizeX=\"-1\"",
                               "PhysicalSizeX=\"nan\"", "PhysicalSizeX=\"1e999\"", "PhysicalSizeX=\"2"})
     EXPECT_EQ(of_text(ome(nothing)), std::nullopt) << nothing;
-  EXPECT_THROW(of_text(ome("PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.6\"")), std::invalid_argument);
+  EXPECT_EQ(of_text(ome("PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.6\"")), (PixelSize{0.5, 0.6}));
+}
+
+/// OME-XML of two Images.
+std::string two_images(const std::string& first, const std::string& second) {
+  return "<?xml version='1.0'?><o:OME xmlns:o='x'><OME/><o:Image><o:Pixels SizeX='30' SizeY='20' PhysicalSizeX='0.5'>"
+         + first + "</o:Pixels></o:Image><o:Image><o:Pixels SizeX='15' SizeY='10' PhysicalSizeX='1'>" + second
+         + "</o:Pixels></o:Image></o:OME>";
+}
+
+TEST(Scale, IsThatOfTheImageThatThePageBelongsTo) {
+  const auto of_page = [](const std::string& description, std::size_t directory, std::size_t columns) {
+    return pixel_size(
+        {.description = description, .directory = directory, .columns = columns, .rows = columns * 2 / 3});
+  };
+  const std::string both = two_images("<o:TiffData IFD='0' PlaneCount='3'/>", "<o:TiffData IFD='3'/>");
+  EXPECT_EQ(of_page(both, 0, 30), square(0.5));
+  EXPECT_EQ(of_page(both, 2, 30), square(0.5));
+  EXPECT_EQ(of_page(both, 3, 15), square(1.0));
+  EXPECT_EQ(of_page(both, 4, 15), std::nullopt) << "of no Image";
+  EXPECT_EQ(of_page(both, 0, 15), std::nullopt) << "a smaller version of the page";
+  const std::string files = two_images("<o:TiffData IFD='0'/>", "<o:TiffData IFD='0'/>"); // each in a file of its own
+  EXPECT_EQ(of_page(files, 0, 0), std::nullopt);
+  EXPECT_EQ(of_page(ome("SizeX='30' PhysicalSizeX='2'"), 7, 30), square(2.0)) << "of all pages, if it is the only one";
+  EXPECT_EQ(of_page(ome("SizeX='30' PhysicalSizeX='2'"), 1, 15), std::nullopt) << "a level of a pyramid";
 }
 
 TEST(Scale, IsThatOfImageJOrOfPixelsInACentimetre) {
   const StatedScale imagej{
       .description = "ImageJ=1.54f\nimages=2\nunit=micron\n", .x_resolution = 2, .y_resolution = 2};
-  EXPECT_EQ(pixel_width(imagej), 0.5);
-  EXPECT_EQ(pixel_width({.description = "ImageJ=1.54f\nunit=\\u00B5m\n", .x_resolution = 4, .y_resolution = 4}), 0.25);
-  EXPECT_EQ(pixel_width({.description = "", .x_resolution = 5000, .y_resolution = 5000, .unit = Unit::centimetre}),
-            2.0);
-  EXPECT_EQ(pixel_width({.description = "", .x_resolution = 72, .y_resolution = 72, .unit = Unit::inch}), std::nullopt);
-  EXPECT_EQ(pixel_width({.description = "", .x_resolution = 1, .y_resolution = 1, .unit = Unit::none}), std::nullopt);
-  EXPECT_THROW(pixel_width({.description = "", .x_resolution = 2, .y_resolution = 3, .unit = Unit::centimetre}),
-               std::invalid_argument);
+  EXPECT_EQ(pixel_size(imagej), square(0.5));
+  EXPECT_EQ(pixel_size({.description = "ImageJ=1.54f\nunit=\\u00B5m\n", .x_resolution = 4, .y_resolution = 4}),
+            square(0.25));
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 5000, .y_resolution = 5000, .unit = Unit::centimetre}),
+            square(2.0));
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 72, .y_resolution = 72, .unit = Unit::inch}), std::nullopt);
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 1, .y_resolution = 1, .unit = Unit::none}), std::nullopt);
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 2, .y_resolution = 4, .unit = Unit::centimetre}),
+            (PixelSize{5000, 2500}));
 }
 
 /// Fields of TIFF files.
@@ -90,6 +118,11 @@ TEST_F(ScaledFields, TakeTheWidthOfAPixelFromTheFileUnlessItIsGiven) {
   EXPECT_EQ(Field("a.tif", folder).description(), "a grid of 2 x 2 nodes from (-2.5, -2.5) to (2.5, 2.5) um");
   EXPECT_EQ(Field("a.tif pixel=1", folder).description(), "a grid of 2 x 2 nodes from (-0.5, -0.5) to (0.5, 0.5) um");
   EXPECT_EQ(Field("a.tif", folder).at({-2.5, 2.5}), 1.0);
+  write("oblong.tif", 2, {1, 2, 3, 4}, ome("PhysicalSizeX=\"2\" PhysicalSizeY=\"4\""));
+  EXPECT_NE(what("oblong.tif").find("has pixels of 2 x 4 um; scale it so that they are square, or state"),
+            std::string::npos);
+  EXPECT_EQ(Field("oblong.tif pixel=3", folder).description(),
+            "a grid of 2 x 2 nodes from (-1.5, -1.5) to (1.5, 1.5) um");
   write("b.tif", 2, {1, 2, 3, 4}, "");
   EXPECT_NE(what("b.tif").find("a picture needs pixel=..."), std::string::npos);
 }
@@ -127,6 +160,26 @@ TEST_F(ScaledFields, TakeTheDirectionOfStripesFromTheStructureTensor) {
   EXPECT_NE(what("even.tif pixel=1 direction=1").find("is even everywhere"), std::string::npos);
   write("small.tif", 2, {1, 2, 3, 4}, "");
   EXPECT_NE(what("small.tif pixel=1 direction=1").find("is smaller than 3 x 3 pixels"), std::string::npos);
+}
+
+TEST(Directions, DoNotDependOnTheSizeOfTheNumbers) {
+  Picture picture{.width = 24, .height = 24, .samples = {}, .pixel = {}, .black = {}, .white = {}};
+  for (std::size_t k = 0; k < 576; ++k)
+    picture.samples.push_back(std::sin(0.4 * static_cast<double>(k % 24) + 0.5 * static_cast<double>(k / 24)));
+  const std::vector<double> expected = fibre_directions(picture, 3.0);
+  for (const int exponent : {-1000, -500, 500, 1000}) {
+    Picture far = picture;
+    for (double& sample : far.samples) sample = std::scalbn(sample, exponent);
+    EXPECT_EQ(fibre_directions(far, 3.0), expected) << exponent;
+  }
+}
+
+TEST(Directions, AreThoseOfTheStructureTensorSummedPixelByPixel) {
+  Picture picture{.width = 13, .height = 9, .samples = {}, .pixel = {}, .black = {}, .white = {}};
+  for (std::size_t k = 0; k < 117; ++k) picture.samples.push_back(static_cast<double>(k * k % 31));
+  const std::vector<double> directions = fibre_directions(picture, 20.0); // wider than the picture
+  EXPECT_NEAR(directions[0], -14.422117129259945, 1e-9);
+  EXPECT_NEAR(directions[60], -25.38705478870733, 1e-9);
 }
 
 TEST(Samples, AreDirectionsWithoutASenseBetweenNodes) {

@@ -1,6 +1,7 @@
 #include "simulation/start_fields.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 
 namespace matrigrate {
@@ -38,6 +40,28 @@ TEST(StartFields, StiffnessIsThatOfTheReferencePosition) {
   const State s = initial_state(small({"ecm.fields.youngs_modulus=200 + x"}));
   ASSERT_EQ(s.ecm.E_ratio.size(), s.ecm.size());
   for (std::size_t i = 0; i < s.ecm.size(); ++i) EXPECT_NEAR(s.ecm.stiffness(i), 1.0 + s.ecm.X[i].x() / 200.0, 1e-12);
+}
+
+TEST(StartFields, TheUnitInTheNameOfAColumnCounts) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const auto grid = [&](const std::string& column, const std::string& value) {
+    const std::filesystem::path file = folder / ("matrigrate-" + column + ".csv");
+    std::string text = "x_um,y_um," + column + "\n";
+    for (const char* node : {"-90,-90,", "90,-90,", "-90,90,", "90,90,"}) text += node + value + "\n";
+    write_file(file, text);
+    return file.string();
+  };
+  const std::string stiff = "ecm.fields.youngs_modulus=";
+  const State s = initial_state(small({stiff + grid("E_kPa", "0.3"), "fibres.arrangement=uniaxial",
+                                       "fibres.field.direction_deg=" + grid("direction_rad", "1.25")}));
+  EXPECT_DOUBLE_EQ(s.ecm.stiffness(7), 1.5) << "of 200 Pa";
+  EXPECT_DOUBLE_EQ(s.ecm.fibre_direction[7], 1.25);
+  const FieldSummaries all = field_summaries(small({stiff + grid("E_kPa", "0.3")}));
+  EXPECT_DOUBLE_EQ(all.fields[0].high, 300.0);
+  EXPECT_NE(fault_of(stiff + grid("E_mm", "0.3")).find("column E_mm is in mm; wanted is Pa"), std::string::npos);
+  EXPECT_EQ(fault_of("ecm.fields.attractant=" + grid("c_kg", "0.3")), "") << "its unit is the user's";
+  for (const char* name : {"E_kPa", "direction_rad", "E_mm", "c_kg"})
+    std::filesystem::remove(folder / ("matrigrate-" + std::string(name) + ".csv"));
 }
 
 TEST(StartFields, AChannelIsFluidAndTheRimStaysSolid) {
