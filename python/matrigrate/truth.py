@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,8 +37,12 @@ class Movie:
     """The frames of a run on pixels. Row 0 is at the top, so y of the model points up; pixel (row, column) has its centre at
     ``top - (row + 0.5) pixel``, ``left + (column + 0.5) pixel``.
 
+    All frames are at one interval. If the run ended sooner than that after the frame before, its last frame is left out, with a
+    warning.
+
     :param pixel: width of a pixel [um]
     :param window: left, right, bottom, top [um]; left out, where the cells are in the course of the run; "all" is the whole matrix
+    :raises ConfigurationError: if the frames are not evenly spaced
     """
 
     def __init__(self, run: Run, *, pixel: float = 0.5, window: tuple[float, float, float, float] | str | None = None) -> None:
@@ -45,16 +50,17 @@ class Movie:
         fields = run.fields
         if not math.isfinite(pixel) or pixel <= 0:
             raise ConfigurationError(f"pixel: {pixel:g} um is no width of a pixel")
+        self.interval, self.frames = _even(np.asarray(fields.times, dtype=float))
+        """Time between two frames [s], and which of ``run.fields`` the movie has: all at this interval."""
+        self.left_out = list(range(len(self.frames), len(fields.times)))
+        """The last frame, if the run ended sooner than an interval after the one before it."""
+        if self.left_out:
+            warnings.warn(f"frame {self.left_out[0]}, the last one, at {fields.times[-1]:g} s, is left out: it comes sooner than "
+                          f"{self.interval:g} s after the one before it", stacklevel=2)
         _drawing.check_view(window, None, [])
         self.grid = _raster.Grid.over(_drawing.window_of(fields, 0, window, None), pixel)
         if self.grid.rows * self.grid.columns > 10**8:
             raise ConfigurationError(f"pixel: {pixel:g} um makes {self.grid.columns} x {self.grid.rows} pixels; 10^8 are the most")
-        times = fields.times
-        self.interval = float(times[1] - times[0]) if len(times) > 1 else 0.0
-        """Time between two frames [s]."""
-        even = [k for k, t in enumerate(times) if abs(t - times[0] - k * self.interval) < 1e-3 * max(self.interval, 1.0)]
-        self.frames = even  # a run that ends between two frames has a last one that does not fit
-        """The frames of ``run.fields`` that the movie has: all at one interval."""
 
     @property
     def times(self) -> Array:
@@ -145,6 +151,23 @@ class Movie:
                  "min": int(stack.min()), "max": int(stack.max())}
         _tifffile().imwrite(path, stack if axes == "TCYX" else stack[:, 0], imagej=True, metadata=words,
                             resolution=(1.0 / self.grid.pixel, 1.0 / self.grid.pixel))
+
+
+def _even(times: Array) -> tuple[float, list[int]]:
+    """The interval [s], and the frames without a last one that comes too soon."""
+    if len(times) < 2:
+        return 0.0, list(range(len(times)))
+    interval = float(times[1] - times[0])
+    odd = np.flatnonzero(np.abs(times - times[0] - interval * np.arange(len(times))) > 1e-3)
+    if len(odd) == 0:
+        return interval, list(range(len(times)))
+    if odd[0] == len(times) - 1 and times[-1] - times[-2] < interval:
+        return interval, list(range(len(times) - 1))
+    steps = np.diff(times)
+    raise ConfigurationError(f"the frames of the run are unevenly spaced, {steps.min():g} to {steps.max():g} s apart: the first that does "
+                             f"not fit is frame {odd[0]}, at {times[odd[0]]:g} s, where {times[0] + odd[0] * interval:g} s is expected. A "
+                             "movie has one interval; frames are evenly spaced where output.field_interval is a multiple of "
+                             "run.time_step")
 
 
 def _cortex(grid: _raster.Grid, fields: Fields, k: int, width: float) -> Array:

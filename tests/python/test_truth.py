@@ -1,4 +1,5 @@
 """Ground truth of a run: masks, fluorescence and tracks that agree with each other and with the run."""
+import copy
 import os
 import shutil
 import subprocess
@@ -116,6 +117,24 @@ class GroundTruth(common.InTemporaryFolder):
             seen, *totals = said.stdout.split("\n")
             self.assertEqual(seen, f"{columns} {rows} {channels} 1 {frames} 16 0.5 0.5 2 300", said.stderr)
             np.testing.assert_array_equal([int(total) for total in totals if total], stack.sum(axis=(2, 3)).T.ravel())
+
+    def test_frames_have_one_interval(self):
+        def movie(*times):
+            fields, run = copy.copy(self.pair.fields), copy.copy(self.pair)
+            fields.times = np.array(times)  # the same frames at other times
+            run.fields = fields
+            return matrigrate.truth.Movie(run)
+
+        even = movie(0.0, 12.5, 25.0, 37.5)
+        self.assertEqual((even.interval, even.frames, even.left_out), (12.5, [0, 1, 2, 3], []))
+        with self.assertWarnsRegex(UserWarning, "frame 3, the last one, at 180 s, is left out: it comes sooner than 70 s"):
+            ended = movie(0.0, 70.0, 140.0, 180.0)
+        self.assertEqual((ended.interval, ended.frames, ended.left_out), (70.0, [0, 1, 2], [3]))
+        for times in ((0.0, 12.5, 25.0, 37.5, 50.0, 60.0, 72.5, 85.0, 100.0), (0.0, 5.0, 12.5), (0.0, 7.5, 15.0, 21.25, 30.0)):
+            with self.assertRaisesRegex(matrigrate.ConfigurationError, "unevenly spaced.*output.field_interval is a multiple of run.time_step"):
+                movie(*times)
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "frame 5, at 60 s, where 62.5 s is expected"):
+            movie(0.0, 12.5, 25.0, 37.5, 50.0, 60.0, 72.5, 85.0, 100.0)
 
     def test_wrong_use(self):
         for options, words in (({"pixel": 0.0}, "no width of a pixel"), ({"pixel": 1e-4}, "10\\^8 are the most")):
