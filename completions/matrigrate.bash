@@ -47,7 +47,7 @@ _matrigrate() {
   matrigrate_report:--interval) COMPREPLY=(); return ;;
   matrigrate_report:--time-unit) COMPREPLY=($(compgen -W "ms s min h d" -- "$cur")); return ;;
   matrigrate_report:--columns) COMPREPLY=(); return ;;
-  matrigrate_report:--layout) COMPREPLY=(); return ;;
+  matrigrate_report:--layout) COMPREPLY=($(compgen -W "celltrackscolab trackmate plain btrack trackpy mosaic manual-tracking mtrackj imaris cellprofiler napari celltrackr" -- "$cur")); return ;;
   matrigrate_report:--splits) COMPREPLY=($(compgen -W "refuse cut drop" -- "$cur")); return ;;
   matrigrate_report:--jitter) COMPREPLY=(); return ;;
   matrigrate_live:-o|matrigrate_live:--output) _matrigrate_files -d; return ;;
@@ -63,7 +63,7 @@ _matrigrate() {
   matrigrate_tracks:--interval) COMPREPLY=(); return ;;
   matrigrate_tracks:--time-unit) COMPREPLY=($(compgen -W "ms s min h d" -- "$cur")); return ;;
   matrigrate_tracks:--columns) COMPREPLY=(); return ;;
-  matrigrate_tracks:--layout) COMPREPLY=(); return ;;
+  matrigrate_tracks:--layout) COMPREPLY=($(compgen -W "celltrackscolab trackmate plain btrack trackpy mosaic manual-tracking mtrackj imaris cellprofiler napari celltrackr" -- "$cur")); return ;;
   matrigrate_tracks:--splits) COMPREPLY=($(compgen -W "refuse cut drop" -- "$cur")); return ;;
   matrigrate_tracks:--jitter) COMPREPLY=(); return ;;
   matrigrate_tracks:--shortest) COMPREPLY=(); return ;;

@@ -15,6 +15,8 @@ note = "Made from matrigrate --help by tools/from_help.py; do not edit."
 choices_of = {  # values that the help names, and those of `matrigrate list`
     "--layer": ["degradation", "displacement", "von_mises", "pressure", "fibre_von_mises"],
     "--integrator": ["adaptive", "reference"],
+    "--layout": ["celltrackscolab", "trackmate", "plain", "btrack", "trackpy", "mosaic", "manual-tracking", "mtrackj", "imaris",
+                 "cellprofiler", "napari", "celltrackr"],
     "--splits": ["refuse", "cut", "drop"],
     "--time-unit": ["ms", "s", "min", "h", "d"],
 }
