@@ -144,7 +144,7 @@ std::string results_json(const std::filesystem::path& folder, const std::vector<
   const Json all{{"folder", folder.string()},
                  {"holds", std::ranges::all_of(outcomes, &Outcome::holds)},
                  {"cases", cases},
-                 {"provenance", provenance()}};
+                 {"provenance", run::provenance()}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -154,8 +154,9 @@ std::vector<Outcome> run_cases(const std::vector<const validation::Case*>& cases
   write_file(folder / "scenario.resolved.toml", to_toml(p));
   const ThreadLimit limit(p.run.threads);
   std::vector<Outcome> outcomes;
-  report::VerdictReport report{
-      .title = fmt::format("Validation of the matrix: {}", name), .statements = {}, .provenance = provenance_text()};
+  report::VerdictReport report{.title = fmt::format("Validation of the matrix: {}", name),
+                               .statements = {},
+                               .provenance = run::provenance_text()};
   for (const validation::Case* c : cases) {
     const Outcome& outcome = outcomes.emplace_back(outcome_of(*c, p));
     write_outcome(outcome, folder);

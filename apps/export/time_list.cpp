@@ -2,6 +2,7 @@
 
 #include "parameters/units.hpp"
 
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 

@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string_view>
 #include <vector>

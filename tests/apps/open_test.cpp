@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <chrono>
+
 namespace matrigrate {
 namespace {
 

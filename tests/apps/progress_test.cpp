@@ -6,6 +6,7 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <regex>
 #include <vector>
 

@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <sstream>
 #include <tuple>
+#include <vector>
 
 namespace matrigrate {
 namespace {

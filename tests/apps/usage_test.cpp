@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <cstddef>
+
 namespace matrigrate {
 namespace {
 

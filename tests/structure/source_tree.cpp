@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace matrigrate::structure {
 

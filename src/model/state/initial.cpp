@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace matrigrate {
 

@@ -1,5 +1,6 @@
 #include "store/base64.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace matrigrate::store {

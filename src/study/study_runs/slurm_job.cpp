@@ -8,6 +8,7 @@
 #include <optional>
 #include <regex>
 #include <string_view>
+#include <utility>
 
 namespace matrigrate::study {
 

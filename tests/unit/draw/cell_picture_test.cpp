@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
 
 namespace matrigrate::draw {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include <limits>
+
 using namespace matrigrate;
 
 namespace {
