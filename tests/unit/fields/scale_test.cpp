@@ -1,4 +1,5 @@
 #include "fields/field.hpp"
+#include "fields/samples.hpp"
 #include "fields/scale.hpp"
 #include "fields/structure_tensor.hpp"
 

@@ -50,18 +50,18 @@ TEST(Correlation, TheMatrixIsSymmetric) {
 }
 
 TEST(Correlation, SpearmanIsThatOfRanks) {
-  const std::vector<double> x{1, 2, 3, 4, 5};
-  EXPECT_DOUBLE_EQ(spearman(x, std::vector<double>{1, 8, 27, 64, 1000}).r, 1.0);
+  const std::vector<double> given{1, 2, 3, 4, 5};
+  EXPECT_DOUBLE_EQ(spearman(given, std::vector<double>{1, 8, 27, 64, 1000}).r, 1.0);
   // R: cor(c(1,2,3,4,5), c(2,1,4,4,7), method = "spearman")
-  EXPECT_NEAR(spearman(x, std::vector<double>{2, 1, 4, 4, 7}).r, 0.8720816, 1e-6);
+  EXPECT_NEAR(spearman(given, std::vector<double>{2, 1, 4, 4, 7}).r, 0.8720816, 1e-6);
 }
 
 TEST(Correlation, WithinGroupsIgnoresWhatDiffersBetweenThem) {
   const std::vector<std::size_t> group{0, 0, 0, 1, 1, 1};
-  const std::vector<double> x{1, 2, 3, 101, 102, 103};
-  EXPECT_DOUBLE_EQ(pearson_within(x, std::vector<double>{3, 2, 1, 203, 202, 201}, group).r, -1.0);
-  EXPECT_TRUE(std::isnan(pearson_within(x, std::vector<double>{0.1, 0.1, 0.1, 3, 3, 3}, group).r)) << "was set";
-  const Correlation c = pearson_within(x, std::vector<double>{1, 3, 2, 50, 51, 52}, group);
+  const std::vector<double> given{1, 2, 3, 101, 102, 103};
+  EXPECT_DOUBLE_EQ(pearson_within(given, std::vector<double>{3, 2, 1, 203, 202, 201}, group).r, -1.0);
+  EXPECT_TRUE(std::isnan(pearson_within(given, std::vector<double>{0.1, 0.1, 0.1, 3, 3, 3}, group).r)) << "was set";
+  const Correlation c = pearson_within(given, std::vector<double>{1, 3, 2, 50, 51, 52}, group);
   EXPECT_NEAR(c.r, 0.75, 1e-12);
   EXPECT_NEAR(c.p, t_two_sided(0.75 * std::sqrt(3.0 / (1.0 - 0.75 * 0.75)), 3.0), 1e-12);
 }

@@ -129,7 +129,7 @@ public:
     else if constexpr (std::is_enum_v<T>)
       value = static_cast<T>(1 + ++m_count % 4);
     else
-      std::apply([this](auto&... member) { (fill(member), ...); }, members(value));
+      std::apply([this](auto&... member) { (this->fill(member), ...); }, members(value));
   }
   void fill(Vec2& value) {
     fill(value.x());
@@ -152,7 +152,7 @@ public:
     default:
       phase = Finishing();
     }
-    std::visit([this](auto& one) { fill(one); }, phase);
+    std::visit([this](auto& one) { this->fill(one); }, phase);
   }
   template <class T>
   void fill(std::optional<T>& value) {
@@ -191,7 +191,7 @@ public:
     } else if constexpr (std::is_enum_v<T>) {
       if (here()) value = static_cast<T>(static_cast<int>(value) - 1);
     } else {
-      std::apply([this](auto&... member) { (change(member), ...); }, members(value));
+      std::apply([this](auto&... member) { (this->change(member), ...); }, members(value));
     }
   }
   void change(Vec2& value) {
@@ -205,7 +205,7 @@ public:
     if (here())
       phase = std::holds_alternative<Finishing>(phase) ? Phase(Growing()) : Phase(Finishing());
     else
-      std::visit([this](auto& one) { change(one); }, phase);
+      std::visit([this](auto& one) { this->change(one); }, phase);
   }
   void change(std::optional<double>& value) {
     if (here())

@@ -18,7 +18,12 @@ struct Eight {
   Eight(const Doubles& a, const Doubles& b) : low(a), high(b) {}
 
   double operator[](std::size_t l) const { return l < 4 ? low[l] : high[l - 4]; }
-  void set(std::size_t l, double a) { (l < 4 ? low[l] : high[l - 4]) = a; }
+  void set(std::size_t l, double a) {
+    if (l < 4)
+      low[l] = a;
+    else
+      high[l - 4] = a;
+  }
 
   friend Eight operator+(const Eight& a, const Eight& b) { return {a.low + b.low, a.high + b.high}; }
   friend Eight operator-(const Eight& a, const Eight& b) { return {a.low - b.low, a.high - b.high}; }
