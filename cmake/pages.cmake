@@ -26,23 +26,27 @@ if(NOT MATRIGRATE_PAGES)
     list(TRANSFORM stale PREPEND ${viewer}/)
     file(REMOVE ${stale})
   endif()
-  set(viewer_copies "")
-  foreach(file ${viewer_sources})
-    add_custom_command(OUTPUT ${viewer}/${file} DEPENDS ${PROJECT_SOURCE_DIR}/viewer/${file}
-                       COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/viewer/${file} ${viewer}/${file}
-                       COMMENT "" VERBATIM)
-    list(APPEND viewer_copies ${viewer}/${file})
-  endforeach()
+  set(viewer_files ${viewer_sources})
+  list(TRANSFORM viewer_files PREPEND ${PROJECT_SOURCE_DIR}/viewer/)
+  set(packages ${PROJECT_SOURCE_DIR}/viewer/package.json ${PROJECT_SOURCE_DIR}/viewer/package-lock.json)
+  add_custom_command(
+    OUTPUT ${viewer}/copied
+    DEPENDS ${viewer_files} ${PROJECT_SOURCE_DIR}/cmake/copy_files.cmake
+    COMMAND ${CMAKE_COMMAND} -DFROM=${PROJECT_SOURCE_DIR}/viewer -DTO=${viewer} "-DFILES=${viewer_sources}" -P
+            ${PROJECT_SOURCE_DIR}/cmake/copy_files.cmake
+    COMMAND ${CMAKE_COMMAND} -E touch ${viewer}/copied
+    COMMENT "Copying the sources of the report's pages" VERBATIM)
   add_custom_command(
     OUTPUT ${viewer}/installed
-    DEPENDS ${viewer}/package.json ${viewer}/package-lock.json
-    WORKING_DIRECTORY ${viewer}
-    COMMAND ${NPM} ci --no-audit --no-fund --loglevel=error
+    DEPENDS ${packages}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${viewer}
+    COMMAND ${CMAKE_COMMAND} -E copy ${packages} ${viewer}
+    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer} ${NPM} ci --no-audit --no-fund --loglevel=error
     COMMAND ${CMAKE_COMMAND} -E touch ${viewer}/installed
     COMMENT "Getting what builds the report's pages" VERBATIM)
   add_custom_command(
     OUTPUT ${MATRIGRATE_PAGE_FILES}
-    DEPENDS ${viewer}/installed ${viewer_copies}
+    DEPENDS ${viewer}/installed ${viewer}/copied
     WORKING_DIRECTORY ${viewer}
     COMMAND ${NPM} run build --silent
     COMMAND ${CMAKE_COMMAND} -E touch ${MATRIGRATE_PAGE_FILES}

@@ -1,6 +1,7 @@
 # Installs into a prefix of its own; builds examples/04_my_force.cpp against it outside of the tree, by the lines of
 # examples/README.md, and a program that includes every installed header; runs both.
 #   cmake -DSOURCE_DIR=... -DBINARY_DIR=... -DFOLDER=... -DCOMPILER=... -DGENERATOR=... -P install_test.cmake
+cmake_minimum_required(VERSION 3.25)
 set(prefix ${FOLDER}/prefix)
 set(project ${FOLDER}/project)
 file(REMOVE_RECURSE ${FOLDER})

@@ -1,5 +1,6 @@
 # Makes the Debian package, takes it apart, and runs its program.
 #   cmake -DSOURCE_DIR=... -DBINARY_DIR=... -DFOLDER=... -P package_test.cmake
+cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${FOLDER})
 find_program(DPKG_DEB dpkg-deb)
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)

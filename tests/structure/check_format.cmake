@@ -1,5 +1,6 @@
 # Checks that every source is formatted as .clang-format says: cmake -DSOURCE_DIR=... -P check_format.cmake
 # Releases of clang-format differ in details, so only the one that the sources are formatted with can judge.
+cmake_minimum_required(VERSION 3.25)
 set(wanted 14)
 find_program(formatter NAMES clang-format-${wanted} clang-format)
 if(NOT formatter)

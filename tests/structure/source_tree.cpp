@@ -162,21 +162,20 @@ Findings forbidden_includes(const Source& source, const Graph& allowed) {
   return findings;
 }
 
-Graph header_includes(const std::vector<Source>& all) {
+Graph includes(const std::vector<Source>& all) {
   static const std::regex include(R"rx(^\s*#\s*include\s*(?:"([^"]*)"|(<[^>]*>)))rx");
-  Graph includes;
+  Graph named;
   for (const Source& source : all) {
-    if (!source.path.ends_with(".hpp")) continue;
-    std::set<std::string>& of_header = includes[source.path];
+    std::set<std::string>& of_file = named[source.path];
     each_line(code_only(source.text, true), [&](int, const std::string& line) {
       std::smatch match;
-      if (std::regex_search(line, match, include)) of_header.insert(match[1].matched ? match[1] : match[2]);
+      if (std::regex_search(line, match, include)) of_file.insert(match[1].matched ? match[1] : match[2]);
     });
   }
-  return includes;
+  return named;
 }
 
-Findings undeclared_names(const Source& header, const Graph& reached) {
+Findings undeclared_names(const Source& source, const Graph& reached) {
   struct Library {
     std::string header;
     std::regex names;
@@ -211,12 +210,12 @@ Findings undeclared_names(const Source& header, const Graph& reached) {
       standard("vector", "vector"),
       {"<fmt/format.h>", std::regex(R"(\bfmt::)")},
       {"<toml++/toml.h>", std::regex(R"(\btoml::)")}};
-  const auto of_header = reached.find(header.path);
+  const auto of_file = reached.find(source.path);
   Findings findings;
-  each_line(code_only(header.text), [&](int number, const std::string& line) {
+  each_line(code_only(source.text), [&](int number, const std::string& line) {
     for (const Library& library : libraries)
-      if (std::regex_search(line, library.names) && !of_header->second.contains(library.header))
-        findings.push_back(at(header, number, "needs #include " + library.header));
+      if (std::regex_search(line, library.names) && !of_file->second.contains(library.header))
+        findings.push_back(at(source, number, "needs #include " + library.header));
   });
   return findings;
 }

@@ -51,12 +51,12 @@ using Findings = std::vector<std::string>;
 /// Includes of headers in folders that are not allowed, or not named by their path from src/.
 Findings forbidden_includes(const Source& source, const Graph& allowed);
 
-/// For each header what it includes: other headers by their path from src/, those of libraries in angle brackets.
-Graph header_includes(const std::vector<Source>& all);
+/// For each file what it includes: headers of ours as they are named there, those of libraries in angle brackets.
+Graph includes(const std::vector<Source>& all);
 
-/// Common names of libraries (std::vector, fmt::) that a header uses without including, itself or through headers of
-/// src/, what declares them.   @param reached  closure of header_includes()
-Findings undeclared_names(const Source& header, const Graph& reached);
+/// Common names of libraries (std::vector, fmt::) that a file uses without including, itself or through headers of
+/// ours, what declares them.   @param reached  closure of includes()
+Findings undeclared_names(const Source& source, const Graph& reached);
 
 /// Calls that end the program: only apps/ may.
 Findings process_exits(const Source& source);

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# One of the checks that ./test leaves out. Installs what is missing for it.
+#   tools/check.sh dev|asan|tsan     builds with this preset, each source alone, and runs the tests of ./test
+#   tools/check.sh tidy              clang-tidy on every source
+#   tools/check.sh fuzz [SECONDS]    each fuzzer from its corpus, for 300 s unless told otherwise
+#   tools/check.sh coverage          which lines the tests run
+#   tools/check.sh alone             does each source compile alone, with g++ and with clang?
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/setup.sh
+check=${1:-}
+clang="
+clang: the other compiler
+"
+
+built() {
+  cmake --preset "$check" -DMATRIGRATE_TESTS=ON >/dev/null || die "the build could not be configured"
+  cmake --build --preset "$check" -j "$(job_count)" || die "the build failed"
+}
+
+# fuzzed SECONDS: new inputs are kept below build/fuzz/found, inputs that fail in build/fuzz/failed-*.
+fuzzed() {
+  local target name
+  export ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=0 # HDF5 leaks, and asks for memory of any size
+  for target in tests/fuzz/corpus/*/; do
+    name=$(basename "$target")
+    mkdir -p "build/fuzz/found/$name"
+    say "fuzzing $name for $1 s"
+    "build/fuzz/bin/fuzz_$name" -malloc_limit_mb=1000000000 -rss_limit_mb=4096 -max_total_time="$1" -print_final_stats=1 \
+      -artifact_prefix="build/fuzz/failed-$name-" "build/fuzz/found/$name" "$target" || die "fuzz_$name found a fault"
+  done
+}
+
+case $check in
+dev | asan | tsan)
+  install_packages "$packages_to_build$packages_to_test"
+  built
+  ctest --preset "$check" -j "$(nproc)"
+  ;;
+tidy)
+  install_packages "$packages_to_build$packages_to_test$clang
+clang-tidy: the check
+"
+  built
+  ;;
+fuzz)
+  install_packages "$packages_to_build$packages_to_test$clang"
+  built
+  fuzzed "${2:-300}"
+  ;;
+coverage)
+  install_packages "$packages_to_build$packages_to_test
+gcovr: counts the lines
+"
+  tools/coverage.sh
+  ;;
+alone)
+  install_packages "$packages_to_build$packages_to_test$clang"
+  tools/each_alone.py
+  tools/each_alone.py --compiler clang++
+  ;;
+*)
+  die "usage: tools/check.sh dev|asan|tsan|tidy|fuzz|coverage|alone"
+  ;;
+esac
