@@ -1,6 +1,8 @@
 #include "tracks/layouts.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <map>
 
 namespace matrigrate::tracks {
