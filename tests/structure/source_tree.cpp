@@ -162,17 +162,25 @@ Findings forbidden_includes(const Source& source, const Graph& allowed) {
   return findings;
 }
 
-Graph includes(const std::vector<Source>& all) {
+Graph reached_includes(const std::vector<Source>& all) {
   static const std::regex include(R"rx(^\s*#\s*include\s*(?:"([^"]*)"|(<[^>]*>)))rx");
-  Graph named;
+  Graph headers, sources;
   for (const Source& source : all) {
-    std::set<std::string>& of_file = named[source.path];
+    std::set<std::string>& of_file = (source.path.ends_with(".hpp") ? headers : sources)[source.path];
     each_line(code_only(source.text, true), [&](int, const std::string& line) {
       std::smatch match;
-      if (std::regex_search(line, match, include)) of_file.insert(match[1].matched ? match[1] : match[2]);
+      if (line.starts_with('#') && std::regex_search(line, match, include))
+        of_file.insert(match[1].matched ? match[1] : match[2]);
     });
   }
-  return named;
+  Graph reached = closure(headers);
+  for (const auto& [source, named] : sources) { // nothing includes a source
+    std::set<std::string>& of_source = reached[source] = named;
+    for (const std::string& header : named)
+      if (const auto further = reached.find(header); further != reached.end())
+        of_source.insert(further->second.begin(), further->second.end());
+  }
+  return reached;
 }
 
 Findings undeclared_names(const Source& source, const Graph& reached) {
@@ -213,8 +221,9 @@ Findings undeclared_names(const Source& source, const Graph& reached) {
   const auto of_file = reached.find(source.path);
   Findings findings;
   each_line(code_only(source.text), [&](int number, const std::string& line) {
+    if (line.find("::") == std::string::npos) return;
     for (const Library& library : libraries)
-      if (std::regex_search(line, library.names) && !of_file->second.contains(library.header))
+      if (!of_file->second.contains(library.header) && std::regex_search(line, library.names))
         findings.push_back(at(source, number, "needs #include " + library.header));
   });
   return findings;

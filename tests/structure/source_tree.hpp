@@ -51,11 +51,12 @@ using Findings = std::vector<std::string>;
 /// Includes of headers in folders that are not allowed, or not named by their path from src/.
 Findings forbidden_includes(const Source& source, const Graph& allowed);
 
-/// For each file what it includes: headers of ours as they are named there, those of libraries in angle brackets.
-Graph includes(const std::vector<Source>& all);
+/// For each file what it includes, itself or through headers of ours: these by their paths, those of libraries in angle
+/// brackets.
+Graph reached_includes(const std::vector<Source>& all);
 
 /// Common names of libraries (std::vector, fmt::) that a file uses without including, itself or through headers of
-/// ours, what declares them.   @param reached  closure of includes()
+/// ours, what declares them.   @param reached  of reached_includes()
 Findings undeclared_names(const Source& source, const Graph& reached);
 
 /// Calls that end the program: only apps/ may.
