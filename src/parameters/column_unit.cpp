@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace matrigrate::units {
 
