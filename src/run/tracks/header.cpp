@@ -7,6 +7,24 @@ namespace matrigrate::tracks {
 
 namespace {
 
+bool has_unit(const ColumnTitle& title) { return length_unit(title.unit) || time_unit(title.unit); }
+
+/// @param name  of a layout
+bool is_named(const ColumnTitle& title, const std::string& before, std::string_view name) {
+  if (name.ends_with('*')) return title.name.starts_with(before + std::string(name.substr(0, name.size() - 1)));
+  if (name.starts_with('*')) return title.name.find(name.substr(1)) != std::string::npos;
+  const std::string whole = before + std::string(name);
+  return title.whole == whole || title.name == whole;
+}
+
+/// What stands before the name of a track where the layout allows that: "nuclei_" in "nuclei_trackobjects_label_50".
+std::string before_name(const Layout::Names& names, const std::string& title) {
+  for (const std::string_view name : names)
+    if (name.starts_with('*'))
+      if (const std::size_t at = title.find(name.substr(1)); at != std::string::npos) return title.substr(0, at);
+  return {};
+}
+
 /// The columns of a row as a header; nothing if it is none.
 class HeaderReader {
 public:
@@ -40,8 +58,8 @@ private:
     Table table;
     table.header = m_header;
     bool all = true; // of the columns that the caller names
-    const auto find = [&](const std::string& name, const Layout::Names& names) {
-      if (name.empty()) return of_layout(names, m_titles);
+    const auto find = [&](const std::string& name, const Layout::Names& names, const std::string& before = {}) {
+      if (name.empty()) return of_layout(names, m_titles, before);
       const Table::Column column = of_caller(name, m_header, m_titles);
       all = all && column.has_value();
       return column;
@@ -49,9 +67,10 @@ private:
     table.track = find(own.track, layout.track);
     table.t = find(own.t, own.frame.empty() ? layout.t : Layout::Names{});
     table.frame = find(own.frame, own.t.empty() ? layout.frame : Layout::Names{});
-    table.x = find(own.x, layout.x);
-    table.y = find(own.y, layout.y);
-    table.z = find(own.z, layout.z);
+    const std::string object = table.track ? before_name(layout.track, m_titles[*table.track].name) : std::string();
+    table.x = find(own.x, layout.x, object);
+    table.y = find(own.y, layout.y, object);
+    table.z = find(own.z, layout.z, object);
     if (own.measured.size() > 0) table.measured = find(own.measured, {});
     if (!all || !table.track || !table.x || !table.y || (!table.t && !table.frame)) return std::nullopt;
     const bool named = !own.track.empty() && !own.x.empty() && !own.y.empty() && !(own.t.empty() && own.frame.empty());
@@ -94,15 +113,14 @@ private:
 
 } // namespace
 
-/// The column of the first of these names that is there.
-Table::Column of_layout(const Layout::Names& names, const Titles& titles) {
-  for (const std::string_view name : names)
-    for (std::size_t c = 0; c < titles.size(); ++c) {
-      const bool start = name.ends_with('*');
-      if (start ? titles[c].name.starts_with(name.substr(0, name.size() - 1))
-                : titles[c].whole == name || titles[c].name == name)
-        return c;
-    }
+Table::Column of_layout(const Layout::Names& names, const Titles& titles, const std::string& before) {
+  for (const std::string_view name : names) {
+    Table::Column found;
+    for (std::size_t c = 0; c < titles.size(); ++c)
+      if (is_named(titles[c], before, name) && (!found || (!has_unit(titles[*found]) && has_unit(titles[c]))))
+        found = c;
+    if (found) return found;
+  }
   return std::nullopt;
 }
 

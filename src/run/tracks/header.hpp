@@ -15,8 +15,9 @@ namespace matrigrate::tracks {
 
 using Titles = std::vector<ColumnTitle>;
 
-/// The column of the first of these names that is there.
-Table::Column of_layout(const Layout::Names& names, const Titles& titles);
+/// The column of the first of these names that is there; of several columns of one name the one whose unit is known.
+/// @param before  what stands before each name
+Table::Column of_layout(const Layout::Names& names, const Titles& titles, const std::string& before = {});
 
 /// A name of the caller's as the number of a column from 1; nothing if it is none.
 /// @return  the number from 0

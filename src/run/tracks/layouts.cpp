@@ -89,7 +89,7 @@ const std::vector<Layout>& layouts() {
        .y = {"position y"},
        .z = {"position z"}},
       {.name = "cellprofiler",
-       .track = {"trackobjects_label*"},
+       .track = {"*trackobjects_label"},
        .frame = {"metadata_frame", "metadata_t", "metadata_timepoint", "imagenumber"},
        .x = {"location_center_x", "areashape_center_x"},
        .y = {"location_center_y", "areashape_center_y"},

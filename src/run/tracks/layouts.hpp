@@ -9,7 +9,8 @@
 namespace matrigrate::tracks {
 
 /// Names of the columns of a program, in lower case and without units (plain_name); the first that is there counts. A
-/// name that ends with * stands for all that begin so.
+/// name that ends with * stands for all that begin so, one that begins with * for all that have it in them: what stands
+/// before it in the name of the track then stands before the names of x, y and z, too.
 struct Layout {
   using Names = std::vector<std::string_view>;
 

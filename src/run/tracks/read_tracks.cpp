@@ -58,7 +58,9 @@ void look_at_motion(const Tracks& tracks, const TrackOptions& options, Findings&
 /// What comes of a text: its spots, calibrated and on one interval.
 void fill(const Text& text, const TrackOptions& options, Tracks& tracks, Findings& findings) {
   const std::string_view start = trimmed(std::string_view(text.utf8).substr(0, 1000));
-  Spots spots = start.starts_with('<') ? xml_spots(text.utf8, findings) : table_spots(text.utf8, options, findings);
+  Spots spots = start.starts_with('<')          ? xml_spots(text.utf8, findings)
+                : start.starts_with("MTrackJ ") ? mtrackj_spots(text.utf8, findings)
+                                                : table_spots(text.utf8, options, findings);
   if (findings.good() && spots.spots.empty()) findings.fault(0, "has no position in a track");
   if (!findings.good()) return;
   tracks.encoding = text.encoding;

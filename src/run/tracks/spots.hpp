@@ -48,4 +48,7 @@ Spots table_spots(std::string_view text, const TrackOptions& options, Findings& 
 /// The spots of TrackMate's "Export tracks to XML file".
 Spots xml_spots(std::string_view text, Findings& findings);
 
+/// The points of MTrackJ's data file (.mdf): in pixels, at numbers of frames.
+Spots mtrackj_spots(std::string_view text, Findings& findings);
+
 } // namespace matrigrate::tracks

@@ -48,6 +48,26 @@ TEST(TrackMateXml, WhatIsDamagedIsTold) {
   EXPECT_EQ(faults("<Tracks></Tracks>"), "f: has no position in a track");
 }
 
+TEST(MTrackJ, TracksOfClusters) {
+  const std::string text = "MTrackJ 1.5.1 Data File\nDisplaying true 1 2\nAssembly 1 FF0000\nCluster 1 FF0000\n"
+                           "Track 1 FF0000 true\nPoint 1 0.0 0.0 1.0 1.0 1.0\nPoint 2 3.0 4.0 1.0 2.0 1.0\n"
+                           "Cluster 2\nTrack 1\nPoint 1 7 7 1 4 1\nPoint 2 7 8 1 5 1\n";
+  const std::string end = "End of MTrackJ Data File\n";
+  const Tracks cells = of_text(text + end, few(calibrated(2.0, 60.0)));
+  ASSERT_EQ(cells.tracks.size(), 2U);
+  EXPECT_EQ(cells.tracks[0].name, "1/1");
+  EXPECT_EQ(cells.tracks[1].name, "2/1");
+  EXPECT_EQ(cells.tracks[1].start, 240.0);
+  EXPECT_EQ(speed(cells), (600.0 + 120.0) / 2);
+  EXPECT_EQ(faults(text + end, few()),
+            "f: x and y are in pixel: give --pixel UM, um per pixel\n"
+            "f: its times are numbers of frames (t): give --interval S, s from frame to frame");
+  EXPECT_EQ(faults(text, few()), "f:11:1: is cut short: its last line is not \"End of MTrackJ Data File\"");
+  EXPECT_EQ(faults("MTrackJ 1.5.1 Data File\nPoint 1 0 0 1 1 1\nTrack 1\nPoint 2 0 0\nPoint 3 a 0 1 1 1\n" + end),
+            "f:2:1: has a point in no track\nf:4:1: has 4 words; Point ID x y z t are wanted\n"
+            "f:5:1: x: \"a\" is no finite number");
+}
+
 TEST(TrackRows, EachFaultHasItsLine) {
   const std::string head = "track,t_s,x_um,y_um,dummy\n1,0,0,0,False\n";
   EXPECT_EQ(faults(head + "1,60,1_000,0,False\n1,120,1,0x1,False\n1,180,1,1,maybe\n1,240,1\n1,300,\"1,1,1\n", few()),

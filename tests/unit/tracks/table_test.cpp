@@ -41,6 +41,25 @@ TEST(TrackTable, UnitsOfTheHeader) {
   EXPECT_EQ(faults("track,t_s,x_um,y_px\n1,0,0,0\n1,1,1,1\n", own), "f: x_um is in um, y_px in px");
 }
 
+TEST(TrackTable, ColumnsWithAUnitBeforeThoseWithout) {
+  TrackOptions own = own_units;
+  own.pixel.reset();
+  own.interval.reset();
+  const Tracks cells = of_text("track_id,t,y,x,t_s,y_um,x_um\n1,0,9,7,0,0,0\n1,1,8,8,300,3,4\n", own);
+  EXPECT_EQ(cells.columns.t, "t_s");
+  EXPECT_EQ(speed(cells), 60.0);
+}
+
+TEST(TrackTable, ObjectsOfCellProfilerAreNotMixedUp) {
+  const std::string header = "ImageNumber,Cells_Location_Center_X,Cells_Location_Center_Y,Nuclei_Location_Center_X,"
+                             "Nuclei_Location_Center_Y,Nuclei_TrackObjects_Label_50\n";
+  const Tracks cells = of_text(header + "1,9,9,0,0,1\n2,8,8,3,4,1\n", own_units);
+  EXPECT_EQ(cells.layout, "cellprofiler");
+  EXPECT_EQ(cells.columns.x, "Nuclei_Location_Center_X");
+  EXPECT_EQ(cells.columns.y, "Nuclei_Location_Center_Y");
+  EXPECT_EQ(cells.tracks[0].x.back(), 3.0);
+}
+
 TEST(TrackTable, LinesBeforeTheHeader) {
   EXPECT_EQ(layout("# my cells, 2024\ntrack,t,x,y"), "plain");
   EXPECT_EQ(layout("sep=,\ntrack,t,x,y"), "plain");
