@@ -45,3 +45,34 @@ stopifnot(is.na(none$exit_code), grepl("names /no/such/program, which is no prog
 
 unnamed <- tryCatch(run_matrigrate("cell.toml", set = "50 Pa"), error = conditionMessage)
 stopifnot(grepl("names of parameters are expected", unnamed))
+
+# Measured tracks: the words, the table and the notes of `matrigrate tracks`.
+stand_in(
+  paste0("printf '%s\\n' \"$@\" >'", words, "'"), "while [ \"$1\" != -o ]; do shift; done",
+  "printf 'track,t_s,x_um,y_um\\n01,0,1,2\\n01,60,1.5,2\\n' >\"$2\"",
+  "echo '{\"interval_s\": 60.0,'", "echo ' \"notes\": [\"of \\\"a\\\", b]\",'", "echo '  \"two\"], \"rows\": [\"x\"]}'"
+)
+notes <- character()
+measured <- withCallingHandlers(
+  read_measured_tracks("my spots.csv",
+    pixel = 0.65, frame_interval = 60, time_unit = "s", columns = list(track = "Track n", x = 3), layout = "imaris", splits = "cut",
+    jitter = 0.2, recalibrate = TRUE, shortest = 3, fewest = 1, drift = TRUE
+  ),
+  message = function(m) {
+    notes <<- c(notes, conditionMessage(m))
+    invokeRestart("muffleMessage")
+  }
+)
+given <- readLines(words)
+stopifnot(
+  identical(measured$id, c("01", "01")), identical(measured$t_s, c(0, 60)), identical(measured$x_um, c(1, 1.5)),
+  identical(attr(measured, "notes"), c("of \"a\", b]", "two")), identical(notes, c("of \"a\", b]\n", "two\n")), attr(measured, "interval_s") == 60,
+  identical(given[-7], c(
+    "tracks", "my spots.csv", "--json", "--resamples", "0", "-o", "--pixel", "0.65", "--interval", "60", "--time-unit", "s", "--layout", "imaris", "--splits", "cut",
+    "--jitter", "0.2", "--shortest", "3", "--fewest", "1", "--recalibrate", "--drift", "--columns", "track=Track n", "--columns", "x=3"
+  ))
+)
+stand_in("echo 'matrigrate: spots.csv: give --interval S, or --time-unit s' >&2", "exit 3")
+untold <- caught(read_measured_tracks("spots.csv"))
+stopifnot(identical(conditionMessage(untold), "spots.csv: give frame_interval S, or time_unit s"), untold$exit_code == 3)
+stopifnot(grepl("names are expected", tryCatch(read_measured_tracks("spots.csv", columns = "x"), error = conditionMessage)))

@@ -137,6 +137,16 @@ other <- failed(run_matrigrate(scenario, out = "a run"))
 stopifnot(other$exit_code == 5, grepl("holds another run", conditionMessage(other)))
 stopifnot(failed(call_matrigrate("rnu"))$exit_code == 2, any(grepl("soft", call_matrigrate("list"))))
 
+# Measured tracks of another program, with its units told; a message of the program in the words of R.
+spots <- c("Cell no.;frame;x;y", sprintf("%d;%d;%d,5;%d", rep(1:2, each = 5), 0:4, 3 * (0:4), 4 * (0:4)))
+writeLines(spots, "spots.csv")
+measured <- suppressMessages(read_measured_tracks("spots.csv", pixel = 0.5, frame_interval = 60, columns = c(track = "Cell no.")))
+stopifnot(
+  identical(names(measured), c("id", "t_s", "x_um", "y_um")), nrow(measured) == 10, measured$t_s == 60 * (0:4), attr(measured, "interval_s") == 60,
+  all.equal(sqrt(diff(measured$x_um[1:5])^2 + diff(measured$y_um[1:5])^2), rep(2.5, 4))
+)
+refused("frame_interval", read_measured_tracks("spots.csv", pixel = 0.5, columns = c(track = "Cell no.")))
+
 # What the package has of its own agrees with the project: version, read-outs, columns of its examples, functions when sourced.
 stopifnot(identical(
   as.character(utils::packageVersion("matrigrate")),

@@ -1,0 +1,43 @@
+read_measured_tracks <- function(file, pixel = NULL, frame_interval = NULL, time_unit = NULL, columns = NULL, layout = NULL, splits = NULL,
+                                 jitter = NULL, recalibrate = FALSE, shortest = NULL, fewest = NULL, drift = FALSE) {
+  if (!is.character(file) || length(file) != 1) stop("file: the path of a file of tracks is expected", call. = FALSE)
+  if (length(columns) > 0 && (is.null(names(columns)) || any(names(columns) == ""))) {
+    stop("columns: names are expected, as in c(track = \"Track ID\", x = \"east\", y = \"north\")", call. = FALSE)
+  }
+  folder <- tempfile("tracks")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  out <- file.path(folder, "tracks.csv")
+  option <- function(name, value) if (!is.null(value)) c(name, .word(value))
+  printed <- withCallingHandlers(
+    call_matrigrate(
+      "tracks", path.expand(file), "--json", "--resamples", 0, "-o", out, option("--pixel", pixel), option("--interval", frame_interval),
+      option("--time-unit", time_unit), option("--layout", layout), option("--splits", splits), option("--jitter", jitter),
+      option("--shortest", shortest), option("--fewest", fewest), if (recalibrate) "--recalibrate", if (drift) "--drift",
+      unlist(lapply(seq_along(columns), function(i) c("--columns", paste0(names(columns)[i], "=", .word(columns[[i]])))))
+    ),
+    matrigrate_error = function(e) .stop_with(e$exit_code, .as_arguments(conditionMessage(e)))
+  )
+  rows <- .table(out, "track")
+  names(rows)[names(rows) == "track"] <- "id"
+  text <- paste(printed, collapse = "\n")
+  attr(rows, "interval_s") <- as.numeric(sub("(?s).*\"interval_s\": *([^,\\s]+).*", "\\1", text, perl = TRUE))
+  attr(rows, "notes") <- .notes(text)
+  for (note in attr(rows, "notes")) message(note)
+  rows
+}
+
+# A message of the program with the arguments of read_measured_tracks for its options.
+.as_arguments <- function(message) {
+  names <- c("pixel", "interval", "time-unit", "columns", "layout", "splits", "jitter", "recalibrate", "shortest", "fewest")
+  for (name in names) message <- gsub(paste0("--", name, "\\b"), chartr("-", "_", sub("^interval", "frame_interval", name)), message)
+  message
+}
+
+# The notes of a JSON document.
+.notes <- function(text) {
+  quoted <- "\"(?:[^\"\\\\]|\\\\.)*\""
+  list <- regmatches(text, regexpr(paste0("\"notes\": *\\[(?:\\s|,|", quoted, ")*\\]"), text, perl = TRUE))
+  notes <- unlist(regmatches(list, gregexpr(quoted, list, perl = TRUE)))[-1]
+  gsub("\\\\(.)", "\\1", substring(notes, 2, nchar(notes) - 1)) # JSON guards quotes and backslashes
+}
