@@ -2,25 +2,26 @@
 
     from matrigrate import tracks
 
-    cells = tracks.read("spots.csv", pixel=0.65, interval=120)    # um per pixel, s per frame
-    cells.readouts()                                              # value and standard error of each read-out
+    cells = tracks.read("spots.csv", pixel=0.65, frame_interval=120)    # um per pixel, s per frame
+    cells.readouts()                                                    # value and standard error of each read-out
     tracks.of(matrigrate.load("cell-seed1"), interval=120).readouts()
+
+Files are read by the program: ``matrigrate tracks`` is the same reader.
 """
 from __future__ import annotations
 
 import math
 import os
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _motility
+from . import _arguments, _motility, _track_reader
 from ._files import _pandas, unit_of
-from ._track_files import Faults, Position, content
-from .errors import ConfigurationError, InputOutputError
+from .errors import ConfigurationError
 from .results import Run
 from .studies import Study
 
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
 __all__ = ["Tracks", "meaning", "of", "read"]
 
 _off_grid = 0.01  # of an interval
-_longest = 10_000  # intervals of a track
 _resamples = 200  # of the bootstrap
 
 
@@ -43,9 +43,9 @@ class Tracks(Mapping[str, Any]):
     """Tracks at one interval: by the name of a track an array of positions [um], one row an interval, NaN in gaps."""
 
     def __init__(self, positions: Mapping[str, np.ndarray[Any, Any]], interval: float, notes: list[str],
-                 starts: Mapping[str, int] | None = None) -> None:
+                 starts: Mapping[str, float] | None = None) -> None:
         self._positions = dict(positions)
-        self._starts = dict(starts or dict.fromkeys(positions, 0))
+        self._starts = dict(starts or dict.fromkeys(positions, 0.0))  # [s]
         self.interval = interval
         """Time between positions [s]."""
         self.notes = notes
@@ -66,7 +66,7 @@ class Tracks(Mapping[str, Any]):
 
     def table(self) -> pandas.DataFrame:
         """A row a position: ``track``, ``t_s``, ``x_um``, ``y_um``; without gaps."""
-        rows = [(name, (self._starts[name] + k) * self.interval, *track[k]) for name, track in self.items()
+        rows = [(name, self._starts[name] + k * self.interval, *track[k]) for name, track in self.items()
                 for k in np.flatnonzero(np.isfinite(track[:, 0]))]
         return _pandas().DataFrame(rows, columns=["track", "t_s", "x_um", "y_um"])
 
@@ -76,17 +76,22 @@ class Tracks(Mapping[str, Any]):
         many = round(share)
         if many < 1 or abs(share - many) > _off_grid:
             raise ConfigurationError(f"interval: {interval:g} s is no whole multiple of {self.interval:g} s")
-        # Starts in the new interval are rounded: only the removal of drift, which comes before, compares tracks.
         return self if many == 1 else Tracks({name: track[::many] for name, track in self.items()}, interval,
-                                             list(self.notes), {k: round(v / many) for k, v in self._starts.items()})
+                                             list(self.notes), self._starts)
+
+    def _firsts(self) -> dict[str, int]:
+        """Start of each track, in intervals from that of the first one: of a track that is out of step the nearest."""
+        first = min(self._starts.values())
+        return {name: math.floor((start - first) / self.interval + 0.5) for name, start in self._starts.items()}
 
     def drift(self) -> np.ndarray[Any, Any]:
         """Mean step of the tracks that are there at each time, summed up [um]: the drift of the stage, if cells have no
         common direction of their own. With n tracks its error is their mean step over the root of n."""
-        last = max(self._starts[name] + len(track) for name, track in self.items())
+        firsts = self._firsts()
+        last = max(firsts[name] + len(track) for name, track in self.items())
         steps: list[list[Any]] = [[] for _ in range(last - 1)]
         for name, track in self.items():
-            for k, step in enumerate(track[1:] - track[:-1], self._starts[name]):
+            for k, step in enumerate(track[1:] - track[:-1], firsts[name]):
                 if np.isfinite(step[0]):
                     steps[k].append(step)
         means = [np.mean(of, axis=0) if of else np.zeros(2) for of in steps]
@@ -96,8 +101,8 @@ class Tracks(Mapping[str, Any]):
         """The tracks less ``drift()``. It takes a common direction of the cells away, too."""
         if len(self) < 5:
             raise ConfigurationError(f"drift: {len(self)} tracks cannot tell drift from migration; 5 are needed")
-        drift = self.drift()
-        moved = {name: track - drift[self._starts[name]:self._starts[name] + len(track)] for name, track in self.items()}
+        drift, firsts = self.drift(), self._firsts()
+        moved = {name: track - drift[firsts[name]:firsts[name] + len(track)] for name, track in self.items()}
         said = f"a drift of {math.hypot(*drift[-1]):.3g} um from start to end is taken away"
         return Tracks(moved, self.interval, [*self.notes, said], self._starts)
 
@@ -169,34 +174,49 @@ def _resampled(parts: _motility.Parts, error: float, resamples: int) -> list[dic
     return [parts.readouts(random.integers(n, size=n), error) for _ in range(resamples)]
 
 
-def read(file: str | os.PathLike[str], *, pixel: float | None = None, interval: float | None = None, shortest: int = 4,
-         fewest: int = 2, drift: bool = False) -> Tracks:
-    """Tracks from a file of TrackMate (spots as CSV, tracks as XML), celltrackR, napari, trackpy or this program, or any
-    CSV file with columns for track, time, x and y.
+def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_interval: float | None = None,
+         time_unit: str | None = None, columns: Mapping[str, str | int | Sequence[str | int] | None] | None = None,
+         layout: str | None = None, splits: str | None = None, jitter: float | None = None, recalibrate: bool = False,
+         shortest: int = 4, fewest: int = 2, drift: bool = False, interval: float | None = None) -> Tracks:
+    """Tracks from a file of TrackMate (spots as CSV, tracks as XML), Manual Tracking, MTrackJ, MOSAIC, CellProfiler, Imaris,
+    trackpy, btrack, napari, CellTracksColab, celltrackR or this program, or any table with columns for track, time, x and y:
+    what ``matrigrate tracks`` reads.
 
     :param pixel: um per unit of length of the file; only where the file does not state um
-    :param interval: s per frame, or per unit of time of the file; only where the file does not state it
+    :param frame_interval: s per frame; only where the file does not state it
+    :param time_unit: unit of a column of times: ``"ms"``, ``"s"``, ``"min"``, ``"h"`` or ``"d"``; only where the file does not
+        state it
+    :param columns: names of columns, or their numbers from 1, where they are not found by themselves:
+        ``{"track": "Cell no.", "t": 2, "x": "east", "y": "north"}``. Keys are ``track``, ``t``, ``frame``, ``x``, ``y``, ``z``,
+        ``group`` (one or several that tell tracks of the same number apart), ``measured`` and ``made_up`` (whether a position
+        was seen); None for a group or made_up that is there and is not meant
+    :param layout: names of this program only, such as ``"imaris"``
+    :param splits: what is done with tracks that divide or merge: ``"refuse"``, ``"cut"`` before it, or ``"drop"``
+    :param jitter: by how much a step of time may differ from a whole number of intervals, as a share of one; 0.1
+    :param recalibrate: whether ``pixel``, ``frame_interval`` and ``time_unit`` replace what the file states
     :param shortest: tracks of fewer positions are left out, and counted in ``notes``
     :param fewest: fewer tracks than this are refused
     :param drift: whether to take the mean motion of all tracks away
+    :param interval: the older name of ``frame_interval``
     :raises ConfigurationError: with all that is wrong with the file, each with its line
     """
-    path = _arguments.path("file", file, "the path of a file of tracks")
-    for name, value in (("pixel", pixel), ("interval", interval)):
-        if value is not None and not (math.isfinite(value) and value > 0):
-            raise ConfigurationError(f"{name}: {value:g} is no positive number")
-    if path.is_dir():
-        raise InputOutputError(f"{path}: is a folder; tracks.of(matrigrate.load(...)) has the tracks of a run", path)
-    faults = Faults(path)
-    found = content(path, pixel, interval, faults)
-    faults.raise_if_any()
-    tracks = _on_grid(found.positions, shortest, found.notes, faults)
-    if not faults.found and len(tracks) < fewest:
-        faults.add(f"has {len(tracks)} tracks of at least {shortest} positions; {fewest} are needed to tell how cells "
-                   "differ (shortest, fewest)")
-    if not faults.found and all(np.nanmax(np.ptp(_there(track), axis=0)) == 0.0 for track in tracks.values()):
-        faults.add("no track moves: all positions of a track are the same")
-    faults.raise_if_any()
+    if interval is not None and frame_interval is not None:
+        raise ConfigurationError("interval: is the older name of frame_interval; give one of them")
+    options = {"pixel": pixel, "interval": interval if frame_interval is None else frame_interval, "time_unit": time_unit,
+               "columns": columns, "layout": layout, "splits": splits, "jitter": jitter, "recalibrate": recalibrate,
+               "shortest": shortest, "fewest": fewest}
+    found = _track_reader.read(file, options)
+    by_track: dict[str, list[Any]] = {}
+    for name, *row in found["rows"]:
+        by_track.setdefault(name, []).append(row)
+    step, positions, starts = float(found["interval_s"]), {}, {}
+    for name, rows in by_track.items():
+        at = np.array(rows, float)
+        indices = np.round((at[:, 0] - at[0, 0]) / step).astype(int)
+        positions[name] = np.full((indices[-1] + 1, 2), np.nan)
+        positions[name][indices] = at[:, 1:]
+        starts[name] = float(at[0, 0])
+    tracks = Tracks(positions, step, found["notes"], starts)
     return tracks.without_drift() if drift else tracks
 
 
@@ -209,65 +229,25 @@ def of(result: Run | Study, interval: float | None = None) -> Tracks:
         raise TypeError(f"result must be a run or a study, not {type(result).__name__}")
     table = result.tracks if isinstance(result, Run) else result.tracks()
     keys: Any = "track" if isinstance(result, Run) else ["run", "track"]
-    positions, notes, last = [], list[str](), 0
+    found, short, last = {}, 0, 0
     for key, rows in table.groupby(keys, sort=False):
-        name = "/".join(map(str, key if isinstance(key, tuple) else (key,)))
         times = rows["t_s"].to_numpy(float)
         if len(times) > 2 and times[-1] - times[-2] < (1 - _off_grid) * (times[1] - times[0]):
             rows, times, last = rows[:-1], times[:-1], last + 1  # the run ended between two rows
-        positions += [Position(name, *row, 0) for row in
-                      zip(times, rows["x_um"].to_numpy(float), rows["y_um"].to_numpy(float), strict=True)]
-    if last:
-        notes.append(f"{last} last positions are left out: they come less than an interval after the one before")
-    faults = Faults(result.folder)
-    tracks = _on_grid(positions, 2, notes, faults)
-    faults.raise_if_any()
-    return tracks if interval is None else tracks.every(interval)
-
-
-def _on_grid(positions: list[Position], shortest: int, notes: list[str], faults: Faults) -> Tracks:
-    """Tracks at the most frequent step of time. Missing positions are NaN; any other step is a fault."""
-    by_track: dict[str, list[Position]] = defaultdict(list)
-    for position in positions:
-        by_track[position.track].append(position)
-    short = [name for name, own in by_track.items() if len(own) < shortest]
-    for name in short:
-        del by_track[name]
-    if short:
-        notes.append(f"{len(short)} tracks of fewer than {shortest} positions are left out")
-    for own in by_track.values():
-        own.sort(key=lambda position: position.t)
-    steps = Counter(float(f"{after.t - before.t:.6g}") for own in by_track.values()
-                    for before, after in zip(own, own[1:], strict=False) if after.t > before.t)
-    interval = steps.most_common(1)[0][0] if steps else 1.0
-    start = min((own[0].t for own in by_track.values()), default=0.0)
-    result, starts, gaps = {}, {}, 0
-    for name, own in by_track.items():
-        indices, smallest = [0], math.inf
-        for before, after in zip(own, own[1:], strict=False):
-            step = (after.t - before.t) / interval
-            smallest = min(smallest, step)
-            if after.t == before.t:
-                faults.add(f"track {name} has two positions at {after.t:g} s: tracks that split or merge must be cut",
-                           after.line)
-            elif round(step) < 1 or abs(step - round(step)) > _off_grid:
-                faults.add(f"track {name} has a step of {after.t - before.t:g} s, most have {interval:g} s: one interval "
-                           "is needed", after.line)
-            indices.append(indices[-1] + max(1, round(step)))
-        if round(smallest) > 1:
-            faults.add(f"track {name} has steps of {smallest * interval:g} s and more, most tracks have {interval:g} s: "
-                       "one interval is needed", own[1].line)
-        if indices[-1] > _longest:
-            faults.add(f"track {name} spans {indices[-1]} intervals of {interval:g} s; {_longest} are the most", own[-1].line)
+        if len(times) < 2:
+            short += 1
             continue
-        array = np.full((indices[-1] + 1, 2), np.nan)
-        array[indices] = [(position.x, position.y) for position in own]
-        gaps += len(array) - len(own)
-        result[name], starts[name] = array, round((own[0].t - start) / interval)
-    if gaps:
-        notes.append(f"{gaps} positions are missing; gaps are not filled")
-    return Tracks(result, interval, notes, starts)
-
-
-def _there(track: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    return track[np.isfinite(track[:, 0])]
+        name = "/".join(map(str, key if isinstance(key, tuple) else (key,)))
+        found[name] = times, rows[["x_um", "y_um"]].to_numpy(float)
+    steps = Counter(float(f"{step:.6g}") for times, _ in found.values() for step in np.diff(times))
+    common = steps.most_common(1)[0][0] if steps else 1.0
+    for name, (times, _) in found.items():
+        off = [step for step in np.diff(times) if abs(step / common - 1) > _off_grid]
+        if off:
+            raise ConfigurationError(f"{result.folder}: track {name} has a step of {off[0]:g} s, most have {common:g} s: one "
+                                     "interval is needed")
+    notes = [f"{last} last positions are left out: they come less than an interval after the one before"] if last else []
+    notes += [f"{short} tracks of fewer than 2 positions are left out"] if short else []
+    tracks = Tracks({name: at for name, (_, at) in found.items()}, common, notes,
+                    {name: float(times[0]) for name, (times, _) in found.items()})
+    return tracks if interval is None else tracks.every(interval)

@@ -61,7 +61,7 @@ class Files(common.InTemporaryFolder):
         self.same(tracks.read("spots.csv"), 1.0, 60)
 
     def test_other_formats(self):
-        self.same(tracks.read(self.plain("id,t,x,y", "{k},{t},{x},{y}"), pixel=1, interval=1))
+        self.same(tracks.read(self.plain("id,t,x,y", "{k},{t},{x},{y}"), pixel=1, time_unit="s"))
         self.same(tracks.read(self.plain("index,track_id,t,y,x", "0,{k},{n},{y},{x}"), pixel=0.5, interval=120), 0.5)
         self.same(tracks.read(self.plain("y;x;frame;particle", "{y};{x};{n};{k}"), pixel=1, interval=120))
         self.same(tracks.read(self.plain("track,t_s,x_um,y_um", "{k},{t},{x},{y}")))
@@ -77,8 +77,8 @@ class Files(common.InTemporaryFolder):
         found = tracks.read("spots.csv", pixel=1, interval=60)
         self.assertEqual(len(found), 2)
         self.assertTrue(np.isnan(found["0"][3]).all())
-        self.assertEqual(found.notes, ["1 tracks of fewer than 4 positions are left out",
-                                       "1 positions are missing; gaps are not filled"])
+        self.assertEqual(found.notes, ["1 track of fewer than 4 positions is left out",
+                                       "1 position is missing within tracks; gaps are not filled"])
         self.assertEqual(len(found.table()), 15)
 
     def refused(self, words, file, line=None, **options):
@@ -94,25 +94,27 @@ class Files(common.InTemporaryFolder):
 
     def test_units(self):
         self.spots()
-        faults = self.refused("its length is in '(pixel)'; give pixel", "spots.csv")
+        faults = self.refused("POSITION_X and POSITION_Y are in pixel: give pixel=UM", "spots.csv")
         self.assertEqual(len(faults), 2, "length and time, at once")
         self.spots("(micron)", "(sec)")
-        self.refused("pixel = 0.65 contradicts this", "spots.csv", pixel=0.65)
+        self.refused("pixel=0.65 contradicts it", "spots.csv", pixel=0.65)
         self.plain("id,t,x,y", "{k},{t},{x},{y}")
-        self.refused("does not state the unit of length", "plain.csv", interval=1)
+        self.refused("does not state the unit of x and y", "plain.csv", time_unit="s")
+        self.refused("so it counts no frames: give time_unit=", "plain.csv", pixel=1, interval=1)
 
     def test_wrong_files(self):
-        units = {"pixel": 1, "interval": 1}
+        units = {"pixel": 1, "time_unit": "s"}
         row = "{k},{t},{x},{y}"
         self.refused("has no column for x", self.plain("id,t,east,y", row), 1, **units)
-        self.refused("'nan' is no finite number", self.plain("id,t,x,y", row, extra="0,9600,nan,2\n"), 26, **units)
+        for text in ("?", "1_000", "\uff11", "1e999", "inf"):
+            self.refused(f'x: "{text}" is no finite number', self.plain("id,t,x,y", row, extra=f"0,9600,{text},2\n"), 26, **units)
         self.refused("has 3 fields, the header 4", self.plain("id,t,x,y", row, extra="0,9600,2\n"), 26, **units)
         self.refused("step of 60 s, most have 120 s", self.plain("id,t,x,y", row, extra="2,900,1,2\n"), 26, **units)
         self.refused("two positions at 840 s", self.plain("id,t,x,y", row, extra="2,840,1,2\n"), 26, **units)
-        self.refused("spans", self.plain("id,t,x,y", row, extra="2,120000000000,1,2\n"), 26, **units)
-        slow = "".join(f"9,{240 * n},{n},0\n" for n in range(5))
+        self.refused("spans", self.plain("id,t,x,y", row, extra="2,1200000000,1,2\n"), 26, **units)
+        slow = "".join(f"9,{240 * n},{n},0\n" for n in range(12))
         self.refused("has steps of 240 s and more", self.plain("id,t,x,y", row, extra=slow), 27, **units)
-        self.refused("has 1 tracks", self.plain("id,t,x,y", row, cells=1), **units)
+        self.refused("has 1 track of at least 4 positions", self.plain("id,t,x,y", row, cells=1), **units)
         self.refused("no track moves", self.plain("id,t,x,y", "{k},{t},1,2"), **units)
         (self.folder / "empty.csv").touch()
         self.refused("is empty", "empty.csv", **units)
@@ -219,7 +221,7 @@ class BothSides(common.InTemporaryFolder):
                            capture_output=True)
             own = tracks.of(matrigrate.load(common.runs / name), interval=120).readouts(resamples=0)["value"]
             self.assertTrue(math.isfinite(own["speed_um_per_h"]))
-            for file, units in (("tracks_celltrackr.csv", {"pixel": 1, "interval": 1}),
+            for file, units in (("tracks_celltrackr.csv", {"pixel": 1, "time_unit": "s"}),
                                 ("tracks_trackmate.csv", {"pixel": 1, "interval": 60}), ("tracks_trackmate.xml", {})):
                 read = tracks.read(out / file, fewest=1, **units).readouts(120, resamples=0)["value"]
                 np.testing.assert_allclose(read.to_numpy(), own.to_numpy(), rtol=1e-9, err_msg=f"{name} {file}")
