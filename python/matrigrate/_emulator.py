@@ -57,17 +57,23 @@ class Emulator:
     scatter held.
     """
 
-    def __init__(self, cube: Array, values: Array, runs: Array, seed: int = 1) -> None:
-        """:param runs: at each point, whose mean ``values`` has"""
+    def __init__(self, cube: Array, values: Array, runs: Array, seed: int = 1, linear: bool = False) -> None:
+        """:param runs: at each point, whose mean ``values`` has
+        :param linear: whether the process has a linear part beside the smooth one: better of many parameters and few points
+        """
         processes = sklearn()
         kernels = processes.kernels
+        self._offset = 0.5 if linear else 0.0  # the linear part is none in the middle
+        basis = np.column_stack([np.ones(len(cube)), cube - 0.5])
+        cube = cube - self._offset
         self._cube, self._centre, self._scale = cube, float(values.mean()), float(values.std())
         y = (values - self._centre) / self._scale
         smooth = kernels.ConstantKernel(1.0, (1e-3, 1e2)) * kernels.RBF(np.full(cube.shape[1], 0.5), (0.1, 10.0))
+        if linear:
+            smooth += kernels.ConstantKernel(0.3, (1e-4, 1e2)) * kernels.DotProduct(0.0, "fixed")
         first = self._fitted(processes, smooth + kernels.WhiteKernel(0.3, (1e-4, 2.0)), 1e-8, y, seed)
         share = 1.0 / runs
         left_out, _ = _left_out(first.kernel_(cube), y)
-        basis = np.column_stack([np.ones(len(cube)), cube - 0.5])
         sizes = np.log(np.maximum(left_out**2, 1e-12) / share) + _euler
         ridge = np.diag([0.0] + [0.02 * len(cube)] * cube.shape[1])
         self._scatter = np.linalg.solve(basis.T @ basis + ridge, basis.T @ sizes)
@@ -79,6 +85,8 @@ class Emulator:
         """Share of the variance of points that the others predict; the rest is scatter and what the emulator misses."""
         self.coverage = float(np.mean(np.abs(left_out) <= 1.645 * errors))
         """Share of points within the 90 % interval that the others predict."""
+        self.values, self.left_out = values, self._centre + self._scale * (y - left_out)
+        """Of points, and as the others predict them."""
 
     def _fitted(self, processes: Any, kernel: Any, alpha: Any, y: Array, seed: int) -> Any:
         process = processes.GaussianProcessRegressor(kernel, alpha=alpha, random_state=seed)
@@ -88,9 +96,13 @@ class Emulator:
 
     def __call__(self, cube: Array) -> tuple[Array, Array]:
         """Mean of the read-out, and the standard error of this mean."""
-        mean, error = zip(*(self._process.predict(part, return_std=True)
+        mean, error = zip(*(self._process.predict(part - self._offset, return_std=True)
                             for part in np.array_split(cube, max(1, len(cube) // 5000))), strict=True)
         return self._centre + self._scale * np.concatenate(mean), self._scale * np.concatenate(error)
+
+    @property
+    def parameters(self) -> int:
+        return int(self._cube.shape[1])
 
     def scatter(self, cube: Array) -> Array:
         """Standard deviation of one run."""
@@ -99,7 +111,7 @@ class Emulator:
 
     def drawn(self, cube: Array, draws: int, random: np.random.Generator) -> Array:
         """Functions that the simulations allow, a row each."""
-        mean, covariance = self._process.predict(cube, return_cov=True)
+        mean, covariance = self._process.predict(cube - self._offset, return_cov=True)
         root = np.linalg.cholesky(covariance + 1e-6 * np.eye(len(cube)) * max(1e-3, covariance.max()))
         return np.asarray(self._centre + self._scale * (mean + random.standard_normal((draws, len(cube))) @ root.T))
 

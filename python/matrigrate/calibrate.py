@@ -18,7 +18,9 @@ import numpy as np
 from . import tracks as _tracks
 from ._files import _pandas
 from ._fit import Emulators, Fit, emulate, fit, varied
+from ._match import Match, Wave, match
 from ._measurement import differences, measurement, require_study, simulated, size_faults
+from ._outcomes import Outcome
 from ._posterior import at_bound, bound_note, constrained_width
 from .errors import ConfigurationError
 from .studies import Study
@@ -26,7 +28,7 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Emulators", "Fit", "Posterior", "by_tracks", "emulate", "fit", "weigh"]
+__all__ = ["Emulators", "Fit", "Match", "Outcome", "Posterior", "Wave", "by_tracks", "emulate", "fit", "match", "weigh"]
 
 _least_sample = 20.0
 
