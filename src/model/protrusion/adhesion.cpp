@@ -7,6 +7,8 @@ namespace matrigrate {
 
 namespace {
 
+constexpr double rounding = 1e-9; // of the length of an adhesion that has just formed [um]
+
 Kernel adhesion_kernel(const Parameters& p) { return Kernel(p.adhesion.spread * p.ecm.smoothing_length); }
 
 } // namespace
@@ -42,6 +44,14 @@ double adhesion_force(const CortexState& c, const Protrusion& protrusion, const 
   return point == nullptr ? 0.0 : adhesion_force((*point - c.x[protrusion.centre]).norm(), p);
 }
 
+double lengthening(const CortexState& c, const Protrusion& protrusion, const EcmState& ecm,
+                   const PointWeights& weights) {
+  const Vec2* point = anchor(protrusion.phase);
+  if (point == nullptr) return 0.0;
+  const Vec2 speed = interpolate(weights, ecm.v) - c.v[protrusion.centre];
+  return speed.dot((*point - c.x[protrusion.centre]).normalized());
+}
+
 PointWeights hold_weights(const Vec2& point, const EcmState& ecm, const Parameters& p) {
   return solid_weights(ecm, adhesion_kernel(p), point);
 }
@@ -74,8 +84,9 @@ void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParamete
     const Vec2* point = anchor(cell.protrusions[n].phase);
     if (point == nullptr) continue;
     const Vec2 L = *point - cell.cortex.x[cell.protrusions[n].centre];
-    const double F = adhesion_force(L.norm(), p);
-    if (F <= 0.0) continue;
+    const double slack = p.rest_length - L.norm();
+    if (slack > rounding && slack >= dt * lengthening(cell.cortex, cell.protrusions[n], ecm, weights[n])) continue;
+    const double F = -p.stiffness * slack;
     const Vec2 e = L.normalized();
     const std::uint32_t tip = first + cell.protrusions[n].centre;
     force[tip] += F * e;
@@ -88,7 +99,7 @@ void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParamete
       A.directed.close(dt * stiffness);
     };
     resist(e, p.stiffness);
-    resist(perpendicular(e), F / L.norm());
+    if (F > 0.0) resist(perpendicular(e), F / L.norm());
   }
 }
 

@@ -48,10 +48,17 @@ Vec2 reference_position(const Vec2& point, const PointWeights& weights, const Ec
 /// Force of the adhesion of a protrusion now; 0 without one [nN].
 double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p);
 
+/// Speed at which the adhesion of a protrusion lengthened in the last step; 0 without one [um/s].
+/// @param weights  of its anchor
+double lengthening(const CortexState& c, const Protrusion& protrusion, const EcmState& ecm,
+                   const PointWeights& weights);
+
 /// How the anchor of each protrusion of a cell hangs in the solid; empty for those without.
 std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, const Parameters& p);
 
-/// Adds the adhesion forces on centre particles, and their reactions on the solid; linearly implicit.
+/// Adds the adhesion forces on centre particles, and their reactions on the solid; linearly implicit. An adhesion that
+/// has just formed, or that would be taut after dt if it went on as in the last step, counts as taut: as if slack, it
+/// would be stretched by all that the tip moves in the step.
 /// @param weights  from anchor_weights()   @param first  node of particle 0 of the cortex   @param force  of all nodes
 ///                 [nN]
 void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p,

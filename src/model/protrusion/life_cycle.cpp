@@ -26,22 +26,27 @@ struct Table {
     return handover(phase, f_mat, now.force, p);
   }
 
+  /// Whether a phase has lasted so long; phases end at the end of a step, as early as late.
+  bool lasted(double time) const { return now.age >= time - 0.5 * dt; }
+
   bool lost() const { return now.support < p.adhesion.least_support; }
 
   Transition operator()(const Growing& phase) const {
-    if (now.age < p.protrusion.growth_time) return {};
+    if (!lasted(p.protrusion.growth_time)) return {};
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::unadhered);
     return to(Maturing{.direction = phase.direction, .anchor = now.ahead, .held = now.held});
   }
 
   Transition operator()(const Maturing& phase) const {
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::lost);
-    if (now.age >= p.adhesion.maturation_time) return to(contracting(phase));
+    if (lasted(p.adhesion.maturation_time)) return to(contracting(phase));
     if (step_done(phase.steps, now.force, now.recoil, p)) {
       Maturing next = phase;
       ++next.steps;
-      next.last_step = now.age;
-      return to(next);
+      Transition step = to(next);
+      step.waited = std::min(now.age, time_since_done(phase.steps, now.force, now.loading, p, dt));
+      std::get<Maturing>(step.next).last_step = now.age - step.waited;
+      return step;
     }
     return {};
   }
@@ -58,7 +63,7 @@ struct Table {
   }
 
   Transition operator()(const Finishing&) const {
-    if (now.age < p.protrusion.finishing_time) return {};
+    if (!lasted(p.protrusion.finishing_time)) return {};
     return {.changes = true, .ends = true, .next = {}, .cause = EndCause::none};
   }
 };
@@ -107,12 +112,16 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
   const bool growing = std::holds_alternative<Growing>(protrusion.phase);
   if (const auto* maturing = std::get_if<Maturing>(&protrusion.phase))
     found.recoil = -cell.cortex.v[protrusion.centre].dot(maturing->direction);
-  if (growing && found.age >= p.protrusion.growth_time) {
+  if (growing && found.age >= p.protrusion.growth_time - 0.5 * dt) {
     const PointWeights weights = hold_weights(found.ahead, ecm, p);
     found.support = weights.support;
     found.held = reference_position(found.ahead, weights, ecm);
   }
-  if (!growing) found.support = hold_weights(protrusion.phase, ecm, p).support;
+  if (!growing) {
+    const PointWeights weights = hold_weights(protrusion.phase, ecm, p);
+    found.support = weights.support;
+    found.loading = p.adhesion.stiffness * lengthening(cell.cortex, protrusion, ecm, weights);
+  }
   return found;
 }
 
@@ -136,6 +145,7 @@ void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, con
         relax_rest_lengths(cell.cortex, protrusion.centre, p.protrusion);
       protrusion.since = now.t;
     }
+    protrusion.since += change.waited;
     protrusion.phase = change.next;
     alive.push_back(protrusion);
   }

@@ -11,6 +11,7 @@ namespace matrigrate {
 struct Circumstances {
   double age = 0.0;          ///< time in the present phase [s]
   double force = 0.0;        ///< of the adhesion [nN]
+  double loading = 0.0;      ///< rate of that force while the adhesion is taut [nN/s]
   double recoil = 0.0;       ///< speed of the tip of a maturing protrusion towards its base [um/s]
   double support = 0.0;      ///< share of solid around the anchor; when growth ends, around the point to adhere to [-]
   Vec2 ahead = Vec2::Zero(); ///< the point to adhere to, l_0,adh ahead of the tip [um]
@@ -23,6 +24,7 @@ struct Transition {
   bool changes = false;
   bool ends = false; ///< its particles are free again; `next` does not matter
   Phase next;
+  double waited = 0.0;             ///< time since it was due, which does not count as part of the phase [s]
   EndCause cause = EndCause::none; ///< set where an adhesion ends or is not found
 };
 

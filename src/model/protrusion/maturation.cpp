@@ -46,6 +46,12 @@ bool step_done(int steps, double F, double recoil, const Parameters& p) {
   return steps > 0 || p.adhesion.rest_speed <= 0.0 || recoil <= p.adhesion.rest_speed;
 }
 
+double time_since_done(int steps, double F, double loading, const Parameters& p, double dt) {
+  const double excess = F - step_force(steps, p);
+  if (excess < dt * loading) return excess / loading;
+  return steps == 0 ? dt : 0.0;
+}
+
 double final_f_mat(int steps, double last_step, double F, const Parameters& p) {
   const double part = steps > 0 ? std::clamp((p.adhesion.maturation_time - last_step) * steps / last_step, 0.0, 1.0)
                                 : std::clamp(F / step_force(0, p), 0.0, 1.0);

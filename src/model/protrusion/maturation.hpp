@@ -30,6 +30,12 @@ double step_force(int steps, const Parameters& p);
 /// @param F  force of the adhesion [nN]   @param recoil  speed of the tip towards its base [um/s]
 bool step_done(int steps, double F, double recoil, const Parameters& p);
 
+/// How long ago the running step, which is done, was done: since the force passed step_force() within the step of dt.
+/// Or, if it is the first one and the force has been there for longer, since the recoil was over: it is known as the
+/// mean speed of a step, so that is dt on average [s].
+/// @param loading  rate of F in the step [nN/s]
+double time_since_done(int steps, double F, double loading, const Parameters& p, double dt);
+
 /// f_mat at the end of maturation: 0.1 (steps done + the part of the running one), at least that of the body, at most 1
 /// [-]. The part of the running step is the time since the last one over the mean time of those done, at most 1, so
 /// that this is the paper's 0.1 T_mat over the mean time of a step where steps come evenly; without a step, the part of

@@ -106,6 +106,29 @@ TEST(Adhesions, AreNothingWhileSlack) {
   EXPECT_EQ(a.A.directed.size(), 0U);
 }
 
+// Otherwise the first step would stretch a new adhesion by all that its tip moves.
+TEST(Adhesions, ResistFromTheirFirstStepAndWhereTheyBecomeTaut) {
+  const Parameters p = small_matrix();
+  Scene s = pulling(p);
+  const Vec2 e(1.0, 0.0);
+  const auto at = [&](double length, double tip_speed) {
+    std::get<Contracting>(s.cell.protrusions[0].phase).anchor = s.cell.cortex.x[0] + length * e;
+    s.cell.cortex.v[0] = -tip_speed * e;
+    return adhesions(s, p);
+  };
+  const auto resistance = [&](const Assembled& a) { // to the tip's motion along the adhesion [nN s/um]
+    std::vector<Vec2> v(a.force.size(), Vec2::Zero());
+    v[s.node(0)] = e;
+    return drag_force(a.A, v)[s.node(0)].x();
+  };
+  EXPECT_NEAR(resistance(at(5.0 - 1e-12, 0.0)), time_step * p.adhesion.stiffness, 1e-9) << "it has just formed";
+  const Assembled soon = at(4.9, 0.3); // taut after 0.33 s of 0.4 s
+  EXPECT_NEAR(resistance(soon), time_step * p.adhesion.stiffness, 1e-9);
+  EXPECT_NEAR(soon.force[s.node(0)].x(), -0.1 * p.adhesion.stiffness, 1e-9)
+      << "so that it bears 2 (0.12 - 0.1) nN then";
+  EXPECT_EQ(at(4.9, 0.2).A.directed.size(), 0U) << "still slack then";
+}
+
 TEST(Adhesions, AreFullyImplicit) {
   const Parameters p = small_matrix();
   Scene s = pulling(p);

@@ -32,7 +32,7 @@ Next expect_to(const Transition& change, EndCause cause = EndCause::none) {
 
 TEST(Transition, GrowthLastsTProtAndThenAdheresAhead) {
   const Parameters p;
-  EXPECT_FALSE(transition(Growing{d}, quiet(399.9), p, time_step).changes);
+  EXPECT_FALSE(transition(Growing{d}, quiet(399.7), p, time_step).changes);
   const auto next = expect_to<Maturing>(transition(Growing{d}, quiet(400.0), p, time_step));
   EXPECT_EQ(next.anchor, site);
   EXPECT_EQ(next.direction, d);
@@ -59,6 +59,26 @@ TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
   EXPECT_EQ(next.anchor, site);
   now.force = 10.0;
   EXPECT_FALSE(transition(Maturing{d, site, max_maturation_steps}, now, p, time_step).changes);
+}
+
+TEST(Transition, AMaturationStepCountsFromWhenItsForceWasReached) {
+  const Parameters p;
+  Circumstances now = quiet(100.0);
+  now.loading = 0.001;
+  now.force = step_force(2, p) + 0.002;
+  const Transition change = transition(Maturing{d, site, 2}, now, p, 5.0);
+  EXPECT_NEAR(change.waited, 2.0, 1e-9);
+  EXPECT_NEAR(expect_to<Maturing>(change).last_step, 98.0, 1e-9);
+}
+
+TEST(Transition, PhasesEndAsEarlyAsLate) {
+  const Parameters p;
+  EXPECT_FALSE(transition(Growing{d}, quiet(397.0), p, 5.0).changes);
+  EXPECT_TRUE(transition(Growing{d}, quiet(398.0), p, 5.0).changes);
+  EXPECT_FALSE(transition(Maturing{d, site, 4, 500.0}, quiet(597.0), p, 5.0).changes);
+  expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, quiet(598.0), p, 5.0));
+  EXPECT_FALSE(transition(Finishing{0.7}, quiet(397.0), p, 5.0).changes);
+  EXPECT_TRUE(transition(Finishing{0.7}, quiet(398.0), p, 5.0).ends);
 }
 
 TEST(Transition, TheSpeedOfRecoilIsThatOfTheTipTowardsItsBase) {
@@ -130,7 +150,7 @@ TEST(Transition, RuptureIsCertainAboveItsForce) {
 
 TEST(Transition, FinishingLastsTFinishAndFreesTheParticles) {
   const Parameters p;
-  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.9), p, time_step).changes);
+  EXPECT_FALSE(transition(Finishing{0.7}, quiet(399.7), p, time_step).changes);
   EXPECT_TRUE(transition(Finishing{0.7}, quiet(400.0), p, time_step).ends);
 }
 
@@ -178,9 +198,9 @@ TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
   EXPECT_NEAR(s.cell.protrusions[0].record.direction, std::atan2(direction.y(), direction.x()), 1e-12);
   EXPECT_EQ(s.cell.protrusions[0].record.length, protrusion_length(s.cell.cortex, 100, p.protrusion));
   std::get<Maturing>(s.cell.protrusions[0].phase).anchor += 0.05 * outward(s, 100); // 0.1 nN
-  until(1000.0);
+  until(1000.4); // the first step waited for rest, a step of 0.4 s that does not count
   ASSERT_TRUE(std::holds_alternative<Contracting>(s.cell.protrusions.at(0).phase));
-  EXPECT_NEAR(s.cell.protrusions[0].record.t_mature, 1000.0, 1e-9);
+  EXPECT_NEAR(s.cell.protrusions[0].record.t_mature, 1000.4, 1e-9);
   EXPECT_NEAR(s.cell.protrusions[0].record.f_mat, 0.2, 1e-12); // one early step: the running one counts as done
   until(1002.0);
   ASSERT_TRUE(std::holds_alternative<Finishing>(s.cell.protrusions.at(0).phase));

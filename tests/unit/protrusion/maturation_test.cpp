@@ -66,6 +66,17 @@ TEST(Maturation, TheFirstStepWaitsUntilTheRecoilOfGrowthIsOver) {
   EXPECT_TRUE(step_done(0, 0.06, 10.0, p)) << "at any speed";
 }
 
+TEST(Maturation, TellsHowLongAgoAStepWasDone) {
+  const Parameters p;
+  const double F = step_force(2, p);
+  EXPECT_DOUBLE_EQ(time_since_done(2, F, 0.001, p, 5.0), 0.0);
+  EXPECT_NEAR(time_since_done(2, F + 0.003, 0.001, p, 5.0), 3.0, 1e-12);
+  EXPECT_EQ(time_since_done(2, F + 0.006, 0.001, p, 5.0), 0.0) << "it was not the force that it waited for";
+  EXPECT_EQ(time_since_done(2, F + 0.003, -0.001, p, 5.0), 0.0);
+  EXPECT_EQ(time_since_done(0, 0.07, 0.001, p, 5.0), 5.0) << "the first one waited for rest";
+  EXPECT_NEAR(time_since_done(0, step_force(0, p) + 0.003, 0.001, p, 5.0), 3.0, 1e-12);
+}
+
 TEST(Maturation, EndsAtTheStepsDoneAndTheShareOfTheRunningOneByTime) {
   const Parameters p;                                   // T_mat = 600 s
   EXPECT_DOUBLE_EQ(final_f_mat(3, 450.0, 0.0, p), 0.4); // 150 s a step: the paper's 0.1 x 600/150
