@@ -30,7 +30,7 @@ inline constexpr std::array<KeyBefore, 11> before_their_keys{{{"cell.centre_of_m
                                                               {"contact.body_fluid_share", "contact.fluid_share"},
                                                               {"adhesion.pinned_particles", "3"},
                                                               {"adhesion.maturation_strands", "1"},
-                                                              {"degradation.rear_share", "1"},
+                                                              {"degradation.body_rear_share", "1"},
                                                               {"degradation.smaller_share", "1"}}};
 
 /// A value of the table as it stands in a scenario file with these parameters.

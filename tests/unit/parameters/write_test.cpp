@@ -130,7 +130,7 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
                         || row.path == "adhesion.spread" || row.path == "adhesion.handover_time"
                         || row.path == "adhesion.handover_share" || row.path == "adhesion.pinned_particles"
                         || row.path == "adhesion.maturation_strands" || row.path == "contact.body_fluid_share"
-                        || row.path == "degradation.rear_share" || row.path == "degradation.smaller_share";
+                        || row.path == "degradation.body_rear_share" || row.path == "degradation.smaller_share";
     const std::string value = row.unit == "rad" ? "1.0471975511965976" : value_text(row, {}); // not in degrees here
     EXPECT_EQ(text.find(std::string(row.path) + " = " + value + "\n") == std::string::npos, beyond) << row.path;
   }
