@@ -12,6 +12,7 @@ import numpy as np
 from . import _arguments
 from ._files import _pandas, read_text
 from ._measurement import lost
+from ._study_file import key_of
 from .errors import ConfigurationError
 from .studies import Study
 
@@ -115,8 +116,9 @@ def _of_study(study: Study) -> tuple[pandas.DataFrame, list[str], list[str]]:
     set_by_conditions = {key for one in conditions for key in one if key != "label"}
     results = study.results
     done = results[results["status"] == "done"].reset_index(drop=True)
-    parameters = [name for name in study.parameters if results[name].dtype != object
-                  and not any(name == key or name.startswith(key + "_") for key in set_by_conditions)]
+    parameters = [name for name in study.parameters if key_of(name) not in set_by_conditions]
+    if texts := [name for name in parameters if results[name].dtype == object]:
+        raise ConfigurationError("\n".join(f"{name}: only numbers can be matched" for name in texts))
     labels = sorted((one["label"] for one in conditions), key=len, reverse=True)
     frame = done.drop(columns=["run", "seed", "replicate"])
     frame["condition"] = [next((label for label in labels if text.startswith(f"{label}: ")), "") for text in done["label"]]

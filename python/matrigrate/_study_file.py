@@ -27,7 +27,8 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     :raises InputOutputError: if the file is there already
     """
     source = like.folder / "study.resolved.toml" if isinstance(like, Study) else Path(like)
-    named = {column: _key_of(column, keys) for column in points}
+    named = {column: keys.get(column) or key_of(column) for column in points}
+    named = {column: key if key in _schema.parameters() else "" for column, key in named.items()}
     if unknown := [f"{column}: is no parameter; keys={{\"{column}\": \"ecm.youngs_modulus\"}} names the one that is meant"
                    for column, key in named.items() if not key]:
         raise ConfigurationError("\n".join(unknown))
@@ -51,16 +52,13 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
 
 
 def _next_wave(text: str) -> int:
-    """One more than the largest number in the labels "wave 2, point 1" of the points that were left out."""
+    """One more than the number that ``_without_points`` put at the head."""
     return max((int(number) for number in re.findall(r"^# after wave (\d+)$", text, re.MULTILINE)), default=1) + 1
 
 
-def _key_of(column: str, keys: Mapping[str, str]) -> str:
-    """The path of a parameter, from the column of a table, which may end in a unit."""
-    known = _schema.parameters()
-    if column in keys:
-        return keys[column] if keys[column] in known else ""
-    return max((path for path in known if column == path or column.startswith(f"{path}_")), key=len, default="")
+def key_of(column: str) -> str:
+    """The path of a parameter, from the column of a table of a study, which may end in a unit; empty if there is none."""
+    return max((path for path in _schema.parameters() if column == path or column.startswith(f"{path}_")), key=len, default="")
 
 
 def _value(key: str, value: float) -> str:

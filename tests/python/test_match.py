@@ -12,6 +12,7 @@ import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matrigrate import _outcomes, _space, calibrate  # noqa: E402
+from matrigrate._study_file import key_of  # noqa: E402
 from matrigrate.calibrate import Outcome  # noqa: E402
 
 prior = {"a": (0.0, 1.0), "b": (1.0, 10.0, "log"), "c": (0.0, 1.0)}
@@ -279,6 +280,17 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         with self.assertRaises(matrigrate.ConfigurationError):
             match.write_study("bad.toml", 3, "wave-1.toml", keys=keys | {"b": "ecm.poissons_ratio"})
         self.assertFalse((self.folder / "bad.toml").exists(), "what the program refuses is not kept")
+
+    def test_columns_of_parameters(self):
+        for column, key in (("contact.cells.adhesion_range_um", "contact.cells.adhesion_range"), ("ecm.youngs_modulus_Pa", "ecm.youngs_modulus"),
+                            ("contact.cells.adhesion_Pa", "contact.cells.adhesion"), ("protrusion.number", "protrusion.number"), ("zeta", "")):
+            self.assertEqual(key_of(column), key)
+
+    def test_a_design_over_choices_is_refused(self):
+        study = matrigrate.load_study(common.runs / "study")
+        study.results["ecm.youngs_modulus_Pa"] = ["tied", "free", "tied", "free"]
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "ecm.youngs_modulus_Pa: only numbers can be matched"):
+            calibrate.match(study, [Outcome("n_protrusions", 3, error=1)])
 
     def test_studies_by_condition(self):
         study = matrigrate.load_study(common.runs / "study")
