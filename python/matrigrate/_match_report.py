@@ -22,7 +22,6 @@ def page(match: Match) -> str:
     """report.html: it needs no other file and no network."""
     notes = "".join(f"<li>{html.escape(note)}</li>" for note in match.notes) or "<li>none</li>"
     fitted, held = match.outcomes[~match.outcomes["held_back"]], match.outcomes[match.outcomes["held_back"]]
-    against = match.exclusions[~match.exclusions["both"]].set_index("a")
     rows = f"at most {match.allowed} rows are" if match.allowed else "no row is"
     return f"""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -32,16 +31,15 @@ def page(match: Match) -> str:
 {_figure(lambda: _share_figure(match), "Share of the prior that is plausible after each wave") if len(match.waves) > 1 else ""}
 <h2>Parameters</h2>
 {_table(_ranges(match))}
-<p><small>Plausible range of each parameter after each wave, its middle, and the best point: the one whose rows are least off in the mean square.</small></p>
+<p><small>Of each parameter the quantiles of what is plausible after each wave, the last one's middle, and the best point: the one whose rows are least off in
+the mean square. ranges.csv has the ends of what is plausible.</small></p>
 {_figure(lambda: _corner(match), "Plausible points over each parameter and pair: the darker, the later the wave; the best point in red")}
 <h2>Rows</h2>
 {_table(match.rows)}
 <p><small><i>plausible</i>: share of the prior where this row is not off by {match.cutoff:g} standard errors. <i>least</i>: the least implausibility within the
 prior. <i>point</i>: at the best point.</small></p>
 <h2>Rows that exclude each other</h2>
-{_table(against) if len(against) else "<p>Each pair of rows has points that satisfy both.</p>"}
-<p><small>No point within the prior satisfies both. <i>least</i>: the least that the worse of the two is off, in standard errors; <i>alone</i>: the same of
-each by itself.</small></p>
+{_exclusions(match)}
 <h2>Outcomes that were fitted</h2>
 {_outcome_part(match, fitted)}
 <h2>Outcomes that were held back</h2>
@@ -58,6 +56,15 @@ each by itself.</small></p>
 """
 
 
+def _exclusions(match: Match) -> str:
+    against = match.exclusions[~match.exclusions["both"]].set_index("a")
+    if not len(against):
+        return "<p>Each pair of rows has points that satisfy both.</p>"
+    return f"""{_table(against)}
+<p><small>No point within the prior satisfies both. <i>least</i>: the least that the worse of the two is off, in standard errors; <i>alone</i>: the same of
+each by itself.</small></p>"""
+
+
 def _shares(match: Match) -> str:
     said = [f"{wave.share:.2g} after {wave.points} points" if wave.share else f"nothing after {wave.points} points" for wave in match.waves]
     return f"Share of the prior that is plausible: {', '.join(said)}."
@@ -67,8 +74,8 @@ def _ranges(match: Match) -> pandas.DataFrame:
     table = match.waves[-1].ranges[[]].copy()
     table["prior_low"], table["prior_high"] = match.prior.low, match.prior.high
     for k, wave in enumerate(match.waves, 1):
-        table[f"wave {k}: low"], table[f"wave {k}: high"] = wave.ranges["low"], wave.ranges["high"]
-    table["middle"], table["best"] = match.waves[-1].ranges["50"], match.best
+        table[f"wave {k}: 5 %"], table[f"wave {k}: 95 %"] = wave.ranges["5"], wave.ranges["95"]
+    table["50 %"], table["best"] = match.waves[-1].ranges["50"], match.best
     return table
 
 
@@ -96,6 +103,8 @@ def _corner(match: Match) -> Any:
                 ax.set_axis_off()
                 continue
             for wave, colour in zip(match.waves, colours, strict=True):
+                if not len(wave.cube):
+                    continue
                 if row == column:
                     ax.hist(wave.cube[:, row], np.linspace(0, 1, 21), color=colour, density=True, alpha=0.8)
                 else:

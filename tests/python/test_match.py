@@ -124,6 +124,9 @@ class Rows(unittest.TestCase):
         first = match.exclusions.iloc[0]
         self.assertEqual({first["a"], first["b"]}, {"half", "most"})
         self.assertFalse(first["both"])
+        from matrigrate._match_report import page
+
+        self.assertIn("No point within the prior satisfies both.", page(match), "the page of nothing plausible")
         self.assertGreater(first["least"], 3)
         self.assertLess(max(first["alone_a"], first["alone_b"]), 1)
         self.assertTrue(match.exclusions["both"][1:].all())
