@@ -2,6 +2,7 @@
 
 #include "apps/terminal/text_table.hpp"
 #include "study/comparison.hpp"
+#include "study/names.hpp"
 
 #include <fmt/format.h>
 
@@ -40,10 +41,10 @@ std::string sets_text(const study::Study& study, const std::vector<study::Discre
 }
 
 /// "rupture true"; of Morris' design the factor alone.
-std::string title(const study::Study& study, const study::Effect& e) {
+std::string title(const study::Names& names, const study::Effect& e) {
   std::string value = e.value;
   std::erase(value, '"');
-  return study::factor_label(study, e.factor) + (value.empty() ? "" : " " + value);
+  return names.of(e.factor) + (value.empty() ? "" : " " + value);
 }
 
 /// "0.5 (0.1 to 0.9)"
@@ -70,11 +71,12 @@ std::string effects_text(const study::Study& study, std::span<const study::Effec
     return what + ": none is defined yet\n\n";
   std::vector<std::string> head{"factor"};
   std::vector<Line> lines;
+  const study::Names names(study);
   for (const study::Effect& e : all) {
     const std::string column = e.condition ? study.conditions[*e.condition].label : morris ? "mu*" : "effect";
     if (head.size() == 1 + e.condition.value_or(0)) head.push_back(column);
-    auto line = std::ranges::find(lines, title(study, e), &Line::title);
-    if (line == lines.end()) line = lines.insert(line, {title(study, e), 0.0, {}});
+    auto line = std::ranges::find(lines, title(names, e), &Line::title);
+    if (line == lines.end()) line = lines.insert(line, {title(names, e), 0.0, {}});
     line->cells.push_back(cell(study, e));
     if (e.rank > 0) line->size = std::max(line->size, std::abs(e.ranked().value));
   }

@@ -2,7 +2,7 @@
 #include "parameters/schema.hpp"
 #include "parameters/units.hpp"
 #include "study/comparison.hpp"
-#include "study/design/sweep.hpp"
+#include "study/names.hpp"
 #include <fmt/format.h>
 
 #include "statistics/bootstrap.hpp"
@@ -203,13 +203,6 @@ Screening screening(const Study& study, const std::vector<Result>& results) {
   return found;
 }
 
-std::string factor_label(const Study& study, const std::string& factor) {
-  const std::string key(factor.substr(factor.rfind('.') + 1));
-  for (const Step& step : study.steps)
-    if (step.factor != factor && step.factor.ends_with("." + key)) return factor;
-  return key;
-}
-
 std::string set_text(const Study& study, std::size_t set) {
   const FactorSet& one = study.sets[set];
   const bool counted = one.label.starts_with("sample ") || one.label.starts_with("trajectory ");
@@ -222,7 +215,7 @@ std::string set_text(const Study& study, std::size_t set) {
     const units::Quantity quantity = units::parse_quantity(bare);
     s.value = fmt::format("{:g} {}", std::stod(fmt::format("{:.3g}", std::stod(quantity.number))), quantity.unit);
   }
-  return label_of(rounded);
+  return label_of(rounded, Names(study));
 }
 
 std::string point_text(const Study& study, std::size_t point) {

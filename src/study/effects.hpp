@@ -63,7 +63,4 @@ std::string point_text(const Study& study, std::size_t point);
 /// True if an effect has enough data for an interval: least_runs trajectories, or replicates.
 bool has_interval(const Study& study, const Effect& effect);
 
-/// "youngs_modulus", or its whole path where two factors of the study end alike.
-std::string factor_label(const Study& study, const std::string& factor);
-
 } // namespace matrigrate::study

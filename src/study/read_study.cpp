@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 namespace matrigrate::study {
 
@@ -199,10 +198,10 @@ private:
       conditions = read_conditions(*tables, m_study.base, m_faults);
     Allowance allowance(m_study.replicates, conditions.size());
     std::vector<Draft> sets = read_sets(allowance);
-    tell_files_apart(sets);
+    for (const ConditionDraft& draft : conditions) m_study.conditions.push_back(draft.condition);
+    name_sets(sets, m_study.conditions);
     check_overlaps(m_table, conditions, m_faults);
     for (const Draft& draft : sets) m_study.sets.push_back({draft.point.label, draft.point.settings});
-    for (const ConditionDraft& draft : conditions) m_study.conditions.push_back(draft.condition);
     std::vector<Draft> points = crossed(std::move(sets), conditions);
     check_points(points);
     for (Draft& draft : points) m_study.points.push_back(std::move(draft.point));
@@ -228,17 +227,8 @@ private:
       take_design(one_at_a_time_sets(*lists, m_study.base, allowance, m_faults));
     if (const auto* ranges = section("morris"))
       take_design(morris_sets(*ranges, m_study.base, m_study.seed, allowance, m_faults));
-    if (drafts.empty()) drafts.push_back({{.label = label_of({}), .settings = {}, .parameters = m_study.base}, {}, {}});
+    if (drafts.empty()) drafts.push_back({{.label = {}, .settings = {}, .parameters = m_study.base}, {}, {}});
     return drafts;
-  }
-
-  /// Files of one name in two folders are called by their whole paths.
-  static void tell_files_apart(std::vector<Draft>& sets) {
-    std::map<std::string, int> count;
-    for (const Draft& draft : sets) ++count[draft.point.label];
-    for (Draft& draft : sets)
-      if (count[draft.point.label] > 1 && draft.point.label == label_of(draft.point.settings))
-        draft.point.label = label_of(draft.point.settings, true);
   }
 
   void read_targets_and_steps() {

@@ -3,6 +3,7 @@
 #include "observe/readout_table.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"
+#include "study/names.hpp"
 
 #include <fmt/format.h>
 
@@ -30,6 +31,15 @@ bool vague(const statistics::Interval& interval, double about) {
 /// Whether an interval lies wholly on the other side of a limit than stated.
 bool opposes(Sign stated, const statistics::Interval& interval, double limit = 0.0) {
   return stated == Sign::up ? interval.high < limit : interval.low > limit;
+}
+
+/// Takes a name out of a text, but not the end of a path.
+void drop_name(std::string& text, const std::string& name) {
+  for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;)
+    if (at > 0 && text[at - 1] == '.')
+      at += name.size();
+    else
+      text.erase(at, name.size());
 }
 
 } // namespace
@@ -89,8 +99,11 @@ std::string Judge::shortened(std::string text) const {
       text.replace(at, what.size(), with);
   };
   for (const ReadOutSpec& readout : readout_table()) replace(readout.name, readout.label);
-  for (const auto& [name, ensemble] : m_evidence)
-    for (const std::string& key : swept_keys(ensemble.study)) replace(key.substr(key.rfind('.') + 1) + " ", "");
+  for (const auto& [name, ensemble] : m_evidence) {
+    const Names names(ensemble.study);
+    for (const std::string& key : swept_keys(ensemble.study))
+      if (key.ends_with("." + names.of(key))) drop_name(text, names.of(key) + " "); // whole paths tell two apart
+  }
   for (std::size_t at; (at = text.find(", g ")) != std::string::npos;) text.erase(at, text.find(']', at) + 1 - at);
   return text;
 }

@@ -1,6 +1,7 @@
 #include "study/design/axes.hpp"
 
 #include "parameters/schema.hpp"
+#include "study/names.hpp"
 
 #include <algorithm>
 
@@ -81,9 +82,10 @@ std::vector<Json> places(const Study& study) {
 Json axes_json(const Study& study) {
   if (!is_grid(study)) return label_axes(study);
   Json axes = Json::array();
+  const Names names(study);
   for (const std::string& key : swept_keys(study)) {
     const Row& row = *find_row(key);
-    const std::string_view label = row.symbol.empty() ? key_of(row) : row.symbol;
+    const std::string label = row.symbol.empty() ? names.of(key) : std::string(row.symbol);
     axes.push_back({{"name", key},
                     {"label", label},
                     {"meaning", row.description},

@@ -19,13 +19,6 @@ void leave_out_base(ValueList& list, const Parameters& base) {
   }
 }
 
-/// "force 1 nN"; with the section in front if another list is of a parameter of the same name.
-std::string label_of_value(const ValueList& list, const Setting& setting, const std::vector<ValueList>& all) {
-  const auto same = std::ranges::count_if(all, [&](const ValueList& l) { return key_of(*l.row) == key_of(*list.row); });
-  return same == 1 ? label_of(std::vector<Setting>{setting})
-                   : fmt::format("{}.{}", section_of(*list.row), label_of(std::vector<Setting>{setting}));
-}
-
 } // namespace
 
 Designed one_at_a_time_sets(const toml::table& lists, const Parameters& base, Allowance& allowance, FaultList& faults) {
@@ -47,10 +40,9 @@ Designed one_at_a_time_sets(const toml::table& lists, const Parameters& base, Al
   made.drafts.push_back({{.label = std::string(base_label), .settings = {}, .parameters = base}, place_of(lists), {}});
   for (const ValueList& list : all)
     for (std::size_t k = 0; k < list.settings.size(); ++k) {
-      Draft draft{
-          {.label = label_of_value(list, list.settings[k], all), .settings = {list.settings[k]}, .parameters = base},
-          place_of(*list.nodes[k]),
-          {{std::string(list.row->path), place_of(*list.nodes[k])}}};
+      Draft draft{{.label = {}, .settings = {list.settings[k]}, .parameters = base},
+                  place_of(*list.nodes[k]),
+                  {{std::string(list.row->path), place_of(*list.nodes[k])}}};
       assign(*list.row, given_by(*list.nodes[k]), draft.point.parameters);
       made.steps.push_back({.design = Design::one_at_a_time,
                             .factor = std::string(list.row->path),

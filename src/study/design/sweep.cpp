@@ -1,10 +1,12 @@
 #include "study/design/sweep.hpp"
 
 #include "parameters/node.hpp"
+#include "study/names.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace matrigrate::study {
@@ -50,18 +52,22 @@ std::vector<ValueList> value_lists(const toml::table& table, std::string_view se
   return all;
 }
 
-std::string label_of(const std::vector<Setting>& settings, bool whole) {
-  if (settings.empty()) return "all";
-  std::string label;
-  for (const Setting& s : settings) {
-    std::string value = whole ? s.value : without_folder(s.value);
-    std::erase(value, '"');
-    const Row& row = *find_row(s.key);
-    const std::string_view name =
-        key_of(row) == "number" ? row.symbol : key_of(row); // "number" says of what too little
-    label += fmt::format("{}{} {}", label.empty() ? "" : ", ", name, value);
-  }
-  return label;
+void name_sets(std::vector<Draft>& sets, const std::vector<Condition>& conditions) {
+  std::unordered_set<std::string> keys;
+  const auto take = [&](const std::vector<Setting>& settings) {
+    for (const Setting& s : settings) keys.insert(s.key);
+  };
+  for (const Draft& draft : sets) take(draft.point.settings);
+  for (const Condition& condition : conditions) take(condition.settings);
+  const Names names({keys.begin(), keys.end()});
+  std::vector<Draft*> unnamed;
+  for (Draft& draft : sets)
+    if (draft.point.label.empty()) unnamed.push_back(&draft);
+  for (Draft* draft : unnamed) draft->point.label = label_of(draft->point.settings, names);
+  std::unordered_map<std::string, int> count;
+  for (const Draft& draft : sets) ++count[draft.point.label];
+  for (Draft* draft : unnamed)
+    if (count[draft->point.label] > 1) draft->point.label = label_of(draft->point.settings, names, true);
 }
 
 bool Allowance::allows(double more, Place place, std::string_view key, FaultList& faults) {
@@ -98,7 +104,6 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
       draft.settings.emplace_back(axis.row->path, place_of(*axis.nodes[k]));
     }
     draft.place = draft.settings.front().second;
-    draft.point.label = label_of(draft.point.settings);
   }
   return drafts;
 }
@@ -121,8 +126,7 @@ std::vector<Draft> listed_points(const toml::array& points, const Parameters& ba
         draft.point.settings.push_back(std::move(*setting));
         draft.settings.emplace_back(named.row->path, place_of(*named.node));
       }
-    const toml::node* label = table->get("label");
-    draft.point.label = label != nullptr ? faults.text(*label, "points.label") : label_of(draft.point.settings);
+    if (const toml::node* label = table->get("label")) draft.point.label = faults.text(*label, "points.label");
     drafts.push_back(std::move(draft));
   }
   return drafts;

@@ -13,7 +13,8 @@
 /// an effect of its own are in designs.hpp. Test: tests/unit/study/read_study_test.cpp, plan_test.cpp
 namespace matrigrate::study {
 
-/// A point, or a factor set, that is being made, and where its settings stand in the file.
+/// A point, or a factor set, that is being made, and where its settings stand in the file. Without a label it is called
+/// by its settings (name_sets).
 struct Draft {
   Point point;
   Place place;
@@ -65,12 +66,12 @@ std::vector<Draft> listed_points(const toml::array& points, const Parameters& ba
 std::vector<Draft> hypercube_points(const toml::table& hypercube, const Parameters& base, std::uint64_t seed,
                                     Allowance& allowance, FaultList& faults);
 
+/// Calls the sets that have no label by their settings. Fields from files of one name in two folders are called by
+/// their whole paths.
+/// @param conditions  under which the sets will be run: their parameters have to be told apart, too
+void name_sets(std::vector<Draft>& sets, const std::vector<Condition>& conditions);
+
 /// Places in [0, 1), one in each of n equal strips, in random order.
 std::vector<double> stratified(std::size_t n, std::uint64_t seed);
-
-/// "youngs_modulus 50 Pa, force 0.6 nN"; "all" without settings. A field from a file is called by the name of the file
-/// ("youngs_modulus stiff.csv").
-/// @param whole  with the whole path and the fingerprint of files
-std::string label_of(const std::vector<Setting>& settings, bool whole = false);
 
 } // namespace matrigrate::study

@@ -2,7 +2,7 @@
 
 #include "study/comparison.hpp"
 #include "study/design/designs.hpp"
-#include "study/design/sweep.hpp"
+#include "study/names.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +35,7 @@ Json targets_json(const Study& study) {
 
 Json sets_json(const Study& study, const std::vector<Discrepancy>& all) {
   Json list = Json::array();
+  const Names names(study);
   for (const std::size_t i : ranking(all)) {
     Json z = Json::array();
     Json means = Json::array();
@@ -46,7 +47,7 @@ Json sets_json(const Study& study, const std::vector<Discrepancy>& all) {
     }
     const FactorSet& set = study.sets[all[i].set];
     list.push_back({{"label", set.label},
-                    {"settings", set.settings.empty() ? std::string() : label_of(set.settings)},
+                    {"settings", set.settings.empty() ? std::string() : label_of(set.settings, names)},
                     {"discrepancy", all[i].value.value},
                     {"interval", bounds(all[i].value, study.replicates >= least_runs)},
                     {"judged", all[i].judged},
@@ -62,12 +63,12 @@ std::string bare(std::string value) {
   return value;
 }
 
-Json effect_json(const Study& study, const Effect& e) {
+Json effect_json(const Study& study, const Names& names, const Effect& e) {
   Json json{{"design", name(e.design)},
             {"readout", e.readout},
             {"condition", e.condition ? study.conditions[*e.condition].label : ""},
             {"factor", e.factor},
-            {"label", factor_label(study, e.factor)},
+            {"label", names.of(e.factor)},
             {"value", bare(e.value)},
             {"n", e.n}};
   if (e.design == Design::one_at_a_time) {
@@ -95,7 +96,8 @@ std::string interval_text(const statistics::Interval& i, bool enough) {
 Json screening_json(const Study& study, const Screening& screening) {
   if (screening.discrepancies.empty() && screening.effects.empty()) return {};
   Json effects = Json::array();
-  for (const Effect& e : screening.effects) effects.push_back(effect_json(study, e));
+  const Names names(study);
+  for (const Effect& e : screening.effects) effects.push_back(effect_json(study, names, e));
   return {{"confidence", 1.0 - study.comparisons.alpha},
           {"paired", study.common_random_numbers},
           {"targets", targets_json(study)},
@@ -117,7 +119,7 @@ std::string screening_sentence(const Study& study, const Screening& screening) {
   return text
          + fmt::format(" The largest effect on {}{} is that of {}{}: {}{}.", first->readout,
                        first->condition ? " at " + study.conditions[*first->condition].label : std::string(),
-                       factor_label(study, first->factor), value.empty() ? "" : " " + value,
+                       Names(study).of(first->factor), value.empty() ? "" : " " + value,
                        first->design == Design::morris ? "mu* " : "",
                        interval_text(first->ranked(), has_interval(study, *first)));
 }

@@ -6,6 +6,7 @@
 #include "statistics/correlation.hpp"
 #include "study/design/axes.hpp"
 #include "study/design/range.hpp"
+#include "study/names.hpp"
 #include "study/table_readouts.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"
@@ -100,7 +101,7 @@ Json scatter_json(const StudyReport& report) {
       correlations.push_back({{"readout", readout}, {"rho", c.r}, {"n", c.n}});
     }
     factors.push_back({{"name", key},
-                       {"label", factor_label(report.study, key)},
+                       {"label", Names::whole(key)},
                        {"unit", row.unit == "1" ? "" : row.unit},
                        {"values", values},
                        {"correlations", correlations}});

@@ -7,7 +7,7 @@
 #include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
-#include "study/design/sweep.hpp"
+#include "study/names.hpp"
 
 #include <fmt/format.h>
 
@@ -44,9 +44,10 @@ void write_if_new(const fs::path& file, const std::string& text) {
 /// The points of a study by what decides on their first runs, and how people call them.
 std::map<std::string, std::string> points_of(const StudyFolder& study) {
   std::map<std::string, std::string> points;
+  const Names names(study.study);
   for (const Run& run : study.runs)
     if (run.replicate == 1) {
-      std::string text = label_of(study.study.points[run.point].settings, true);
+      std::string text = label_of(study.study.points[run.point].settings, names, true);
       points.emplace(run.hash, std::move(text));
     }
   return points;

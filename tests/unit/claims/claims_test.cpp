@@ -343,6 +343,24 @@ TEST(Claims, AreThirtyWithThePartsAndHaveAKind) {
   EXPECT_EQ(first[ClaimKind::predicted], 15);
 }
 
+TEST(Claims, TableCallsAPointByItsValueUnlessTwoParametersEndAlike) {
+  const auto brief = [](const std::string& sweep, const std::string& from, const std::string& to) {
+    const std::string text = fmt::format("{}[[claims]]\nid = \"A1\"\nkind = \"predicted\"\nsentence = \"so it "
+                                         "is\"\nconditions = [{{ rule = \"differs\", "
+                                         "readout = \"f_mat\", from = \"{}\", to = \"{}\", sign = \"up\" }}]\n",
+                                         sweep, from, to);
+    Claim claim = read(text).claims.front();
+    claim.study = "s";
+    return judged(claim, Evidence{{"s", {read(text), results_of(f, {apart[0], apart[1]})}}}).brief;
+  };
+  EXPECT_EQ(brief("[sweep]\nprotrusion.force = [1, 2]\n", "force 1 nN", "force 2 nN"),
+            "f_mat 1.15 [0.945, 1.36] (1 nN), 2.15 [1.94, 2.36] (2 nN)");
+  EXPECT_EQ(brief("[sweep]\nprotrusion.force = [1, 2]\nactomyosin.force = [3]\n",
+                  "protrusion.force 1 nN, actomyosin.force 3 nN", "protrusion.force 2 nN, actomyosin.force 3 nN"),
+            "f_mat 1.15 [0.945, 1.36] (protrusion.force 1 nN, actomyosin.force 3 nN), "
+            "2.15 [1.94, 2.36] (protrusion.force 2 nN, actomyosin.force 3 nN)");
+}
+
 TEST(Claims, TableSaysWhyNot) {
   const Evidence e = evidence(f, apart);
   const JudgedClaim no{"A1", ClaimKind::calibration, "f_mat rises and does not", "1 to 2",

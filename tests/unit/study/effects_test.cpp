@@ -167,11 +167,6 @@ TEST(Effects, OfMorrisOnTheDiscrepancyAndInATable) {
   const std::string csv = effects_csv(s, all);
   EXPECT_NE(csv.find("\nmorris,f_mat,,1,ecm.youngs_modulus,,true,20,,,,2,2,2,2,2,2,"), std::string::npos) << csv;
   EXPECT_TRUE(effects(read("[sweep]\nprotrusion.number = [1, 2]\n"), {}).empty());
-  EXPECT_EQ(factor_label(s, "ecm.viscosity"), "viscosity");
-  const Study forces = read("[one_at_a_time]\nprotrusion.force = [1]\nactomyosin.force = [1]\n");
-  EXPECT_EQ(factor_label(forces, "actomyosin.force"), "actomyosin.force") << "two forces";
-  EXPECT_EQ(forces.sets[1].label, "protrusion.force 1 nN");
-  EXPECT_EQ(forces.sets[2].label, "actomyosin.force 1 nN");
 }
 
 } // namespace

@@ -45,6 +45,24 @@ TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
   EXPECT_EQ(places(read("[sweep]\nprotrusion.number = [2, 1]\n")).at(0).dump(), "[1]") << "a grid, in order";
 }
 
+TEST(StudyData, TellsParametersApartThatEndAlike) {
+  const Study study = read("readouts = [\"f_mat\"]\n[latin_hypercube]\nsamples = 5\nprotrusion.force = [0.1, 0.2]\n"
+                           "actomyosin.force = [1, 2]\n");
+  auto results = results_of("f_mat", {{1.0}, {2.0}, {3.0}, {4.0}, {5.0}});
+  for (Result& r : results) r.standing.status = RunState::running; // there are no tables of runs to read
+  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  EXPECT_EQ(data.at("scatter").at("factors").at(0).at("label"), "protrusion.force (F_prot)");
+  EXPECT_EQ(data.at("scatter").at("factors").at(1).at("label"), "actomyosin.force (F_am)");
+  const std::string summary = data.at("summary");
+  for (const char* name : {"protrusion.force 0.1", "actomyosin.force 1"})
+    EXPECT_NE(summary.find(name), std::string::npos) << summary;
+  const nlohmann::ordered_json axes =
+      axes_json(read("[set]\nnucleus.radius = \"5 um\"\n[sweep]\ncell.bending_stiffness = [\"1e-18 N m\"]\n"
+                     "nucleus.bending_stiffness = [0.1, 0.2]\n"));
+  EXPECT_EQ(axes.at(0).at("label"), "k_bend");
+  EXPECT_EQ(axes.at(1).at("label"), "nucleus.bending_stiffness") << "has no letters";
+}
+
 TEST(StudyData, HoldsFactorsAndTargets) {
   const Study study = read("readouts = [\"f_mat\"]\n[one_at_a_time]\nadhesion.rupture = [true]\n[[targets]]\n"
                            "readout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n");
