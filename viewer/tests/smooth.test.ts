@@ -13,14 +13,14 @@ import { field } from "./fields";
 const spacing = 2;
 
 /** A square lattice with a value at each particle. */
-function lattice(value: (x: number, y: number) => number, solid: (x: number, y: number) => boolean, spare?: Float32Array) {
+function lattice(value: (x: number, y: number) => number, solid: (x: number, y: number) => boolean, spare?: Float32Array, contour?: number) {
   const places: number[] = [];
   for (let i = -20; i <= 20; ++i) for (let j = -20; j <= 20; ++j) places.push(spacing * i, spacing * j);
   const all = Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i], places[2 * i + 1]] as const);
   const x = field(places, 2, 0.005);
   const f = field(all.map(([a, b]) => (solid(a, b) ? 1 : 0)), 1, 1 / 255);
   const film = { x, reference: x, f, particles: all.length } as unknown as Film;
-  const layer = { field: field(all.map(([a, b]) => value(a, b)), 1, 0.001), solidOnly: true } as unknown as Layer;
+  const layer = { field: field(all.map(([a, b]) => value(a, b)), 1, 0.001), solidOnly: contour === undefined, contour } as unknown as Layer;
   const camera = new Camera({ left: -40, right: 40, bottom: -40, top: 40 });
   camera.resize(600, 600);
   camera.showWhole();
@@ -33,6 +33,15 @@ test("a linear field is interpolated as it is, and the solid alone makes the val
     assert.ok(Math.abs(valueOn(patch, x, y)! - (3 + 0.2 * x - 0.1 * y)) < 0.01, `at ${x}, ${y}`);
   assert.ok(Number.isNaN(valueOn(patch, -20, 3)), "fluid has a value");
   assert.equal(valueOn(patch, 46, 0), null, "there is matrix where there is none");
+});
+
+test("a layer with a contour jumps there, and is interpolated on both sides of it", () => {
+  const patch = lattice((x, y) => (x < 0 ? 0.001 * y + 0.1 : 1 - 0.005 * x), () => true, undefined, 0.5);
+  const at = (x: number) => valueOn(patch, x, 4)!;
+  for (const x of [-9, -3, -1.6]) assert.ok(Math.abs(at(x) - 0.104) < 0.002, `${at(x)} at ${x}`);
+  for (const x of [-0.5, 0.5, 7, 30]) assert.ok(Math.abs(at(x) - (1 - 0.005 * x)) < 0.01, `${at(x)} at ${x}`);
+  const soft = lattice((x) => 0.5 + 0.01 * x, () => true, undefined, 0.5);
+  for (const x of [-20, -1, 0, 1, 20]) assert.ok(Math.abs(valueOn(soft, x, 0)! - (0.5 + 0.01 * x)) < 0.015, "no jump where there is none");
 });
 
 test("the memory of a patch is used again, with nothing of what was in it", () => {

@@ -6,6 +6,8 @@ import { solidFrom, usualDisplacement, type Film } from "../frames";
 export interface Layer {
   key: string;
   name: string;
+  /** As files and the paper call it. */
+  symbol?: string;
   unit: string;
   /** Words for the two ends of the colour bar, where numbers alone say too little. */
   ends?: [string, string];
@@ -24,7 +26,13 @@ export interface Layer {
   cut: { low: boolean; high: boolean };
   /** Fluid has no strain and so none of these values: it is drawn as ground. */
   solidOnly: boolean;
+  /** The value at which it jumps: areas above and below have a sharp edge. */
+  contour?: number;
 }
+
+/** "Intact matrix (f_degr)", "Pressure [Pa]" */
+export const titleOf = ({ name, symbol, unit }: Pick<Layer, "name" | "symbol" | "unit">): string =>
+  name + (symbol ? ` (${symbol})` : "") + (unit ? ` [${unit}]` : "");
 
 const sequential: MapKey[] = ["viridis", "cividis", "magma", "grey"];
 
@@ -46,10 +54,11 @@ export function layers(film: Film): Layer[] {
   const out: Layer[] = [
     {
       key: "degradation",
-      name: "Degradation",
+      name: "Intact matrix",
+      symbol: "f_degr",
       unit: "",
-      ends: ["fluid", "solid"],
-      note: "f_degr: 1 intact solid, 0 degraded to fluid.",
+      ends: ["fluid", "intact"],
+      note: "1 intact solid, 0 degraded to fluid; the edge between them is at 0.5.",
       field: film.f,
       low: 0,
       high: 1,
@@ -57,6 +66,7 @@ export function layers(film: Film): Layer[] {
       maps: ["gel", ...sequential],
       cut: { low: false, high: false },
       solidOnly: false,
+      contour: 0.5,
     },
     {
       key: "displacement",

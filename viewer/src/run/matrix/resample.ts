@@ -3,13 +3,17 @@
  *   value(x) = sum_i w_i v_i / sum_i w_i,   w_i = B(x - x_i) B(y - y_i),
  * B the quadratic B-spline as wide as the spacing of the particles (support 1.5 spacings to each side). It needs no lattice,
  * so it also holds where degraded matrix flows. The sums are formed at the nodes of a grid over what is seen; between
- * nodes they are bilinear. Where a layer has values in the solid alone, only the solid adds to the value.
+ * nodes they are bilinear. Where a layer has values in the solid alone, only the solid adds to the value. Where a layer
+ * jumps, as from fluid to solid, the jump is a contour of value(x); on each side of it only particles of that side add.
  */
 import { between, solidFrom, type Film, type Place } from "../frames";
 import type { Camera } from "../camera";
 import type { Layer } from "./layers";
 
-/** Per node: sum of w v, sum of w over particles with a value, sum of w over all, unused. */
+/**
+ * Per node: sum of w v, sum of w, both over particles that have a value and are above the contour, where the layer has
+ * one; sum of w over all; sum of w v over all of a layer with a contour.
+ */
 export const channels = 4;
 
 export interface Patch {
@@ -20,12 +24,18 @@ export interface Patch {
   bottom: number;
   step: number;
   sums: Float32Array;
+  /** See Layer. */
+  contour?: number;
 }
 
 /** Sum of w below which there is no matrix (an intact lattice has 1), and from which there is. */
 export const coverage = [0.05, 0.12] as const;
 /** Share of particles with a value below which an area is drawn as fluid, and from which as solid. */
 export const solidShare = [0.4, 0.6] as const;
+/** Values between which one side of a contour goes over into the other. */
+export const contourEnds = (contour: number): [number, number] => [contour - 0.1, contour + 0.1];
+/** Share of the particles at a point that a side needs to have a value of its own there. */
+export const leastShare = 1e-4;
 
 const support = 1.5;
 const weight = (r: number): number => {
@@ -81,6 +91,7 @@ export function resample(film: Film, layer: Layer, place: Place, camera: Camera,
   const stepsPerSpacing = spacing / step;
   const reach = support * stepsPerSpacing;
   const { q, scale, offset, stride } = film.x;
+  const contour = layer.contour ?? -Infinity;
   const [base, ahead] = [place.frame * stride, place.next * stride];
   for (let i = 0; i < film.particles; ++i) {
     const a = base + 2 * i;
@@ -91,8 +102,9 @@ export function resample(film: Film, layer: Layer, place: Place, camera: Camera,
     const y = offset + scale * (q[a + 1] + place.fraction * (q[b + 1] - q[a + 1]));
     const atY = (y - bottom) / step;
     if (atY < -reach || atY > rows - 1 + reach) continue;
-    const has = !layer.solidOnly || between(film.f, place, i) >= solidFrom;
-    const value = has ? particleValue(film, layer, place, i, x, y) : 0;
+    const known = !layer.solidOnly || between(film.f, place, i) >= solidFrom;
+    const value = known ? particleValue(film, layer, place, i, x, y) : 0;
+    const has = known && value >= contour;
     const i0 = Math.max(0, Math.ceil(atX - reach));
     const j0 = Math.max(0, Math.ceil(atY - reach));
     const nx = weigh(wx, atX, i0, Math.min(columns - 1, Math.floor(atX + reach)), stepsPerSpacing);
@@ -102,13 +114,14 @@ export function resample(film: Film, layer: Layer, place: Place, camera: Camera,
       for (let n = 0; n < nx; ++n, k += channels) {
         const w = wx[n] * wy[j];
         sums[k + 2] += w;
+        sums[k + 3] += w * value;
         if (!has) continue;
         sums[k] += w * value;
         sums[k + 1] += w;
       }
     }
   }
-  return { columns, rows, left, bottom, step, sums };
+  return { columns, rows, left, bottom, step, sums, contour: layer.contour };
 }
 
 /** The value of a patch at a point [um]: null without matrix, NaN in fluid that has no value. */
@@ -127,5 +140,10 @@ export function valueOn(patch: Patch, x: number, y: number): number | null {
   const all = sum(2);
   if (all < coverage[0]) return null;
   const solid = sum(1);
+  if (patch.contour !== undefined) {
+    const value = sum(3) / all;
+    const [own, part] = value < patch.contour ? [sum(3) - sum(0), all - solid] : [sum(0), solid];
+    return part < leastShare * all ? value : own / part;
+  }
   return solid < 0.5 * (solidShare[0] + solidShare[1]) * all ? NaN : sum(0) / solid;
 }

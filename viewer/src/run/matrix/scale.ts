@@ -98,6 +98,11 @@ export class LayerScale {
   on(dark: boolean): Scale {
     return { low: this.low, high: this.high, map: colourMaps[this.limits.map].on(dark), hatched: this.limits.edited };
   }
+
+  /** What a colour bar shows. */
+  bar(dark: boolean): { layer: Layer; scale: Scale; clamped: { low: boolean; high: boolean } } {
+    return { layer: this.layer, scale: this.on(dark), clamped: this.clamped() };
+  }
 }
 
 /** True if most of a layer is dark, so that the signs on it should be light. */

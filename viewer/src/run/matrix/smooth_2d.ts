@@ -1,8 +1,8 @@
 /** The interpolated matrix on a plain canvas: computed at every few pixels, and enlarged smoothly by the browser. */
-import { gelOnDark, gelOnLight, lookUp } from "../../colour";
+import { gelOnDark, gelOnLight, lookUp, type Rgb } from "../../colour";
 import type { ParticleScene } from "./particle_scene";
-import { channels, coverage, solidShare, type Patch } from "./resample";
-import { hatchPeriod, hatchStrength, hatchWidth, isBright } from "./scale";
+import { channels, contourEnds, coverage, leastShare, solidShare, type Patch } from "./resample";
+import { hatchPeriod, hatchStrength, hatchWidth, isBright, type Scale } from "./scale";
 
 /** Points at which the field is computed, about. */
 const mostPoints = 40000;
@@ -14,6 +14,30 @@ const ramp = ([from, to]: readonly [number, number], v: number): number =>
 const packed = (r: number, g: number, b: number, a: number): number =>
   ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
 
+interface Colouring {
+  /** The colour of a value, packed; for limits that nobody has set. */
+  plain: (value: number) => number;
+  /** Beyond limits that a person has set: a stripe of the hatching, or what is between stripes. */
+  rgb: (value: number, stripe: boolean) => Rgb;
+}
+
+function colouring({ low, high, map, hatched }: Scale): Colouring {
+  const table = lookUp(map);
+  const colours = Uint32Array.from({ length: 256 }, (_, i) => packed(table[4 * i], table[4 * i + 1], table[4 * i + 2], 255));
+  const toPlace = 255 / (high - low);
+  const indexOf = (place: number): number => (place > 255 ? 255 : place > 0 ? Math.round(place) : 0);
+  const rgb = (value: number, stripe: boolean): Rgb => {
+    const place = toPlace * (value - low);
+    const at = 4 * indexOf(place);
+    const [r, g, b] = [table[at], table[at + 1], table[at + 2]];
+    if (!hatched || !stripe || !(place > 255.01 || place < -0.01)) return [r, g, b];
+    const line = isBright(r, g, b) ? 0 : 255;
+    const mixed = (v: number): number => v + hatchStrength * (line - v);
+    return [mixed(r), mixed(g), mixed(b)];
+  };
+  return { plain: (value) => colours[indexOf(toPlace * (value - low))], rgb };
+}
+
 export function smoothPainter(context: CanvasRenderingContext2D): (scene: ParticleScene, patch: Patch) => void {
   const small = document.createElement("canvas");
   const inside = small.getContext("2d");
@@ -21,18 +45,20 @@ export function smoothPainter(context: CanvasRenderingContext2D): (scene: Partic
 
   return ({ camera, scale, dark, pixels }, patch) => {
     if (!inside) return;
-    const size = Math.max(1, Math.min(scale.hatched ? 1 : 4, Math.round(Math.sqrt((camera.width * camera.height) / mostPoints))));
+    const finest = scale.hatched || pixels > 2; // a single picture, with more pixels than a screen has
+    const size = Math.max(1, Math.min(finest ? 1 : 4, Math.round(Math.sqrt((camera.width * camera.height) / mostPoints))));
     const [width, height] = [Math.ceil(camera.width / size), Math.ceil(camera.height / size)];
     if (!image || image.width !== width || image.height !== height) {
       [small.width, small.height] = [width, height];
       image = inside.createImageData(width, height);
     }
     const out = new Uint32Array(image.data.buffer);
-    const table = lookUp(scale.map);
-    const colours = Uint32Array.from({ length: 256 }, (_, i) => packed(table[4 * i], table[4 * i + 1], table[4 * i + 2], 255));
     const ground = (dark ? gelOnDark : gelOnLight)[0];
-    const toPlace = 255 / (scale.high - scale.low);
     const { sums, columns } = patch;
+    const contour = patch.contour === undefined ? null : contourEnds(patch.contour);
+    const { plain, rgb } = colouring(scale);
+    /** Values on both sides of a contour, and the share of the side above; else the value of the solid, and its share. */
+    let [above, below, share] = [0, 0, 0];
     const columnOf = new Int32Array(width);
     const restOf = new Float32Array(width);
     /** The sums between two rows of nodes. */
@@ -56,25 +82,29 @@ export function smoothPainter(context: CanvasRenderingContext2D): (scene: Partic
           out[o] = 0;
           continue;
         }
-        const solid = line[k + 1] + fx * (line[k + 5] - line[k + 1]);
-        const value = (line[k] + fx * (line[k + 4] - line[k])) / solid;
-        const place = toPlace * (value - scale.low);
-        const index = place > 255 ? 255 : place > 0 ? Math.round(place) : 0;
-        const beyond = scale.hatched && (place > 255.01 || place < -0.01);
-        if (all >= coverage[1] && solid >= solidShare[1] * all && !beyond) {
-          out[o] = colours[index];
+        const sum = (channel: number): number => line[k + channel] + fx * (line[k + channel + 4] - line[k + channel]);
+        const [solid, part] = [sum(1), sum(0)];
+        if (contour) {
+          const value = sum(3) / all;
+          const rest = all - solid;
+          above = solid > leastShare * all ? part / solid : value;
+          below = rest > leastShare * all ? (sum(3) - part) / rest : value;
+          share = ramp(contour, value);
+        } else {
+          above = part / solid;
+          share = ramp(solidShare, solid / all);
+        }
+        if (all >= coverage[1] && !scale.hatched && (share === 1 || (share === 0 && contour))) {
+          out[o] = plain(share === 1 ? above : below);
           continue;
         }
-        let [r, g, b] = [table[4 * index], table[4 * index + 1], table[4 * index + 2]];
-        if (beyond && (size * (i + j + 1)) % hatchPeriod < hatchWidth) {
-          const stripe = isBright(r, g, b) ? 0 : 255;
-          [r, g, b] = [r, g, b].map((v) => v + hatchStrength * (stripe - v));
-        }
-        const t = ramp(solidShare, solid / all);
+        const stripe = (size * (i + j + 1)) % hatchPeriod < hatchWidth;
+        const [r, g, b] = rgb(above, stripe);
+        const [r0, g0, b0] = contour ? rgb(below, stripe) : ground;
         out[o] = packed(
-          Math.round(ground[0] + t * (r - ground[0])),
-          Math.round(ground[1] + t * (g - ground[1])),
-          Math.round(ground[2] + t * (b - ground[2])),
+          Math.round(r0 + share * (r - r0)),
+          Math.round(g0 + share * (g - g0)),
+          Math.round(b0 + share * (b - b0)),
           Math.round(255 * ramp(coverage, all)),
         );
       }

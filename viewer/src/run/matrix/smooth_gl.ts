@@ -2,7 +2,7 @@
 import { gelOnDark, gelOnLight } from "../../colour";
 import { program } from "./gl";
 import type { ParticleScene } from "./particle_scene";
-import { coverage, solidShare, type Patch } from "./resample";
+import { contourEnds, coverage, leastShare, solidShare, type Patch } from "./resample";
 import { hatchPeriod, hatchStrength, hatchWidth } from "./scale";
 
 const vertexSource = `#version 300 es
@@ -14,23 +14,36 @@ uniform highp sampler2D sums;
 uniform sampler2D colours;
 uniform vec3 ground;
 uniform vec2 limits, covered, solidShare, corner;   // corner: of the picture below left, in nodes
+uniform vec2 contour;                               // values between which sides change; both 0 without a contour
+uniform float leastShare;
 uniform float nodesPerPixel, pixels, height;
 uniform vec3 hatch;                                 // period, width, strength; 0 for none
 out vec4 colour;
 float ramp(vec2 ends, float v) { return clamp((v - ends.x) / (ends.y - ends.x), 0.0, 1.0); }
+vec3 painted(float value, vec2 seen) {
+  float place = (value - limits.x) / (limits.y - limits.x);
+  vec3 c = texelFetch(colours, ivec2(int(round(255.0 * clamp(place, 0.0, 1.0))), 0), 0).rgb;
+  if (hatch.z > 0.0 && (place > 1.00004 || place < -0.00004) && mod(seen.x + height - seen.y, hatch.x) < hatch.y)
+    c = mix(c, vec3(dot(c, vec3(0.3, 0.59, 0.11)) > 0.502 ? 0.0 : 1.0), hatch.z);
+  return c;
+}
 void main() {
   vec2 seen = gl_FragCoord.xy / pixels;
   vec2 at = corner + nodesPerPixel * seen;
   ivec2 node = ivec2(floor(at));
   vec2 f = at - vec2(node);
-  vec3 sum = mix(mix(texelFetch(sums, node, 0).xyz, texelFetch(sums, node + ivec2(1, 0), 0).xyz, f.x),
-                 mix(texelFetch(sums, node + ivec2(0, 1), 0).xyz, texelFetch(sums, node + ivec2(1, 1), 0).xyz, f.x), f.y);
+  vec4 sum = mix(mix(texelFetch(sums, node, 0), texelFetch(sums, node + ivec2(1, 0), 0), f.x),
+                 mix(texelFetch(sums, node + ivec2(0, 1), 0), texelFetch(sums, node + ivec2(1, 1), 0), f.x), f.y);
   float alpha = ramp(covered, sum.z);
-  float place = sum.y > 0.0 ? (sum.x / sum.y - limits.x) / (limits.y - limits.x) : 0.0;
-  vec3 c = texelFetch(colours, ivec2(int(round(255.0 * clamp(place, 0.0, 1.0))), 0), 0).rgb;
-  if (hatch.z > 0.0 && (place > 1.00004 || place < -0.00004) && mod(seen.x + height - seen.y, hatch.x) < hatch.y)
-    c = mix(c, vec3(dot(c, vec3(0.3, 0.59, 0.11)) > 0.502 ? 0.0 : 1.0), hatch.z);
-  c = mix(ground, c, sum.z > 0.0 ? ramp(solidShare, sum.y / sum.z) : 0.0);
+  float mean = sum.z > 0.0 ? sum.w / sum.z : 0.0;
+  float least = leastShare * sum.z;
+  float above = sum.y > least ? sum.x / sum.y : mean;
+  vec3 c;
+  if (contour.y > contour.x) {
+    float below = sum.z - sum.y > least ? (sum.w - sum.x) / (sum.z - sum.y) : mean;
+    c = mix(painted(below, seen), painted(above, seen), ramp(contour, mean));
+  } else
+    c = mix(ground, painted(above, seen), sum.z > 0.0 ? ramp(solidShare, sum.y / sum.z) : 0.0);
   colour = vec4(c * alpha, alpha);
 }`;
 
@@ -58,6 +71,9 @@ export function smoothOnCard(
     gl.uniform2f(at["limits"], scale.low, scale.high);
     gl.uniform2f(at["covered"], ...coverage);
     gl.uniform2f(at["solidShare"], ...solidShare);
+    const [from, to] = patch.contour === undefined ? [0, 0] : contourEnds(patch.contour);
+    gl.uniform2f(at["contour"], from, to);
+    gl.uniform1f(at["leastShare"], leastShare);
     gl.uniform2f(
       at["corner"],
       (camera.x - (0.5 * camera.width) / camera.scale - patch.left) / patch.step,
