@@ -212,8 +212,8 @@ void add_export(CLI::App& app, Action& chosen) {
       "runs, tracks_spots.csv for CellTracksColab, TrackMate and celltrackR. docs/how-to/exchange.md tells how to read "
       "it.\n"
       "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
-      "have to be installed. Layers are degradation, displacement, von_mises, pressure and fibre_von_mises,\n"
-      "and those that the scenario gives the matrix, such as youngs_modulus.");
+      "have to be installed. Layers are degradation (f_degr: 0 fluid, 1 intact matrix), displacement, von_mises,\n"
+      "pressure and fibre_von_mises, and those that the scenario gives the matrix, such as youngs_modulus.");
   const auto options = std::make_shared<ExportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run; for --tracks and --openvt also of a study")->required();
   verb->add_flag("--vtk", options->wanted["--vtk"],

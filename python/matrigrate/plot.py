@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _colours = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")  # told apart by all eyes
-_words = {"youngs_modulus": "Young's modulus", "f_degr": "degradation: 1 solid, 0 fluid", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
+_words = {"youngs_modulus": "Young's modulus", "f_degr": "intact matrix (f_degr): 0 fluid, 1 intact", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
 
 
 def path(run: Run | Mapping[str, Run], axes: Axes | None = None) -> Axes:
@@ -58,8 +58,8 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     nuclei, protrusions in the colours of their phases, adhesions and their pull, fibres by their strain, paths, a scale bar.
 
     :param t: simulated time [s]; the frame nearest to it is drawn, the last one if left out
-    :param field: of the matrix: "displacement", "velocity", "pressure", "von_mises", "degradation" or "f_degr" (the same), or one that
-        the scenario gives, such as "youngs_modulus"; of vectors the length
+    :param field: of the matrix: "displacement", "velocity", "pressure", "von_mises", "f_degr" or "degradation" (the same: 0 fluid,
+        1 intact), or one that the scenario gives, such as "youngs_modulus"; of vectors the length
     :param fluid: whether degraded matrix is coloured, too; it is left light if not
     :param window: what is seen: left, right, bottom, top [um]; a number is the width [um] of a square; "all" is the whole
         matrix. Left out, it is where the cells are in the course of the run, or the size that a followed cell needs

@@ -64,9 +64,9 @@ test("whoever listens hears the moment, the layer and the fibres, and nothing wh
   const words = async () => (await page.locator(told).textContent()) ?? "";
   await page.locator(".stage").focus();
   await page.keyboard.press("Home");
-  assert.match(await words(), /^0 min\. Cell at x .* protrusion.*Matrix coloured by degradation, fibres by their strain\.$/);
+  assert.match(await words(), /^0 min\. Cell at x .* protrusion.*Colours show intact matrix and the strain of fibres\.$/);
   await page.keyboard.press("b");
-  assert.match(await words(), /degradation\.$/);
+  assert.match(await words(), /intact matrix\.$/);
   await page.keyboard.press("ArrowRight");
   assert.match(await words(), /^10 min\./);
   const before = await words();

@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import type { MeasuredTracks } from "../src/contract";
+import { cellColours } from "../src/colour";
 import { measuredOf, until as upTo } from "../src/measured";
+import { measuredLine } from "../src/run/over/measured";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
 import { allDrawn, launch, open, still } from "./browser";
@@ -24,6 +26,33 @@ test("null parts the tracks, and the words count them", () => {
   assert.deepEqual(upTo(tracks[0], 1800), { t: [0, 1800], x: [0, 10], y: [0, 0] });
   assert.deepEqual(upTo(tracks[0], 9e9), tracks[0]);
   assert.deepEqual(measuredOf(null), { tracks: [], words: "" });
+});
+
+/** Contrast of two colours (WCAG 2). */
+function contrast(one: string, other: string): number {
+  const [high, low] = [one, other]
+    .map((colour) => {
+      const [r, g, b] = [1, 3, 5].map((at) => {
+        const v = parseInt(colour.slice(at, at + 2), 16) / 255;
+        return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+      });
+      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    })
+    .sort((a, b) => b - a);
+  return (high + 0.05) / (low + 0.05);
+}
+
+test("a track is seen on front and rear of a cell and on any matrix, on light and dark pages", () => {
+  const { front, rear } = cellColours(0, 1);
+  for (const dark of [false, true]) {
+    const [halo, line] = measuredLine(dark);
+    assert.ok(halo.width >= line.width + 2 && line.width >= 1.5, "lines that are wide enough");
+    assert.ok(contrast(halo.colour, line.colour) > 7, "a line in its halo");
+    for (const ground of [front, rear, "#f8f6f1", "#cbb994", "#1b1b1a", "#8a7a58", "#440154", "#fde725"]) {
+      const most = Math.max(contrast(halo.colour, ground), contrast(line.colour, ground));
+      assert.ok(most > 3, `${ground}, ${dark ? "dark" : "light"}: ${most}`);
+    }
+  }
 });
 
 let browser: Browser;

@@ -24,7 +24,7 @@ test("a moment in words", async () => {
   const made = (await film(run))!;
   const text = description(made, run.tracks, layers(made)[0], 3600);
   assert.match(text, /^1 h 00 min\. Cell at x .* \u00b5m, (no protrusion|\d protrusions?: number)/);
-  assert.match(text, /Matrix coloured by degradation\.$/);
+  assert.match(text, /Colours show intact matrix\.$/);
 });
 
 test("a point lies in a ring or outside of it", () => {

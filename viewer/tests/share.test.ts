@@ -109,12 +109,41 @@ test("pictures are saved as pixels and as vectors", async () => {
     for (const part of ["arrows", "cell", "protrusions", "adhesions", "path", "traction", "scales", "legend"])
       assert.ok(seen.parts.includes(part), part);
     for (const part of ["arrows", "cell", "protrusions", "path", "traction"]) assert.ok(seen.paths[part] > 0, part);
-    assert.ok(seen.texts.includes("1 h 05 min") && seen.texts.includes("Degradation"), seen.texts.join());
+    assert.ok(seen.texts.includes("1 h 05 min") && ["Intact matrix (f_degr)", "0 fluid", "1 intact"].every((text) => seen.texts.includes(text)), seen.texts.join());
     assert.equal(seen.middle, 255, "the matrix is not in the picture");
     assert.deepEqual(errors, []);
     assert.deepEqual(requests, []);
     await browser.close();
   }
+});
+
+test("an edge of the cell in colours has their scale in saved pictures, and no legend of what it hides", async () => {
+  const browser = await launch(false);
+  const { page, errors } = await open(browser, "run", JSON.stringify(run));
+  const saved = async (name: string) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name }).click()]);
+    return readFileSync(await download.path());
+  };
+  const legend = async () => (await page.locator(".panel .signs li").allTextContents()).join("; ");
+  const texts = async () =>
+    [...(await saved("Save SVG")).toString().matchAll(/<text [^>]*>([^<]*)/g)].map((match) => match[1]);
+  assert.match(await legend(), /growing; maturing; contracting; finishing; adhesion, larger when mature/);
+  assert.ok(!(await texts()).includes("Edge:"));
+  const plain = await saved("Save PNG");
+  await page.locator("select[name=edge]").selectOption("force");
+  const bar = (await page.locator("div.edge .bar-numbers").first().textContent()) ?? "";
+  const seen = await texts();
+  for (const text of ["Edge:", "actomyosin force [nN]"]) assert.ok(seen.includes(text), seen.join());
+  assert.ok(bar.endsWith(seen[seen.indexOf("actomyosin force [nN]") - 2]), `${bar}: ${seen.join()}`);
+  assert.match(await legend(), /adhesion, maturing; adhesion, contracting/);
+  assert.ok(!/growing|finishing/.test(await legend()), await legend());
+  const coloured = await saved("Save PNG");
+  assert.ok(coloured.readUInt32BE(20) >= plain.readUInt32BE(20), "room for its scale");
+  await page.locator("input[name=cell]").uncheck();
+  assert.ok(!(await texts()).includes("Edge:"), "the edge goes with the cell");
+  assert.match(await legend(), /growing/);
+  assert.deepEqual(errors, []);
+  await browser.close();
 });
 
 test("a film is recorded where the browser can, and the button is not there where it cannot", async () => {

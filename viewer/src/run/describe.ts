@@ -21,5 +21,5 @@ export function description(film: Film, tracks: Tracks, layer: Layer, time: numb
     return own.t_s.length > 0 ? `${name} at x ${um(own.x_um[i])}, y ${um(own.y_um[i])} \u00b5m, ` : "";
   };
   const where = cells.map(place).join("");
-  return `${timeText(time)}. ${where}${protrusions}. Matrix coloured by ${layer.name.toLowerCase()}${fibres ? ", fibres by their strain" : ""}.`;
+  return `${timeText(time)}. ${where}${protrusions}. Colours show ${layer.name[0].toLowerCase()}${layer.name.slice(1)}${fibres ? " and the strain of fibres" : ""}.`;
 }

@@ -50,7 +50,7 @@ export async function film(run: RunPage): Promise<Film | null> {
   const [reference, x, f, pressure, vonMises, fibreVonMises, attractant, layers] = await Promise.all([
     unpack(frames.reference, "reference positions", 1),
     unpack(p.x, "particle positions", n),
-    unpack(p.f, "degradation", n),
+    unpack(p.f, "intact matrix", n),
     unpack(p.pressure, "pressure", n),
     unpack(p.von_mises, "von Mises stress", n),
     p.fibre_von_mises ? unpack(p.fibre_von_mises, "von Mises stress of the fibres", n) : null,

@@ -13,14 +13,14 @@ import {
 } from "../colour";
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
-import { measuredColour } from "../measured";
+import { hasColours } from "./over/edge";
+import { measuredLine } from "./over/measured";
 import { readable } from "../numbers";
 import { tractionColour } from "./over/arrows";
 import { obstacleColour, obstacleColourOnDark } from "./over/obstacles";
-import type { Layer } from "./matrix/layers";
+import { titleOf, type Layer } from "./matrix/layers";
 import type { LayerScale } from "./matrix/scale";
-
-const title = (layer: Layer): string => layer.name + (layer.unit ? ` [${layer.unit}]` : "");
+import type { Stage } from "./stage";
 
 /** The colour bar of a layer; an arrow marks an end beyond which values lie. */
 function strip(scale: LayerScale): HTMLElement {
@@ -50,7 +50,12 @@ export function smallBar(layer: Layer, scale: LayerScale): HTMLElement[] {
     c.fillStyle = css(mapped(scale.on(isDark()).map, (x + 0.5) / canvas.width));
     c.fillRect(x, 0, 1, canvas.height);
   }
-  return [h("span", {}, title(layer)), canvas, barNumbers(scale, false)];
+  const numbers = barNumbers(scale, false);
+  const words = numbers.textContent?.length ?? 0;
+  const { ends } = layer;
+  // Where there is room for them.
+  if (ends && words + ends.join("").length < 16) [...numbers.children].forEach((one, k) => one.append(` ${ends[k]}`));
+  return [h("span", {}, titleOf(layer)), canvas, numbers];
 }
 
 /** The colour bar of a layer, with low, middle and high value. */
@@ -61,7 +66,7 @@ export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
   return h(
     "div",
     { class: "legend-layer" },
-    h("p", { class: "legend-title" }, title(layer)),
+    h("p", { class: "legend-title" }, titleOf(layer)),
     strip(scale),
     barNumbers(scale, true),
     layer.ends
@@ -103,8 +108,27 @@ function cellSigns(cells: number): [SVGElement, string][] {
   });
 }
 
-/** The signs drawn over the matrix. */
-export function signs(cells: number, obstacles: boolean, nucleus = false, measured = ""): HTMLElement {
+/** Phases of protrusions, on the edge of the cell or, where it has other colours, of adhesions alone. */
+function protrusionSigns(colours: string[], onEdge: boolean, adhesions: boolean): [SVGElement, string][] {
+  const line = (k: number) =>
+    s("path", { d: "M1 7h28", stroke: colours[k], "stroke-width": 4, "stroke-dasharray": k === 3 ? "5 3" : undefined });
+  const adhesion = (k: number, r: number) =>
+    sign(
+      s("path", { d: "M2 7h20", stroke: colours[k], "stroke-width": 1.6 }),
+      s("circle", { cx: 23, cy: 7, r, fill: colours[k] }),
+    );
+  const out: [SVGElement, string][] = onEdge ? phaseNames.map((name, k) => [sign(line(k)), name]) : [];
+  if (adhesions && onEdge) out.push([adhesion(2, 5), "adhesion, larger when mature"]);
+  if (adhesions && !onEdge)
+    out.push([adhesion(1, 3.5), "adhesion, maturing"], [adhesion(2, 5), "adhesion, contracting"]);
+  return out;
+}
+
+/** What a stage draws. */
+export type Signed = Pick<Stage, "film" | "shown" | "edge" | "measured" | "hasObstacles">;
+
+/** The signs drawn over the matrix, of what the stage draws. */
+export function signs({ film, shown, edge, measured, hasObstacles }: Signed): HTMLElement {
   const dark = isDark();
   const colours = dark ? phaseColoursOnDark : phaseColours;
   const line = dark ? "#fff" : "#1f2328";
@@ -112,56 +136,51 @@ export function signs(cells: number, obstacles: boolean, nucleus = false, measur
   return h(
     "ul",
     { class: "signs" },
-    obstacles
+    hasObstacles
       ? entry(
           sign(s("rect", { width: 30, height: 14, fill: dark ? obstacleColourOnDark : obstacleColour })),
           "rigid obstacle",
         )
       : null,
-    ...cellSigns(cells).map(([picture, words]) => entry(picture, words)),
-    nucleus ? entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: nucleusColour })), "nucleus") : null,
-    ...phaseNames.map((name, k) =>
-      entry(
-        sign(
-          s("path", {
-            d: "M1 7h28",
-            stroke: colours[k],
-            "stroke-width": 4,
-            "stroke-dasharray": k === 3 ? "5 3" : undefined,
-          }),
-        ),
-        name,
-      ),
+    ...(shown.cell ? cellSigns(film.cells.length) : []).map(([picture, words]) => entry(picture, words)),
+    shown.cell && film.nucleus
+      ? entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: nucleusColour })), "nucleus")
+      : null,
+    ...protrusionSigns(colours, shown.protrusions && !hasColours(edge, shown), shown.adhesions).map(([picture, words]) =>
+      entry(picture, words),
     ),
-    entry(
-      sign(
-        s("path", { d: "M2 7h20", stroke: colours[2], "stroke-width": 1.6 }),
-        s("circle", { cx: 23, cy: 7, r: 5, fill: colours[2] }),
-      ),
-      "adhesion, larger when mature",
-    ),
-    entry(
-      sign(
-        s("path", { d: "M5 7h24", stroke: line, "stroke-width": 1.6 }),
-        s("circle", { cx: 5, cy: 7, r: 3.4, fill: dark ? "#14171a" : "#fff", stroke: line, "stroke-width": 1.6 }),
-      ),
-      "path of the centre",
-    ),
-    measured
+    shown.path
       ? entry(
-          sign(s("path", { d: "M1 9l7 -5l8 6l6 -5l7 3", stroke: measuredColour(dark), "stroke-width": 1.6, fill: "none" })),
-          `${measured}, from the start of the path`,
+          sign(
+            s("path", { d: "M5 7h24", stroke: line, "stroke-width": 1.6 }),
+            s("circle", { cx: 5, cy: 7, r: 3.4, fill: dark ? "#14171a" : "#fff", stroke: line, "stroke-width": 1.6 }),
+          ),
+          "path of the centre",
         )
       : null,
-    entry(
-      sign(
-        s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),
-      ),
-      "traction: pull of an adhesion on the matrix",
-    ),
-    entry(
-      sign(s("path", { d: "M2 7h26m-9 -5.5l9 5.5l-9 5.5", stroke: line, "stroke-width": 3.2, fill: "none" })),
-      "polarization: direction of the front",
-    ),
+    shown.measured && measured.words
+      ? entry(
+          sign(
+            ...measuredLine(dark).map(({ colour, width }) =>
+              s("path", { d: "M2 9l7 -5l8 6l6 -5l6 3", stroke: colour, "stroke-width": width, fill: "none", "stroke-linejoin": "round", "stroke-linecap": "round" }),
+            ),
+          ),
+          `${measured.words}, from the start of the path`,
+        )
+      : null,
+    shown.traction
+      ? entry(
+          sign(
+            s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),
+          ),
+          "traction: pull of an adhesion on the matrix",
+        )
+      : null,
+    shown.polarization
+      ? entry(
+          sign(s("path", { d: "M2 7h26m-9 -5.5l9 5.5l-9 5.5", stroke: line, "stroke-width": 3.2, fill: "none" })),
+          "polarization: direction of the front",
+        )
+      : null,
   );
 }

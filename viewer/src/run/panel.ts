@@ -64,7 +64,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   };
   const refresh = () => {
     refreshBar();
-    legend.replaceChildren(signs(film.cells.length, stage.hasObstacles, film.nucleus !== null, stage.measured.words));
+    legend.replaceChildren(signs(stage));
   };
   const chosen = () => {
     refreshBar();
@@ -116,8 +116,12 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   if (film.growing) stage.onPaint(() => ends() !== said && refreshBar());
   onDarkMode(refresh, gone);
   let rows = 0;
+  let drawn = Object.values(stage.shown).join();
   stage.onView(() => {
     refreshArrows();
+    const shown = Object.values(stage.shown).join();
+    if (shown !== drawn) refresh();
+    drawn = shown;
     const now = fibreLayer && stage.drawsFibres ? stage.fibreRows() : 0;
     if (now !== rows) refreshBar();
     rows = now;
@@ -144,6 +148,7 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
       h("div", { class: "choices" }, ...boxes),
       edgeChoice(edges(film), (edge) => {
         stage.edge = edge;
+        refresh();
         stage.draw();
       }),
       arrowChoice,

@@ -7,7 +7,7 @@ import { Camera, type Box } from "./camera";
 import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
 import type { Clock } from "./clock";
-import { edges, type Edge } from "./over/edge";
+import { edgeBar, edges, hasColours, type Edge } from "./over/edge";
 import { visitedBox, outlineAt, placeAt, type Film, type Place } from "./frames";
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
@@ -16,7 +16,7 @@ import type { ParticlePainter } from "./matrix/particle_scene";
 import { particlePainter, plainInstead } from "./matrix/particles";
 import { isDarkGround, LayerScale } from "./matrix/scale";
 import type { SharedScales } from "./matrix/shared";
-import type { View } from "./stage_view";
+import type { Coloured, View } from "./stage_view";
 import { fibreLayer, fibreRows } from "./over/fibres";
 import { resample, valueOfNearest, valueOn, type Patch } from "./matrix/resample";
 
@@ -293,11 +293,9 @@ export class Stage {
     this.paint();
     const { camera, pixels, top } = this;
     const dark = isDark();
-    const coloured = this.drawsFibres && this.fibreLayer ? [this.layer, this.fibreLayer] : [this.layer];
-    const bars = coloured.map((layer) => {
-      const scale = layer === this.fibreLayer ? this.fibreScale(layer) : this.scale(layer);
-      return { layer, scale: scale.on(dark), clamped: scale.clamped() };
-    });
+    const bars: Coloured[] = [this.scale().bar(dark)];
+    if (this.drawsFibres && this.fibreLayer) bars.push(this.fibreScale(this.fibreLayer).bar(dark));
+    if (hasColours(this.edge, this.shown)) bars.push(edgeBar(this.edge));
     const [title, time] = [this.run.title, this.clock.time];
     return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
   }

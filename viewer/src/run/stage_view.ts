@@ -3,10 +3,10 @@ import type { Camera } from "./camera";
 import type { Layer } from "./matrix/layers";
 import type { Scale } from "./matrix/scale";
 
-/** A layer with its colours, as a colour bar shows them. */
+/** What has colours, the matrix or the edge of the cell, as a colour bar shows them. */
 export interface Coloured {
-  layer: Layer;
-  scale: Scale;
+  layer: Pick<Layer, "name" | "symbol" | "unit" | "ends">;
+  scale: Omit<Scale, "hatched">;
   /** Ends of the scale beyond which there are values. */
   clamped: { low: boolean; high: boolean };
 }
@@ -18,7 +18,7 @@ export interface View {
   pixels: number;
   matrix: HTMLCanvasElement;
   top: HTMLCanvasElement;
-  /** What colours stand for: the layer, and the strain of fibres where they are drawn. */
+  /** What colours stand for: the layer; where they are drawn, the strain of fibres and the edge of the cell. */
   bars: Coloured[];
   title: string;
   time: number;

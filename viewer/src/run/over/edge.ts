@@ -2,6 +2,8 @@
 import { css, gradient, lookUp, viridis, type Rgb } from "../../colour";
 import { h } from "../../dom";
 import { readable } from "../../numbers";
+import type { Coloured } from "../stage_view";
+import { titleOf, type Shown } from "../matrix/layers";
 import type { Field } from "../../unpack";
 import type { Camera } from "../camera";
 import type { CellPart } from "../cells";
@@ -16,10 +18,14 @@ export interface Edge {
   high: number;
 }
 
-function largest(field: Field): number {
+/** The largest value, rounded up to two digits. */
+function top(field: Field): number {
   let q = 0;
   for (const v of field.q) q = Math.max(q, v);
-  return field.offset + field.scale * q;
+  const largest = field.offset + field.scale * q;
+  if (!(largest > 0)) return 1;
+  const step = 10 ** (Math.floor(Math.log10(largest)) - 1);
+  return Number((step * Math.ceil(largest / step - 1e-6)).toPrecision(2));
 }
 
 export const edges = (film: Film): Edge[] => [
@@ -30,9 +36,19 @@ export const edges = (film: Film): Edge[] => [
     name: "actomyosin force",
     unit: "nN",
     field: film.outline.force,
-    high: Number(largest(film.outline.force).toPrecision(2)) || 1,
+    high: top(film.outline.force),
   },
 ];
+
+/** Whether it is drawn in colours of its own, which hide those of protrusions. */
+export const hasColours = (edge: Edge, shown: Shown): boolean => edge.field !== null && shown.cell;
+
+/** The colour bar of an edge that has colours. */
+export const edgeBar = ({ name, unit, high }: Edge): Coloured => ({
+  layer: { name: `Edge: ${name}`, unit },
+  scale: { low: 0, high, map: viridis },
+  clamped: { low: false, high: false },
+});
 
 const table = lookUp(viridis);
 
@@ -72,7 +88,7 @@ export function edgeChoice(all: Edge[], chosen: (edge: Edge) => void): HTMLEleme
     bar.replaceChildren(
       ...(edge.field
         ? [
-            h("p", { class: "legend-title" }, `Edge: ${edge.name}${edge.unit ? ` [${edge.unit}]` : ""}`),
+            h("p", { class: "legend-title" }, titleOf(edgeBar(edge).layer)),
             h("div", { class: "bar", style: `background:${gradient(viridis)}` }),
             h(
               "div",

@@ -1,9 +1,9 @@
 /** Measured tracks over the matrix: as far as they were at the time shown, from the start of the simulated path. */
 import type { Tracks } from "../../contract";
-import { measuredColour, until, type MeasuredTrack } from "../../measured";
+import { until, type MeasuredTrack } from "../../measured";
 import type { Camera } from "../camera";
 import { tracksOfCells } from "../cells";
-import { edged, ink, type Pen } from "./pen";
+import { edged, type Pen } from "./pen";
 
 /** Where the simulated path begins; of several cells the mean. */
 export function startOf(tracks: Tracks): [number, number] {
@@ -12,8 +12,17 @@ export function startOf(tracks: Tracks): [number, number] {
   return [mean((own) => own.x_um[0]), mean((own) => own.y_um[0])];
 }
 
+/** A halo and the line in it, which are seen on any matrix and on front and rear of a cell; widths [pixels]. */
+export function measuredLine(dark: boolean): { colour: string; width: number }[] {
+  return [
+    { colour: dark ? "#14171a" : "#ffffff", width: 4.2 },
+    { colour: dark ? "#d8c4ff" : "#5b2a86", width: 1.8 },
+  ];
+}
+
 export function paintMeasured(c: Pen, measured: MeasuredTrack[], tracks: Tracks, time: number, camera: Camera, dark: boolean): void {
   const [x0, y0] = startOf(tracks);
+  const [halo, line] = measuredLine(dark);
   for (const track of measured) {
     const { x, y } = until(track, time);
     c.beginPath();
@@ -22,6 +31,6 @@ export function paintMeasured(c: Pen, measured: MeasuredTrack[], tracks: Tracks,
       if (i === 0) c.moveTo(sx, sy);
       else c.lineTo(sx, sy);
     });
-    edged(c, measuredColour(dark), ink(dark).edge, 1.3, [], 0.6);
+    edged(c, line.colour, halo.colour, line.width, [], 0.5 * (halo.width - line.width));
   }
 }

@@ -58,7 +58,7 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
       const wanted: Layer | undefined = shown.layers.find((one) => one.key === layer);
       if (layer !== undefined && !wanted) throw new Error(`there is no layer "${layer}"`);
       if (wanted) shown.choose(wanted);
-      shown.fix(width, height - stripHeight(width, shown.view().bars.length));
+      shown.fix(width, height - stripHeight(width, shown.view().bars));
       if (whole) shown.showWhole();
       if (follow !== undefined) shown.setFollow(follow);
     },

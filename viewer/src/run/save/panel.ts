@@ -11,13 +11,11 @@ const [side, gap, heading, row] = [300, 12, 30, 25]; // [pixels of the page]
 
 /** The signs of the legend from `top` down, in lines at most `width` wide.   @return their SVG and where they end */
 function legend(stage: Stage, top: number, width: number): [string, number] {
-  const { film } = stage;
   const pen = new SvgPen();
   pen.font = "14px sans-serif";
   pen.fillStyle = ink(false).line;
   let [x, y, pictures] = [gap, top, ""];
-  // The last two are those of arrows, which a panel does not have.
-  for (const entry of [...signs(film.cells.length, stage.hasObstacles, film.nucleus !== null, stage.measured.words).children].slice(0, -2)) {
+  for (const entry of signs(stage).children) {
     const words = entry.textContent ?? "";
     const needed = 37 + pen.measureText(words).width;
     if (x > gap && x + needed > width - gap) [x, y] = [gap, y + row];

@@ -2,19 +2,65 @@
 import { css, mapped } from "../../colour";
 import { readable, timeText } from "../../numbers";
 import { labelFont, ink, type Pen } from "../over/pen";
+import { titleOf } from "../matrix/layers";
 import type { Stage } from "../stage";
 import type { Coloured, View } from "../stage_view";
 import { escaped, SvgPen } from "../over/svg_pen";
 
 /** Beneath the view: time and title, and the colours with their limits [pixels of the page]. */
 const row = 44;
+const [side, gap, beforeBar] = [24, 24, 10];
+const barFont = "12px sans-serif";
 const ground = (dark: boolean): string => (dark ? "#14171a" : "#ffffff");
 
-/** Height of the strip beneath a view of this width, with this number of colour bars. */
-export const stripHeight = (width: number, bars: number): number => row * (width < 700 ? bars : 1);
+/** The name of what a bar is of, in one line or two. */
+function nameOf({ layer }: Coloured): string[] {
+  const [first, ...rest] = titleOf(layer).split(": ");
+  return rest.length > 0 ? [`${first}:`, rest.join(": ")] : [first];
+}
+
+let ruler: CanvasRenderingContext2D | null = null;
+function widthOf(text: string): number {
+  ruler ??= document.createElement("canvas").getContext("2d");
+  if (!ruler) return 7 * text.length;
+  ruler.font = barFont;
+  return ruler.measureText(text).width;
+}
+
+interface Strip {
+  /** Width of a bar. */
+  bar: number;
+  /** Right end and row of each bar. */
+  places: { right: number; row: number }[];
+  rows: number;
+  /** Right end of the room for time and title. */
+  room: number;
+}
+
+/** Bars up to the right end, in as many rows as they need. */
+function stripOf(width: number, bars: Coloured[]): Strip {
+  const bar = Math.min(200, (width < 700 ? 0.3 : 0.17) * width);
+  const needed = bars.map((one) => gap + Math.max(...nameOf(one).map(widthOf)) + beforeBar + bar);
+  const leastRoom = 110; // for time and title
+  const places: { right: number; row: number }[] = [];
+  let [row, left] = [0, width - side];
+  let room = left;
+  needed.forEach((own, k) => {
+    if (k > 0 && (width < 700 || left - own < leastRoom)) [row, left] = [row + 1, width - side];
+    for (const place of places) if (place.row === row) place.right -= own;
+    places.push({ right: width - side, row });
+    left -= own;
+    if (row === 0) room = left;
+  });
+  return { bar, places, rows: row + 1, room };
+}
+
+/** Height of the strip beneath a view of this width, with these colour bars. */
+export const stripHeight = (width: number, bars: Coloured[]): number => row * stripOf(width, bars).rows;
 
 /** @param right, y  upper right corner */
-export function paintBar(c: Pen, { layer, scale, clamped }: Coloured, width: number, right: number, y: number, dark: boolean): void {
+export function paintBar(c: Pen, coloured: Coloured, width: number, right: number, y: number, dark: boolean): void {
+  const { layer, scale, clamped } = coloured;
   const left = right - width;
   const steps = 64;
   // Each over the rest of the bar, so that no seams are seen.
@@ -23,13 +69,14 @@ export function paintBar(c: Pen, { layer, scale, clamped }: Coloured, width: num
     c.fillRect(left + (width * i) / steps, y + 8, width * (1 - i / steps), 11);
   }
   c.fillStyle = ink(dark).line;
-  c.font = "12px sans-serif";
-  const low = (clamped.low ? "\u2264 " : "") + readable(scale.low, 3);
-  const high = (clamped.high ? "\u2265 " : "") + readable(scale.high, 3);
+  c.font = barFont;
+  const numbers = [(clamped.low ? "\u2264 " : "") + readable(scale.low, 3), (clamped.high ? "\u2265 " : "") + readable(scale.high, 3)];
+  const worded = layer.ends ? numbers.map((number, k) => `${number} ${layer.ends?.[k] ?? ""}`) : numbers;
+  const widths = (texts: string[]): number => texts.reduce((sum, text) => sum + c.measureText(text).width, 0);
+  const [low, high] = widths(worded) + 8 <= width ? worded : numbers;
   c.fillText(low, left, y + 34);
   c.fillText(high, right - c.measureText(high).width, y + 34);
-  const name = layer.name + (layer.unit ? ` [${layer.unit}]` : "");
-  c.fillText(name, left - c.measureText(name).width - 10, y + 18);
+  nameOf(coloured).forEach((line, k) => c.fillText(line, left - c.measureText(line).width - beforeBar, y + 18 + 16 * k));
 }
 
 /** A text without its end, where it does not fit. */
@@ -44,20 +91,16 @@ function fitted(c: Pen, text: string, width: number): string {
 function paintStrip(c: Pen, { camera, dark, bars, title, time }: View, y: number): void {
   c.part?.("legend");
   const { width } = camera;
-  const height = stripHeight(width, bars.length);
+  const { bar, places, rows, room: end } = stripOf(width, bars);
   c.fillStyle = ground(dark);
-  c.fillRect(0, y, width, height);
-  const bar = Math.min(200, (width < 700 ? 0.3 : 0.17) * width);
-  const apart = height > row ? 0 : bar + 130;
-  const room = width - 24 - bar - 110 - (bars.length - 1) * apart - 24;
+  c.fillRect(0, y, width, row * rows);
+  const room = end - 12;
   c.fillStyle = ink(dark).line;
   c.font = labelFont;
   c.fillText(fitted(c, timeText(60 * Math.floor(time / 60)), room), 12, y + 19);
-  c.font = "12px sans-serif";
+  c.font = barFont;
   c.fillText(fitted(c, title, room), 12, y + 36);
-  bars.forEach((one, k) =>
-    paintBar(c, one, bar, width - 24 - (bars.length - 1 - k) * apart, y + (height > row ? k * row : 0), dark),
-  );
+  bars.forEach((one, k) => paintBar(c, one, bar, places[k].right, y + places[k].row * row, dark));
 }
 
 /**
@@ -66,7 +109,7 @@ function paintStrip(c: Pen, { camera, dark, bars, title, time }: View, y: number
  */
 export function paintPicture(canvas: HTMLCanvasElement, view: View, even: boolean): void {
   const { camera, pixels, matrix, top, dark } = view;
-  const strip = stripHeight(camera.width, view.bars.length);
+  const strip = stripHeight(camera.width, view.bars);
   const [width, height] = [matrix.width, matrix.height + Math.round(strip * pixels)];
   const [w, h] = even ? [width + (width % 2), height + (height % 2)] : [width, height];
   // A size set anew would end a recording.
@@ -125,5 +168,5 @@ export function svg(stage: Stage, title: string): string {
   const legend = new SvgPen();
   paintStrip(legend, view, height);
   const content = `${drawnLayers(stage)}\n${legend.content()}`;
-  return svgDocument(title, width, height + stripHeight(width, view.bars.length), view.dark, content);
+  return svgDocument(title, width, height + stripHeight(width, view.bars), view.dark, content);
 }
