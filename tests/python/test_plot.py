@@ -82,6 +82,13 @@ class Figures(common.InTemporaryFolder):
             with self.assertRaisesRegex(ValueError, words):
                 matrigrate.plot.frame(self.pair, **options)
 
+    def test_the_colour_bar_says_which_end_is_intact(self):
+        for field in ("f_degr", "degradation"):
+            axes = matrigrate.plot.frame(self.pair, field=field)
+            words = [other.get_ylabel() for other in axes.figure.axes]
+            self.assertIn("intact matrix (f_degr): 0 fluid, 1 intact", words)
+            self.drawn(axes)
+
     def test_parts_can_be_hidden(self):
         every = matrigrate.plot.frame(self.pair)
         bar = [artist for artist in every.artists if artist.get_gid() == "scale bar"]
