@@ -83,7 +83,7 @@ test("fibres are drawn, explained, switched by key and box, saved, and not there
   await off();
   assert.ok((await still(page)) !== drawn, "the key changes nothing");
   await until(async () => (await on()) === drawn, "the box draws them as before");
-  assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /fibres by their strain/);
+  assert.match((await page.locator(".screen > [role=status].unseen").textContent()) ?? "", /and the strain of fibres\.$/);
   const bars = () => page.locator(".legend-layer .bar").evaluateAll((all) => all.map((e) => e.getAttribute("style")));
   await page.locator("input[value=pressure]").check();
   const [pressure, strain] = await bars();
