@@ -39,25 +39,32 @@ std::string second_edition(const study::Finding& finding) {
   return fmt::format("by the second edition of the rules: {}{}", to_string(finding.second), missed);
 }
 
-/// "with runs that ended at the rim made again in a larger disc: holds; by the second edition of the rules: ..."
+/// "by the first edition of the rules: does not hold; missed: ..."
+std::string first_edition(const study::Finding& finding) {
+  const std::string missed = finding.unmet.empty() ? "" : "; missed: " + joined(finding.unmet);
+  return fmt::format("by the first edition of the rules: {}{}", to_string(finding.verdict), missed);
+}
+
+/// "with runs that ended at the rim made again in a larger disc, by the second edition of the rules: holds; ..."
 std::string with_larger_disc(const study::Finding& finding) {
-  return fmt::format("with runs that ended at the rim made again in a larger disc: {}; {}", to_string(finding.verdict),
-                     second_edition(finding));
+  return fmt::format("with runs that ended at the rim made again in a larger disc, {}; {}", second_edition(finding),
+                     first_edition(finding));
 }
 
 report::Statement statement(const study::JudgedClaim& row, const ReproducedFigures& figures) {
   std::vector<std::string> conditions = row.finding.conditions;
   conditions.push_back(second_edition(row.finding));
+  conditions.push_back(first_edition(row.finding));
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("{}; {}", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief));
   return {.id = row.id,
           .kind = kind_name(row.kind),
           .sentence = row.sentence,
-          .verdict = row.finding.verdict,
+          .verdict = row.finding.second,
           .caveat = row.caveat,
           .published = row.published,
           .brief = row.finding.brief,
-          .why_not = study::why_not(row.finding),
+          .why_not = study::why_not_by_second(row.finding),
           .details = {{"Ours; intervals are those of 95 %", row.finding.ours},
                       {"Conditions, each with its statistic", std::move(conditions)}},
           .studies = row.studies,
@@ -66,9 +73,9 @@ report::Statement statement(const study::JudgedClaim& row, const ReproducedFigur
 }
 
 Colour colour_of(study::Verdict verdict) {
-  return verdict == study::Verdict::holds       ? Colour::good
-         : verdict == study::Verdict::undecided ? Colour::warning
-                                                : Colour::bad;
+  return verdict == study::Verdict::holds           ? Colour::good
+         : verdict == study::Verdict::does_not_hold ? Colour::bad
+                                                    : Colour::warning;
 }
 
 std::vector<report::Fact> facts(const study::Evidence& evidence, const std::string& command) {
@@ -127,6 +134,7 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
                              .statements = {},
                              .studies = figures.studies,
                              .provenance = provenance_text()};
+  page.facts.push_back({"rules", "second edition. " + study::first_bottom_line(rows)});
   for (const study::JudgedClaim& row : rows) page.statements.push_back(statement(row, figures));
   write_file(folder / fmt::format("report-{}.html", id),
              report::filled_page(verdicts_page_template(), report::verdict_data(page)));
@@ -136,12 +144,12 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
   std::string text;
   for (const study::JudgedClaim& row : rows) {
     text += fmt::format("{:<4}{}{}\n    {}\n", row.id,
-                        coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
+                        coloured(to_string(row.finding.second), colour_of(row.finding.second), Stream::out),
                         row.caveat.empty() ? "" : fmt::format(" ({})", row.caveat), row.sentence);
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
-    text += fmt::format("    {}\n", second_edition(row.finding));
+    text += fmt::format("    {}\n    {}\n", second_edition(row.finding), first_edition(row.finding));
     if (row.in_larger_disc)
       text += fmt::format("    {}\n      {}\n", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief);
   }

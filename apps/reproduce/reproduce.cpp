@@ -106,7 +106,8 @@ int reproduce(const ReproduceOptions& options) {
   }
   rows = judged_rows(claims, all, std::move(rows), options);
   if (options.markdown) {
-    print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n");
+    print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n" + study::first_bottom_line(rows)
+          + ".\n");
   } else {
     write_reproduction(options.folder, options.id, rows, all.evidence, reproduced_figures(all.evidence, options),
                        setting, options.command);
@@ -116,7 +117,7 @@ int reproduce(const ReproduceOptions& options) {
       print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
             + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   }
-  const auto holds = [](const study::JudgedClaim& row) { return row.finding.verdict == study::Verdict::holds; };
+  const auto holds = [](const study::JudgedClaim& row) { return row.finding.second == study::Verdict::holds; };
   return std::ranges::all_of(rows, holds) ? done : numerical;
 }
 

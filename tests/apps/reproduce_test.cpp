@@ -68,12 +68,12 @@ TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {
   EXPECT_EQ(ended.code, 4) << ended.err;
   EXPECT_TRUE(contains(ended.out, "stiffness: 0 of 10 runs done; 10 ended at the rim, 0 by crossing themselves"))
       << ended.out;
-  EXPECT_TRUE(
-      contains(ended.out, "made again in a larger disc: undecided; by the second edition of the rules: undecided"))
+  EXPECT_TRUE(contains(ended.out, "made again in a larger disc, by the second edition of the rules: undecided"))
       << ended.out;
   const std::string larger = file("reproduce/stiffness-larger-disc/scenario.resolved.toml");
   EXPECT_TRUE(contains(larger, "radius = \"60 um\"")) << larger;
-  EXPECT_TRUE(contains(page_data("reproduce/report-A5.html"), "made again in a larger disc: "));
+  EXPECT_TRUE(contains(page_data("reproduce/report-A5.html"), "made again in a larger disc, by the second edition"));
+  EXPECT_TRUE(contains(page_data("reproduce/report-A5.html"), "second edition. By the first edition"));
   const auto runs = std::filesystem::directory_iterator(folder / "reproduce/stiffness-larger-disc/runs");
   EXPECT_EQ(std::count_if(begin(runs), end(runs), [](const auto& one) { return one.is_directory(); }), 4)
       << "those of 200 and 400 Pa, on which A5 depends";

@@ -39,14 +39,18 @@ struct JudgedClaim {
 /// @param set  of closures of the runs
 JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence, ClosureSet set);
 
-/// Why a claim does not hold, in a line; empty if it does.
+/// Why a claim does not hold by the first edition, in a line; empty if it does.
 std::string why_not(const Finding& finding);
 
-/// "19 of 30 hold: 7 of 11 calibration, 9 of 15 predicted, 3 of 4 verification; 2 undecided"
+/// The same by the second edition.
+std::string why_not_by_second(const Finding& finding);
+
+/// "By the second edition of the rules 18 of 30 hold: 7 of 16 calibration, 5 of 10 predicted, 3 of 4 verification; 5
+/// more in direction; 2 undecided"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
 
-/// "16 of 30 hold and 9 more are in direction by the second edition of the rules"
-std::string second_bottom_line(const std::vector<JudgedClaim>& claims);
+/// "By the first edition, which knows no "in direction": 17 of 30 hold"
+std::string first_bottom_line(const std::vector<JudgedClaim>& claims);
 
 /// The table of a page of Markdown: a row a claim, with what was published, what came out, and the verdict.
 std::string markdown_table(const std::vector<JudgedClaim>& claims);

@@ -13,17 +13,20 @@ std::string why_not(const Finding& finding) {
                      fmt::join(finding.unmet, "; "));
 }
 
-std::string second_bottom_line(const std::vector<JudgedClaim>& claims) {
-  const auto count = [&](Verdict verdict) {
-    return std::ranges::count_if(claims, [&](const JudgedClaim& c) { return c.finding.second == verdict; });
-  };
-  return fmt::format("{} of {} hold and {} more are in direction by the second edition of the rules",
-                     count(Verdict::holds), claims.size(), count(Verdict::in_direction));
+std::string why_not_by_second(const Finding& finding) {
+  const bool told = finding.second == Verdict::does_not_hold || finding.second == Verdict::in_direction;
+  return fmt::format("{}{}", told ? "not met: " : "", fmt::join(finding.second_unmet, "; "));
+}
+
+std::string first_bottom_line(const std::vector<JudgedClaim>& claims) {
+  const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
+  return fmt::format("By the first edition, which knows no \"in direction\": {} of {} hold",
+                     std::ranges::count_if(claims, holds), claims.size());
 }
 
 std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
-  const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
+  const auto holds = [](const JudgedClaim& c) { return c.finding.second == Verdict::holds; };
   std::vector<std::string> parts;
   for (const ClaimKind kind :
        {ClaimKind::calibration, ClaimKind::predicted, ClaimKind::verification, ClaimKind::experiment}) {
@@ -32,10 +35,11 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
       parts.push_back(fmt::format("{} of {} {}", count([&](const JudgedClaim& c) { return of_kind(c) && holds(c); }),
                                   all, kind_name(kind)));
   }
-  const auto undecided = count([](const JudgedClaim& c) { return c.finding.verdict == Verdict::undecided; });
-  return fmt::format("{} of {} hold{}{}", count(holds), claims.size(),
+  const auto of = [&](Verdict verdict) { return count([&](const auto& c) { return c.finding.second == verdict; }); };
+  const auto more = [](auto n, const char* what) { return n > 0 ? fmt::format("; {} {}", n, what) : std::string(); };
+  return fmt::format("By the second edition of the rules {} of {} hold{}{}{}", count(holds), claims.size(),
                      parts.size() > 1 ? fmt::format(": {}", fmt::join(parts, ", ")) : "",
-                     undecided > 0 ? fmt::format("; {} undecided", undecided) : "");
+                     more(of(Verdict::in_direction), "more in direction"), more(of(Verdict::undecided), "undecided"));
 }
 
 namespace {
@@ -57,12 +61,12 @@ std::string verdict_text(const JudgedClaim& c, Verdict Finding::*edition) {
 
 std::string markdown_table(const std::vector<JudgedClaim>& claims) {
   std::string text =
-      "| row | kind | claim | published | ours: mean [95 % interval] | verdict | second edition | why not |\n"
+      "| row | kind | claim | published | ours: mean [95 % interval] | verdict | first edition | why not |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
     text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, kind_name(c.kind), c.sentence,
-                        c.published, c.finding.brief, verdict_text(c, &Finding::verdict),
-                        verdict_text(c, &Finding::second), why_not(c.finding));
+                        c.published, c.finding.brief, verdict_text(c, &Finding::second),
+                        verdict_text(c, &Finding::verdict), why_not_by_second(c.finding));
   return text;
 }
 

@@ -370,14 +370,14 @@ TEST(Claims, TableSaysWhyNot) {
   EXPECT_EQ(why_not(no.finding), "not met: f_mat at n_prot 2 not significantly different from that at n_prot 1 "
                                  "(difference 1 [0.777, 1.22], p 3.4e-05)");
   EXPECT_EQ(why_not(yes.finding), "");
-  EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted");
+  EXPECT_EQ(bottom_line({no, yes}), "By the second edition of the rules 1 of 2 hold: 0 of 1 calibration, 1 of 1 "
+                                    "predicted; 1 more in direction");
   const std::string table = markdown_table({no, yes});
   EXPECT_NE(table.find("| A1 | calibration | f_mat rises and does not | 1 to 2 | f_mat 1.15"), std::string::npos)
       << table;
   EXPECT_NE(table.find("| **holds** | holds |  |\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("| **does not hold** | in direction | not met"), std::string::npos) << table;
-  EXPECT_EQ(second_bottom_line({no, yes}),
-            "1 of 2 hold and 1 more are in direction by the second edition of the rules");
+  EXPECT_NE(table.find("| **in direction** | does not hold | not met"), std::string::npos) << table;
+  EXPECT_EQ(first_bottom_line({no, yes}), "By the first edition, which knows no \"in direction\": 1 of 2 hold");
   EXPECT_TRUE(claims_csv({no, yes}).starts_with("id,kind,claim,published,ours,verdict,why_not,"));
   EXPECT_TRUE(conditions_csv({no, yes}).starts_with("id,sentence,published,ours,statistic,verdict,caveat\nA1,f_mat"));
 }

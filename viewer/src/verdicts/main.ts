@@ -83,6 +83,7 @@ function statement(s: Statement, names: string[]): HTMLElement {
 function show(page: VerdictPage, place: HTMLElement): void {
   document.title = page.title;
   const count = (word: Statement["verdict"]) => page.statements.filter((s) => s.verdict === word).length;
+  const told = (word: Statement["verdict"]) => (count(word) > 0 ? [`${count(word)} ${word}`] : []);
   const names = page.studies.map((one) => one.name);
   place.replaceChildren(
     h(
@@ -92,7 +93,8 @@ function show(page: VerdictPage, place: HTMLElement): void {
       h(
         "p",
         { class: "status" },
-        `${count("holds")} of ${page.statements.length} hold${count("undecided") > 0 ? `, ${count("undecided")} undecided` : ""}.`,
+        [`${count("holds")} of ${page.statements.length} hold`, ...told("in direction"), ...told("undecided")].join(", ") + ".",
+
       ),
       factList(page.facts),
       page.setting
