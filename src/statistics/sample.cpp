@@ -66,6 +66,10 @@ Box box(Values x) {
     if (std::isnan(b.low_whisker)) b.low_whisker = value;
     b.high_whisker = value;
   }
+  if (!y.empty()) { // quartiles lie between values, so the innermost value may lie within the box
+    b.low_whisker = std::min(b.low_whisker, b.low_quartile);
+    b.high_whisker = std::max(b.high_whisker, b.high_quartile);
+  }
   return b;
 }
 

@@ -37,7 +37,8 @@ double mean_of_defined(Values x);
 /// @param share  in [0, 1]
 double quantile(Values x, double share);
 
-/// A box with whiskers after Tukey: the whiskers end at the outermost values within 1.5 times the height of the box.
+/// A box with whiskers after Tukey: the whiskers end at the outermost values within 1.5 times the height of the box,
+/// or at the box where these lie within it.
 struct Box {
   double low_whisker, low_quartile, median, high_quartile, high_whisker; ///< all NaN for an empty sample
   std::vector<double> outliers;                                          ///< beyond the whiskers, ascending

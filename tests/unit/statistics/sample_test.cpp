@@ -39,6 +39,14 @@ TEST(Sample, QuartilesAsInR) {
   EXPECT_DOUBLE_EQ(quantile(x, 1.0), 10.0);
 }
 
+TEST(Sample, WhiskersEndAtTheBoxWhereTheInnermostValueLiesWithinIt) { // as matplotlib has it
+  const Box b = box(std::vector<double>{0, 20.2, 20.4, 20.8});
+  EXPECT_EQ(b.outliers, std::vector<double>{0.0});
+  EXPECT_DOUBLE_EQ(b.low_quartile, 15.15);
+  EXPECT_DOUBLE_EQ(b.low_whisker, b.low_quartile);
+  EXPECT_DOUBLE_EQ(b.high_whisker, 20.8);
+}
+
 TEST(Sample, ABoxHasWhiskersAndOutliers) {
   const Box b = box(std::vector<double>{1, 2, 3, 4, 5, 30});
   EXPECT_DOUBLE_EQ(b.median, 3.5);
