@@ -27,6 +27,7 @@ constexpr std::size_t largest_list = std::size_t{1} << 24;
 
 struct CheckArguments {
   std::vector<std::string> files;
+  std::vector<std::string> overrides;
   bool json = false;
   bool values = false;
 };
@@ -42,14 +43,14 @@ struct Finding {
   std::string unreadable;         ///< why it cannot be read; empty if it can
 };
 
-Finding look_at(const std::string& file) {
+Finding look_at(const std::string& file, const std::vector<std::string>& overrides) {
   Finding found;
   found.file = file;
   try {
     found.study = study::is_study_file(file);
     if (found.study) {
       const study::Study s =
-          study::read_study(file, {.overrides = {},
+          study::read_study(file, {.overrides = overrides,
                                    .replicates = {},
                                    .more = start_rules(),
                                    .labels_of = study::other_studies(std::filesystem::path(file).parent_path())});
@@ -57,7 +58,7 @@ Finding look_at(const std::string& file) {
         found.notes.insert(found.notes.end(), target.notes.begin(), target.notes.end());
       found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
     } else {
-      found.cost = run::cost_of_reference_steps(read_parameters(file, {}, start_rules()));
+      found.cost = run::cost_of_reference_steps(read_parameters(file, overrides, start_rules()));
     }
   } catch (const ConfigurationError& error) {
     found.faults = error.faults();
@@ -95,7 +96,7 @@ int check_files(const CheckArguments& options) {
   int code = done;
   Json files = Json::array();
   for (const std::string& file : options.files) {
-    const Finding found = look_at(file);
+    const Finding found = look_at(file, options.overrides);
     if (!found.faults.empty()) code = std::max<int>(code, configuration);
     if (!found.unreadable.empty()) code = input_output;
     if (options.json)
@@ -122,8 +123,12 @@ void add_check(CLI::App& app, Action& chosen) {
       "parameters are not tried. Exit code 0, whatever is found; 3 if a file is no such list.");
   const auto options = std::make_shared<CheckArguments>();
   verb->add_option("FILE", options->files, "Scenario and study files")->required();
+  CLI::Option* set = verb->add_option("--set", options->overrides, "key=value, over the files; may be repeated");
+  set->allow_extra_args(false);
   CLI::Option* json = verb->add_flag("--json", options->json, "Print the findings as JSON");
-  verb->add_flag("--values", options->values, "The files are JSON lists of single values")->excludes(json);
+  verb->add_flag("--values", options->values, "The files are JSON lists of single values")
+      ->excludes(json)
+      ->excludes(set);
   verb->callback([options, &chosen] {
     chosen = [options] { return options->values ? judge_values(options->files) : check_files(*options); };
   });

@@ -19,11 +19,20 @@ constexpr const char* duration = "run.duration";
 constexpr const char* seed = "run.seed";
 constexpr const char* threads = "run.threads";
 
+/// "6" is "6 h"; a text with a unit stays.
+std::string with_hours(const std::string& text) {
+  try {
+    return units::parse_quantity(text).unit.empty() ? text + " h" : text;
+  } catch (const std::invalid_argument&) { // the reader of parameters says what is wrong
+    return text;
+  }
+}
+
 } // namespace
 
 std::vector<std::string> all_overrides(const ParameterOptions& options) {
   std::vector<std::string> all = options.overrides;
-  if (options.hours) all.push_back(fmt::format("{}={} h", duration, *options.hours));
+  if (options.hours) all.push_back(fmt::format("{}={}", duration, with_hours(*options.hours)));
   if (options.seed) all.push_back(fmt::format("{}={}", seed, *options.seed));
   if (options.threads) all.push_back(fmt::format("{}={}", threads, *options.threads));
   return all;

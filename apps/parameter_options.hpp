@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,8 +12,8 @@ namespace matrigrate::apps {
 
 struct ParameterOptions {
   std::vector<std::string> overrides; ///< --set: "key=value"
-  std::optional<double> hours;
-  std::optional<std::uint64_t> seed;
+  std::optional<std::string> hours;   ///< a number, or a time with its unit: "30 min"
+  std::optional<std::string> seed;
   std::optional<int> threads;
 };
 

@@ -86,7 +86,7 @@ std::uint64_t new_seed() {
 Parameters read_values(const SampleArguments& options) {
   ParameterOptions values = options.parameters;
   const auto is_seed = [](const std::string& text) { return text.starts_with("run.seed="); };
-  if (!values.seed && std::ranges::none_of(values.overrides, is_seed)) values.seed = new_seed();
+  if (!values.seed && std::ranges::none_of(values.overrides, is_seed)) values.seed = std::to_string(new_seed());
   try {
     if (!options.scenario.empty()) return read_parameters(options.scenario, all_overrides(values), start_rules());
     const Preset* preset = find_preset(options.preset);
@@ -193,7 +193,7 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
   verb->add_option("--scenario", options->scenario, "Change this scenario file instead")->excludes(preset);
   verb->add_option("--targets", options->targets, "Measured read-outs to tell the distance from");
   verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
-  verb->add_option("--hours", options->parameters.hours, "Simulated time in hours: run.duration");
+  verb->add_option("--hours", options->parameters.hours, "Simulated time in hours, or as \"30 min\": run.duration");
   verb->add_option("--threads", options->parameters.threads, "Threads, 0 for all: run.threads; never changes a result");
   verb->callback([options, &chosen] { chosen = [options] { return sample(*options); }; });
 }

@@ -113,8 +113,11 @@ template <class Whole>
 std::string assign_whole(const Row& row, const Given& given, Whole& parameter) {
   if (std::holds_alternative<double>(given.value))
     return fmt::format("has a decimal point or an exponent; write a whole number, such as {}", example(row));
-  if (std::holds_alternative<std::string>(given.value))
+  if (const auto* text = std::get_if<std::string>(&given.value)) {
+    if (text->find_first_not_of("0123456789") == std::string::npos && text->size() > 18)
+      return out_of_range(row, *text);
     return fmt::format("is a string; write a whole number without quotes, such as {}", example(row));
+  }
   const auto* value = std::get_if<std::int64_t>(&given.value);
   if (value == nullptr) return wrong_type(row, given);
   if (!within(row.range, static_cast<double>(*value), row.range.low, row.range.high))

@@ -1,6 +1,7 @@
 #include "parameters/document.hpp"
 
 #include "base/file.hpp"
+#include "parameters/presets.hpp"
 #include "parameters/scan.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,10 @@ std::string read_document(const std::filesystem::path& file, std::size_t max_byt
   if (!unknown_size && size > max_bytes)
     throw ConfigurationError(
         {Fault{file.string(), 0, 0, "", fmt::format("has {} bytes, more than the {} allowed", size, max_bytes)}});
+  if (!std::filesystem::exists(file, unknown_size) && find_preset(file.string()) != nullptr)
+    throw InputOutputError(fmt::format("{0}: there is no such file, but a preset of this name; it becomes a file by "
+                                       "matrigrate new {0}.toml --preset {0}",
+                                       file.string()));
   return read_file(file, max_bytes);
 }
 

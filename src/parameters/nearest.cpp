@@ -97,6 +97,15 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
   return best;
 }
 
+std::optional<std::string> nearest_readout(std::string_view typed, const std::vector<std::string>& names) {
+  if (auto near = nearest(typed, names)) return near;
+  const auto begins = [&](const std::string& name) { return name.starts_with(fmt::format("{}_", typed)); };
+  if (const auto found = std::ranges::find_if(names, begins); found != names.end()) return *found;
+  for (const Alias& alias : results)
+    if (alias.word == typed && std::ranges::find(names, alias.path) != names.end()) return std::string(alias.path);
+  return std::nullopt;
+}
+
 std::optional<std::string> nearest_parameter(std::string_view path) {
   if (path.empty() || path.size() > longest_name) return std::nullopt;
   if (auto meant = meant_by(path, aliases)) return meant;

@@ -16,6 +16,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// @return the name nearest to `typed`, if it is near enough to be a slip of the fingers
 std::optional<std::string> nearest(std::string_view typed, const std::vector<std::string>& names);
 
+/// The same, or the first name that goes on where `typed` ends, or the read-out that a word such as "speed" stands for.
+std::optional<std::string> nearest_readout(std::string_view typed, const std::vector<std::string>& names);
+
 /// The parameter or section that somebody most likely meant: near in spelling, the same key in another section, or the
 /// paper's symbol of it ("E").
 std::optional<std::string> nearest_parameter(std::string_view path);

@@ -90,12 +90,26 @@ std::size_t FaultList::choice(const toml::node& node, std::string_view key, cons
   const auto* value = node.as_string();
   const auto found = value == nullptr ? names.end() : std::ranges::find(names, value->get());
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  const std::string allowed = fmt::format("allowed is \"{}\"", fmt::join(names, "\" or \""));
+  constexpr std::size_t most_shown = 20; // more have presets and read-outs alone
+  if (names.size() <= most_shown) {
+    const std::string allowed = fmt::format("allowed is \"{}\"", fmt::join(names, "\" or \""));
+    if (value == nullptr)
+      add(place_of(node), key, fmt::format("is {}; {}", type_of(node), allowed));
+    else
+      add(place_of(node), key, fmt::format("\"{}\" is not known; {}", excerpt(value->get()), allowed),
+          [typed = value->get(), names] { return did_you_mean(nearest(typed, names)); });
+    return 0;
+  }
+  const std::string all = fmt::format(
+      "{} lists all {}", key == "preset" ? "`matrigrate list`" : "`matrigrate list --readouts-json`", names.size());
   if (value == nullptr)
-    add(place_of(node), key, fmt::format("is {}; {}", type_of(node), allowed));
+    add(place_of(node), key, fmt::format("is {}, but a name in quotes is expected; {}", type_of(node), all));
   else
-    add(place_of(node), key, fmt::format("\"{}\" is not known; {}", excerpt(value->get()), allowed),
-        [typed = value->get(), names] { return did_you_mean(nearest(typed, names)); });
+    add(place_of(node), key, fmt::format("\"{}\" is not known", excerpt(value->get())),
+        [typed = value->get(), names, all] {
+          const std::string meant = did_you_mean(nearest_readout(typed, names));
+          return meant + (meant.empty() ? "; " : " ") + all;
+        });
   return 0;
 }
 

@@ -59,6 +59,7 @@ public:
       m_faults.raise();
     }
     m_table = std::move(std::get<toml::table>(document));
+    refuse_scenario();
     check_keys();
     read_head();
     read_base();
@@ -89,6 +90,19 @@ private:
     if (node == nullptr || node->is_array()) return node == nullptr ? nullptr : node->as_array();
     m_faults.add(place_of(*node), key, fmt::format("is no list of {0}; write [[{0}]] and {1} below", key, what));
     return nullptr;
+  }
+
+  /// One fault for a file that is a scenario, in place of one for each of its sections.
+  void refuse_scenario() {
+    const auto of_scenario = [](const auto& entry) {
+      return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == entry.first.str(); });
+    };
+    if (is_study(m_table) || get("scenario") || get("preset") || std::ranges::none_of(m_table, of_scenario)) return;
+    m_faults.add({Fault{m_faults.file(), 0, 0, "",
+                        fmt::format("is a scenario of one run, and not a study; matrigrate run {0} computes it. A "
+                                    "study names it, scenario = \"{0}\", and what varies: docs/studies.md",
+                                    m_faults.file())}});
+    m_faults.raise();
   }
 
   void check_keys() {

@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <cstddef>
+#include <string>
 
 namespace matrigrate {
 namespace {
@@ -43,6 +44,51 @@ TEST_F(Program, AnUnknownOptionIsNamedWithTheNearest) {
   const Ended many = run("explain a b c");
   EXPECT_EQ(many.code, 2);
   EXPECT_EQ(lines(many.err, 1), "matrigrate: too many arguments: b c\n") << "in the order typed";
+}
+
+TEST_F(Program, TimesAndSeedsOfOptionsAreSaidAsOfFiles) {
+  write("cell.toml", "[ecm]\nradius = \"60 um\"\n");
+  EXPECT_EQ(run("run cell.toml --seed -3").err,
+            "--seed: run.seed: -3 is out of range; allowed is >= 0 and <= 9007199254740991\n");
+  EXPECT_TRUE(contains(run("run cell.toml --seed 18446744073709551616").err,
+                       "--seed: run.seed: 18446744073709551616 is out of range"));
+  EXPECT_TRUE(contains(run("run cell.toml --hours 1kPa").err, "--hours: run.duration: "));
+  for (const char* six_seconds : {"6s", "'6 s'", "'0.1 min'", "0.00166666666666666667"}) {
+    const Ended ended = run(std::string("run cell.toml --quiet -o here --force --hours ") + six_seconds);
+    EXPECT_EQ(ended.code, 0) << six_seconds << ended.err;
+    EXPECT_TRUE(contains(text_of(folder / "here/scenario.resolved.toml"), "duration = \"6 s\"")) << six_seconds;
+  }
+}
+
+TEST_F(Program, AFileOfTheWrongKindIsToldOnce) {
+  write("cell.toml", "[ecm]\nradius = \"60 um\"\n[cell]\nradius = \"15 um\"\n");
+  const Ended study = run("study plan cell.toml");
+  EXPECT_EQ(study.code, 3);
+  EXPECT_EQ(lines(study.err, 1), study.err) << "one line";
+  EXPECT_TRUE(contains(study.err, "is a scenario of one run, and not a study; matrigrate run cell.toml")) << study.err;
+  for (const char* verb : {"run", "check", "explain"}) {
+    const Ended preset = run(std::string(verb) + " baseline");
+    EXPECT_EQ(preset.code, 5) << verb;
+    EXPECT_TRUE(contains(preset.err, "matrigrate new baseline.toml --preset baseline")) << preset.err;
+  }
+}
+
+TEST_F(Program, CheckTakesChanges) {
+  write("cell.toml", "[ecm]\nradius = \"60 um\"\n");
+  EXPECT_EQ(run("check cell.toml --set ecm.radius='90 um'").code, 0);
+  const Ended bad = run("check cell.toml --set ecm.radius='1 um'");
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_TRUE(contains(bad.err, "--set: ecm.radius: ")) << bad.err;
+}
+
+TEST_F(Program, ExplainTellsTheMeanDirectionOfAField) {
+  const std::string fibres = "[ecm]\nradius = \"60 um\"\n[fibres]\narrangement = \"uniaxial\"\ndirection_deg = 0\n";
+  write("even.toml", fibres + "[fibres.field]\ndirection_deg = \"60\"\n");
+  EXPECT_TRUE(contains(run("explain even.toml").out, "mean direction 60 degrees over the particles"));
+  write("across.toml", fibres + "[fibres.field]\ndirection_deg = \"x < 0 ? 80 : -80\"\n"); // both sides of 90
+  EXPECT_TRUE(contains(run("explain across.toml").out, "mean direction 90")) << "not 0";
+  write("round.toml", fibres + "[fibres.field]\ndirection_deg = \"atan2(x, -y)*180/_pi\"\n");
+  EXPECT_TRUE(contains(run("explain round.toml").out, "no mean direction over the particles"));
 }
 
 } // namespace

@@ -1,12 +1,15 @@
 #include "unit/study/studies.hpp"
 
+#include "parameters/presets.hpp"
 #include "parameters/schema.hpp"
+#include "study/study.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
 
 namespace matrigrate::study {
 namespace {
@@ -49,13 +52,21 @@ TEST(ReadStudy, EachFaultOfTheHead) {
   EXPECT_EQ(fault_of("seed = -1\n"), "f.toml:3:8: seed: -1 is out of range; allowed is >= 0 and <= 9007199254740991");
   EXPECT_EQ(fault_of("common_random_numbers = 1\n"),
             "f.toml:3:25: common_random_numbers: is a number; write true or false, without quotes");
-  EXPECT_TRUE(fault_of("readouts = [\"n_protrusion\"]\n").ends_with("; did you mean n_protrusions?"));
+  const auto of_readout = [](const std::string& name) { return fault_of("readouts = [\"" + name + "\"]\n"); };
+  EXPECT_EQ(of_readout("n_protrusion"),
+            "f.toml:3:13: readouts: \"n_protrusion\" is not known; did you mean n_protrusions? "
+            "`matrigrate list --readouts-json` lists all "
+                + std::to_string(all_readouts().size()));
+  EXPECT_NE(of_readout("v_migr_abs").find("did you mean v_migr_abs_um_per_h?"), std::string::npos);
+  EXPECT_NE(of_readout("speed").find("did you mean v_migr_abs_um_per_h?"), std::string::npos);
+  EXPECT_NE(of_readout("colour").find("is not known; `matrigrate list"), std::string::npos);
   EXPECT_EQ(fault_of("scenario = \"s.toml\"\n"),
             "f.toml:1:10: scenario: is given together with a preset; a study has one of "
             "scenario = \"FILE.toml\" and preset = \"NAME\"");
   EXPECT_THROW(faults_of("scenario = \"nowhere.toml\"\nreplicates = 1\n"), InputOutputError);
   EXPECT_EQ(faults_of("preset = \"sotf\"\nreplicates = 1\n").size(), 1U);
-  EXPECT_TRUE(faults_of("preset = \"sotf\"\nreplicates = 1\n")[0].ends_with("; did you mean soft?"));
+  EXPECT_TRUE(faults_of("preset = \"sotf\"\nreplicates = 1\n")[0].ends_with(
+      "; did you mean soft? `matrigrate list` lists all " + std::to_string(presets().size())));
   const auto nothing = faults_of("");
   ASSERT_EQ(nothing.size(), 2U);
   EXPECT_EQ(nothing[0], "f.toml: replicates: is missing; write replicates = 12, the runs at each point");
