@@ -17,6 +17,7 @@ _matrigrate() {
   case $verb:$previous in
   matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
+  matrigrate_check:--set) COMPREPLY=(); return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
   matrigrate_explain:--pictures) COMPREPLY=(); return ;;
   matrigrate_run:-o|matrigrate_run:--output) _matrigrate_files -d; return ;;
@@ -109,7 +110,7 @@ _matrigrate() {
   matrigrate_list)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json --readouts-json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_check)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json --values" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json --values" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_explain)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json --pictures" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_run)

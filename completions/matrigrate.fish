@@ -49,6 +49,7 @@ complete -c matrigrate -n '__matrigrate_at list' -l readouts-json -d 'Instead: a
 
 complete -c matrigrate -n '__matrigrate_at check' -F
 complete -c matrigrate -n '__matrigrate_at check' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at check' -l set -x -d 'key=value, over the files; may be repeated'
 complete -c matrigrate -n '__matrigrate_at check' -l json -d 'Print the findings as JSON'
 complete -c matrigrate -n '__matrigrate_at check' -l values -d 'The files are JSON lists of single values'
 
@@ -62,7 +63,7 @@ complete -c matrigrate -n '__matrigrate_at run' -F
 complete -c matrigrate -n '__matrigrate_at run' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at run' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: <scenario>-seed<N>, and what --set changes)'
 complete -c matrigrate -n '__matrigrate_at run' -l seed -x -d 'Seed of the random numbers: run.seed'
-complete -c matrigrate -n '__matrigrate_at run' -l hours -x -d 'Simulated time in hours: run.duration'
+complete -c matrigrate -n '__matrigrate_at run' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
 complete -c matrigrate -n '__matrigrate_at run' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
 complete -c matrigrate -n '__matrigrate_at run' -l set -x -d 'key=value, over the file; may be repeated'
 complete -c matrigrate -n '__matrigrate_at run' -l wall-time -x -d 'Stop with a checkpoint after this time of the clock: "2 h"'
@@ -88,7 +89,7 @@ complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline sof
 complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change this scenario file instead'
 complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs to tell the distance from'
 complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
-complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours: run.duration'
+complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
 complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
 
 complete -c matrigrate -n '__matrigrate_at demo' -s h -l help -d 'Print this help message and exit'
