@@ -59,6 +59,8 @@ public:
   Finding finding() const;
 
 private:
+  static constexpr double alpha = 0.05; ///< level of tests and of intervals
+
   /// The runs at one point of a study.
   struct Group {
     std::string study;
