@@ -21,7 +21,8 @@ Parameters parameters() {
   Parameters p;
   p.ecm.radius = 40.0;
   p.degradation.body_distance = 10.0; // margin of the hole around the cell
-  p.contact.fluid_share = 0.0;        // degraded matrix does not resist the cell
+  p.contact.fluid_share = 0.0;        // degraded matrix does not resist the cell, neither protrusions ...
+  p.contact.body_fluid_share = 0.0;   // ... nor body
   p.actomyosin.force = 0.0;
   p.cell.bending_stiffness = 0.0;
   p.protrusion.initiation_rate = 0.0;
