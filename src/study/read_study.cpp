@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace matrigrate::study {
 
@@ -269,10 +270,17 @@ private:
       std::vector<std::size_t> order(seen.size());
       for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
       std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen[i].*part; });
+      std::map<std::pair<int, int>, std::vector<std::size_t>>
+          found; // by their line and column: a design has one for all
       for (std::size_t k = 1; k < order.size(); ++k)
-        if (seen[order[k]].*part == seen[order[k - 1]].*part)
-          m_faults.add(drafts[order[k]].place, "points",
-                       fmt::format("\"{}\": {}", excerpt(seen[order[k]].second), what));
+        if (seen[order[k]].*part == seen[order[k - 1]].*part) {
+          const Place& place = drafts[order[k]].place;
+          found[{place.line, place.column}].push_back(order[k]);
+        }
+      for (const auto& [place, same] : found)
+        m_faults.add(drafts[same.front()].place, "points",
+                     fmt::format("\"{}\": {}{}", excerpt(seen[same.front()].second), what,
+                                 same.size() == 1 ? "" : fmt::format(", and so are {} more", same.size() - 1)));
     };
     twice(&std::pair<std::string, std::string>::first, "is the same as another point");
     if (m_faults.empty()) twice(&std::pair<std::string, std::string>::second, "is the label of two points");

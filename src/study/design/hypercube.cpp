@@ -43,7 +43,15 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
     const std::vector<double> places = stratified(n, key);
     for (std::size_t i = 0; i < n; ++i) {
       Point& point = drafts[i].point;
-      const std::string fault = assign(*span.row, given_number(*span.row, span.at(places[i])), point.parameters);
+      const std::optional<int> digits = digits_for_stratum(span, places[i], n);
+      if (!digits) {
+        faults.add(
+            span.place, span.row->path,
+            fmt::format("the range is too narrow for {} different values; take fewer samples or a wider range", n));
+        return {};
+      }
+      const std::string fault =
+          assign(*span.row, given_number(*span.row, span.at(places[i]), *digits), point.parameters);
       if (!fault.empty()) faults.add(span.place, span.row->path, fault);
       point.settings.push_back({std::string(span.row->path), value_text(*span.row, point.parameters)});
       drafts[i].settings.emplace_back(span.row->path, span.place);

@@ -14,6 +14,13 @@ namespace {
 using Real = double& (*)(Parameters&);
 using Integer = int& (*)(Parameters&);
 
+double rounded(double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  double number = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
 } // namespace
 
 std::optional<double> number_in_unit(const Row& row, Parameters p) {
@@ -56,13 +63,19 @@ std::optional<Span> span_of(const Named& named, const Parameters& base, FaultLis
   return span;
 }
 
-Given given_number(const Row& row, double value) {
-  const std::string digits = fmt::format("{:.6g}", value);
-  if (kind(row) == Kind::quantity) return {fmt::format("{} {}", digits, row.unit), "a string"};
+Given given_number(const Row& row, double value, int digits) {
+  if (kind(row) == Kind::quantity) return {fmt::format("{:.{}g} {}", value, digits, row.unit), "a string"};
   if (kind(row) == Kind::integer) return {static_cast<std::int64_t>(std::llround(value)), "a number"};
-  double rounded = 0.0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
-  return {rounded, "a number"};
+  return {rounded(value, digits), "a number"};
+}
+
+std::optional<int> digits_for_stratum(const Span& span, double share, std::size_t n) {
+  if (kind(*span.row) == Kind::integer) return usual_digits; // several samples may have the same one
+  const double strata = static_cast<double>(n), value = span.at(share);
+  for (int digits = usual_digits; digits <= most_digits; ++digits)
+    if (std::floor(span.share(rounded(value, digits)) * strata) == std::floor(share * strata)) return digits;
+  const bool at_its_edge = std::abs(span.share(value) - share) * strata < 1e-6;
+  return at_its_edge ? std::optional(most_digits) : std::nullopt;
 }
 
 } // namespace matrigrate::study

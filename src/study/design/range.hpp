@@ -4,6 +4,7 @@
 #include "study/fault_list.hpp"
 #include "study/settings.hpp"
 
+#include <cstddef>
 #include <optional>
 
 /// Ranges of parameters in a study file: ["low", "high"] or ["low", "high", "log"].
@@ -30,7 +31,14 @@ std::optional<double> number_in_unit(const Row& row, Parameters p);
 /// The range that stands behind a parameter; none, and faults, if it is none.
 std::optional<Span> span_of(const Named& named, const Parameters& base, FaultList& faults);
 
-/// A number rounded to six digits, or to an integer, as if typed.
-Given given_number(const Row& row, double value);
+constexpr int usual_digits = 6, most_digits = 17;
+
+/// A number rounded to some digits, or to an integer, as if typed.
+Given given_number(const Row& row, double value, int digits = usual_digits);
+
+/// The digits that keep a rounded value in its stratum of n of a range, at least the usual ones; none if the range is
+/// too narrow for n values.
+/// @param share  of the way from low to high, in [0, 1)
+std::optional<int> digits_for_stratum(const Span& span, double share, std::size_t n);
 
 } // namespace matrigrate::study

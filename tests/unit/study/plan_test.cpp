@@ -96,6 +96,33 @@ TEST(Sweep, AHypercubeStaysInItsRanges) {
   EXPECT_EQ(low, 10U) << "half of a logarithmic range lies below its middle";
 }
 
+TEST(Sweep, AHypercubeMeetsEachStripOnceAlsoWhenItsValuesAreRounded) {
+  for (const auto& [low, high] : {std::pair(200.0, 200.01), std::pair(50.0, 400.0)}) {
+    const Study s = read(
+        fmt::format("[latin_hypercube]\nsamples = 2000\necm.youngs_modulus = [\"{} Pa\", \"{} Pa\"]\n", low, high));
+    ASSERT_EQ(s.points.size(), 2000U);
+    std::set<long> strips;
+    std::size_t usual = 0;
+    for (const Point& point : s.points) {
+      const std::string digits = point.settings.front().value; // "\"200.003 Pa\""
+      strips.insert(std::lround(std::floor((std::stod(digits.substr(1)) - low) / (high - low) * 2000.0)));
+      usual += digits.size() <= std::string("\"200.003 Pa\"").size() ? 1 : 0;
+    }
+    EXPECT_EQ(strips.size(), 2000U) << low;
+    EXPECT_EQ(*strips.begin(), 0);
+    EXPECT_EQ(*strips.rbegin(), 1999);
+    if (high == 400.0) {
+      EXPECT_GT(usual, 1980U) << "six digits, but near the ends of strips";
+    }
+  }
+  const std::string fault = fault_of("[latin_hypercube]\nsamples = 2000\necm.youngs_modulus = [\"200 Pa\", "
+                                     "\"200.0000000000002 Pa\"]\n");
+  EXPECT_TRUE(fault.ends_with("the range is too narrow for 2000 different values; take fewer samples or a wider range"))
+      << fault;
+  const std::string repeated = fault_of("[latin_hypercube]\nsamples = 100\nprotrusion.number = [1, 4]\n");
+  EXPECT_TRUE(repeated.ends_with("is the same as another point, and so are 95 more")) << repeated;
+}
+
 TEST(Sweep, EachFaultOfAHypercube) {
   EXPECT_TRUE(fault_of("[latin_hypercube]\necm.radius = [50, 60]\n").ends_with("is missing; write samples = 50"));
   EXPECT_TRUE(fault_of("[latin_hypercube]\nsamples = 3\n").ends_with("has no range of a parameter"));
