@@ -156,6 +156,8 @@ std::string steps(const Parameters& p) {
 
 } // namespace
 
+bool has_lattice(const Parameters& p) { return support(p).empty() && room(p).empty() && particles(p).empty(); }
+
 std::span<const Rule> rules() {
   static const std::vector<Rule> all{
       {"enough neighbours", {"ecm.smoothing_length", "ecm.particle_spacing"}, support},

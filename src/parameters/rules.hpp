@@ -23,6 +23,10 @@ struct Rule {
 
 std::span<const Rule> rules();
 
+/// Whether the rules on the lattice of the matrix hold. Where they do not, rules that compute on the lattice could take
+/// minutes, and would judge what no run can have.
+bool has_lattice(const Parameters& p);
+
 /// What is wrong with the start of one of several cells.
 struct CellFault {
   std::size_t cell = 0; ///< index into Parameters::cells

@@ -4,6 +4,8 @@
 #include "simulation/start_fields.hpp"
 #include "simulation/step_limits.hpp"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace matrigrate {
@@ -16,6 +18,15 @@ std::string fault_of_fields(const Parameters& p) {
     if (kind(row) == Kind::field)
       if (std::string fault = fault_of_field(p, row); !fault.empty()) return fault;
   return {};
+}
+
+/// The same rules for matrices that can be; rules() tell of others, and at once.
+std::vector<Rule> of_possible_lattices(std::vector<Rule> all) {
+  for (Rule& rule : all)
+    rule.broken = [judge = std::move(rule.broken)](const Parameters& p) {
+      return has_lattice(p) ? judge(p) : std::string();
+    };
+  return all;
 }
 
 /// The rules, and one for each field: its values are allowed.
@@ -31,7 +42,7 @@ std::vector<Rule> with_fields(std::vector<Rule> rules) {
 } // namespace
 
 std::span<const Rule> start_rules() {
-  static const std::vector<Rule> all = with_fields({
+  static const std::vector<Rule> all = of_possible_lattices(with_fields({
       {"the step is stable",
        {"run.time_step", "run.integrator", "ecm.youngs_modulus", "ecm.fields.youngs_modulus", "ecm.poissons_ratio",
         "ecm.viscosity", "fibres.stiffness", "fibres.field.stiffness", "fibres.arrangement", "fibres.direction_deg",
@@ -49,7 +60,7 @@ std::span<const Rule> start_rules() {
        {"fibres.direction_deg", "fibres.half_angle_deg", "fibres.arrangement", "ecm.lattice", "ecm.smoothing_length",
         "ecm.particle_spacing"},
        [](const Parameters& p) { return p.fibres.field.direction_deg.empty() ? fault_of_fibres(p) : std::string(); }},
-  });
+  }));
   return all;
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <regex>
 
 namespace matrigrate {
@@ -44,6 +45,16 @@ TEST(StartRules, TooLongAStepIsRefusedWithOneThatWorks) {
     EXPECT_TRUE(fault.starts_with("f.toml:1:17: run.time_step: a step of 40 s is longer than")) << fault;
     EXPECT_EQ(faults_of("run.time_step = " + advised(fault) + "\n" + with), "") << fault;
   }
+}
+
+TEST(StartRules, AreNotTriedOnALatticeThatIsRefusedAnyway) {
+  const std::clock_t start = std::clock();
+  for (const char* spacing : {"", "ecm.particle_spacing = 1\n"}) {
+    const std::string fault = faults_of(std::string("ecm.radius = 60\necm.smoothing_length = 150\n") + spacing);
+    EXPECT_NE(fault.find("smoothing length over particle spacing is"), std::string::npos) << fault;
+    EXPECT_EQ(fault.find("a step of"), std::string::npos) << fault;
+  }
+  EXPECT_LT(std::clock() - start, 2 * CLOCKS_PER_SEC) << "one look at 70,000 neighbours takes 17 s";
 }
 
 TEST(StartRules, TheAdaptiveIntegratorHalvesStepsThatAreTooLong) {
