@@ -1,5 +1,6 @@
 #include "cell/geometry.hpp"
 #include "protrusion/adhesion.hpp"
+#include "protrusion/maturation.hpp"
 #include "simulation/start.hpp"
 #include "validation/cases.hpp"
 #include "validation/single_protrusion.hpp"
@@ -85,7 +86,7 @@ Outcome compete(const Parameters& p, const Arrangement& arrangement, store::Tabl
       return true;
     });
   };
-  const double matured = p.protrusion.growth_time + p.adhesion.maturation_time + 2.0 * p.run.time_step;
+  const double matured = p.protrusion.growth_time + longest_maturation(p);
   follow(matured + alone - followed, nullptr);
   MeanRate held(n, p.adhesion), grown(n, p.adhesion);
   follow(followed, &held);

@@ -1,5 +1,6 @@
 #include "ecm/loop/fibres.hpp"
 #include "protrusion/adhesion.hpp"
+#include "protrusion/maturation.hpp"
 #include "state/dof.hpp"
 #include "validation/cases.hpp"
 #include "validation/single_protrusion.hpp"
@@ -63,7 +64,7 @@ Matured mature(const Parameters& p, double angle_deg, bool pushed) {
   if (maturing == nullptr) return result; // no solid ahead
   const EcmState& ecm = cell.state().ecm;
   result.slack = share_slack(ecm, FibreNetwork(ecm, q.ecm, q.fibres, Reference(ecm, q.ecm)), maturing->anchor);
-  cell.march_for(q.adhesion.maturation_time + 2.0 * q.run.time_step);
+  cell.march_for(longest_maturation(q));
   result.f_mat = cell.cell().protrusions.front().record.f_mat;
   return result;
 }

@@ -25,7 +25,7 @@ double mature(const Parameters& p, report::Series& force, store::Table& table) {
   SingleProtrusion one(p, 0.0);
   one.march_for(p.protrusion.growth_time + 2.0 * p.run.time_step);
   const double begin = one.protrusion().record.t_adhesion;
-  one.march_for(p.adhesion.maturation_time + 2.0 * p.run.time_step, [&](const State& s) {
+  one.march_for(longest_maturation(p), [&](const State& s) {
     const auto* maturing = std::get_if<Maturing>(&one.protrusion().phase);
     if (maturing == nullptr || s.step % 25 != 0) return true;
     const double F = adhesion_force(one.cell().cortex, one.protrusion(), p.adhesion);

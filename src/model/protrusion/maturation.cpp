@@ -35,6 +35,10 @@ void pull_base(const CortexState& c, const Protrusion& protrusion, const Paramet
 
 double maturation_force(const Parameters& p) { return p.adhesion.maturation_strands * p.actomyosin.force; }
 
+double longest_maturation(const Parameters& p) {
+  return p.adhesion.maturation_time + (max_maturation_steps + 2) * p.run.time_step;
+}
+
 double maturing_f_mat(int steps) { return std::min(1.0, maturation_step * (steps + 1)); }
 
 double step_force(int steps, const Parameters& p) {

@@ -17,6 +17,10 @@ inline constexpr int max_maturation_steps = 10;
 /// F_am of the pull of maturation: that of as many strands as maturation_strands says (MODEL.md, I28) [nN].
 double maturation_force(const Parameters& p);
 
+/// Longest duration of maturation: T_mat, a time step for each of its steps, whose wait does not count, and two more
+/// [s].
+double longest_maturation(const Parameters& p);
+
 /// f_mat while maturing, after a number of steps done: 0.1 (steps + 1), at most 1 [-].
 double maturing_f_mat(int steps);
 
