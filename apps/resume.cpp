@@ -48,6 +48,7 @@ int resume_run(const ResumeArguments& options) {
   RunOptions how{.folder = options.folder, .command_line = options.command_line, .page_template = run_page_template()};
   if (!options.wall_time.empty()) how.wall_time_limit = seconds_of(options.wall_time);
   RunDisplay display(options.quiet || options.json);
+  display.may_end_before_first_step(how.wall_time_limit);
   const OutcomeStyle style{.json = options.json, .quiet = options.quiet};
   if (branches(options)) return print_outcome(branch_off(options, how, display), style);
   if (!options.output.empty())

@@ -68,6 +68,7 @@ int run_scenario(const RunArguments& options) {
                  .page_template = run_page_template()};
   if (!options.wall_time.empty()) how.wall_time_limit = seconds_of(options.wall_time);
   RunDisplay display(options.quiet || options.json);
+  display.may_end_before_first_step(how.wall_time_limit);
   return print_outcome(outcome_of(options, p, how, display), {.json = options.json, .quiet = options.quiet});
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -50,7 +51,13 @@ void print_text(const run::RunOutcome& outcome) {
 
 void RunDisplay::warn(std::string_view text) { print_warning(text); }
 
+void RunDisplay::begin() {
+  m_signal.emplace();
+  if (m_limit) StopSignal::before_first_step(std::isfinite(*m_limit) ? m_limit : std::nullopt);
+}
+
 void RunDisplay::step(const State& s) {
+  StopSignal::first_step();
   std::size_t now = 0;
   std::size_t so_far = 0;
   for (const Cell& cell : s.cells) {

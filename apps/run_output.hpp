@@ -16,8 +16,12 @@ public:
   /// @param quiet  show no progress
   explicit RunDisplay(bool quiet) : m_quiet(quiet) {}
 
+  /// Before the run begins: signals and the limit of wall time may end the program while the matrix is built, without
+  /// an outcome (StopSignal::before_first_step).
+  void may_end_before_first_step(double wall_time_limit) { m_limit = wall_time_limit; }
+
   void warn(std::string_view text) override;
-  void begin() override { m_signal.emplace(); }
+  void begin() override;
   void begin_steps(double t, double t_end) override { m_progress.emplace(t, t_end, m_quiet); }
   void end_steps() override { m_progress.reset(); }
   void step(const State& s) override;
@@ -27,6 +31,7 @@ private:
   bool m_quiet;
   std::optional<StopSignal> m_signal; ///< before there is a folder, and until the outcome is printed
   std::optional<Progress> m_progress;
+  std::optional<double> m_limit; ///< of wall time; none: the program is not ended so [s]
 };
 
 /// What a run prints at its end.

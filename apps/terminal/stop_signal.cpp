@@ -1,8 +1,15 @@
 #include "apps/terminal/stop_signal.hpp"
 
+#include "apps/verbs.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <string_view>
 
 namespace matrigrate::apps {
 
@@ -12,11 +19,12 @@ namespace {
 struct Note {
   std::atomic<int> number;         // of the signal that came first
   std::atomic<std::int64_t> since; // ms; when it came
+  std::atomic<bool> building;      // nothing is computed yet
   static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 };
 
 Note& note() {
-  static constinit Note the_note{0, 0};
+  static constinit Note the_note{0, 0, false};
   return the_note;
 }
 
@@ -28,6 +36,7 @@ void handle(int number, siginfo_t* info, void* /*context*/) {
   if (note().number == 0) {
     note().since = ms;
     note().number = number;
+    if (note().building) ::alarm(StopSignal::grace);
   } else if (info->si_code != SI_QUEUE && ms - note().since > 1000) { // Child queues what it passes on
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
@@ -36,10 +45,24 @@ void handle(int number, siginfo_t* info, void* /*context*/) {
   }
 }
 
+/// The same. Time is up before the first step.
+void end_before_first_step(int /*number*/) {
+  if (!note().building) return;
+  constexpr std::string_view text =
+      "matrigrate: stopped before the first step: nothing was computed since the start, and "
+      "nothing is lost. The same command starts again.\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  ::_exit(note().number == SIGINT ? interrupted : requeue);
+}
+
 } // namespace
 
 StopSignal::StopSignal() {
   note().number = 0;
+  struct sigaction alarm {};
+  alarm.sa_handler = end_before_first_step;
+  ::sigfillset(&alarm.sa_mask);
+  ::sigaction(SIGALRM, &alarm, &m_old_alarm);
   for (std::size_t k = 0; k < signals.size(); ++k) {
     struct sigaction action {};
     action.sa_sigaction = handle;
@@ -50,7 +73,19 @@ StopSignal::StopSignal() {
   }
 }
 
+void StopSignal::before_first_step(std::optional<double> limit) {
+  constexpr double longest = 1e8; // [s]
+  note().building = true;
+  if (limit) ::alarm(static_cast<unsigned>(std::ceil(std::min(*limit, longest))) + grace);
+}
+
+void StopSignal::first_step() {
+  if (note().building.exchange(false)) ::alarm(0);
+}
+
 StopSignal::~StopSignal() {
+  first_step();
+  ::sigaction(SIGALRM, &m_old_alarm, nullptr);
   for (std::size_t k = 0; k < signals.size(); ++k) ::sigaction(signals[k], &m_old[k], nullptr);
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <csignal>
 #include <cstddef>
+#include <optional>
 
 namespace matrigrate::apps {
 
@@ -20,9 +21,19 @@ public:
   /// The signal that has come, or 0.
   static int received();
 
+  /// From now on to first_step() nothing is computed that could be saved, and who builds a large matrix does not ask
+  /// received() for minutes: the program is ended `grace` seconds after a signal, or after the limit, with the exit
+  /// code of a run that was stopped.
+  /// @param limit  of wall time [s]
+  static void before_first_step(std::optional<double> limit);
+  static void first_step();
+
+  static constexpr unsigned grace = 3; ///< [s]
+
 private:
   static constexpr std::array signals{SIGINT, SIGTERM, SIGUSR1, SIGHUP};
   std::array<struct sigaction, signals.size()> m_old{};
+  struct sigaction m_old_alarm {};
 };
 
 } // namespace matrigrate::apps

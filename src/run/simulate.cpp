@@ -110,7 +110,7 @@ private:
       m_folder->see(now, w, m_record);
       m_observer.step(now);
       m_stop = m_observer.stop_request();
-      return !m_stop && seconds_since(start) < m_options.wall_time_limit;
+      return !m_stop && seconds_since(m_begin) < m_options.wall_time_limit;
     };
     try {
       m_folder->keep_checkpoints(!m_before);
@@ -156,6 +156,7 @@ private:
 
   /// The results that the user still has.
   std::string safe_text() const {
+    if (!m_options.folder_is_kept) return "nothing of it is kept";
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     std::error_code error;
     const auto is_there = [&](std::string_view name) {
@@ -171,6 +172,7 @@ private:
   }
 
   std::string last_good_text() const {
+    if (!m_options.folder_is_kept) return "nothing of it is kept";
     if (!m_folder->safe_until()) return "there is no checkpoint yet";
     return fmt::format("the last good checkpoint is {}, at {}", store::checkpoint_name,
                        time_text(*m_folder->safe_until()));
@@ -198,6 +200,7 @@ private:
     }
   }
 
+  const Clock::time_point m_begin = Clock::now(); ///< before the matrix is built
   const RunOptions& m_options;
   RunObserver& m_observer;
   Parameters m_p; ///< of the run; those of the simulation are others until a branch begins

@@ -42,10 +42,11 @@ struct RunStart {
 /// How a run is carried out.
 struct RunOptions {
   std::filesystem::path folder;                                     ///< exists, but for a branch
-  double wall_time_limit = std::numeric_limits<double>::infinity(); ///< [s]
+  double wall_time_limit = std::numeric_limits<double>::infinity(); ///< from the call on [s]
   std::vector<std::string> command_line;                            ///< for run.json
   std::string_view page_template;                                   ///< of report.html (report/run_page.hpp);
                                                                     ///< empty: none is written
+  bool folder_is_kept = true; ///< else it is removed afterwards, and how the run ended says so
 };
 
 /// The outcome of a run.

@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include <optional>
+
 namespace matrigrate::apps {
 namespace {
 
@@ -28,6 +30,27 @@ TEST(StopSignal, ASecondOneEndsTheProgramIfItComesLater) {
   };
   EXPECT_EXIT(impatient(SIGINT, SIGINT), testing::KilledBySignal(SIGINT), "");
   EXPECT_EXIT(impatient(SIGINT, SIGTERM), testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(StopSignal, OneBeforeTheFirstStepEndsAProgramThatDoesNotAsk) {
+  const auto builds_for_ever = [](int signal, std::optional<double> limit) {
+    const StopSignal stop;
+    StopSignal::before_first_step(limit);
+    if (signal != 0) std::raise(signal);
+    for (;;) ::usleep(100'000);
+  };
+  EXPECT_EXIT(builds_for_ever(SIGTERM, {}), testing::ExitedWithCode(75), "stopped before the first step");
+  EXPECT_EXIT(builds_for_ever(SIGINT, {}), testing::ExitedWithCode(130), "nothing is lost");
+  EXPECT_EXIT(builds_for_ever(0, 0.01), testing::ExitedWithCode(75), "stopped before the first step");
+}
+
+TEST(StopSignal, OneAtTheFirstStepIsOnlyNoted) {
+  const StopSignal stop;
+  StopSignal::before_first_step(0.01);
+  std::raise(SIGTERM);
+  StopSignal::first_step();
+  EXPECT_EQ(::alarm(0), 0U) << "no time is running";
+  EXPECT_EQ(StopSignal::received(), SIGTERM);
 }
 
 TEST(StopSignal, WhatIsPassedOnIsNoSecondOne) {
