@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <system_error>
@@ -46,9 +47,17 @@ struct SampleArguments {
 /// A folder of the system's, removed with its contents by the destructor.
 struct TemporaryFolder {
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "matrigrate.XXXXXX").string();
+    std::error_code error;
+    const std::filesystem::path above = std::filesystem::temp_directory_path(error);
+    if (error) {
+      const char* named = std::getenv("TMPDIR");
+      throw InputOutputError(fmt::format("{}: is no folder to work in: {}; TMPDIR names another one",
+                                         named == nullptr ? "/tmp" : named, error.message()));
+    }
+    std::string name = (above / "matrigrate.XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-      throw InputOutputError(fmt::format("{}: cannot be written: {}", name, std::generic_category().message(errno)));
+      throw InputOutputError(fmt::format("{}: cannot be written: {}; TMPDIR names another folder to work in", name,
+                                         std::generic_category().message(errno)));
     path = name;
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -101,7 +110,21 @@ Parameters read_values(const SampleArguments& options) {
   }
 }
 
+/// @throws UsageError naming the keys that are given more than once, also by an option
+void require_once(const SampleArguments& options) {
+  std::vector<std::string> keys, twice;
+  for (const std::string& word : options.words) keys.push_back(word.substr(0, word.find('=')));
+  if (options.parameters.seed) keys.emplace_back("run.seed");
+  if (options.parameters.hours) keys.emplace_back("run.duration");
+  if (options.parameters.threads) keys.emplace_back("run.threads");
+  std::ranges::sort(keys);
+  for (std::size_t k = 1; k < keys.size(); ++k)
+    if (keys[k] == keys[k - 1] && (twice.empty() || twice.back() != keys[k])) twice.push_back(keys[k]);
+  if (!twice.empty()) throw UsageError(fmt::format("{}: is given more than once", fmt::join(twice, ", ")));
+}
+
 Request request_of(SampleArguments options) {
+  require_once(options);
   Request request;
   for (std::string word : options.words) {
     word.erase(word.find_last_not_of(' ') + 1); // pyABC's external models put a blank behind each value
@@ -151,9 +174,10 @@ int sample(const SampleArguments& options) {
   const Request request = request_of(options);
   const TemporaryFolder folder;
   RunDisplay display(true);
-  const RunOutcome outcome =
-      run::run({.s = initial_state(request.p), .p = request.p},
-               {.folder = folder.path, .command_line = options.command_line, .page_template = {}}, display);
+  const RunOutcome outcome = run::run(
+      {.s = initial_state(request.p), .p = request.p},
+      {.folder = folder.path, .command_line = options.command_line, .page_template = {}, .folder_is_kept = false},
+      display);
   if (outcome.end != RunEnd::completed) {
     print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
     return run::exit_code(outcome.end);
@@ -181,7 +205,8 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
       "distance\n"
       "from the target in its errors, and distance the root of the weighted mean of z^2, null where a read-out of a\n"
       "target is not defined. FILE is a study, or any TOML file with its [[targets]].\n"
-      "Works in a temporary folder (TMPDIR) and keeps none of the run's files. Each call draws a new seed, unless\n"
+      "Works in a temporary folder (TMPDIR) and keeps none of the run's files; kill -9 leaves the folder, "
+      "matrigrate.*.\nEach call draws a new seed, unless\n"
       "--seed or run.seed is given. The word target=FILE writes the JSON into this new or empty file, as external\n"
       "models of pyABC want it.\n"
       "Exit code 3 with all faults of parameters and targets, 4 if the computation fails; then nothing is printed.");

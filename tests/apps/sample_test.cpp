@@ -76,6 +76,40 @@ TEST_F(Program, SampleTellsAllFaultsAtOnce) {
   EXPECT_EQ(run("sample --preset soft --scenario f.toml").code, 2);
 }
 
+TEST_F(Program, SampleRefusesWhatIsGivenTwice) {
+  write("loc", "");
+  const Ended ended = run("sample ecm.radius=60 ecm.youngs_modulus=100 ecm.radius=70 target=loc target=loc");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.err, "matrigrate: ecm.radius, target: is given more than once\n");
+  EXPECT_TRUE(contains(run("sample run.seed=1 --seed 2").err, "run.seed: is given more than once"));
+  EXPECT_TRUE(contains(run("sample run.duration=60 --hours 2").err, "run.duration: is given more than once"));
+}
+
+TEST_F(Program, SeedsBeyondTheirRangeAreCalledThat) {
+  EXPECT_TRUE(contains(run("sample --seed -1").err, "--seed: run.seed: -1 is out of range; allowed is >= 0"));
+  EXPECT_TRUE(contains(run("sample run.seed=18446744073709551616").err,
+                       "run.seed: 18446744073709551616 is out of range; allowed is >= 0"));
+}
+
+TEST_F(Program, SampleNamesTheFolderThatItCannotWorkIn) {
+  const Ended ended = run("sample", "env' TMPDIR=/nowhere '" MATRIGRATE_PROGRAM);
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "matrigrate: /nowhere: is no folder to work in: ")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "; TMPDIR names another one")) << ended.err;
+}
+
+TEST_F(Program, SampleThatIsStoppedPromisesNothing) {
+  ::setenv("TMPDIR", folder.c_str(), 1);
+  const int code = stopped("sample ecm.radius=60 run.integrator=adaptive --hours 100", ".",
+                           "while ! ls matrigrate.*/tracks.csv && kill -0 $p; do sleep 0.01; done; kill -TERM $p");
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(code, 75);
+  const std::string told = text_of(base / "err");
+  EXPECT_TRUE(contains(told, "stopped by a signal to terminate; nothing of it is kept")) << told;
+  EXPECT_FALSE(contains(told, "resume")) << told;
+  EXPECT_EQ(entries(), 0U);
+}
+
 TEST_F(Program, SampleEndsAsItsRunDoes) {
   const Ended ended = run("sample ecm.radius=\"40 um\" ecm.youngs_modulus=50 protrusion.initiation_rate=0.002 "
                           "run.integrator=adaptive --hours 0.5 --seed 1");
