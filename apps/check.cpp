@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace matrigrate::apps {
 
@@ -37,8 +38,8 @@ struct Finding {
   std::string file;
   bool study = false;
   std::string size;               ///< of a good study: "4 points x 2 replicates = 8 runs"
-  std::vector<std::string> notes; ///< on the measured tracks of a study
-  std::string cost;               ///< of a good scenario: what its steps cost; may be empty
+  std::vector<std::string> notes; ///< on the measured tracks of a study; what the steps of a scenario cost, and which
+                                  ///< of its outputs are uneven
   std::vector<Fault> faults;      ///< none if it is good
   std::string unreadable;         ///< why it cannot be read; empty if it can
 };
@@ -58,7 +59,9 @@ Finding look_at(const std::string& file, const std::vector<std::string>& overrid
         found.notes.insert(found.notes.end(), target.notes.begin(), target.notes.end());
       found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
     } else {
-      found.cost = run::cost_of_reference_steps(read_parameters(file, overrides, start_rules()));
+      const Parameters p = read_parameters(file, overrides, start_rules());
+      found.notes = run::uneven_outputs(p);
+      if (std::string cost = run::cost_of_reference_steps(p); !cost.empty()) found.notes.push_back(std::move(cost));
     }
   } catch (const ConfigurationError& error) {
     found.faults = error.faults();
@@ -84,7 +87,6 @@ void print_finding(const Finding& found) {
   print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
                     found.study ? " study: " + found.size : ""));
   for (const std::string& note : found.notes) print(fmt::format("{}: {}\n", found.file, note));
-  if (!found.cost.empty()) print(fmt::format("{}: {}\n", found.file, found.cost));
 }
 
 int judge_values(const std::vector<std::string>& files) {

@@ -42,6 +42,20 @@ void secure_descriptors() {
   }
 }
 
+/// What may help where memory ends; of each verb.
+std::string_view& advice_on_memory() {
+  static constinit std::string_view advice;
+  return advice;
+}
+
+std::string_view advice_on_memory_of(std::string_view verb) {
+  for (const std::string_view simulating :
+       {"run", "resume", "sample", "study", "explain", "check", "demo", "reproduce"})
+    if (verb == simulating) return "; matrigrate explain prints what a scenario needs";
+  if (verb == "export") return "; export one kind at a time, --ome-tiff with a larger --pixel";
+  return {};
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("A single cell migrating through a degradable viscoelastic matrix.\n"
                "Model: Heck et al. 2020, PLoS Comput Biol 16(1): e1007250.");
@@ -78,6 +92,7 @@ int run_program(int argc, char** argv) {
     if (error.get_exit_code() == 0) return print_help(app, error);
     throw UsageError(usage_fault(app, error));
   }
+  advice_on_memory() = advice_on_memory_of(app.get_subcommands().front()->get_name());
   const int code = chosen();
   flush();
   return code;
@@ -90,8 +105,9 @@ int complain(std::string_view what, ExitCode code) {
 
 /// Takes no memory, as there is none.
 [[noreturn]] void end_without_memory() {
-  constexpr std::string_view text = "matrigrate: not enough memory; matrigrate explain prints what a scenario needs\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  for (const std::string_view part :
+       {std::string_view("matrigrate: not enough memory"), advice_on_memory(), std::string_view("\n")})
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
   std::_Exit(numerical);
 }
 

@@ -42,8 +42,9 @@ std::pair<int, int> size_of(const std::string& text) {
   const bool read = static_cast<bool>(in >> width >> by >> height) && by == 'x' && in.eof();
   const auto fits = [](int side) { return side >= 240 && side <= 4096 && side % 2 == 0; };
   if (!read || !fits(width) || !fits(height))
-    throw UsageError(
-        fmt::format("--size: \"{}\" is no size of a movie; an example: 1280x720, even numbers from 240 to 4096", text));
+    throw UsageError(fmt::format("--size: \"{}\" is no size of a picture or movie; an example: 1280x720; allowed are "
+                                 "even numbers from 240 to 4096",
+                                 text));
   return {width, height};
 }
 

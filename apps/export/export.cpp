@@ -10,6 +10,7 @@
 #include "draw/particle_picture.hpp"
 #include "exchange/ome_tiff.hpp"
 #include "exchange/simularium.hpp"
+#include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/finished_run.hpp"
 #include "run/own_files.hpp"
@@ -63,6 +64,18 @@ void require_frames(const FinishedRun& run, const std::string& folder) {
   throw InputOutputError(fmt::format("{}: holds no frames: {}", folder,
                                      kept ? "neither fields.part nor fields.h5 has a complete frame"
                                           : "the run was made with output.field_interval = 0"));
+}
+
+/// Simularium's viewer supposes frames of one interval.
+void require_even_frames(const FinishedRun& run, const std::string& folder) {
+  const observe::EvenTimes times = observe::even_times(observe::times_of(run.film));
+  if (!exchange::fits_simularium(run.film))
+    throw InputOutputError(fmt::format("{}: its frames are {}, and Simularium's viewer supposes one interval; {}",
+                                       folder, times.text(), even_if("output.field_interval", run.p)));
+  if (!times.is_even())
+    print_warning(fmt::format("the last frame, at {:g} s, comes sooner than {:g} s after the one before it: "
+                              "run.simularium leaves it out",
+                              run.film.frames.back().t, times.interval));
 }
 
 /// Makes room for what is exported: other kinds in the folder stay, the same kind is replaced if `force`.
@@ -145,8 +158,9 @@ int export_study(const ExportArguments& options) {
   prepare(to, kinds, options.force);
   if (table) {
     write_file(to / "tracks.csv", text);
-    write_file(to / "tracks_spots.csv", exchange::spots_csv(tracks));
-    write_file(to / "tracks_tracks.csv", exchange::tracks_csv(tracks));
+    const std::vector<exchange::RunTracks> even = without_odd_ends(tracks);
+    write_file(to / "tracks_spots.csv", exchange::spots_csv(even));
+    write_file(to / "tracks_tracks.csv", exchange::tracks_csv(even));
   }
   if (openvt) write_openvt(at, openvt_model(study.study, results), to);
   print(fmt::format("exported the tracks of {} of {} runs to {}\n", runs, results.size(),
@@ -176,6 +190,7 @@ int export_run(ExportArguments options) {
     require_frames(run, options.folder);
     tell_lost_frames(run);
   }
+  if (wanted["--simularium"]) require_even_frames(run, options.folder);
   if (drawn.panel) options.drawn.panel_times = frames_at(run, options.panel);
   if (drawn.any()) require_drawing_tools(drawn);
   std::vector<exchange::RunTracks> tracks{single_run(run)};

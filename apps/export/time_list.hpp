@@ -5,10 +5,10 @@
 
 namespace matrigrate::apps {
 
-/// The parts of a list between commas, without the spaces around them.
+/// The parts of a list between commas, without the spaces around them; none of an empty text.
 std::vector<std::string> items_of(const std::string& list);
 
-/// A time: "1 h 30 min"; a number without a unit is hours [s].
+/// A time with its unit, "1 h 30 min"; 0 needs none [s].
 /// @throws std::invalid_argument saying what is wrong
 double time_of(const std::string& text);
 

@@ -1,8 +1,10 @@
 #include "apps/export/tracks.hpp"
 
 #include "apps/export/time_list.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
+#include "observe/even_times.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/track_files.hpp"
@@ -20,6 +22,13 @@ namespace {
 
 constexpr std::string_view every = "every ";
 constexpr std::string_view example = "an example: --times \"every 10 min\", or --times \"0 h, 1 h, 3 h\"";
+
+/// The rows before the last time.
+std::vector<TrackRow> without_last(std::vector<TrackRow> rows) {
+  const double last = rows.back().t;
+  std::erase_if(rows, [&](const TrackRow& row) { return row.t >= last; });
+  return rows;
+}
 
 /// The day of "2026-01-31T12:00:00Z".
 std::string day_of(const std::string& time) { return time.substr(0, 10); }
@@ -62,8 +71,47 @@ std::vector<exchange::RunTracks> at_times(std::vector<exchange::RunTracks> runs,
 
 void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to) {
   write_file(to / "tracks_celltrackr.csv", store::celltrackr_csv(run.memory.rows));
-  write_file(to / "tracks_trackmate.csv", store::trackmate_csv(run.memory.rows));
-  write_file(to / "tracks_trackmate.xml", store::trackmate_xml(run.memory.rows));
+  std::vector<TrackRow> rows = run.memory.rows;
+  const observe::EvenTimes times = observe::even_times(observe::times_of(rows));
+  if (times.but_the_last()) {
+    print_warning(fmt::format("the last position, at {:g} s, comes sooner than {:g} s after the one before it: the "
+                              "files for TrackMate leave it out",
+                              rows.back().t, times.interval));
+    rows = without_last(rows);
+  }
+  write_file(to / "tracks_trackmate.csv", store::trackmate_csv(rows));
+  if (times.is_even() || times.but_the_last())
+    return write_file(to / "tracks_trackmate.xml", store::trackmate_xml(rows));
+  print_warning(fmt::format("tracks_trackmate.xml is not written, and tracks_trackmate.csv has no FRAME: the positions "
+                            "are {}, and TrackMate counts frames of one interval; {}",
+                            times.text(), even_if("output.track_interval", run.p)));
+}
+
+std::vector<exchange::RunTracks> without_odd_ends(std::vector<exchange::RunTracks> runs) {
+  std::size_t odd = 0, uneven = 0;
+  for (exchange::RunTracks& run : runs) {
+    const observe::EvenTimes times = observe::even_times(observe::times_of(run.rows));
+    if (times.but_the_last()) {
+      run.rows = without_last(run.rows);
+      ++odd;
+    } else if (!times.is_even()) {
+      ++uneven;
+    }
+  }
+  if (odd > 0)
+    print_warning(fmt::format("the last positions of {} of {} runs come too soon after those before them: "
+                              "tracks_spots.csv leaves them out",
+                              odd, runs.size()));
+  if (uneven > 0)
+    print_warning(fmt::format("the positions of {} of {} runs are not evenly spaced: tracks_spots.csv has no FRAME, "
+                              "which counts frames of one interval",
+                              uneven, runs.size()));
+  return runs;
+}
+
+std::string even_if(std::string_view interval, const Parameters& p) {
+  return fmt::format("they are evenly spaced where {} is a multiple of run.time_step, {:g} s", interval,
+                     p.run.time_step);
 }
 
 void write_openvt(const std::vector<exchange::RunTracks>& runs, exchange::OpenVtModel model,

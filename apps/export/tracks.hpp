@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Exports of tracks, of a run or of all runs of a study that are done.
@@ -23,8 +24,16 @@ exchange::RunTracks single_run(const run::FinishedRun& run);
 /// @throws UsageError naming all runs and times that they lack
 std::vector<exchange::RunTracks> at_times(std::vector<exchange::RunTracks> runs, const exchange::Times& times);
 
-/// tracks_celltrackr.csv, tracks_trackmate.csv and tracks_trackmate.xml of a run.
+/// tracks_celltrackr.csv, tracks_trackmate.csv and tracks_trackmate.xml of a run. Warns of what the files for TrackMate
+/// leave out where rows are not evenly spaced.
 void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to);
+
+/// The runs without last rows that come too soon. Warns of them, and of runs whose rows are uneven otherwise.
+std::vector<exchange::RunTracks> without_odd_ends(std::vector<exchange::RunTracks> runs);
+
+/// What makes rows or frames evenly spaced, in a sentence.
+/// @param interval  "output.track_interval"
+std::string even_if(std::string_view interval, const Parameters& p);
 
 /// openvt.csv, openvt.json, openvt_simulator.json.
 /// @param runs  at the times that are wanted

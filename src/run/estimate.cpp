@@ -134,6 +134,21 @@ std::string cost_of_reference_steps(const Parameters& p) {
                      p.run.time_step, wall_time_text(d.cost.wall_time), wall_time_text(quicker->wall_time));
 }
 
+std::vector<std::string> uneven_outputs(const Parameters& p) {
+  std::vector<std::string> found;
+  const auto look_at = [&](const char* key, double interval, const char* what) {
+    const double steps = interval / p.run.time_step;
+    if (interval <= 0.0 || interval >= p.run.duration || std::abs(steps - std::round(steps)) <= 1e-6 * steps) return;
+    found.push_back(fmt::format("{0}, {1:g} s, is no multiple of run.time_step, {2:g} s: the {3} will not be evenly "
+                                "spaced, and formats that suppose one interval will be refused; {4:g} s would be one",
+                                key, interval, p.run.time_step, what,
+                                p.run.time_step * std::max(1.0, std::round(steps))));
+  };
+  look_at("output.track_interval", p.output.track_interval, "rows of tracks.csv");
+  look_at("output.field_interval", p.output.field_interval, "frames");
+  return found;
+}
+
 std::string wall_time_basis() {
   return "The wall time rests on the measured cost of the baseline on one core of a server: 3.8 ns a step for each\n"
          "listed pair of particles, and 0.7 ns for each decade of solver.tolerance; 1.6 times that for each step of "
@@ -163,6 +178,7 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
         fmt::format("the run of {:.3g} s is shorter than the relaxation of the matrix in shear, {:.3g} s: the "
                     "matrix will look like a fluid.",
                     p.run.duration, d.shear_time));
+  for (const std::string& sentence : uneven_outputs(p)) found.push_back(sentence + ".");
   if (p.ecm.formulation == Formulation::updated_lagrangian)
     found.emplace_back(
         "sums over current neighbours let a loaded gel tear without being degraded (numerical fracture); "

@@ -63,6 +63,10 @@ std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d);
 /// @return empty unless the adaptive integrator saves ten seconds and half of the time
 std::string cost_of_reference_steps(const Parameters& p);
 
+/// The intervals of rows and frames that are no multiples of the time step, a sentence each: rows and frames come at
+/// the ends of steps, so that they are unevenly spaced then. Test: tests/apps/exchange_test.cpp
+std::vector<std::string> uneven_outputs(const Parameters& p);
+
 /// What the estimate of the wall time rests on.
 std::string wall_time_basis();
 

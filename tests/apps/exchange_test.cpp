@@ -44,7 +44,14 @@ TEST_F(Exchange, NamesEveryFaultAndWritesNothing) {
   refuses("export r --openvt --times '0 s, x, 3 m, -1 s'", "\"x\": ");
   refuses("export r --openvt --times '0 s, x, 3 m, -1 s'", "\"3 m\": is no time; \"-1 s\": is below 0");
   refuses("export r --openvt --times '1 s, 2 s, 3 s, 1 h'",
-          "s has no position at 1 s, 3 s, 3600 s: it has one every 2 s");
+          "s has no position at 1 s, 3 s, 3600 s: it has them every 2 s");
+  refuses("export r --openvt --times 60", "\"60\": has no unit; write 60 s, 60 min or 60 h; an example");
+  refuses("export r --openvt --times 'every 60'", "\"60\": has no unit");
+  refuses("export r --openvt --times '2 s,'", "\"\": is no time: nothing stands between two commas, or behind");
+  refuses("export r --openvt --times 'every 1e-9 s'", "every 1e-09 s is less than the time between two positions");
+  refuses("export r --openvt --times 'every 1e9 h'", "is longer than the run; s has positions every 2 s, for 8 s");
+  refuses("export r --panel 60", "\"60\": has no unit");
+  refuses("export r --png --size 16x16", "is no size of a picture or movie");
   refuses("export r --openvt --times 'every 0 s'", "is not above 0");
   refuses("export r --tracks --times '2 s'", "--times: is for --openvt");
   refuses("export r --ome-tiff --pixel 0", "allowed are");
@@ -57,6 +64,45 @@ TEST_F(Exchange, NamesEveryFaultAndWritesNothing) {
     EXPECT_TRUE(contains(ended.err, "holds no frames")) << ended.err;
   }
   EXPECT_FALSE(exists("z"));
+}
+
+TEST_F(Exchange, OfUnevenRowsSaysWhatItLeavesOut) {
+  write("u.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"8 s\"\ntime_step = \"0.4 s\"\n[output]\n"
+                  "track_interval = \"1 s\"\nfield_interval = \"1 s\"\nreport = false\n");
+  EXPECT_TRUE(contains(run("check u.toml").out, "output.track_interval, 1 s, is no multiple of run.time_step, 0.4 s"));
+  EXPECT_TRUE(contains(run("explain u.toml").out, "output.field_interval, 1 s, is no multiple of run.time_step"));
+  ASSERT_EQ(run("run u.toml -o u").code, 0);
+  const Ended uneven = run("export u --tracks --ome-tiff");
+  EXPECT_EQ(uneven.code, 0);
+  EXPECT_TRUE(contains(uneven.err, "tracks_trackmate.xml is not written, and tracks_trackmate.csv has no FRAME: the "
+                                   "positions are unevenly spaced, 0.8 to 1.2 s apart"))
+      << uneven.err;
+  EXPECT_TRUE(contains(uneven.err, "output.track_interval is a multiple of run.time_step, 0.4 s"));
+  EXPECT_FALSE(exists("u/export/tracks_trackmate.xml"));
+  EXPECT_FALSE(contains(text_of(folder / "u/export/fields.ome.tif"), "TimeIncrement"));
+  const Ended viewer = run("export u --simularium -o z");
+  EXPECT_EQ(viewer.code, 5);
+  EXPECT_TRUE(contains(viewer.err, "its frames are unevenly spaced")) << viewer.err;
+  EXPECT_FALSE(exists("z"));
+  ASSERT_EQ(run("run s.toml -o odd --set output.track_interval='\"3 s\"' --set output.field_interval='\"3 s\"' --set "
+                "run.time_step='\"0.5 s\"'")
+                .code,
+            0); // rows at 0, 3, 6 and 8 s
+  const Ended odd = run("export odd --tracks --simularium");
+  ASSERT_EQ(odd.code, 0) << odd.err;
+  EXPECT_TRUE(contains(odd.err, "the last position, at 8 s, comes sooner than 3 s after the one before it")) << odd.err;
+  EXPECT_TRUE(contains(odd.err, "the last frame, at 8 s, comes sooner than 3 s")) << odd.err;
+  EXPECT_TRUE(contains(text_of(folder / "odd/export/tracks_trackmate.xml"), "nSpots=\"3\""));
+  EXPECT_EQ(store::read_csv(text_of(folder / "odd/export/tracks_trackmate.csv")).rows.size(), 3U);
+  EXPECT_EQ(store::read_csv(text_of(folder / "odd/export/tracks_celltrackr.csv")).rows.size(), 4U);
+}
+
+TEST_F(Exchange, WithoutMemorySaysWhatMayHelp) {
+  ASSERT_EQ(run("run s.toml -o r").code, 0);
+  const Ended ended =
+      run("-c 'ulimit -v 900000; exec \"" MATRIGRATE_PROGRAM "\" export r --ome-tiff --pixel 0.01'", "bash");
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_EQ(ended.err, "matrigrate: not enough memory; export one kind at a time, --ome-tiff with a larger --pixel\n");
 }
 
 TEST_F(Exchange, GivesEachRunOfAStudyItsNumber) {

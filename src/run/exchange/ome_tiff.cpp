@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "exchange/field_pictures.hpp"
+#include "observe/even_times.hpp"
 
 #include <fmt/format.h>
 #include <tiffio.h>
@@ -79,13 +80,10 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// The interval of the frames; 0 if they are not regular, the last one of a run that was stopped aside.
+/// The interval of the frames; 0 if they are not evenly spaced.
 double interval(const observe::Film& film) {
-  if (film.frames.size() < 2) return 0.0;
-  const double first = film.frames[1].t - film.frames[0].t;
-  for (std::size_t k = 2; k + 1 < film.frames.size(); ++k)
-    if (std::abs(film.frames[k].t - film.frames[k - 1].t - first) > 1e-3 * first) return 0.0;
-  return first;
+  const observe::EvenTimes times = observe::even_times(observe::times_of(film));
+  return times.is_even() ? times.interval : 0.0;
 }
 
 std::string ome_xml(const observe::Film& film, const std::vector<Channel>& all, const PixelGrid& grid,

@@ -9,7 +9,8 @@
 namespace matrigrate::exchange {
 
 /// An OME-TIFF of all frames: times and channels (field_pictures.hpp), 32-bit floating point, compressed by zlib, with
-/// the size of pixels in um and the times in s; its upper edge is at the largest y.
+/// the size of pixels in um and the times in s, and their interval where they are evenly spaced; its upper edge is at
+/// the largest y.
 /// @param film   with at least one frame
 /// @param pixel  width of a pixel, > 0 [um]
 /// @throws InputOutputError if libtiff cannot write it

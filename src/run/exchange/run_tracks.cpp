@@ -1,5 +1,6 @@
 #include "exchange/run_tracks.hpp"
 
+#include "observe/even_times.hpp"
 #include "store/row_file.hpp"
 
 #include <fmt/format.h>
@@ -37,18 +38,23 @@ std::vector<Track> tracks_of(std::span<const RunTracks> runs) {
   return tracks;
 }
 
-/// The times of the rows of a run, each once.
-std::vector<double> times_of(const RunTracks& run) {
-  std::vector<double> times;
-  for (const TrackRow& row : run.rows)
-    if (times.empty() || row.t > times.back()) times.push_back(row.t);
-  return times;
+/// @throws std::invalid_argument if a run has no row at many of them, or none but the first
+void require_possible(const RunTracks& run, double every, const observe::EvenTimes& there, double length) {
+  if (there.all < 2) return; // said otherwise
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(
+        fmt::format("every {:g} s is {}; {} has positions {}, for {:g} s", every, why, run.name, there.text(), length));
+  };
+  if (every < there.least - std::min(same_time, 0.5 * there.least)) refuse("less than the time between two positions");
+  if (every > length + same_time) refuse("longer than the run");
 }
 
-std::vector<double> wanted_times(const std::vector<double>& there, const Times& times) {
+std::vector<double> wanted_times(const RunTracks& run, const std::vector<double>& there, const Times& times) {
   if (!times.every) return times.list.empty() ? there : times.list;
   std::vector<double> wanted;
-  const double end = there.empty() ? -1.0 : there.back() + same_time;
+  if (there.empty()) return wanted;
+  require_possible(run, *times.every, observe::even_times(there), there.back() - there.front());
+  const double end = there.back() + same_time;
   for (double k = 0.0; k * *times.every <= end; ++k) wanted.push_back(k * *times.every);
   return wanted;
 }
@@ -56,11 +62,11 @@ std::vector<double> wanted_times(const std::vector<double>& there, const Times& 
 } // namespace
 
 std::vector<TrackRow> rows_at(const RunTracks& run, const Times& times) {
-  const std::vector<double> there = times_of(run);
+  const std::vector<double> there = observe::times_of(run.rows);
   std::vector<TrackRow> rows;
   std::vector<std::string> missing;
   auto row = run.rows.begin();
-  for (const double t : wanted_times(there, times)) {
+  for (const double t : wanted_times(run, there, times)) {
     row = std::find_if(row, run.rows.end(), [&](const TrackRow& r) { return r.t >= t - same_time; });
     if (row == run.rows.end() || row->t > t + same_time) missing.push_back(fmt::format("{:g} s", t));
     for (; row != run.rows.end() && row->t <= t + same_time; ++row) {
@@ -73,25 +79,38 @@ std::vector<TrackRow> rows_at(const RunTracks& run, const Times& times) {
   const std::string more = missing.size() > named ? fmt::format(" and {} more", missing.size() - named) : "";
   missing.resize(named);
   if (there.size() < 2) throw std::invalid_argument(fmt::format("{} has too few positions", run.name));
-  throw std::invalid_argument(
-      fmt::format("{} has no position at {}{}: it has one every {:g} s from {:g} to {:g} s, and none is interpolated; "
-                  "output.track_interval sets that interval",
-                  run.name, fmt::join(missing, ", "), more, there[1] - there[0], there.front(), there.back()));
+  throw std::invalid_argument(fmt::format(
+      "{} has no position at {}{}: it has them {} from {:g} to {:g} s, and none is interpolated; "
+      "output.track_interval sets that interval",
+      run.name, fmt::join(missing, ", "), more, observe::even_times(there).text(), there.front(), there.back()));
 }
 
 std::string spots_csv(std::span<const RunTracks> runs) {
-  std::string text = "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,POSITION_X,POSITION_Y,"
-                     "POSITION_Z,POSITION_T,FRAME,RADIUS\n";
+  const bool even = std::ranges::all_of(
+      runs, [](const RunTracks& run) { return observe::even_times(observe::times_of(run.rows)).is_even(); });
+  std::string text = fmt::format("Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,POSITION_X,"
+                                 "POSITION_Y,POSITION_Z,POSITION_T,{}RADIUS\n",
+                                 even ? "FRAME," : "");
   std::uint64_t spot = 0;
   for (const Track& track : tracks_of(runs)) {
     const std::string unique = track.unique_id(), label = track.label();
     for (std::size_t k = 0; k < track.rows.size(); ++k) {
       const TrackRow& row = track.rows[k];
-      text +=
-          store::csv_line({std::string_view(unique), std::string_view(track.run->condition),
-                           store::count(track.run->replicate), store::count(track.run->replicate),
-                           std::string_view(track.run->name), std::string_view(label), spot++, track.id, row.centre.x(),
-                           row.centre.y(), 0.0, row.t, store::count(k), std::sqrt(row.area / std::numbers::pi)});
+      std::vector<store::Field> line{std::string_view(unique),
+                                     std::string_view(track.run->condition),
+                                     store::count(track.run->replicate),
+                                     store::count(track.run->replicate),
+                                     std::string_view(track.run->name),
+                                     std::string_view(label),
+                                     spot++,
+                                     track.id,
+                                     row.centre.x(),
+                                     row.centre.y(),
+                                     0.0,
+                                     row.t};
+      if (even) line.emplace_back(store::count(k));
+      line.emplace_back(std::sqrt(row.area / std::numbers::pi));
+      text += store::csv_line(line);
     }
   }
   return text;

@@ -1,11 +1,14 @@
 #include "exchange/simularium.hpp"
 
+#include "observe/even_times.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
 
 namespace matrigrate::exchange {
 
@@ -40,9 +43,8 @@ Json types(std::size_t cells) {
 
 Json point(double x, double y, double z) { return {{"x", x}, {"y", y}, {"z", z}}; }
 
-double step_of(const observe::Film& film) { return film.frames.size() > 1 ? film.frames[1].t - film.frames[0].t : 1.0; }
-
-Json info(const observe::Film& film, std::size_t cells, const std::string& title, const std::string& version) {
+Json info(const observe::Film& film, const observe::EvenTimes& times, std::size_t cells, const std::string& title,
+          const std::string& version) {
   const double R = film.head.radius;
   return {{"version", 3},
           {"trajectoryTitle", title},
@@ -53,8 +55,8 @@ Json info(const observe::Film& film, std::size_t cells, const std::string& title
             {"description", "The cortex of the cell as a ring, its adhesions, and the particles of the matrix."},
             {"doi", "10.1371/journal.pcbi.1007250"}}},
           {"timeUnits", {{"magnitude", 1.0}, {"name", "s"}}},
-          {"timeStepSize", step_of(film)},
-          {"totalSteps", film.frames.size()},
+          {"timeStepSize", times.all > 1 ? times.interval : 1.0},
+          {"totalSteps", times.even},
           {"spatialUnits", {{"magnitude", 1.0}, {"name", "µm"}}},
           {"size", point(2.0 * R, 2.0 * R, 20.0)},
           {"cameraDefault",
@@ -147,15 +149,22 @@ Json plots(std::span<const TrackRow> rows, std::size_t cells) {
 
 } // namespace
 
+bool fits_simularium(const observe::Film& film) {
+  const observe::EvenTimes times = observe::even_times(observe::times_of(film));
+  return times.is_even() || times.but_the_last();
+}
+
 std::string simularium(const observe::Film& film, std::span<const TrackRow> rows, const std::string& title,
                        const std::string& version) {
+  const observe::EvenTimes times = observe::even_times(observe::times_of(film));
+  if (!fits_simularium(film)) throw std::invalid_argument(fmt::format("the frames are {}", times.text()));
   const std::size_t cells = observe::outline_ends(film.frames.front().outline).size();
   const auto text_of = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
   std::string text =
       fmt::format("{{\"trajectoryInfo\":{},\n\"spatialData\":{{\"version\":1,\"msgType\":1,\"bundleStart\":0,"
                   "\"bundleSize\":{},\"bundleData\":[",
-                  text_of(info(film, cells, title, version)), film.frames.size());
-  for (std::size_t k = 0; k < film.frames.size(); ++k) {
+                  text_of(info(film, times, cells, title, version)), times.even);
+  for (std::size_t k = 0; k < times.even; ++k) {
     Agents agents;
     add_cells(film.frames[k], agents);
     add_matrix(film.head, film.frames[k], agents);

@@ -1,5 +1,7 @@
 #include "store/track_files.hpp"
 
+#include "observe/even_times.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 namespace matrigrate::store {
@@ -34,21 +37,23 @@ std::string celltrackr_csv(std::span<const TrackRow> rows) {
 }
 
 std::string trackmate_csv(std::span<const TrackRow> rows) {
-  std::string text = "ID,TRACK_ID,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME,RADIUS\n";
+  const bool even = observe::even_times(observe::times_of(rows)).is_even();
+  std::string text =
+      fmt::format("ID,TRACK_ID,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,{}RADIUS\n", even ? "FRAME," : "");
   std::map<std::uint32_t, std::size_t> frames; // rows so far of each cell
   for (std::size_t k = 0; k < rows.size(); ++k)
-    text += fmt::format("{},{},{},{},0,{},{},{}\n", k, rows[k].cell, rows[k].centre.x(), rows[k].centre.y(), rows[k].t,
-                        frames[rows[k].cell]++, radius(rows[k]));
+    text += fmt::format("{},{},{},{},0,{},{}{}\n", k, rows[k].cell, rows[k].centre.x(), rows[k].centre.y(), rows[k].t,
+                        even ? fmt::format("{},", frames[rows[k].cell]++) : "", radius(rows[k]));
   return text;
 }
 
 std::string trackmate_xml(std::span<const TrackRow> rows) {
   const std::vector<std::uint32_t> cells = cells_of(rows);
+  const observe::EvenTimes times = observe::even_times(observe::times_of(rows));
+  if (!times.is_even()) throw std::invalid_argument(fmt::format("the rows are {}", times.text()));
   std::string particles;
-  double interval = 0.0;
   for (const std::uint32_t cell : cells) {
     const std::vector<TrackRow> own = rows_of(rows, cell);
-    if (own.size() > 1) interval = own[1].t - own[0].t;
     particles += fmt::format("  <particle nSpots=\"{}\">\n", own.size());
     for (std::size_t k = 0; k < own.size(); ++k)
       particles += fmt::format("    <detection t=\"{}\" x=\"{}\" y=\"{}\" z=\"0\" />\n", k, own[k].centre.x(),
@@ -57,7 +62,7 @@ std::string trackmate_xml(std::span<const TrackRow> rows) {
   }
   return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Tracks nTracks=\"{}\" spaceUnits=\"um\" "
                      "frameInterval=\"{}\" timeUnits=\"s\" from=\"matrigrate\">\n{}</Tracks>\n",
-                     cells.size(), interval, particles);
+                     cells.size(), times.interval, particles);
 }
 
 } // namespace matrigrate::store

@@ -51,6 +51,12 @@ TEST(OmeTiff, HasAPageForEachTimeAndChannelAndTheScale) {
   for (const char* text : {"PhysicalSizeX=\"2\"", "SizeT=\"2\"", "SizeC=\"9\"", "TimeIncrement=\"300\"",
                            "Name=\"a &lt;title&gt;\"", "Name=\"pressure [Pa]\"", "PlaneCount=\"18\"", "DeltaT=\"300\""})
     EXPECT_NE(bytes.find(text), std::string::npos) << text;
+  observe::Film uneven = film;
+  uneven.frames.push_back(uneven.frames.back());
+  uneven.frames.back().t = 500.0;
+  const std::string without = ome_tiff(uneven, 2.0, "a title", "1.2");
+  EXPECT_EQ(without.find("TimeIncrement"), std::string::npos) << "there is no one interval";
+  EXPECT_NE(without.find("DeltaT=\"500\""), std::string::npos);
   // Pages with pixels beyond the disc are refused as fields, since they are not finite; that of the cells is not.
   const fields::Picture cells = fields::read_picture(bytes, {.page = 18, .channel = {}});
   EXPECT_EQ(cells.width, 4U);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <vector>
 
 namespace matrigrate::exchange {
@@ -55,6 +56,20 @@ TEST(Simularium, HasTheAgentsOfEachFrame) {
   for (const auto& [number, of] : info.at("typeMapping").items())
     EXPECT_FALSE(of.at("name").get<std::string>().empty());
   EXPECT_EQ(file.at("plotData").at("data").at(0).at("data").at(0).at("y"), (nlohmann::json{0.0, 5.0}));
+}
+
+TEST(Simularium, HasFramesOfOneIntervalOnly) {
+  observe::Film film = small_film();
+  film.frames.push_back(film.frames.back());
+  film.frames.back().t = 500.0; // the run ended then
+  const auto file = nlohmann::json::parse(simularium(film, {}, "", "1.2"));
+  EXPECT_EQ(file.at("trajectoryInfo").at("timeStepSize"), 300.0);
+  EXPECT_EQ(file.at("trajectoryInfo").at("totalSteps"), 2);
+  EXPECT_EQ(file.at("spatialData").at("bundleData").size(), 2U);
+  EXPECT_EQ(file.at("spatialData").at("bundleSize"), 2);
+  film.frames.push_back(film.frames.back());
+  film.frames.back().t = 700.0;
+  EXPECT_THROW(simularium(film, {}, "", "1.2"), std::invalid_argument);
 }
 
 } // namespace

@@ -53,9 +53,18 @@ TEST(RunTracks, NameAllTimesThatARunLacks) {
     return "";
   };
   EXPECT_EQ(fault(runs[0], {.every = {}, .list = {30.0, 60.0, 500.0}}),
-            "aa has no position at 30 s, 500 s: it has one every 60 s from 0 to 120 s, and none is interpolated; "
+            "aa has no position at 30 s, 500 s: it has them every 60 s from 0 to 120 s, and none is interpolated; "
             "output.track_interval sets that interval");
-  EXPECT_NE(fault(runs[0], {.every = 7.0, .list = {}}).find("at 7 s, 14 s, 21 s, 28 s, 35 s and 12 more"),
+  EXPECT_NE(fault(runs[0], {.every = 70.0, .list = {}}).find("aa has no position at 70 s: it has them every 60 s"),
+            std::string::npos);
+  EXPECT_EQ(fault(runs[0], {.every = 1e-9, .list = {}}),
+            "every 1e-09 s is less than the time between two positions; aa has positions every 60 s, for 120 s");
+  EXPECT_EQ(fault(runs[0], {.every = 3.6e12, .list = {}}),
+            "every 3.6e+12 s is longer than the run; aa has positions every 60 s, for 120 s");
+  const RunTracks uneven{
+      .name = "dd", .condition = {}, .rows = {row(0, 0, {0, 0}), row(5, 0, {1, 0}), row(12, 0, {2, 0})}};
+  EXPECT_NE(fault(uneven, {.every = {}, .list = {10.0}})
+                .find("dd has no position at 10 s: it has them unevenly spaced, 5 to 7 s apart from 0 to 12 s"),
             std::string::npos);
   EXPECT_EQ(fault({.name = "cc", .condition = {}, .rows = {}}, {.every = {}, .list = {1.0}}),
             "cc has too few positions");
@@ -69,6 +78,15 @@ TEST(RunTracks, HaveATrackForEachCellOfEachRun) {
   EXPECT_NE(spots.find("\naa_1,\"soft, or so\",1,1,aa,cell 2,4,1,3,4.5,0,60,1,1\n"), std::string::npos);
   EXPECT_NE(spots.find("\nbb_2,stiff,2,2,bb,cell 1,7,2,9,9,0,60,1,1\n"), std::string::npos);
   EXPECT_EQ(tracks_csv(runs).substr(tracks_csv(runs).find("bb")), "bb_2,stiff,2,2,bb,cell 1,2,2,0,60\n");
+}
+
+TEST(RunTracks, CountNoFramesOfUnevenRows) {
+  std::vector<RunTracks> runs = two_runs();
+  runs[0].rows.push_back(row(130, 0, {2, 3}));
+  const std::string spots = spots_csv(runs);
+  EXPECT_EQ(spots.substr(0, spots.find('\n')), "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,"
+                                               "POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,RADIUS");
+  EXPECT_NE(spots.find("\naa_0,\"soft, or so\",1,1,aa,cell 1,3,0,2,3,0,130,1\n"), std::string::npos) << spots;
 }
 
 TEST(OpenVt, HasTheColumnsOfItsPortal) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <vector>
 
 namespace matrigrate::store {
@@ -19,6 +20,15 @@ TEST(TrackFiles, HoldThePath) {
   EXPECT_EQ(occurrences(xml, "frameInterval=\"60\""), 1U);
   EXPECT_EQ(occurrences(xml, "<detection t=\"1\" x=\"2.5\" y=\"0.25\" z=\"0\" />"), 1U);
   EXPECT_EQ(occurrences(celltrackr_csv({}), "\n"), 1U);
+}
+
+TEST(TrackFiles, CountNoFramesOfUnevenRows) {
+  const std::vector<TrackRow> rows{{.t = 0.0, .centre = {1, 2}, .polarization = {}},
+                                   {.t = 7.5, .centre = {3, 4}, .polarization = {}},
+                                   {.t = 12.5, .centre = {5, 6}, .area = 3.141592653589793, .polarization = {}}};
+  EXPECT_THROW(trackmate_xml(rows), std::invalid_argument);
+  EXPECT_TRUE(trackmate_csv(rows).starts_with("ID,TRACK_ID,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,RADIUS\n"));
+  EXPECT_TRUE(trackmate_csv(rows).ends_with("\n2,0,5,6,0,12.5,1\n"));
 }
 
 TEST(TrackFiles, HaveATrackForEachCell) {
