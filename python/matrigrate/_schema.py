@@ -32,6 +32,7 @@ class Parameter:
     default: Value
     source: str  #: where the default is from
     choices: tuple[str, ...]
+    before: Value | None = None  #: what stands for files that were written when there was no such parameter
 
     @property
     def key(self) -> str:
@@ -88,7 +89,7 @@ def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
     symbol = re.search(r" \(([^()\s]+)\)$", text["meaning"])
     unit = text["unit"] or ("1" if kind in ("ratio", "integer") else "")
     return Parameter(path, kind, text["meaning"], symbol.group(1) if symbol else "", text["allowed"], unit,
-                     entry["default"], text["source"], tuple(entry.get("enum", ())))
+                     entry["default"], text["source"], tuple(entry.get("enum", ())), entry.get("x-before"))
 
 
 @functools.cache
@@ -116,7 +117,7 @@ def _section_entries() -> list[tuple[str, dict[str, Any]]]:
     """Sections and what the schema says of them, those inside of others ("ecm.fields") after these."""
     found: list[tuple[str, dict[str, Any]]] = []
     for name, entry in _document()["properties"].items():
-        if entry["type"] == "array":  # [[cells]]
+        if entry["type"] != "object":  # [[cells]], version
             continue
         found.append((name, entry))
         found += [(f"{name}.{inner}", table) for inner, table in entry["properties"].items()

@@ -64,14 +64,18 @@ class Scenario(Sections, Mapping[str, Value]):
     """
 
     def __init__(self, values: Mapping[str, Any] | None = None, *, name: str = "scenario") -> None:
-        """:param values: as in a file, ``{"ecm": {"radius": "60 um"}}``, or flat, ``{"ecm.radius": "60 um"}``
+        """:param values: as in a file, ``{"ecm": {"radius": "60 um"}}``, or flat, ``{"ecm.radius": "60 um"}``; with the key
+            ``version``, which files of the program have, a parameter that is left out has the value of what was done
+            before there was such a parameter
         :param name: of the folder of a run, where none is given
         """
         self.name = _arguments.text("name", name)
         self._given: dict[str, Value] = {}
         self._cells: list[dict[str, Value]] = []
         faults: list[Fault] = []
-        flat = list(_flat(_arguments.mapping("values", values)))
+        told = dict(_arguments.mapping("values", values))
+        written = told.pop("version", None) is not None  # by a program
+        flat = list(_flat(told))
         _schema.judge((path, _plain(value)) for path, value, _ in flat
                       if path in _schema.parameters())
         for path, value, nested in flat:
@@ -83,6 +87,10 @@ class Scenario(Sections, Mapping[str, Value]):
                 faults += error.faults
         if faults:
             raise ConfigurationError(faults)
+        if written:
+            for p in _schema.parameters().values():
+                if p.before is not None and p.path not in self._given:
+                    self._given[p.path] = self[p.before] if p.before in _schema.parameters() else p.before
 
     @classmethod
     def preset(cls, name: str) -> Scenario:

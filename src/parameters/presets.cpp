@@ -1,9 +1,6 @@
 #include "parameters/presets.hpp"
 
-#include "parameters/earlier.hpp"
 #include "parameters/read.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
@@ -11,12 +8,21 @@
 namespace matrigrate {
 
 std::vector<std::string> first_closures() {
-  std::vector<std::string> overrides{"actomyosin.curvature_profile=triangle", "adhesion.rupture_strands=1",
-                                     "degradation.pressure=solid", "contact.fluid_share=0.1",
-                                     "contact.body_fluid_share=0.1"};
-  for (const auto& [key, value] : before_their_keys)
-    if (find_row(value) == nullptr) overrides.push_back(fmt::format("{}={}", key, value));
-  return overrides;
+  return {"actomyosin.curvature_profile=triangle",
+          "adhesion.rupture_strands=1",
+          "degradation.pressure=solid",
+          "contact.fluid_share=0.1",
+          "cell.centre_of_mass=area",
+          "adhesion.rest_speed=0 nm/s",
+          "adhesion.hold=place",
+          "adhesion.spread=1",
+          "adhesion.handover_time=0.4 s",
+          "adhesion.handover_share=0.9",
+          "contact.body_fluid_share=0.1",
+          "adhesion.pinned_particles=3",
+          "adhesion.maturation_strands=1",
+          "degradation.body_rear_share=1",
+          "degradation.smaller_share=1"};
 }
 
 std::span<const Preset> presets() {

@@ -69,7 +69,9 @@ public:
     auto document = parse_document(text, m_faults.file());
     if (auto* fault = std::get_if<Fault>(&document)) return refuse(std::move(*fault));
     const auto& table = std::get<toml::table>(document);
-    m_resolved = text.starts_with(resolved_head);
+    const toml::node* version = table.get("version"); // first, since what is unknown depends on it
+    if (version != nullptr) take_version(*version, place_of(m_faults.file(), version->source()));
+    m_resolved = version != nullptr || text.starts_with(resolved_head);
     if (is_study(table))
       return refuse({m_faults.file(), 0, 0, "",
                      fmt::format("is a study of many runs, and not a scenario; matrigrate study plan {0} tells what it "
@@ -116,9 +118,9 @@ private:
   /// A resolved file without a key was written when there was no such key.
   void follow_earlier_version() {
     if (!m_resolved) return;
-    for (const auto& [path, value] : before_their_keys)
-      if (!m_given.contains(path))
-        take(std::string(path), *toml::parse(fmt::format("value = {}", value_before(value, m_parameters))).get("value"),
+    for (const Row& row : schema())
+      if (row.before && !m_given.contains(row.path))
+        take(std::string(row.path), *toml::parse("value = " + before_text(row, m_parameters)).get("value"),
              {m_faults.file()});
   }
 
@@ -153,6 +155,7 @@ private:
       const auto* nested = node.as_table();
       const std::string path = section.empty() ? key : fmt::format("{}.{}", section, key);
       const Place place = place_of(file, name.source());
+      if (path == "version") continue; // taken before
       if (find_row(path) != nullptr || path == "cells")
         take(path, node, place_of(file, node.source()));
       else if (nested != nullptr && is_section(path))
@@ -166,8 +169,22 @@ private:
     }
   }
 
+  void take_version(const toml::node& node, const Place& place) {
+    const auto text = node.value_exact<std::string>();
+    if (!text || text->empty() || text->size() > 40)
+      return complain(place, "version",
+                      fmt::format("is {}; a file that the program writes has its version there, such as \"{}\"",
+                                  text ? "no version" : type_of(node), this_version));
+    m_version = *text;
+  }
+
   void unknown(const std::string& path, bool section, const Place& place) {
-    complain(place, path, fmt::format("there is no such {}", section ? "section" : "parameter"),
+    const bool other = place.file == m_faults.file() && !m_version.empty() && m_version != this_version;
+    complain(place, path,
+             fmt::format("there is no such {}{}", section ? "section" : "parameter",
+                         other ? fmt::format(" in version {}; the file was written by version {}", this_version,
+                                             excerpt(m_version))
+                               : ""),
              [path] { return parameter_hint(path); });
   }
 
@@ -245,6 +262,7 @@ private:
   FaultList m_faults;
   bool m_refused = false;
   bool m_resolved = false; ///< the file holds every parameter of the version that wrote it
+  std::string m_version;   ///< that wrote the file; empty if it does not say
   std::map<std::string, Place, std::less<>> m_given;
   std::vector<Place> m_cell_places;            ///< of the cells that were given
   std::set<std::string, std::less<>> m_blamed; ///< keys with a fault of their own

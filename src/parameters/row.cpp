@@ -88,6 +88,19 @@ std::string value_text(const Row& row, const Parameters& parameters) {
                     row.member);
 }
 
+std::string before_text(const Row& row, const Parameters& p) {
+  if (!row.before) return {};
+  if (const Row* other = find_row(*row.before)) return value_text(*other, p);
+  const Kind k = kind(row);
+  const bool bare = k == Kind::ratio || k == Kind::integer || k == Kind::boolean;
+  return bare ? std::string(*row.before) : in_quotes(*row.before);
+}
+
+bool counts(const Row& row, const Parameters& p) {
+  if (row.of_part != nullptr && !row.of_part(p)) return false;
+  return !row.before || value_text(row, p) != before_text(row, p);
+}
+
 std::string allowed_text(const Row& row) {
   if (kind(row) == Kind::boolean) return "true or false";
   if (kind(row) == Kind::choice) {

@@ -12,6 +12,7 @@ constexpr std::string_view methods = "Heck et al. 2020, Methods";
 constexpr std::string_view chosen = "this program";
 
 constexpr double max_seeds = 9007199254740991.0; // 2^53 - 1: every tool reads it back exactly
+constexpr auto usual = Audience::usual;
 constexpr auto numerical = Audience::numerical;
 constexpr auto optional = Audience::optional;
 
@@ -97,17 +98,17 @@ constexpr std::array rows{
         "", "MODEL.md, I30", "Displacement of a particle after which the drag coefficients of its tile are recomputed; scaled with the step by the adaptive integrator", numerical},
 
     Row{"ecm.fields.youngs_modulus", [](Parameters& p) -> std::string& { return p.ecm.fields.youngs_modulus; }, "Pa", above(0, 1e7),
-        "", "MODEL.md, I32", "Young's modulus of the intact matrix as a function of position; replaces ecm.youngs_modulus", optional},
+        "", "MODEL.md, I32", "Young's modulus of the intact matrix as a function of position; replaces ecm.youngs_modulus", optional, ""},
     Row{"ecm.fields.f_degr", [](Parameters& p) -> std::string& { return p.ecm.fields.f_degr; }, "1", closed(0, 1),
-        "", "MODEL.md, I32", "Intact fraction of the matrix at the start: 1 solid, 0 fluid (channels, holes, tracks)", optional},
+        "", "MODEL.md, I32", "Intact fraction of the matrix at the start: 1 solid, 0 fluid (channels, holes, tracks)", optional, ""},
     Row{"ecm.fields.ligand", [](Parameters& p) -> std::string& { return p.ecm.fields.ligand; }, "1", closed(0, 100),
-        "", "MODEL.md, I35", "Ligand on the solid, relative to the usual amount; adhesions need it: at 0 nothing adheres", optional},
+        "", "MODEL.md, I35", "Ligand on the solid, relative to the usual amount; adhesions need it: at 0 nothing adheres", optional, ""},
     Row{"ecm.fields.attractant", [](Parameters& p) -> std::string& { return p.ecm.fields.attractant; }, "1", closed(0, 1e6),
-        "", "MODEL.md, I34", "Concentration of chemoattractant in an arbitrary unit; with cues.diffusion the initial and the boundary values", optional},
+        "", "MODEL.md, I34", "Concentration of chemoattractant in an arbitrary unit; with cues.diffusion the initial and the boundary values", optional, ""},
     Row{"ecm.fields.attractant_source", [](Parameters& p) -> std::string& { return p.ecm.fields.attractant_source; }, "1/s", closed(0, 1e6),
-        "", "MODEL.md, I34", "Rate of release of chemoattractant, in concentration per second", optional},
+        "", "MODEL.md, I34", "Rate of release of chemoattractant, in concentration per second", optional, ""},
     Row{"ecm.fields.obstacle", [](Parameters& p) -> std::string& { return p.ecm.fields.obstacle; }, "1", closed(0, 1),
-        "", "MODEL.md, I33", "Rigid obstacles (pillars, walls) where the field is 0.5 or more; they neither move nor degrade", optional},
+        "", "MODEL.md, I33", "Rigid obstacles (pillars, walls) where the field is 0.5 or more; they neither move nor degrade", optional, ""},
 
     Row{"fibres.arrangement", choice([](Parameters& p) -> FibreArrangement& { return p.fibres.arrangement; }, fibre_arrangements), "", none,
         "", methods, "Which neighbouring matrix particles are joined by fibres: none, all, or only those along one direction"},
@@ -129,14 +130,14 @@ constexpr std::array rows{
         "", "MODEL.md, I25", "Whether k_0 is multiplied by 8/15, the factor from orientations in the plane to orientations in space", numerical},
 
     Row{"fibres.field.direction_deg", [](Parameters& p) -> std::string& { return p.fibres.field.direction_deg; }, "deg", closed(-360, 360),
-        "", "MODEL.md, I32", "Direction of uniaxial fibres as a function of position; replaces fibres.direction_deg", optional},
+        "", "MODEL.md, I32", "Direction of uniaxial fibres as a function of position; replaces fibres.direction_deg", optional, ""},
     Row{"fibres.field.stiffness", [](Parameters& p) -> std::string& { return p.fibres.field.stiffness; }, "Pa", closed(0, 1e7),
-        "", "MODEL.md, I32", "Stiffness of the fibres as a function of position; replaces fibres.stiffness", optional},
+        "", "MODEL.md, I32", "Stiffness of the fibres as a function of position; replaces fibres.stiffness", optional, ""},
 
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),
         "R", table_1, "Radius of the cell at the start"},
     Row{"cell.centre_of_mass", choice([](Parameters& p) -> CentreOfMass& { return p.cell.centre_of_mass; }, centres_of_mass), "", none,
-        "x_cm", "MODEL.md, I41", "Centre of mass: centroid of the area inside the cortex, or mean position of the cortex particles"},
+        "x_cm", "MODEL.md, I41", "Centre of mass: centroid of the area inside the cortex, or mean position of the cortex particles", usual, "area"},
     Row{"cell.start_x", [](Parameters& p) -> double& { return p.cell.start_x; }, "um", closed(-2000, 2000),
         "", chosen, "x of the cell's centre at the start"},
     Row{"cell.start_y", [](Parameters& p) -> double& { return p.cell.start_y; }, "um", closed(-2000, 2000),
@@ -165,20 +166,11 @@ constexpr std::array rows{
     Row{"contact.fluid_share", [](Parameters& p) -> double& { return p.contact.fluid_share; }, "1", closed(0, 1),
         "", "MODEL.md, I12", "Viscous coupling of growing and maturing protrusions to fluid outside the cell, relative to their coupling to solid"},
     Row{"contact.body_fluid_share", [](Parameters& p) -> double& { return p.contact.body_fluid_share; }, "1", closed(0, 1),
-        "", "MODEL.md, I12", "The same of the rest of the cortex; if left out: fluid_share"},
+        "", "MODEL.md, I12", "The same of the rest of the cortex; if left out: fluid_share", usual, "contact.fluid_share"},
     Row{"contact.sample_spacing", [](Parameters& p) -> double& { return p.contact.sample_spacing; }, "um", closed(0.02, 20),
         "", "MODEL.md, I12", "Largest distance between points of viscous coupling on a segment", numerical},
     Row{"contact.deepest_solid", [](Parameters& p) -> double& { return p.contact.deepest_solid; }, "um", above(0, 20),
         "", "MODEL.md, I13", "Depth inside the cell beyond which a solid particle becomes fluid at once", numerical},
-
-    Row{"contact.cells.repulsion", [](Parameters& p) -> double& { return p.contact.cells.repulsion; }, "Pa", above(0, 1e7),
-        "", "MODEL.md, I38", "Repulsive pressure between two cells at zero gap", optional},
-    Row{"contact.cells.repulsion_range", [](Parameters& p) -> double& { return p.contact.cells.repulsion_range; }, "um", above(0, 20),
-        "", "MODEL.md, I38", "Gap below which two cells repel each other", optional},
-    Row{"contact.cells.adhesion", [](Parameters& p) -> double& { return p.contact.cells.adhesion; }, "Pa", closed(0, 1e6),
-        "", "MODEL.md, I39", "Largest adhesive stress between two cells; 0: cells do not adhere to each other", optional},
-    Row{"contact.cells.adhesion_range", [](Parameters& p) -> double& { return p.contact.cells.adhesion_range; }, "um", above(0, 20),
-        "", "MODEL.md, I39", "Two cells attract each other at gaps of up to this much beyond contact.cells.repulsion_range", optional},
 
     Row{"actomyosin.force", [](Parameters& p) -> double& { return p.actomyosin.force; }, "nN", closed(0, 1000),
         "F_am", table_1, "Actomyosin force of a strand at full maturation"},
@@ -245,23 +237,23 @@ constexpr std::array rows{
     Row{"adhesion.step_threshold", [](Parameters& p) -> double& { return p.adhesion.step_threshold; }, "1", above(0, 1),
         "", methods, "Fraction of the force of a maturation step that completes the step", numerical},
     Row{"adhesion.rest_speed", [](Parameters& p) -> double& { return p.adhesion.rest_speed; }, "nm/s", closed(0, 1000),
-        "", "MODEL.md, I19", "Maturation steps count once the tip recoils more slowly than this towards its base; 0: at any speed", numerical},
+        "", "MODEL.md, I19", "Maturation steps count once the tip recoils more slowly than this towards its base; 0: at any speed", numerical, "0 nm/s"},
     Row{"adhesion.handover", choice([](Parameters& p) -> Handover& { return p.adhesion.handover; }, handovers), "", none,
         "", "MODEL.md, I20", "How contraction replaces the pull of maturation: at once, or as the cortex takes over the load", numerical},
     Row{"adhesion.handover_time", [](Parameters& p) -> double& { return p.adhesion.handover_time; }, "s", above(0, 1e4),
-        "", "MODEL.md, I20", "Time constant with which the pull of maturation relaxes", numerical},
+        "", "MODEL.md, I20", "Time constant with which the pull of maturation relaxes", numerical, "0.4 s"},
     Row{"adhesion.handover_share", [](Parameters& p) -> double& { return p.adhesion.handover_share; }, "1", closed(0, 1),
-        "", "MODEL.md, I20", "The pull of maturation relaxes while the adhesion carries more than this fraction of f_mat F_am", numerical},
+        "", "MODEL.md, I20", "The pull of maturation relaxes while the adhesion carries more than this fraction of f_mat F_am", numerical, "0.9"},
     Row{"adhesion.base_drag", [](Parameters& p) -> double& { return p.adhesion.base_drag; }, "N s/m", closed(0, 1000),
         "", "MODEL.md, I19", "Drag of each pinned particle of the base while a protrusion matures", numerical},
     Row{"adhesion.pinned_particles", [](Parameters& p) -> int& { return p.adhesion.pinned_particles; }, "1", closed(1, 500),
-        "", "MODEL.md, I19", "Number of pinned particles at either end of a maturing protrusion", numerical},
+        "", "MODEL.md, I19", "Number of pinned particles at either end of a maturing protrusion", numerical, "3"},
     Row{"adhesion.maturation_strands", [](Parameters& p) -> double& { return p.adhesion.maturation_strands; }, "1", closed(1, 2),
-        "", "MODEL.md, I28", "Number of actomyosin strands whose force is the F_am in the pull of maturation", numerical},
+        "", "MODEL.md, I28", "Number of actomyosin strands whose force is the F_am in the pull of maturation", numerical, "1"},
     Row{"adhesion.hold", choice([](Parameters& p) -> AdhesionHold& { return p.adhesion.hold; }, adhesion_holds), "", none,
-        "", "MODEL.md, I18", "What an adhesion is attached to: the matrix that is now near its anchor, or the matter that was there when it formed", numerical},
+        "", "MODEL.md, I18", "What an adhesion is attached to: the matrix that is now near its anchor, or the matter that was there when it formed", numerical, "place"},
     Row{"adhesion.spread", [](Parameters& p) -> double& { return p.adhesion.spread; }, "1", closed(0.8, 4),
-        "", "MODEL.md, I18", "Smoothing length of the kernel that spreads an adhesion over the matrix, relative to ecm.smoothing_length", numerical},
+        "", "MODEL.md, I18", "Smoothing length of the kernel that spreads an adhesion over the matrix, relative to ecm.smoothing_length", numerical, "1"},
     Row{"adhesion.least_support", [](Parameters& p) -> double& { return p.adhesion.least_support; }, "1", open(0, 1),
         "", "MODEL.md, I18", "Fraction of solid around the anchor below which the adhesion is lost", numerical},
 
@@ -286,26 +278,26 @@ constexpr std::array rows{
     Row{"degradation.threshold", [](Parameters& p) -> double& { return p.degradation.threshold; }, "Pa", closed(0, 1e6),
         "p_th,degr", table_1, "Pressure above which protrusion and body degrade the matrix"},
     Row{"degradation.body_rear_share", [](Parameters& p) -> double& { return p.degradation.rear_share; }, "1", closed(0, 1),
-        "", "MODEL.md, I15", "Rate of degradation around the rear half of the body, relative to body_rate", numerical},
+        "", "MODEL.md, I15", "Rate of degradation around the rear half of the body, relative to body_rate", numerical, "1"},
     Row{"degradation.pressure", choice([](Parameters& p) -> DegradationPressure& { return p.degradation.pressure; }, degradation_pressures), "", none,
         "", "MODEL.md, I15", "Pressure compared with the threshold: the larger of solid and contact pressure, the solid pressure, or their sum", numerical},
     Row{"degradation.smaller_share", [](Parameters& p) -> double& { return p.degradation.smaller_share; }, "1", closed(0, 1),
-        "", "MODEL.md, I15", "Weight of the smaller pressure in their sum; 1: the sum, 0: the larger pressure", numerical},
+        "", "MODEL.md, I15", "Weight of the smaller pressure in their sum; 1: the sum, 0: the larger pressure", numerical, "1"},
 
     Row{"cues.chemotaxis", [](Parameters& p) -> double& { return p.cues.chemotaxis; }, "1", closed(-1000, 1000),
-        "", "MODEL.md, I34", "The rate of initiation is proportional to exp(chemotaxis * occupancy of receptors); negative: away from attractant"},
+        "", "MODEL.md, I34", "The rate of initiation is proportional to exp(chemotaxis * occupancy of receptors); negative: away from attractant", usual, "0"},
     Row{"cues.half_occupancy", [](Parameters& p) -> double& { return p.cues.half_occupancy; }, "1", above(0, 1e9),
-        "K_d", "MODEL.md, I34", "Concentration at which half of the receptors are occupied, in the unit of ecm.fields.attractant"},
+        "K_d", "MODEL.md, I34", "Concentration at which half of the receptors are occupied, in the unit of ecm.fields.attractant", usual, "1"},
     Row{"cues.diffusion", [](Parameters& p) -> double& { return p.cues.diffusion; }, "um^2/s", closed(0, 1e6),
-        "D", "MODEL.md, I34", "Diffusion coefficient of the attractant; 0: a steady field"},
+        "D", "MODEL.md, I34", "Diffusion coefficient of the attractant; 0: a steady field", usual, "0 um^2/s"},
     Row{"cues.decay", [](Parameters& p) -> double& { return p.cues.decay; }, "1/s", closed(0, 1e3),
-        "", "MODEL.md, I34", "Rate at which a diffusing attractant decays"},
+        "", "MODEL.md, I34", "Rate at which a diffusing attractant decays", usual, "0 1/s"},
     Row{"cues.uptake", [](Parameters& p) -> double& { return p.cues.uptake; }, "1/s", closed(0, 1e3),
-        "", "MODEL.md, I34", "Rate at which cells take up a diffusing attractant beneath them"},
+        "", "MODEL.md, I34", "Rate at which cells take up a diffusing attractant beneath them", usual, "0 1/s"},
     Row{"cues.haptotaxis", [](Parameters& p) -> double& { return p.cues.haptotaxis; }, "1", closed(-1000, 1000),
-        "", "MODEL.md, I35", "The rate of initiation is proportional to exp(haptotaxis * ligand)"},
+        "", "MODEL.md, I35", "The rate of initiation is proportional to exp(haptotaxis * ligand)", usual, "0"},
     Row{"cues.guidance", [](Parameters& p) -> double& { return p.cues.guidance; }, "1", closed(-1000, 1000),
-        "", "MODEL.md, I36", "The rate of initiation is proportional to exp(guidance * cos 2a), a: angle of the protrusion to the fibres"},
+        "", "MODEL.md, I36", "The rate of initiation is proportional to exp(guidance * cos 2a), a: angle of the protrusion to the fibres", usual, "0"},
 
     Row{"output.track_interval", [](Parameters& p) -> double& { return p.output.track_interval; }, "s", above(0, 1e9),
         "", chosen, "Time between rows of tracks.csv and health.csv"},
@@ -341,7 +333,7 @@ std::span<const Row> schema() {
   static const std::vector<Row> all = [] {
     std::vector<Row> joined(rows.begin(), rows.end());
     const auto behind = std::ranges::find(joined, "actomyosin", section_of);
-    joined.insert(behind, nucleus_rows().begin(), nucleus_rows().end());
+    joined.insert(behind, part_rows().begin(), part_rows().end());
     return joined;
   }();
   return all;

@@ -4,6 +4,7 @@
 #include "parameters/units.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,8 +12,8 @@
 #include <vector>
 
 /// The one table of parameters. Reader, checks, scenario files, documentation and editor schema are made from it; a new
-/// parameter is one member in parameters.hpp and one row in schema.cpp (of a nucleus or of [[cells]]:
-/// schema_cells.cpp, sections in schema_sections.cpp). Test: tests/unit/parameters/schema_test.cpp
+/// parameter is one member in parameters.hpp and one row in schema.cpp (of several cells or a nucleus:
+/// schema_cells.cpp, sections in schema_sections.cpp), with `before`. Test: tests/unit/parameters/schema_test.cpp
 namespace matrigrate {
 
 /// Allowed values, in the unit of the row.
@@ -48,6 +49,12 @@ struct Row {
   std::string_view source;      ///< of the default
   std::string_view description; ///< one sentence without the full stop
   Audience audience = Audience::usual;
+
+  /// The value that stands for what was done before there was such a key, without its quotes, or the path of the key
+  /// whose value it was: files of earlier versions lack the key. None of a key that all versions have. A default may
+  /// change, this value may not.
+  std::optional<std::string_view> before = {};
+  bool (*of_part)(const Parameters&) = nullptr; ///< whether the part of the model is there that it belongs to
 };
 
 /// A section of the scenario file.
@@ -67,8 +74,8 @@ std::span<const Section> sections();
 /// The keys of one table of [[cells]]; their members are those of the last of Parameters::cells.
 std::span<const Row> cell_rows();
 
-/// The part of schema() that is the section [nucleus].
-std::span<const Row> nucleus_rows();
+/// The part of schema() that is the sections [contact.cells] and [nucleus].
+std::span<const Row> part_rows();
 
 /// What [[cells]] is about, in a sentence.
 inline constexpr std::string_view cells_title =
@@ -91,6 +98,13 @@ std::string_view key_of(const Row& row);     ///< "youngs_modulus"
 /// The value as it stands in a scenario file, to be read back to the same bits: "\"200 Pa\"", "0.45", "true",
 /// "\"square\"".
 std::string value_text(const Row& row, const Parameters& p);
+
+/// `before` as it stands in a scenario file with these parameters; empty if the row has none.
+std::string before_text(const Row& row, const Parameters& p);
+
+/// Whether the value stands in the fingerprint of a configuration: the part that it belongs to is there, and it is not
+/// that of before. So a new parameter at its value of before renames no run.
+bool counts(const Row& row, const Parameters& p);
 
 /// The allowed values in words: "> 0 and <= 1000 Pa", "true or false", "\"square\" or \"hexagonal\"".
 std::string allowed_text(const Row& row);

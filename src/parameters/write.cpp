@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -96,6 +95,8 @@ Json row_schema(const Row& row) {
   }
   schema["description"] = description;
   schema["default"] = Json::parse(value_text(row, {})); // all forms of value_text are JSON as well
+  if (row.before)                                       // by a path, the value of that key
+    schema["x-before"] = find_row(*row.before) != nullptr ? Json(*row.before) : Json::parse(before_text(row, {}));
   return schema;
 }
 
@@ -149,7 +150,7 @@ std::string cell(std::string_view text) {
 } // namespace
 
 std::string to_toml(const Parameters& p) {
-  std::string text(resolved_head);
+  std::string text = fmt::format("{}version = \"{}\"\n", resolved_head, this_version);
   for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
                    [&](const Row& row) { text += comment(row) + assignment(row, p); });
   return text + cell_tables(p);
@@ -158,18 +159,12 @@ std::string to_toml(const Parameters& p) {
 std::string values_text(const Parameters& p) {
   std::string text;
   Parameters q = p;
-  for (const Row& row : schema()) {
-    const std::string value = row.unit == "rad" // as hashes of configurations have had it
-                                  ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
-                                  : value_text(row, p);
-    if (kind(row) == Kind::field && value == "\"\"") continue; // here and below: as if there were no such parameter
-    if (p.cells.empty() && row.path.starts_with("contact.cells.")) continue; // of several cells
-    if (p.nucleus.radius == 0.0 && section_of(row) == "nucleus") continue;
-    if (row.path.starts_with("cues.") && value == value_text(row, {})) continue;
-    const auto before = std::ranges::find(before_their_keys, row.path, &KeyBefore::first);
-    if (before != before_their_keys.end() && value == value_before(before->second, p)) continue;
-    text += fmt::format("{} = {}\n", row.path, value);
-  }
+  for (const Row& row : schema())
+    if (counts(row, p))
+      text += fmt::format("{} = {}\n", row.path,
+                          row.unit == "rad" // as fingerprints have had it
+                              ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
+                              : value_text(row, p));
   return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));
 }
 
@@ -207,6 +202,10 @@ std::string json_schema() {
                      section_schema(file, section_of(row))["properties"][std::string(key_of(row))] = row_schema(row);
                    });
   file["properties"]["cells"] = cells_schema();
+  file["properties"]["version"] = {
+      {"type", "string"},
+      {"description", "In files that the program writes: its version. A parameter that such a file lacks has the value "
+                      "that stands for what was done before there was such a parameter."}};
   return file.dump(2) + "\n";
 }
 

@@ -10,7 +10,8 @@ namespace matrigrate {
 /// The resolved scenario: every parameter with its value and unit; parse_parameters gives the same bits back.
 std::string to_toml(const Parameters& p);
 
-/// Every parameter, a line each, and nothing else: what decides on a run, however its descriptions are worded.
+/// Every parameter that counts(), a line each: what decides on a run, however its descriptions are worded and whatever
+/// parameters came later. Its hash is the fingerprint of a configuration.
 std::string values_text(const Parameters& p);
 
 /// The scenario that `new` writes: the usual parameters to be edited, the numerical ones commented out at their

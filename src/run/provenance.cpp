@@ -2,6 +2,7 @@
 
 #include "base/platform.hpp"
 #include "base/threads.hpp"
+#include "parameters/earlier.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,9 @@ namespace matrigrate::run {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+static_assert(this_version == build_info::version,
+              "the version stands in CMakeLists.txt and in parameters/earlier.hpp");
 
 std::string joined(int major, int minor, int patch) { return fmt::format("{}.{}.{}", major, minor, patch); }
 

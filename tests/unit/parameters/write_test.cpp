@@ -1,6 +1,5 @@
 #include "base/file.hpp"
 #include "parameters/assign.hpp"
-#include "parameters/earlier.hpp"
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
@@ -124,39 +123,16 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
   const std::string text = values_text({});
   EXPECT_EQ(text.find('#'), std::string::npos);
   EXPECT_TRUE(text.starts_with("run.duration = \"6 h\"\n")) << text;
-  for (const Row& row : schema()) { // what the paper does not have is left out where it is off: fingerprints stay
-    const bool beyond = kind(row) == Kind::field || row.path.starts_with("contact.cells.")
-                        || row.path.starts_with("cues.") || row.path.starts_with("nucleus.")
-                        || row.path == "adhesion.spread" || row.path == "adhesion.handover_time"
-                        || row.path == "adhesion.handover_share" || row.path == "adhesion.pinned_particles"
-                        || row.path == "adhesion.maturation_strands" || row.path == "contact.body_fluid_share"
-                        || row.path == "degradation.body_rear_share" || row.path == "degradation.smaller_share";
+  for (const Row& row : schema()) {
     const std::string value = row.unit == "rad" ? "1.0471975511965976" : value_text(row, {}); // not in degrees here
-    EXPECT_EQ(text.find(std::string(row.path) + " = " + value + "\n") == std::string::npos, beyond) << row.path;
+    EXPECT_EQ(text.find(std::string(row.path) + " = " + value + "\n") != std::string::npos, counts(row, {}))
+        << row.path;
   }
   Parameters p;
   p.cues.chemotaxis = 2.0;
   p.cells = {{-20.0, 0.0}, {20.0, 0.0}};
   EXPECT_NE(values_text(p).find("cues.chemotaxis = 2\n"), std::string::npos);
   EXPECT_NE(values_text(p).find("contact.cells.adhesion = "), std::string::npos);
-}
-
-TEST(Write, AResolvedFileWithoutALaterKeyMeansWhatWasDoneBefore) {
-  std::string text = to_toml(parameters_of(*find_preset("first-closures")));
-  EXPECT_EQ(parse_parameters(text, "written.toml").adhesion.rest_speed, 0.0);
-  for (const auto& [path, value] : before_their_keys) { // as an earlier version wrote it
-    const std::string line = "\n" + std::string(path.substr(path.find('.') + 1)) + " = "
-                             + value_before(value, parameters_of(*find_preset("first-closures")));
-    const std::size_t at = text.find(line);
-    ASSERT_NE(at, std::string::npos) << path;
-    text.erase(at, line.size());
-  }
-  const Parameters p = parse_parameters(text, "earlier.toml");
-  EXPECT_TRUE(same(p, parameters_of(*find_preset("first-closures"))));
-  EXPECT_EQ(p.cell.centre_of_mass, CentreOfMass::area);
-  EXPECT_EQ(values_text(p).find("rest_speed"), std::string::npos) << "the fingerprint is that of the earlier runs";
-  EXPECT_GT(parse_parameters("[adhesion]\nhold = \"place\"\n", "by_hand.toml").adhesion.rest_speed, 0.0)
-      << "a scenario that somebody wrote takes today's defaults";
 }
 
 TEST(Write, ABodyHasTheFluidShareOfItsProtrusionsUnlessItHasItsOwn) {

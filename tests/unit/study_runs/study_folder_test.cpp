@@ -38,6 +38,31 @@ TEST_F(StudyFolders, HoldTheStudyThatWasWritten) {
   }
 }
 
+/// Users have folders of these names. A program that calls the runs otherwise would not find them, so no version may
+/// change what is here: a new parameter has `before` in its row.
+TEST(RunsOfStudies, KeepTheirNames) {
+  struct Named {
+    std::string preset, set, name;
+  };
+  const std::vector<Named> named{
+      {"baseline", "", "d436f2c98f0bb7fc"},
+      {"first-closures", "", "d3677eb3906e1ba9"},
+      {"two-cells", "", "434d19cfb1a49228"},
+      {"fibrillar", "", "6c51f4bbcb3e62fc"},
+      {"two-protrusions-fibres", "", "718095b47d6d59d3"},
+      {"stiffness-gradient", "", "ba95ba50fdf59730"},
+      {"chemotaxis", "", "a46b82367089916a"},
+      {"baseline", "nucleus.radius = \"5 um\"", "c1d8f5a21bda4811"},
+      {"two-cells", "contact.cells.adhesion=\"20 Pa\"", "47e356ad519ec9af"},
+      {"baseline", "protrusion.deflection_cone = \"37 deg\"", "3dfe7833d82c1979"},
+      {"baseline", "adhesion.hold=\"place\"", "b3b3776b9b8be0f4"},
+  };
+  for (const Named& one : named) {
+    const std::string text = fmt::format("preset = \"{}\"\nreplicates = 1\n[set]\n{}\n", one.preset, one.set);
+    EXPECT_EQ(planned(parse_study(text, "f.toml", "."), {}).runs.at(0).hash, one.name) << text;
+  }
+}
+
 TEST_F(StudyFolders, OfOtherFilesAreRefused) {
   fs::create_directories(m_root / "s");
   write_file(m_root / "s" / "letter.txt", "x");
