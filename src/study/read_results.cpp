@@ -2,74 +2,157 @@
 
 #include "base/failure.hpp"
 #include "store/csv.hpp"
+#include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 namespace matrigrate::study {
 
 namespace {
 
-std::uint64_t whole_number(const std::string& field) {
-  std::uint64_t value = 0;
-  std::from_chars(field.data(), field.data() + field.size(), value);
-  return value;
-}
-
-RunState state_of(const std::string& word) {
+std::optional<RunState> state_of(const std::string& word) {
   for (const RunState state : {RunState::missing, RunState::unfinished, RunState::running, RunState::done,
-                               RunState::failed, RunState::interrupted})
+                               RunState::failed, RunState::interrupted, RunState::damaged})
     if (word == to_string(state)) return state;
-  throw InputOutputError(fmt::format("\"{}\" is no status of a run", word));
+  return std::nullopt;
 }
 
-std::vector<Result> results_of(const Study& study, const store::CsvTable& table) {
-  const auto column = [&](std::string_view name) {
-    const auto found = table.column(name);
-    if (!found) throw InputOutputError(fmt::format("has no column {}", name));
-    return *found;
-  };
-  const std::size_t run = column("run");
-  const std::size_t label = column("label");
-  const std::size_t replicate = column("replicate");
-  const std::size_t seed = column("seed");
-  const std::size_t status = column("status");
-  const std::size_t reason = column("reason");
-  const auto cause = table.column("cause"); // version 0.1.0 has none
-  const std::size_t hash = column("trajectory_hash");
-  const std::vector<std::string> names = all_readouts();
-  std::vector<Result> results;
-  for (const std::vector<std::string>& row : table.rows) {
-    const auto point = std::ranges::find(study.points, row[label], &Point::label);
-    if (point == study.points.end()) throw InputOutputError(fmt::format("\"{}\" is no point of the study", row[label]));
-    Result& r = results.emplace_back();
-    r.run = {.point = static_cast<std::size_t>(point - study.points.begin()),
-             .replicate = whole_number(row[replicate]),
-             .seed = whole_number(row[seed]),
-             .hash = row[run]};
-    r.standing.status = state_of(row[status]);
-    r.standing.reason = row[reason];
-    if (cause) r.standing.cause = parse_failure_cause(row[*cause]);
-    r.standing.trajectory_hash = row[hash];
-    for (const std::string& name : names) {
-      const auto at = table.column(name);
-      r.readouts.push_back(at ? store::csv_number(row[*at]) : std::numeric_limits<double>::quiet_NaN());
+/// Read-outs that came after the first tables were kept.
+bool came_later(std::string_view name) {
+  return name == "migration_index_x"
+         || std::ranges::find(group_readout_table(), name, &TableReadOut::name) != group_readout_table().end();
+}
+
+/// A table of results, and all that is wrong with it.
+class Kept {
+public:
+  Kept(const Study& study, const store::CsvTable& table)
+      : m_study(study), m_table(table), m_swept(swept_columns(study)) {
+    check_columns();
+  }
+
+  std::vector<Result> results() {
+    for (m_row = 0; m_row < m_table.rows.size(); ++m_row) m_results.push_back(result());
+    if (m_results.size() != m_study.runs())
+      m_faults.push_back(fmt::format("holds {} runs; the study has {}", m_results.size(), m_study.runs()));
+    raise();
+    std::ranges::stable_sort(m_results, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
+    return std::move(m_results);
+  }
+
+private:
+  void raise() const {
+    constexpr std::size_t most = 20;
+    if (m_faults.empty()) return;
+    const auto shown = std::span(m_faults).first(std::min(most, m_faults.size()));
+    throw InputOutputError(
+        fmt::format("{}{}", fmt::join(shown, "\n  "),
+                    m_faults.size() > most ? fmt::format("\n  and {} more", m_faults.size() - most) : ""));
+  }
+
+  /// What else is wrong cannot be told without the columns.
+  void check_columns() {
+    const std::vector<std::string> readouts = all_readouts();
+    std::vector<std::string> wanted{"run", "label", "replicate", "seed", "status", "reason", "trajectory_hash"};
+    wanted.insert(wanted.end(), m_swept.begin(), m_swept.end());
+    std::vector<std::string> known{"cause"}; // version 0.1.0 has none
+    for (const std::string& name : readouts) (came_later(name) ? known : wanted).push_back(name);
+    known.insert(known.end(), wanted.begin(), wanted.end());
+    for (const std::string& name : wanted)
+      if (!m_table.column(name)) m_faults.push_back(fmt::format("has no column {}", name));
+    for (std::size_t k = 0; k < m_table.header.size(); ++k) {
+      const std::string& name = m_table.header[k];
+      const auto place = fmt::format("line 1, column {}", k + 1);
+      if (std::ranges::find(known, name) == known.end())
+        m_faults.push_back(fmt::format("{}: the results of this study have no column \"{}\"", place, name));
+      else if (*m_table.column(name) != k)
+        m_faults.push_back(fmt::format("{}: {} is there twice", place, name));
+    }
+    raise();
+  }
+
+  const std::string& field(std::string_view column) const { return m_table.rows[m_row][*m_table.column(column)]; }
+
+  void complain(std::string_view column, std::string_view what) {
+    m_faults.push_back(
+        fmt::format("line {}, column {} ({}): {}", m_row + 2, *m_table.column(column) + 1, column, what));
+  }
+
+  std::uint64_t whole_number(std::string_view column) {
+    const std::string& text = field(column);
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end) complain(column, fmt::format("\"{}\" is no whole number", text));
+    return value;
+  }
+
+  double number(std::string_view column) {
+    try {
+      return store::csv_number(field(column));
+    } catch (const InputOutputError& error) {
+      complain(column, error.what());
+      return std::numeric_limits<double>::quiet_NaN();
     }
   }
-  if (results.size() != study.runs())
-    throw InputOutputError(fmt::format("holds {} runs; the study has {}", results.size(), study.runs()));
-  std::ranges::stable_sort(results, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
-  return results;
-}
+
+  /// The run has the name of its parameters, but people read the columns.
+  void check_parameters(const Point& point) {
+    const std::vector<std::string> values = swept_values(m_study, point);
+    for (std::size_t k = 0; k < m_swept.size(); ++k)
+      if (field(m_swept[k]) != values[k])
+        complain(m_swept[k],
+                 fmt::format("is \"{}\"; the point \"{}\" has {}", field(m_swept[k]), point.label, values[k]));
+  }
+
+  void check_duration(const RunParameters& run, RunState status) {
+    const double t = number("duration_s");
+    if (status == RunState::done && std::isfinite(t) && std::abs(t - run.duration) > 1.001 * run.time_step)
+      complain("duration_s", fmt::format("is {:g}; runs of the study take {:g} s", t, run.duration));
+  }
+
+  Result result() {
+    Result r;
+    r.run = {.point = 0, .replicate = whole_number("replicate"), .seed = whole_number("seed"), .hash = field("run")};
+    const auto status = state_of(field("status"));
+    if (!status) complain("status", fmt::format("\"{}\" is no status of a run", field("status")));
+    r.standing.status = status.value_or(RunState::missing);
+    r.standing.reason = field("reason");
+    if (m_table.column("cause")) r.standing.cause = parse_failure_cause(field("cause"));
+    r.standing.trajectory_hash = field("trajectory_hash");
+    const auto point = std::ranges::find(m_study.points, field("label"), &Point::label);
+    if (point == m_study.points.end()) {
+      complain("label", fmt::format("\"{}\" is no point of the study", field("label")));
+    } else {
+      r.run.point = static_cast<std::size_t>(point - m_study.points.begin());
+      check_parameters(*point);
+      check_duration(point->parameters.run, r.standing.status);
+    }
+    for (const std::string& name : all_readouts())
+      r.readouts.push_back(m_table.column(name) ? number(name) : std::numeric_limits<double>::quiet_NaN());
+    return r;
+  }
+
+  const Study& m_study;
+  const store::CsvTable& m_table;
+  std::vector<std::string> m_swept;
+  std::size_t m_row = 0;
+  std::vector<Result> m_results;
+  std::vector<std::string> m_faults;
+};
 
 } // namespace
 
 std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name) {
   try {
-    return results_of(study, store::read_csv(csv));
+    return Kept(study, store::read_csv(csv)).results();
   } catch (const InputOutputError& error) {
     throw InputOutputError(fmt::format("{}: {}", name, error.what()));
   }

@@ -10,11 +10,13 @@
 /// anew by what was kept of them. Test: tests/unit/study/read_results_test.cpp
 namespace matrigrate::study {
 
-/// All rows, point by point: name, seed, status, fingerprint and read-outs of each run. Read-outs without a column are
-/// NaN; columns that are no read-outs are passed over.
+/// All rows, point by point: name, seed, status, fingerprint and read-outs of each run. Read-outs that came after the
+/// table are NaN.
 /// @param name  stands for the file in messages
-/// @throws InputOutputError if the text is no results.csv of this study: no table, a column missing, a label that is no
-///         point's, or a number of runs other than the study's
+/// @throws InputOutputError with the first 20 faults, by line and column, if the text is no results.csv of this study:
+/// no
+///         table, a column missing, unknown or there twice, a field that is no number, a label, parameter or duration
+///         that is none of the study's, or a number of runs other than the study's
 std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name);
 
 } // namespace matrigrate::study

@@ -1,11 +1,14 @@
 #include "study/table_readouts.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "statistics/sample.hpp"
 #include "store/csv.hpp"
+#include "store/naming.hpp"
 #include "study/cell_tracks.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -77,7 +80,14 @@ std::span<const TableReadOut> group_readout_table() { return table_readout_table
 
 std::vector<double> table_readouts(const std::filesystem::path& folder) {
   const auto column = [&](const char* file, std::string_view name) {
-    return store::csv_column(read_file(folder / file, largest_table), name);
+    const std::string table = read_file(folder / file, largest_table);
+    return store::naming(folder / file, [&] {
+      const std::string header = "," + table.substr(0, table.find('\n')) + ",";
+      if (header.find(fmt::format(",{},", name)) == std::string::npos)
+        throw InputOutputError(fmt::format("has no column {}", name));
+      if (!table.ends_with('\n')) throw InputOutputError("has been cut within a line");
+      return store::csv_column(table, name);
+    });
   };
   const std::vector<CellTrack> tracks = cell_tracks(folder);
   std::vector<double> index;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace matrigrate::store {
@@ -69,16 +70,33 @@ CsvTable read_csv(std::string_view text) {
 
 double csv_number(std::string_view field) {
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::from_chars(field.data(), field.data() + field.size(), value);
+  if (field.empty()) return value;
+  const char* end = field.data() + field.size();
+  const auto read = std::from_chars(field.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
+    throw InputOutputError(fmt::format("\"{}\" is no number", field.substr(0, 40)));
   return value;
 }
+
+namespace {
+
+double number_at(std::string_view field, std::size_t line, std::string_view column) {
+  try {
+    return csv_number(field);
+  } catch (const InputOutputError& error) {
+    throw InputOutputError(fmt::format("line {}, column {}: {}", line, column, error.what()));
+  }
+}
+
+} // namespace
 
 Table read_table(std::string_view text) {
   const CsvTable read = read_csv(text);
   Table table{.columns = read.header, .rows = {}};
   for (const std::vector<std::string>& fields : read.rows) {
     table.rows.emplace_back();
-    for (const std::string& field : fields) table.rows.back().push_back(csv_number(field));
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      table.rows.back().push_back(number_at(fields[k], table.rows.size() + 1, table.columns[k]));
   }
   return table;
 }
@@ -94,7 +112,7 @@ std::vector<double> csv_column(std::string_view text, std::string_view column) {
   while (!text.empty()) {
     std::string_view line = cut(text, '\n');
     for (std::size_t i = 0; i < index; ++i) cut(line, ',');
-    values.push_back(csv_number(cut(line, ',')));
+    values.push_back(number_at(cut(line, ','), values.size() + 2, column));
   }
   return values;
 }

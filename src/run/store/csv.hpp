@@ -24,11 +24,13 @@ struct CsvTable {
 /// @throws InputOutputError naming the line, if a row is not as long as the header or a quote is not closed
 CsvTable read_csv(std::string_view text);
 
-/// The number at the start of a field, NaN of an empty one.
+/// The number of a field, NaN of an empty one.
+/// @throws InputOutputError if it is anything else, also "nan" and "inf"
 double csv_number(std::string_view field);
 
 /// Numbers of a column of a CSV text without quoted fields before it, NaN for empty fields; empty if there is no such
 /// column.
+/// @throws InputOutputError naming the line and the column, if a field is no number
 std::vector<double> csv_column(std::string_view text, std::string_view column);
 
 /// Several columns, with as many numbers each.

@@ -26,6 +26,21 @@ TEST(Csv, ReadsWhatTheProgramWrites) {
   EXPECT_TRUE(std::isnan(csv_number("")));
 }
 
+TEST(Csv, ANumberIsReadWholeOrRefused) {
+  for (const char* bad : {"1,5", "0x10", "abc", "nan", "inf", "1e400", "1 ", "+1"})
+    EXPECT_THROW(csv_number(bad), InputOutputError) << bad;
+  const auto message = [](const auto& read) {
+    try {
+      read();
+    } catch (const InputOutputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message([] { csv_column("t_s,x_um\n0,1\n1,2x\n", "x_um"); }), "line 3, column x_um: \"2x\" is no number");
+  EXPECT_EQ(message([] { read_table("t_s,x_um\n0,1\n1,2x\n"); }), "line 3, column x_um: \"2x\" is no number");
+}
+
 TEST(Csv, TablesOfNumbersAreReadBackAndGroupedByTheirFirstColumn) {
   Table table{.columns = {"angle_deg", "stress_Pa"}, .rows = {}};
   table.add({90.0, 0.1});

@@ -51,9 +51,51 @@ TEST(ReadResults, RefusesResultsOfAnotherStudy) {
     return std::string();
   };
   EXPECT_EQ(message(read("[sweep]\necm.youngs_modulus = [50, 400]\n"), csv),
-            "r.csv: \"youngs_modulus 200 Pa\" is no point of the study");
+            "r.csv: line 5, column 2 (label): \"youngs_modulus 200 Pa\" is no point of the study\n"
+            "  line 6, column 2 (label): \"youngs_modulus 200 Pa\" is no point of the study\n"
+            "  line 7, column 2 (label): \"youngs_modulus 200 Pa\" is no point of the study");
   EXPECT_EQ(message(study, csv.substr(0, csv.rfind("\n", csv.size() - 2) + 1)), "r.csv: holds 5 runs; the study has 6");
-  EXPECT_EQ(message(study, "a,b\n"), "r.csv: has no column run");
+  EXPECT_TRUE(message(study, "a,b\n").starts_with("r.csv: has no column run\n  has no column label\n"));
+}
+
+TEST(ReadResults, RefusesFieldsThatCannotBe) {
+  const Study study = read(sweep);
+  const std::string csv = results_csv(study, made(study));
+  const auto fault = [&](const std::string& from, const std::string& to) {
+    std::string text = csv;
+    text.replace(text.find(from), from.size(), to);
+    try {
+      read_results(study, text, "r.csv");
+    } catch (const InputOutputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const char* bad : {"\"1,5\"", "0x10", "abc", "nan", "inf", "1e400", "0.1 ", "+0.1"}) {
+    const std::string said = fault(",0.1,", std::string(",") + bad + ",");
+    EXPECT_TRUE(said.starts_with("r.csv: line 2, column ") && said.find("(f_mat): \"") != std::string::npos)
+        << bad << said;
+  }
+  EXPECT_NE(fault("9007199254740991", "9007199254740991x").find("is no whole number"), std::string::npos);
+  EXPECT_NE(fault(",f_mat,", ",f_mat_um,").find("r.csv: has no column f_mat\n  line 1, column "), std::string::npos);
+  EXPECT_NE(fault(",n_protrusions,", ",f_mat,").find(": f_mat is there twice"), std::string::npos);
+  EXPECT_NE(
+      fault("youngs_modulus 50 Pa,50,", "youngs_modulus 50 Pa,200,")
+          .find("line 2, column 3 (ecm.youngs_modulus_Pa): is \"200\"; the point \"youngs_modulus 50 Pa\" has 50"),
+      std::string::npos)
+      << fault("youngs_modulus 50 Pa,50,", "youngs_modulus 50 Pa,200,");
+  EXPECT_NE(fault(",done,", ",finished,").find("\"finished\" is no status of a run"), std::string::npos);
+}
+
+TEST(ReadResults, RefusesADurationThatIsNotTheStudys) {
+  const Study study = read(sweep);
+  std::vector<Result> all = made(study);
+  const std::size_t column = readout_column("duration_s");
+  for (Result& r : all)
+    if (r.standing.done()) r.readouts[column] = 21600.0;
+  EXPECT_NO_THROW(read_results(study, results_csv(study, all), "r.csv"));
+  all[1].readouts[column] = 60.0;
+  EXPECT_THROW(read_results(study, results_csv(study, all), "r.csv"), InputOutputError);
 }
 
 } // namespace
