@@ -4,7 +4,9 @@
 #include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "run/folder_lock.hpp"
 #include "run/occupied_folder.hpp"
+#include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/stopped_run.hpp"
 #include "simulation/same_start.hpp"
@@ -14,7 +16,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -57,13 +61,67 @@ std::span<const Rule> rules_without_fields() {
   return rules;
 }
 
-void require_multiple(double t, const Parameters& p) {
+bool is_multiple(double t, const Parameters& p) {
   const double steps = t / p.run.time_step;
-  if (std::abs(steps - std::round(steps)) > 1e-6)
-    throw ConfigurationError(
-        {{.file = "--at",
-          .key = {},
-          .message = fmt::format("{:.6g} s is no multiple of run.time_step, {:.6g} s", t, p.run.time_step)}});
+  return std::abs(steps - std::round(steps)) < 1e-6;
+}
+
+/// The first time from t on that is a multiple of the steps of both; none within the next thousand.
+std::optional<double> next_multiple(double t, const Parameters& before, const Parameters& after) {
+  const double dt = before.run.time_step;
+  const double first = std::ceil(t / dt - 1e-6);
+  for (int k = 0; k < 1000; ++k)
+    if (const double at = dt * (first + k); is_multiple(at, after)) return at;
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse(const std::string& place, std::string message) {
+  throw ConfigurationError({{.file = place, .key = {}, .message = std::move(message)}});
+}
+
+/// When the branch begins: at the time that was asked for, or at the next multiple of the step behind the checkpoint.
+/// @param after  parameters of the branch
+double begin_of(const BranchOptions& how, const std::optional<FoundCheckpoint>& found, const Parameters& before,
+                const Parameters& after) {
+  const double wanted = how.at ? *how.at : found->checkpoint.state.t;
+  const std::optional<double> next = next_multiple(wanted, before, after);
+  const std::string steps = before.run.time_step == after.run.time_step
+                                ? fmt::format("run.time_step, {:.6g} s", before.run.time_step)
+                                : fmt::format("run.time_step, {:.6g} s before and {:.6g} s in the branch",
+                                              before.run.time_step, after.run.time_step);
+  const bool fits = is_multiple(wanted, before) && is_multiple(wanted, after);
+  if (!next || (how.at && !fits))
+    refuse("--at", fmt::format("{:.6g} s is no multiple of {}{}", wanted, steps,
+                               next ? fmt::format("; --at \"{:.6g} s\" is", *next) : ""));
+  const double until = how.at ? wanted : *next;
+  if (until < after.run.duration) return until;
+  if (how.at)
+    refuse("--at", fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another end", until,
+                               after.run.duration));
+  refuse(
+      found->file.string(),
+      fmt::format("the checkpoint is at {:.6g} s, and the branch would end at {:.6g} s: --hours sets a later end, --at "
+                  "an earlier time to branch at",
+                  found->checkpoint.state.t, after.run.duration));
+}
+
+/// Whether a folder holds the same branch, which was killed before it had a checkpoint.
+bool holds_its_beginning(const fs::path& folder, const Parameters& p, const Json& event) {
+  const Json record = record_of(folder);
+  const std::vector<Json> lineage = lineage_of(record);
+  if (has_checkpoint(folder) || lineage.empty() || text_of(record, "configuration_hash") != configuration_hash(p))
+    return false;
+  const auto agrees = [&](const char* key) { return lineage.back().value(key, Json()) == event.value(key, Json()); };
+  return agrees("event") && agrees("from") && agrees("at_s") && agrees("configuration_hash");
+}
+
+/// @throws InputOutputError if the folder holds anything else than a beginning of the branch, which is removed
+void require_free_for(const fs::path& folder, const Parameters& p, const Json& event) {
+  if (is_free(folder)) return;
+  if (!holds_its_beginning(folder, p, event))
+    throw InputOutputError(folder.string() + ": exists and is not empty; choose another folder with -o");
+  const FolderLock lock(folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)); // nobody computes it
+  remove_run_files(folder);
 }
 
 } // namespace
@@ -75,15 +133,7 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
   const Parameters after = apply_overrides(before, how.overrides, found ? rules_without_fields() : start_rules());
   if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
     throw ConfigurationError(std::move(faults));
-  const double until = how.at ? *how.at : found->checkpoint.state.t;
-  require_multiple(until, before);
-  require_multiple(until, after);
-  if (until >= after.run.duration)
-    throw ConfigurationError(
-        {{.file = "--at",
-          .key = {},
-          .message = fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another end", until,
-                                 after.run.duration)}});
+  const double until = begin_of(how, found, before, after);
 
   const Json record = record_of(from);
   RunStart start;
@@ -108,8 +158,7 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
   start.lineage.back()["set"] = how.overrides;
   start.p = after;
   start.before = BranchPoint{.p = before, .until = until};
-  if (!is_free(options.folder))
-    throw InputOutputError(options.folder.string() + ": exists and is not empty; choose another folder with -o");
+  require_free_for(options.folder, after, start.lineage.back());
   make_output_folder(options.folder, false);
   return run(std::move(start), options, observer);
 }

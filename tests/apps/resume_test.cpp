@@ -1,4 +1,6 @@
 #include "program.hpp"
+#include "store/field_file.hpp"
+#include "store/saved_frames.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -6,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <utility>
@@ -162,6 +165,9 @@ TEST_F(Resume, SaysWhatThereIsNot) {
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "no checkpoint")) << ended.err;
   EXPECT_EQ(run("resume empty -o other").code, 2);
+  write("empty/study.resolved.toml", "");
+  EXPECT_TRUE(contains(run("resume empty").err, "empty: is the folder of a study; matrigrate study run"))
+      << "what helps";
 }
 
 TEST_F(Resume, Branches) {
@@ -255,6 +261,69 @@ TEST_F(Resume, RefusesBranchesThatCannotBe) {
   EXPECT_EQ(taken.code, 5);
   EXPECT_TRUE(contains(taken.err, "trunk: exists and is not empty; choose another folder with -o\n")) << taken.err;
   EXPECT_FALSE(exists("trunk-branch"));
+}
+
+TEST_F(Resume, BranchesFromACheckpointBetweenMultiplesOfTheStep) {
+  ASSERT_EQ(run("run s.toml -o odd --quiet --set run.integrator=adaptive --set run.duration='11 s'").code, 0);
+  ASSERT_EQ(record("odd").at("t_s"), 11.25) << "the run ends between two multiples of 5 s";
+  const Ended longer = run("resume odd --hours 0.01 -o longer --quiet");
+  EXPECT_EQ(longer.code, 0) << longer.err;
+  EXPECT_EQ(record("longer").at("lineage").back().at("at_s"), 15.0);
+  ASSERT_EQ(run("run s.toml -o whole --quiet --set run.integrator=adaptive --hours 0.01").code, 0);
+  EXPECT_EQ(text_of(folder / "longer/protrusions.csv"), text_of(folder / "whole/protrusions.csv"));
+  const Ended between = run("resume odd --at '7 s' -o none");
+  EXPECT_EQ(between.code, 3);
+  EXPECT_TRUE(contains(between.err, "--at: 7 s is no multiple of run.time_step, 5 s; --at \"10 s\" is")) << between.err;
+}
+
+TEST_F(Resume, SaysHowADoneRunBranches) {
+  ASSERT_EQ(run("run s.toml -o trunk --quiet").code, 0);
+  const Ended ended = run("resume trunk --seed 2 -o b");
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_TRUE(contains(ended.err, "trunk/checkpoint.h5: the checkpoint is at 60 s, and the branch would end at 60 s: "
+                                  "--hours sets a later end, --at an earlier time to branch at"))
+      << ended.err;
+}
+
+TEST_F(Resume, ABranchThatTurnsFibresOnOrOffKeepsItsFrames) {
+  const auto frames = [&](const std::string& of) { return store::times_of(store::read_film(folder / of)); };
+  for (const std::string from : {"none", "isotropic"}) {
+    const std::string to = from == "none" ? "isotropic" : "none";
+    ASSERT_EQ(run("run s.toml -o trunk --quiet --set fibres.stiffness='10 Pa' --set fibres.arrangement=" + from).code,
+              0);
+    const Ended ended = run("resume trunk --at '30 s' -o b --set fibres.arrangement=" + to);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_FALSE(contains(ended.err + ended.out, "lost")) << ended.err;
+    EXPECT_EQ(frames("b"), frames("trunk")) << from;
+    EXPECT_EQ(run("report b").code, 0);
+    for (const char* name : {"trunk", "b"}) std::filesystem::remove_all(folder / name);
+  }
+}
+
+TEST_F(Resume, ABranchThatWasKilledBeforeItsFirstCheckpointBeginsAgain) {
+  ASSERT_EQ(
+      run("run s.toml -o trunk --quiet --set output.checkpoint_interval=0 --set output.kept_checkpoint_interval=0")
+          .code,
+      0);
+  const std::string command =
+      "resume trunk --at '40 s' --seed 2 -o b --quiet"; // from the start on: there is nothing closer
+  ASSERT_EQ(run(command).code, 0);
+  std::filesystem::rename(folder / "b", folder / "whole");
+  bool killed = false;
+  for (int attempt = 0; attempt < 20 && !killed; ++attempt) {
+    std::filesystem::remove_all(folder / "b");
+    stopped(command, "b/tracks.csv", "kill -s KILL $p");
+    killed = exists("b/run.json") && !exists("b/checkpoint.h5");
+  }
+  ASSERT_TRUE(killed);
+  const Ended resumed = run("resume b");
+  EXPECT_EQ(resumed.code, 5);
+  EXPECT_TRUE(contains(resumed.err, "the command that began it begins it again: matrigrate resume trunk --at '40 s'"))
+      << resumed.err;
+  EXPECT_EQ(run("resume trunk --at '40 s' --seed 3 -o b --quiet").code, 5) << "another branch";
+  EXPECT_EQ(run(command).code, 0);
+  expect_same_files("b", "whole");
+  EXPECT_EQ(run(command).code, 5) << "it is there now";
 }
 
 TEST_F(Resume, WorksAloneInItsFolder) {

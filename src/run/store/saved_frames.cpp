@@ -28,8 +28,9 @@ template <class Keep, class Missing>
 void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape, const Keep& keep,
                     const Missing& missing, std::string* trouble = nullptr) {
   const auto see = [&](observe::Frame frame) {
-    if (frame.outline.f_mat.size() == shape.outline && frame.matrix.fibre_von_mises.empty() != shape.fibres)
-      keep(std::move(frame));
+    if (frame.outline.f_mat.size() != shape.outline) return;
+    follow(frame, shape);
+    keep(std::move(frame));
   };
   std::ifstream log;
   std::error_code error; // a named pipe would be waited for
@@ -56,6 +57,14 @@ void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape
 }
 
 } // namespace
+
+void follow(observe::Frame& frame, const FrameShape& shape) {
+  observe::Floats& stress = frame.matrix.fibre_von_mises;
+  if (!shape.fibres)
+    stress.clear();
+  else if (stress.empty())
+    stress.assign(shape.head.particles(), 0.0F);
+}
 
 SavedFrames saved_frames(const std::filesystem::path& folder, const FrameShape& shape, std::span<const double> times) {
   SavedFrames saved;

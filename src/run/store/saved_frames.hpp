@@ -23,6 +23,10 @@ struct FrameShape {
   bool fibres = false;     ///< whether the matrix has fibres
 };
 
+/// Gives a frame the layers of a shape. Branches turn fibres on and off: where there were none yet their stress is 0,
+/// and where there are none any more it is left out.
+void follow(observe::Frame& frame, const FrameShape& shape);
+
 /// The frames of given times that a folder still holds whole, in its log or else in its field file. Files that are
 /// missing or damaged, and frames of another shape, are passed over.
 /// @param times  in ascending order [s]

@@ -93,9 +93,19 @@ TEST_F(SavedFramesTest, AreNotTakenFromOtherBodies) {
   other = shape;
   ++other.outline;
   EXPECT_TRUE(saved_frames(folder, other, times).empty());
-  other = shape;
-  other.fibres = true;
-  EXPECT_TRUE(saved_frames(folder, other, times).empty());
+}
+
+TEST_F(SavedFramesTest, FollowABranchThatTurnsFibresOnOrOff) {
+  write_log(log_bytes(film));
+  FrameShape with = shape;
+  with.fibres = true;
+  const observe::Film fibrous = saved_film(folder, with, times);
+  ASSERT_EQ(fibrous.frames.size(), film.frames.size());
+  for (const auto& frame : fibrous.frames)
+    EXPECT_EQ(frame.matrix.fibre_von_mises, observe::Floats(shape.head.particles(), 0.0F));
+  write_log(log_bytes(fibrous));
+  EXPECT_EQ(saved(), times) << "and back";
+  for (const auto& frame : saved_film(folder, shape, times).frames) EXPECT_TRUE(frame.matrix.fibre_von_mises.empty());
 }
 
 TEST_F(SavedFramesTest, AreNotTakenFromNonsense) {
