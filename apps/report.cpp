@@ -44,6 +44,7 @@ int report(const ReportArguments& options) {
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
     const StudyFolder study = study::open_study(folder);
     Collected collected = gathered(study);
+    require_no_loss(study, collected.results);
     write_study_report(study, collected, options.play, tracks);
   } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");

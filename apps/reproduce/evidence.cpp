@@ -11,6 +11,7 @@
 #include "parameters/presets.hpp"
 #include "parameters/write.hpp"
 #include "run/folder_lock.hpp"
+#include "run/provenance.hpp"
 #include "simulation/start_rules.hpp"
 #include "study/read_results.hpp"
 
@@ -43,9 +44,6 @@ void compute_missing(const StudyFolder& study, const std::vector<std::size_t>& r
     throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
 }
 
-/// Whether a run has come to its end: computing it again would change nothing.
-bool has_ended(const study::Result& r) { return r.standing.done() || r.standing.failed_for_good(); }
-
 /// The results in the table NAME-results.csv of a folder; none if it is not there. They must be of the very runs of the
 /// study: the name of a run is a fingerprint of all parameters that decide on its results.
 std::vector<study::Result> kept_results(const StudyFolder& study, const std::string& folder, std::string_view name) {
@@ -58,8 +56,10 @@ std::vector<study::Result> kept_results(const StudyFolder& study, const std::str
           return run.hash == r.run.hash && run.seed == r.run.seed && run.point == r.run.point
                  && run.replicate == r.run.replicate;
         }))
-      throw InputOutputError(fmt::format("{}: run {} does not belong to the study: its parameters are different",
-                                         file.string(), r.run.hash));
+      throw InputOutputError(
+          fmt::format("{}: run {} does not belong to the study: its parameters are different, or it was named by a "
+                      "version of the program that names runs otherwise than this one, {}",
+                      file.string(), r.run.hash, run::version_text()));
   return results;
 }
 
@@ -67,7 +67,7 @@ std::vector<study::Result> kept_results(const StudyFolder& study, const std::str
 template <class Replaced>
 void replace(std::vector<study::Result>& results, const std::vector<study::Result>& by, const Replaced& replaced) {
   for (const study::Result& r : by) {
-    if (!has_ended(r)) continue;
+    if (!r.standing.ended()) continue;
     for (study::Result& old : results)
       if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && replaced(old)) old = r;
   }
@@ -88,7 +88,7 @@ Computed computed(StudyFolder study, std::string_view name, const ReproduceOptio
   const std::vector<study::Result> kept = kept_results(study, options.kept, name);
   std::vector<std::size_t> runs;
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
-    const auto same = [&](const study::Result& r) { return has_ended(r) && r.run.hash == study.runs[k].hash; };
+    const auto same = [&](const study::Result& r) { return r.standing.ended() && r.run.hash == study.runs[k].hash; };
     if (wanted(study.runs[k]) && std::ranges::none_of(kept, same)) runs.push_back(k);
   }
   std::optional<Stopped> stopped;
@@ -98,10 +98,8 @@ Computed computed(StudyFolder study, std::string_view name, const ReproduceOptio
     stopped = by;
   }
   Computed all{std::move(study), {}, {}};
-  all.tables = collect_tables(all.study);
-  all.results = all.tables.results;
-  replace(all.results, kept, [](const study::Result& r) { return !has_ended(r); });
-  if (!kept.empty()) write_file(all.study.folder / "results.csv", results_csv(all.study.study, all.results));
+  all.tables = collect_tables(all.study, kept);
+  all.results = with_kept(all.tables.results, kept);
   if (stopped) throw *stopped;
   return all;
 }

@@ -97,6 +97,8 @@ int exit_code(const study::PoolOutcome& outcome) {
   if (outcome.signal != 0) return outcome.signal == SIGINT ? interrupted : requeue;
   if (outcome.cannot_write) return input_output;
   if (outcome.ended_by_signal) return requeue;
+  if (std::ranges::any_of(outcome.troubles, [](const auto& t) { return t.status == study::RunState::damaged; }))
+    return input_output;
   const bool failed = std::ranges::any_of(outcome.troubles,
                                           [](const study::Trouble& t) { return t.status != study::RunState::running; });
   return failed ? numerical : done;

@@ -4,9 +4,11 @@
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/failure.hpp"
 #include "base/time_text.hpp"
 #include "claims/shipped_studies.hpp"
 #include "run/folder_lock.hpp"
+#include "run/occupied_folder.hpp"
 #include "simulation/start_rules.hpp"
 #include "study_runs/study_progress.hpp"
 
@@ -96,6 +98,27 @@ void print_outcome(const StudyOptions& options, const StudyFolder& study, const 
                     study.runs.size(), outcome.done_now, (study.folder / "results.csv").string()));
 }
 
+/// Says which runs were done and are to be computed again, since their folders are no longer there.
+void tell_gone(const StudyOptions& options, const StudyFolder& study) {
+  std::vector<study::Result> now;
+  for (const study::Run& run : study.runs) now.push_back({run, study::standing(study.folder, run), {}});
+  const std::vector<std::string> gone = gone_runs(study, now);
+  if (gone.empty() || options.quiet || options.json) return;
+  print_error(fmt::format("{}: these runs were done and are not any more; they are computed again:\n  {}\n",
+                          (study.folder / "results.csv").string(), run::listed(gone, "\n  ")));
+}
+
+/// Runs that were done before, of which a file is damaged.
+void add_damaged(const StudyFolder& study, const std::vector<study::Result>& results, PoolOutcome& outcome) {
+  for (const study::Result& r : results)
+    if (r.standing.status == study::RunState::damaged) {
+      const auto own = std::ranges::find(study.runs, r.run.hash, &study::Run::hash);
+      outcome.troubles.push_back(
+          {static_cast<std::size_t>(own - study.runs.begin()), r.standing.status, r.standing.reason});
+      if (outcome.done_before > 0) --outcome.done_before;
+    }
+}
+
 } // namespace
 
 int job_count(int wanted) {
@@ -118,13 +141,22 @@ int run_study(const StudyOptions& options) {
   make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
-  const PoolOutcome outcome = compute(
+  tell_gone(options, study);
+  PoolOutcome outcome = compute(
       study, all_runs(study),
       {.jobs = job_count(options.jobs), .retry_failed = options.retry_failed, .quiet = options.quiet || options.json});
-  const std::vector<study::Result> results =
-      outcome.cannot_write ? std::vector<study::Result>() : collect(study).results;
+  std::vector<study::Result> results;
+  std::string refusal;
+  try {
+    if (!outcome.cannot_write) results = collect(study).results;
+  } catch (const InputOutputError& trouble) { // what was computed is there
+    refusal = trouble.what();
+  }
+  add_damaged(study, results, outcome);
   print_outcome(options, study, outcome, results);
-  return exit_code(outcome);
+  if (refusal.empty()) return exit_code(outcome);
+  print_error(refusal + "\n");
+  return exit_code(outcome) == done ? static_cast<int>(input_output) : exit_code(outcome);
 }
 
 int show_status(const StudyOptions& options) {
@@ -158,6 +190,8 @@ int show_status(const StudyOptions& options) {
 int collect_study(const StudyOptions& options) {
   const StudyFolder study = study::open_study(options.folder);
   const Collected collected = collect(study);
+  PoolOutcome damaged;
+  add_damaged(study, collected.results, damaged);
   const auto finished = std::ranges::count_if(collected.results, [](const auto& r) { return r.standing.done(); });
   if (options.json) {
     Json files{"results.csv", "groups.csv", "statistics.csv", "correlations.csv", "report.html"};
@@ -170,14 +204,16 @@ int collect_study(const StudyOptions& options) {
                 {"runs", study.runs.size()},
                 {"done", finished},
                 {"ended_at_rim", std::ranges::count_if(collected.results, study::ended_at_rim)},
-                {"files", files}});
-    return done;
+                {"files", files},
+                {"damaged", to_json(study, damaged.troubles)}});
+    return exit_code(damaged);
   }
   if (!options.quiet) print(collected_text(study, collected));
   print_rim(study, collected.results);
+  print_error(troubles_text(study, damaged.troubles));
   print(fmt::format("{} of {} runs done; results: {}\n", finished, study.runs.size(),
                     (study.folder / "results.csv").string()));
-  return done;
+  return exit_code(damaged);
 }
 
 } // namespace matrigrate::apps

@@ -89,6 +89,8 @@ std::vector<fs::path> files_of(const ExportKind& kind, const fs::path& folder) {
 
 void remove_file(const fs::path& file) {
   std::error_code error;
+  if (!fs::exists(fs::symlink_status(file, error))) return; // a read-only system refuses to remove it all the same
+  error.clear();
   fs::remove(file, error);
   if (error) throw InputOutputError(fmt::format("{}: cannot be removed: {}", file.string(), error.message()));
 }

@@ -36,7 +36,9 @@ RunOutcome resume_from(const FoundCheckpoint& found, const RunOptions& options, 
 
 bool holds_run(const std::filesystem::path& folder, const Parameters& p) {
   const Json record = record_of(folder);
-  return text_of(record, "configuration_hash") == configuration_hash(p);
+  const std::string wanted = configuration_hash(p);
+  if (text_of(record, "configuration_hash") == wanted) return true;
+  return (record.is_object() || has_checkpoint(folder)) && written_configuration(folder) == wanted;
 }
 
 RunOutcome resume(const RunOptions& options, const ResumeOptions& from, RunObserver& observer) {

@@ -26,7 +26,8 @@ std::string utc(WallClock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(WallClock::to_time_t(time)));
 }
 
-constexpr double Pa = 1e3; // in a kPa
+constexpr double Pa = 1e3;                                // in a kPa
+constexpr std::size_t max_result = std::size_t{1} << 30U; // bytes of a table
 
 /// The last part of a path that is no dot; the current folder's own name for "".
 std::string name_of(const fs::path& folder) {
@@ -130,6 +131,24 @@ std::string configuration_hash(const Parameters& p) {
   return store::text_hash(values_text(q));
 }
 
+std::map<std::string, std::string> result_fingerprints(const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  std::error_code error;
+  for (const char* name : {"tracks.csv", "protrusions.csv", "group.csv", "msd.csv", "summary.json"})
+    if (fs::is_regular_file(folder / name, error)) all[name] = store::text_hash(read_file(folder / name, max_result));
+  return all;
+}
+
+void require_unchanged(const fs::path& folder, const Json& record) {
+  const Json files = value_of(record, "files");
+  if (!files.is_object()) return;
+  for (const auto& [name, hash] : files.items()) {
+    const fs::path file = folder / fs::path(name).filename();
+    if (!hash.is_string() || store::text_hash(read_file(file, max_result)) != hash.get<std::string>())
+      throw InputOutputError(fmt::format("{}: has been cut or changed since the run ended", file.string()));
+  }
+}
+
 std::string scenario_name(const Json& record, const fs::path& folder) {
   if (const std::string name = text_of(record, "scenario"); !name.empty()) return name;
   for (const fs::path file : words_of(value_of(record, "command_line"))) {
@@ -197,6 +216,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
              record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
             {"trajectory_hash", record.trajectory_hash},
             {"configuration_hash", record.configuration_hash},
+            {"files", record.files},
             {"frames_lost", lost.count},
             {"frames_lost_s", lost.count > 0 ? Json{lost.first, lost.last} : Json()},
             {"command_line", record.command_line},

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,7 @@ struct RunRecord {
   store::LostFrames lost_frames;
   std::string trajectory_hash;
   std::string configuration_hash;
+  std::map<std::string, std::string> files;       ///< fingerprints of those that others read results from, at the end
   std::vector<std::string> command_line;          ///< of the process that wrote it
   std::string scenario;                           ///< name of the scenario that the run was started from
   std::vector<std::vector<std::string>> commands; ///< that started the run and then each branch, oldest first
@@ -80,6 +82,14 @@ std::string minute_text(std::chrono::system_clock::time_point time);
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 
+/// Fingerprints of tracks.csv, protrusions.csv, group.csv, msd.csv and summary.json in a folder, as far as they are
+/// there.
+std::map<std::string, std::string> result_fingerprints(const std::filesystem::path& folder);
+
+/// Compares these files with the fingerprints in a record. One of version 0.2.0 has none.
+/// @throws InputOutputError naming the first file that is missing or has been changed
+void require_unchanged(const std::filesystem::path& folder, const nlohmann::ordered_json& record);
+
 /// The name of the scenario: "cell". Without one in the record: that of the scenario file in the command; of a run of a
 /// study the name of the run's folder; or, without a file, the name of the run's folder less its seed.
 /// @param record  as in run.json
@@ -105,8 +115,8 @@ std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered
 
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
-///  configuration_hash, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start,
-///  end, lineage, and the keys of provenance()}
+///  configuration_hash, files: {name: fingerprint}, frames_lost, frames_lost_s: [first, last] or null, command_line,
+///  scenario, commands, start, end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::run

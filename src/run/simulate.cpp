@@ -76,6 +76,7 @@ public:
                                                               .record = m_record,
                                                               .page_template = m_options.page_template});
       m_record.note_end();
+      if (status == RunStatus::done) m_record.files = result_fingerprints(m_options.folder);
       m_folder->write_record(m_record);
       if (status == RunStatus::done) m_folder->tidy();
       return {.folder = m_options.folder,

@@ -8,6 +8,7 @@
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
+#include "store/state_json.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -28,12 +29,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_scenario = std::size_t{64} << 20U;
 constexpr const char* scenario_file = "scenario.resolved.toml";
 
-/// Whether a text gives every parameter: a part of a resolved scenario is valid TOML too, with defaults for the rest.
+/// Whether a text gives every parameter of the version that wrote it: a part of a resolved scenario is valid TOML too,
+/// with defaults for the rest.
 bool is_complete(const std::string& text) {
   const auto document = parse_document(text, scenario_file);
   const auto* table = std::get_if<toml::table>(&document);
   const auto has = [&](const Row& row) {
-    return kind(row) == Kind::field || table->at_path(row.path).node() != nullptr;
+    return row.before || row.of_part != nullptr || table->at_path(row.path).node() != nullptr;
   };
   return table != nullptr && text.ends_with('\n') && std::ranges::all_of(schema(), has);
 }
@@ -51,18 +53,28 @@ std::optional<Parameters> written_scenario(const fs::path& folder) {
 
 /// Fingerprint of the scenario of a folder, by its file or else by run.json; empty if neither can be read.
 std::string expected_configuration(const fs::path& folder) {
-  const std::optional<Parameters> p = written_scenario(folder);
-  return p ? configuration_hash(*p) : text_of(record_of(folder), "configuration_hash");
+  const std::string written = written_configuration(folder);
+  return written.empty() ? text_of(record_of(folder), "configuration_hash") : written;
 }
 
 } // namespace
+
+bool has_summary(const fs::path& folder) {
+  std::error_code error;
+  const fs::path file = folder / "summary.json";
+  return fs::is_regular_file(file, error) && store::parse_json(read_file(file, max_record)).is_object();
+}
 
 bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) {
   if (status_of(record) != RunStatus::done) return false;
   try {
     const FoundCheckpoint found = read_checkpoint_of(folder, folder / store::checkpoint_name);
     const double t = found.checkpoint.state.t;
-    if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return true;
+    const bool whole = has_summary(folder);
+    if (!whole)
+      observer.warn(fmt::format("{}: missing or damaged; the end of the run is written again",
+                                (folder / "summary.json").string()));
+    if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return whole;
     observer.warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}",
                               (folder / "run.json").string(), time_text(t), time_text(found.p.run.duration)));
     return false;
@@ -78,6 +90,11 @@ Parameters scenario_of(const fs::path& folder, RunObserver& observer) {
   observer.warn(fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
                             (folder / scenario_file).string()));
   return p;
+}
+
+std::string written_configuration(const fs::path& folder) {
+  const std::optional<Parameters> p = written_scenario(folder);
+  return p ? configuration_hash(*p) : std::string();
 }
 
 void restore_scenario(const fs::path& folder, RunObserver& observer) {
@@ -103,14 +120,30 @@ FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file)
   return found;
 }
 
+namespace {
+
+/// What a folder without a checkpoint holds, and how to go on with it.
+std::string without_checkpoint(const fs::path& folder) {
+  std::error_code error;
+  if (const fs::path study = folder / "study.resolved.toml"; fs::is_regular_file(study, error))
+    return fmt::format(": is the folder of a study; matrigrate study run {} computes what is missing of it",
+                       study.string());
+  const auto commands = commands_of(record_of(folder));
+  return fmt::format(": holds no checkpoint to resume from{}",
+                     commands.empty()
+                         ? std::string()
+                         : "; the command that began it begins it again: " + command_text(commands.back()));
+}
+
+} // namespace
+
 FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
   const fs::path last = folder / store::checkpoint_name;
   const fs::path before = folder / store::previous_checkpoint_name;
   std::error_code error;
   if (!fs::exists(folder, error)) throw InputOutputError(fmt::format("{}: there is no such folder", folder.string()));
   if (previous || (!fs::exists(last, error) && fs::exists(before, error))) return read_checkpoint_of(folder, before);
-  if (!fs::exists(last, error))
-    throw InputOutputError(fmt::format("{}: holds no checkpoint to resume from", folder.string()));
+  if (!fs::exists(last, error)) throw InputOutputError(folder.string() + without_checkpoint(folder));
   try {
     return read_checkpoint_of(folder, last);
   } catch (const InputOutputError& trouble) {

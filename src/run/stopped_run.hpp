@@ -13,13 +13,21 @@
 /// A resumable run: its record and its checkpoints. Test: tests/apps/resume_test.cpp
 namespace matrigrate::run {
 
-/// True if a run is done: its record says so, and its checkpoint, if whole, does not contradict.
+/// Whether a folder has the summary of a run, summary.json, which is written at the end.
+bool has_summary(const std::filesystem::path& folder);
+
+/// True if a run is done: its record says so, and its checkpoint, if whole, does not contradict, nor is its summary
+/// gone.
 /// @param record  run.json of the folder
 bool is_done(const std::filesystem::path& folder, const nlohmann::ordered_json& record, RunObserver& observer);
 
 /// The parameters of the run in a folder: scenario.resolved.toml or, with a warning, what its checkpoint holds.
 /// @throws InputOutputError if neither can be read
 Parameters scenario_of(const std::filesystem::path& folder, RunObserver& observer);
+
+/// Fingerprint, as this program makes it, of the parameters in scenario.resolved.toml of a folder; empty if the file is
+/// missing, incomplete or not valid. Another version may have written another one into run.json.
+std::string written_configuration(const std::filesystem::path& folder);
 
 /// Writes scenario.resolved.toml again, with a warning, if it is missing, incomplete or not valid and there is a whole
 /// checkpoint to take it from.

@@ -16,7 +16,7 @@ struct Run {
   std::size_t point = 0;     ///< index into Study::points
   std::size_t replicate = 1; ///< from 1
   std::uint64_t seed = 0;
-  std::string hash; ///< of all that decides on its results; the name of its folder
+  std::string hash; ///< of all that decides on its results: the name of its folder
 };
 
 /// The seed of a run: a hash of the study's seed, the settings of the point, sorted by key, and the replicate. So a run

@@ -4,8 +4,12 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
+#include "run/run_record.hpp"
+#include "run/stopped_run.hpp"
 #include "statistics/sample.hpp"
+#include "store/checkpoint.hpp"
 #include "store/row_file.hpp"
+#include "store/run_memory.hpp"
 #include "store/state_json.hpp"
 #include "study/table_readouts.hpp"
 
@@ -83,6 +87,38 @@ double summary_readout(const json& summary, const char* name) {
   return statistics::mean_of_defined(values);
 }
 
+/// Compares the tables of a run with what its record, or that of version 0.2.0 its checkpoint, says of them.
+/// @throws InputOutputError naming the table
+void require_whole(const std::filesystem::path& folder) {
+  const nlohmann::ordered_json record = run::record_of(folder);
+  if (record.is_object() && record.contains("files")) return run::require_unchanged(folder, record);
+  const std::filesystem::path file = folder / store::checkpoint_name;
+  if (!std::filesystem::exists(file)) return;
+  std::string memory;
+  try {
+    memory = store::read_checkpoint_memory(file);
+  } catch (const InputOutputError&) { // the tables are all that is left
+    return;
+  }
+  store::require_whole_tables(memory, folder);
+  if (!std::filesystem::exists(folder / "msd.csv")) // which it does not name
+    throw InputOutputError(fmt::format("{}: is gone", (folder / "msd.csv").string()));
+}
+
+/// Reads the read-outs of a run that is done; notes it as damaged if they cannot be had.
+void read(Result& result, const std::filesystem::path& folder) {
+  try {
+    result.readouts = readouts_of(folder);
+  } catch (const InputOutputError& trouble) {
+    std::string reason = trouble.what();
+    const std::string path = folder.string() + "/"; // results.csv is the same wherever the study lies
+    if (reason.starts_with(path)) reason.erase(0, path.size());
+    result.standing.status = RunState::damaged;
+    result.standing.reason =
+        fmt::format("{}; remove runs/{}, and `study run` computes it again", reason, result.run.hash);
+  }
+}
+
 /// Read-outs of groups only where a point has several cells.
 std::size_t columns_of(const Study& study) {
   return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_table().size());
@@ -91,6 +127,7 @@ std::size_t columns_of(const Study& study) {
 } // namespace
 
 std::vector<double> readouts_of(const std::filesystem::path& folder) {
+  require_whole(folder);
   const json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
   if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
   std::vector<double> values;
@@ -112,6 +149,8 @@ std::string_view to_string(RunState state) {
     return "done";
   case RunState::failed:
     return "failed";
+  case RunState::damaged:
+    return "damaged";
   default:
     return "interrupted";
   }
@@ -127,9 +166,14 @@ std::filesystem::path run_log(const std::filesystem::path& study_folder, const R
 
 Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   const std::filesystem::path file = run_folder(study_folder, run) / "run.json";
-  if (!std::filesystem::exists(file)) return from_log(run_log(study_folder, run));
-  const json record = store::parse_json(read_file(file, largest_json));
   Standing s;
+  if (!std::filesystem::exists(file)) {
+    if (!run::has_checkpoint(file.parent_path())) return from_log(run_log(study_folder, run));
+    s.status = RunState::unfinished;
+    s.reason = "run.json is missing";
+    return s;
+  }
+  const json record = store::parse_json(read_file(file, largest_json));
   if (record.is_discarded() || !record.is_object()) {
     s.status = RunState::unfinished;
     s.reason = "run.json is no JSON";
@@ -146,6 +190,10 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
                             value_or(record, "git_dirty", false) ? "+" : "");
   s.wall_time = value_or(record, "wall_time_s", 0.0);
   s.steps_done = value_or(record, "steps", 0.0);
+  if (s.done() && !run::has_summary(file.parent_path())) {
+    s.status = RunState::unfinished;
+    s.reason = "summary.json is missing or damaged";
+  }
   return s;
 }
 
@@ -156,7 +204,13 @@ std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
   const std::size_t columns = all_readouts().size();
   for (const Run& run : runs) {
     Result result{run, standing(study_folder, run), std::vector<double>(columns, undefined)};
-    if (result.standing.done()) result.readouts = readouts_of(run_folder(study_folder, run));
+    Standing& now = result.standing;
+    if (now.done())
+      read(result, run_folder(study_folder, run));
+    else if (now.status == RunState::unfinished && !now.reason.empty()) { // its last files are not whole
+      now.status = RunState::damaged;
+      now.reason += "; `study run` makes it again";
+    }
     all.push_back(std::move(result));
   }
   std::ranges::stable_sort(all, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
@@ -188,6 +242,15 @@ std::string rim_text(const Study& study, const std::vector<Result>& results) {
       "ecm.radius. With ecm.radius = \"{:.4g} um\" under [set] and another folder (-o) the same seeds run in a "
       "disc {} times as large.",
       all, results.size(), fmt::join(points, "; "), larger_disc * radius, larger_disc);
+}
+
+std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept) {
+  for (const Result& r : kept) {
+    if (!r.standing.ended()) continue;
+    for (Result& old : results)
+      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && !old.standing.ended()) old = r;
+  }
+  return results;
 }
 
 std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {

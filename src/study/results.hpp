@@ -20,7 +20,8 @@ std::filesystem::path run_folder(const std::filesystem::path& study_folder, cons
 std::filesystem::path run_log(const std::filesystem::path& study_folder, const Run& run);
 
 /// How far a run of a study is: unfinished if it has begun and has not ended, running if a process is computing it.
-enum class RunState { missing, unfinished, running, done, failed, interrupted };
+/// A damaged one was done, but its files are no longer what they were: results() tells.
+enum class RunState { missing, unfinished, running, done, failed, interrupted, damaged };
 
 /// "missing", "unfinished", ...
 std::string_view to_string(RunState state);
@@ -41,8 +42,11 @@ struct Standing {
   /// True if the run would fail again: a numerical failure is the same on every machine. A run without a recorded
   /// cause is computed again.
   bool failed_for_good() const { return status == RunState::failed && cause.has_value(); }
+  /// Whether the run has come to its end: computing it again would change nothing.
+  bool ended() const { return done() || failed_for_good(); }
 };
 
+/// A run whose record or summary is missing or no JSON counts as unfinished, with the reason.
 Standing standing(const std::filesystem::path& study_folder, const Run& run);
 
 /// A run with its read-outs.
@@ -66,13 +70,15 @@ inline constexpr double larger_disc = 1.5;
 std::string rim_text(const Study& study, const std::vector<Result>& results);
 
 /// The read-outs in the folder of a run that is done, in the order of all_readouts(); NaN where not defined.
-/// @throws InputOutputError if a table cannot be read
+/// @throws InputOutputError if a table cannot be read, or is not what the record or the checkpoint of the run says
 std::vector<double> readouts_of(const std::filesystem::path& run_folder);
 
-/// All runs, point by point.
-/// @throws InputOutputError if a table of a run that is done cannot be read
+/// All runs, point by point. A run that is done but has a damaged table is `damaged`, with the reason and what helps.
 std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
                             const std::filesystem::path& study_folder);
+
+/// Results, with those that were kept elsewhere in the place of those that have not ended.
+std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept);
 
 /// The defined values of a read-out over the runs of a point that are done.
 /// @throws std::invalid_argument if there is no such read-out

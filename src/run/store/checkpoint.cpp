@@ -5,6 +5,7 @@
 #include "state/dof.hpp"
 #include "state/members.hpp"
 #include "store/hdf5.hpp"
+#include "store/naming.hpp"
 #include "store/state_json.hpp"
 
 #include <fmt/format.h>
@@ -254,14 +255,29 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
   }
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& file) {
+namespace {
+
+/// The bytes of a file of the promised length.
+std::string image_of(const std::filesystem::path& file) {
   const std::string start = read_start(file, block); // before all of a large file is read
   require_readable(start, file.string());
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size >= block && !start.starts_with(promise_of(size - block)))
     throw InputOutputError(fmt::format("{}: {}", file.string(), other_length));
-  return parse_checkpoint(read_file(file, max_checkpoint_bytes), file.string());
+  return read_file(file, max_checkpoint_bytes);
+}
+
+} // namespace
+
+Checkpoint read_checkpoint(const std::filesystem::path& file) {
+  return parse_checkpoint(image_of(file), file.string());
+}
+
+std::string read_checkpoint_memory(const std::filesystem::path& file) {
+  const std::string image = image_of(file);
+  const std::string_view content = checked_content(image, file.string());
+  return naming(file, [&] { return MemoryFile(content).text("/memory.json"); });
 }
 
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint,

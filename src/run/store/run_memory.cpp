@@ -100,6 +100,8 @@ void each_part(Like<RunMemory> auto& memory, const auto& visit) {
   visit("march_wall_time_s", memory.march_wall_time);
 }
 
+constexpr std::size_t max_table = std::size_t{1} << 28U;
+
 /// The beginning of a table, as long as it was at a checkpoint.
 std::string table_at(const std::filesystem::path& file, std::size_t bytes, const std::string& hash) {
   std::string text = read_start(file, bytes);
@@ -118,6 +120,27 @@ std::string to_text(const RunMemory& memory) {
   for (const auto& [name, text] : memory.tables) json["tables"][name] = {text.size(), text_hash(text)};
   each_part(memory, [&json](const char* name, const auto& part) { json[name] = Writer()(part); });
   return json.dump();
+}
+
+void require_whole_tables(const std::string& text, const std::filesystem::path& folder) {
+  constexpr std::string_view key = "\"tables\":{";
+  const std::size_t start = text.find(key); // the scenes, which are long, are left alone
+  const std::size_t end = text.find('}', start);
+  if (start == std::string::npos || end == std::string::npos)
+    throw InputOutputError("what the run has written so far cannot be read");
+  const std::size_t open = start + key.size() - 1;
+  const Json tables = parse_json(text.substr(open, end + 1 - open));
+  if (!tables.is_object()) throw InputOutputError("what the run has written so far cannot be read");
+  try {
+    for (const auto& [name, mark] : tables.items()) {
+      const std::filesystem::path file = folder / name;
+      table_at(file, integer<std::size_t>(mark.at(0)), mark.at(1));
+      if (const std::string all = read_file(file, max_table); !all.empty() && all.back() != '\n')
+        throw InputOutputError(fmt::format("{}: has been cut within its last line", file.string()));
+    }
+  } catch (const Json::exception& error) {
+    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
+  }
 }
 
 RunMemory parse_memory(const std::string& text, const std::filesystem::path& folder) {

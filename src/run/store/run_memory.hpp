@@ -35,4 +35,9 @@ std::string to_text(const RunMemory& memory);
 /// @throws InputOutputError saying what is wrong, or which table has been changed since
 RunMemory parse_memory(const std::string& text, const std::filesystem::path& folder);
 
+/// Compares the tables in a folder with what a checkpoint says of them, and requires that later rows are whole lines.
+/// @param text  Checkpoint::memory
+/// @throws InputOutputError naming the first table that is missing, cut or changed
+void require_whole_tables(const std::string& text, const std::filesystem::path& folder);
+
 } // namespace matrigrate::store

@@ -1,13 +1,20 @@
 #include "study_report/study_files.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/study_claims.hpp"
 #include "report/run_page.hpp"
+#include "run/occupied_folder.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
+#include "store/csv.hpp"
 #include "study_report/played_runs.hpp"
 #include "study_report/run_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
 
 namespace matrigrate::study {
 
@@ -40,7 +47,50 @@ void write_curves(const StudyFolder& study, const std::vector<Result>& results) 
   write("adhesions.csv", adhesions_csv);
 }
 
+/// The rows of results.csv in the folder of the study; none if there is no such table.
+store::CsvTable table_there(const StudyFolder& study) {
+  constexpr std::size_t largest_table = std::size_t{1} << 28U;
+  const std::filesystem::path file = study.folder / "results.csv";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  try {
+    return store::read_csv(read_file(file, largest_table));
+  } catch (const InputOutputError&) { // a damaged table, which is made anew
+    return {};
+  }
+}
+
 } // namespace
+
+std::vector<std::string> gone_runs(const StudyFolder& study, const std::vector<Result>& now) {
+  const store::CsvTable table = table_there(study);
+  const auto run = table.column("run"), label = table.column("label"), replicate = table.column("replicate"),
+             seed = table.column("seed"), status = table.column("status");
+  if (!run || !label || !replicate || !seed || !status) return {};
+  std::map<std::vector<std::string>, std::string> done_there; // names of folders; the other keys outlive these
+  for (const auto& row : table.rows)
+    if (row[*status] == to_string(RunState::done)) done_there[{row[*label], row[*replicate], row[*seed]}] = row[*run];
+  std::vector<std::string> gone;
+  for (const Result& r : now) {
+    if (r.standing.ended() || r.standing.status == RunState::damaged) continue;
+    const auto there = done_there.find(
+        {study.study.points[r.run.point].label, fmt::format("{}", r.run.replicate), fmt::format("{}", r.run.seed)});
+    if (there != done_there.end())
+      gone.push_back(fmt::format("{} (runs/{}): {}", title_of(study, r.run), there->second,
+                                 r.standing.reason.empty() ? to_string(r.standing.status) : r.standing.reason));
+  }
+  return gone;
+}
+
+void require_no_loss(const StudyFolder& study, const std::vector<Result>& now) {
+  const std::vector<std::string> gone = gone_runs(study, now);
+  if (gone.empty()) return;
+  throw InputOutputError(
+      fmt::format("{}: is kept as it is: it holds results of runs that are not done here any more:\n  {}\n"
+                  "Put their folders back into runs/, compute them again with matrigrate study run, or move the table "
+                  "elsewhere to make one without them",
+                  (study.folder / "results.csv").string(), run::listed(gone, "\n  ")));
+}
 
 Collected gathered(const StudyFolder& study) {
   Collected c;
@@ -50,9 +100,11 @@ Collected gathered(const StudyFolder& study) {
   return c;
 }
 
-Collected collect_tables(const StudyFolder& study) {
+Collected collect_tables(const StudyFolder& study, const std::vector<Result>& kept) {
   Collected c = gathered(study);
-  write_file(study.folder / "results.csv", results_csv(study.study, c.results));
+  const std::vector<Result> all = with_kept(c.results, kept);
+  require_no_loss(study, all);
+  write_file(study.folder / "results.csv", results_csv(study.study, all));
   write_file(study.folder / "groups.csv", groups_csv(study.study, c.results));
   write_file(study.folder / "statistics.csv", statistics_csv(study.study, c.comparisons, c.results));
   write_file(study.folder / "correlations.csv", correlations_csv(study.study, c.results));

@@ -26,7 +26,16 @@ Collected gathered(const StudyFolder& study);
 /// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and, of at
 /// most 60 points, paths.csv, msd.csv and adhesions.csv; with targets discrepancy.csv, and of designs that
 /// screen factors effects.csv.
-Collected collect_tables(const StudyFolder& study);
+/// @param kept  results from elsewhere, which results.csv holds in the place of runs that have not ended in the folder
+/// @throws InputOutputError before anything is written, as require_no_loss()
+Collected collect_tables(const StudyFolder& study, const std::vector<Result>& kept = {});
+
+/// Runs of the study that results.csv in its folder calls done, and that have not ended now: their folders were moved
+/// or removed. A line each.
+std::vector<std::string> gone_runs(const StudyFolder& study, const std::vector<Result>& now);
+
+/// @throws InputOutputError if there are gone_runs(): then the tables hold what the runs do not
+void require_no_loss(const StudyFolder& study, const std::vector<Result>& now);
 
 /// What the page of a study is made of besides its results.
 struct StudyPage {

@@ -12,7 +12,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace matrigrate::study {
 
@@ -105,11 +108,58 @@ void require_same_study(const StudyFolder& study) {
   }
 }
 
+/// The seed that the scenario in a folder of a run names; none if there is no such file.
+std::optional<std::uint64_t> written_seed(const fs::path& folder) {
+  const fs::path file = folder / scenario_file;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};
+  const std::string text = read_file(file, largest_file);
+  constexpr std::string_view key = "\nseed = ";
+  const std::size_t at = text.find(key);
+  std::uint64_t seed = 0;
+  if (at == std::string::npos) return {};
+  const auto end = std::from_chars(text.data() + at + key.size(), text.data() + text.size(), seed);
+  return end.ec == std::errc() ? std::optional(seed) : std::nullopt;
+}
+
+/// The names of the folders in runs/ that no run of the study has.
+std::set<std::string> other_folders(const StudyFolder& study) {
+  std::set<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(study.folder / "runs", error))
+    if (entry.is_directory(error)) names.insert(entry.path().filename().string());
+  for (const Run& run : study.runs) names.erase(run.hash);
+  return names;
+}
+
+/// Runs whose folders have another name than this program gives them, as another version may have: they are known by
+/// their own scenario. Its seed, which is quickly read, leaves few to be looked at.
+void find_by_scenario(StudyFolder& study) {
+  const std::set<std::string> others = other_folders(study);
+  if (others.empty()) return;
+  std::map<std::uint64_t, std::vector<Run*>> open;
+  std::error_code error;
+  for (Run& run : study.runs)
+    if (!fs::exists(run_folder(study.folder, run), error)) open[run.seed].push_back(&run);
+  for (const std::string& name : others) {
+    const fs::path folder = study.folder / "runs" / name;
+    const auto seed = open.empty() ? std::nullopt : written_seed(folder);
+    const auto runs = seed ? open.find(*seed) : open.end();
+    if (runs == open.end()) continue;
+    const std::string hash = run::written_configuration(folder);
+    const auto own = std::ranges::find(runs->second, hash, [](const Run* run) { return run->hash; });
+    if (own == runs->second.end()) continue;
+    (*own)->hash = name;
+    runs->second.erase(own);
+  }
+}
+
 } // namespace
 
 StudyFolder planned(Study study, std::filesystem::path folder) {
   StudyFolder made{std::move(folder), std::move(study), {}};
   made.runs = planned_runs(made.study, run::configuration_hash);
+  if (!made.folder.empty()) find_by_scenario(made);
   return made;
 }
 

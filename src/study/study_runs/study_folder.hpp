@@ -19,7 +19,9 @@ struct StudyFolder {
   std::vector<Run> runs;
 };
 
-/// The study with its runs named, without a folder on disk.
+/// The study with its runs named, and whatever the folder holds of them. A run whose folder another version of the
+/// program has called otherwise keeps that name: it is known by its scenario.
+/// @param folder  need not exist
 StudyFolder planned(Study study, std::filesystem::path folder);
 
 /// "stiffness.toml" -> "stiffness-study"; the folder itself for its own study.resolved.toml.

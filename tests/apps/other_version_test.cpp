@@ -1,0 +1,202 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+/// What other versions of the program have computed is found, gone on with, and never lost.
+namespace matrigrate {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string other_name = "0123456789abcdef"; // of a run, as this program does not call it
+
+class OtherVersion : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"0.002 h\"\n[output]\ntrack_interval = \"2 s\"\n"
+                    "pictures = false\n");
+    write_study(2);
+  }
+
+  void write_study(int replicates) const {
+    write("e.toml", "scenario = \"s.toml\"\nreplicates = " + std::to_string(replicates)
+                        + "\nreadouts = [\"v_migr_abs_um_per_h\"]\n[sweep]\necm.youngs_modulus = [\"50 Pa\", \"100 "
+                          "Pa\"]\n");
+  }
+
+  std::string file(const std::string& name) const { return text_of(folder / name); }
+
+  /// Names of the runs of a study.
+  std::vector<std::string> names(const std::string& study = "e-study") const {
+    std::vector<std::string> all;
+    for (const auto& entry : fs::directory_iterator(folder / study / "runs"))
+      if (entry.is_directory()) all.push_back(entry.path().filename());
+    std::ranges::sort(all);
+    return all;
+  }
+
+  std::string path(const std::string& name) const { return "e-study/runs/" + name; }
+
+  std::string trajectory(const std::string& run) const {
+    return json::parse(file(run + "/run.json")).at("trajectory_hash");
+  }
+
+  void change(const std::string& name, const std::string& from, const std::string& to) const {
+    std::string text = file(name);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << name << ": " << from;
+    text.replace(at, from.size(), to);
+    write(name, text);
+  }
+
+  /// Calls a run as a version would whose fingerprints are others, and which does not have all of today's parameters.
+  void rename(const std::string& name) const {
+    fs::rename(folder / path(name), folder / path(other_name));
+    change(path(other_name) + "/run.json", "\"configuration_hash\": \"" + name,
+           "\"configuration_hash\": \"" + other_name);
+    change(path(other_name) + "/scenario.resolved.toml", "\nspread = 1\n", "\n");
+    change(path(other_name) + "/scenario.resolved.toml", "version = \"0.2.0\"\n", "");
+  }
+};
+
+TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
+  const fs::path made = fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0";
+  fs::copy(made, folder / "old", fs::copy_options::recursive);
+  EXPECT_TRUE(contains(run("study status old").out, "2 runs: 2 done"));
+  const Ended collected = run("study collect old");
+  EXPECT_EQ(collected.code, 0) << collected.err;
+  EXPECT_EQ(file("old/results.csv"), text_of(made / "results.csv"));
+  const Ended again = run("study run old/study.resolved.toml --jobs 1");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(contains(again.out, "2 of 2 runs done, 0 of them now")) << again.out;
+  EXPECT_EQ(names("old").size(), 2U);
+}
+
+TEST_F(OtherVersion, ARunOfAnotherNameIsKnownByItsScenario) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  const std::string table = file("e-study/results.csv");
+  const std::string name = names().front();
+  rename(name);
+  EXPECT_TRUE(contains(run("study status e-study").out, "4 runs: 4 done"));
+  EXPECT_EQ(run("study collect e-study").code, 0);
+  std::string renamed = table;
+  renamed.replace(renamed.find(name), name.size(), other_name);
+  EXPECT_EQ(file("e-study/results.csv"), renamed) << "the table names the folder";
+  const Ended again = run("study run e.toml --jobs 2");
+  EXPECT_TRUE(contains(again.out, "4 of 4 runs done, 0 of them now")) << again.out << again.err;
+  EXPECT_EQ(names().size(), 4U);
+}
+
+TEST_F(OtherVersion, AStoppedRunOfAnotherNameGoesOnToTheSameBits) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  const std::string name = names().front();
+  const std::string hash = trajectory(path(name));
+  fs::rename(folder / path(name) / "checkpoint_prev.h5", folder / path(name) / "checkpoint.h5");
+  change(path(name) + "/run.json", "\"status\": \"done\"", "\"status\": \"interrupted\"");
+  rename(name);
+  const Ended again = run("study run e.toml --jobs 1");
+  EXPECT_TRUE(contains(again.out, "4 of 4 runs done, 1 of them now")) << again.out << again.err;
+  EXPECT_EQ(trajectory(path(other_name)), hash);
+  EXPECT_EQ(json::parse(file(path(other_name) + "/run.json")).at("lineage").size(), 1U) << "resumed, not begun anew";
+  EXPECT_EQ(names().size(), 4U);
+}
+
+TEST_F(OtherVersion, ARunWhoseRecordHasAnotherFingerprintIsTheSameIfItsParametersAre) {
+  ASSERT_EQ(run("run s.toml -o one").code, 0);
+  const std::string hash = trajectory("one");
+  json record = json::parse(file("one/run.json"));
+  record["configuration_hash"] = other_name;
+  write("one/run.json", record.dump());
+  EXPECT_EQ(run("run s.toml -o one").code, 0);
+  EXPECT_EQ(json::parse(file("one/run.json")), record) << "a run that is done is left as it is";
+  EXPECT_EQ(run("run s.toml -o one --set cell.dashpot='0.003 N s/m'").code, 5);
+}
+
+TEST_F(OtherVersion, ATableIsNotReplacedByOneWithFewerRuns) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  const std::string table = file("e-study/results.csv");
+  const std::string name = names().front();
+  fs::rename(folder / path(name), folder / "archive");
+  for (const char* verb : {"study collect", "report"}) {
+    const std::string page = file("e-study/report.html");
+    const Ended refused = run(std::string(verb) + " e-study");
+    EXPECT_EQ(refused.code, 5) << verb;
+    EXPECT_TRUE(contains(
+        refused.err, "e-study/results.csv: is kept as it is: it holds results of runs that are not done here any more"))
+        << refused.err;
+    EXPECT_TRUE(contains(refused.err, "(runs/" + name + ")")) << refused.err;
+    EXPECT_EQ(file("e-study/results.csv"), table);
+    EXPECT_EQ(file("e-study/report.html"), page);
+  }
+  const Ended again = run("study run e.toml --jobs 1");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(contains(again.err, "these runs were done and are not any more; they are computed again")) << again.err;
+  EXPECT_EQ(file("e-study/results.csv"), table);
+}
+
+TEST_F(OtherVersion, ATableThatWasMovedAwayIsMadeAnew) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  fs::remove_all(folder / path(names().front()));
+  fs::rename(folder / "e-study/results.csv", folder / "results-of-all.csv");
+  EXPECT_EQ(run("study collect e-study").code, 0);
+  EXPECT_TRUE(contains(file("e-study/results.csv"), ",missing,"));
+}
+
+/// Damages files of one finished run: gone, no table or JSON at all, cut.
+TEST_F(OtherVersion, OneDamagedRunDoesNotStopAStudy) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  const std::string table = file("e-study/results.csv");
+  const std::string name = names().front();
+  fs::copy(folder / "e-study", folder / "whole", fs::copy_options::recursive);
+  const auto rows_but = [&](std::string text) { // of the damaged run
+    const std::size_t at = text.find("\n" + name) + 1;
+    return text.erase(at, text.find('\n', at) + 1 - at);
+  };
+  for (const std::string damaged : {"tracks.csv", "protrusions.csv", "msd.csv", "summary.json", "run.json"})
+    for (const std::string how : {"gone", "rubbish", "cut"}) {
+      fs::remove_all(folder / "e-study");
+      fs::copy(folder / "whole", folder / "e-study", fs::copy_options::recursive);
+      const std::string text = file(path(name) + "/" + damaged);
+      how == "gone" ? static_cast<void>(fs::remove(folder / path(name) / damaged))
+                    : write(path(name) + "/" + damaged, how == "cut" ? text.substr(0, text.size() / 2) : "rubbish\n");
+      const bool made_again = damaged.ends_with(".json");
+      const Ended collected = run("study collect e-study");
+      EXPECT_EQ(collected.code, 5) << damaged << how;
+      EXPECT_TRUE(contains(collected.err, "damaged     ")) << collected.err;
+      EXPECT_TRUE(contains(collected.err, damaged)) << collected.err;
+      EXPECT_TRUE(contains(collected.err, made_again ? "`study run` makes it again" : "remove runs/" + name))
+          << collected.err;
+      EXPECT_EQ(rows_but(file("e-study/results.csv")), rows_but(table)) << damaged << how;
+      const Ended again = run("study run e.toml --jobs 1");
+      EXPECT_EQ(again.code, made_again ? 0 : 5) << damaged << how << again.out << again.err;
+      if (!made_again) fs::remove_all(folder / path(name));
+      EXPECT_EQ(run("study run e.toml --jobs 1").code, 0) << damaged << how;
+      EXPECT_EQ(file("e-study/results.csv"), table) << damaged << how;
+      EXPECT_EQ(trajectory(path(name)), trajectory("whole/runs/" + name));
+    }
+}
+
+TEST_F(OtherVersion, ASummaryThatWasEditedIsNotBelieved) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  change(path(names().front()) + "/summary.json", "\"n_unadhered\": 0", "\"n_unadhered\": 7");
+  const Ended collected = run("study collect e-study");
+  EXPECT_EQ(collected.code, 5) << collected.out;
+  EXPECT_TRUE(contains(collected.err, "summary.json: has been cut or changed since the run ended")) << collected.err;
+}
+
+TEST_F(OtherVersion, ASmallerStudyHasASmallerTable) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  write_study(1);
+  const Ended smaller = run("study run e.toml --jobs 2");
+  EXPECT_EQ(smaller.code, 0) << smaller.err;
+  EXPECT_EQ(std::ranges::count(file("e-study/results.csv"), '\n'), 3);
+}
+
+} // namespace
+} // namespace matrigrate
