@@ -45,7 +45,7 @@ class WrongTypes(common.InTemporaryFolder):
         self.assertEqual(list(self.folder.iterdir()), [], "nothing was written")
 
     def test_of_options_of_the_program(self):
-        for options, error, words in (({"seed": "x"}, matrigrate.UsageError, "--seed"),
+        for options, error, words in (({"seed": "x"}, matrigrate.ConfigurationError, "--seed"),
                                       ({"hours": -1}, matrigrate.ConfigurationError, "--hours: run.duration"),
                                       ({"hours": float("nan")}, matrigrate.ConfigurationError, "--hours: run.duration"),
                                       ({"threads": "x"}, matrigrate.UsageError, "--threads"),
