@@ -142,6 +142,9 @@ int export_study(const ExportArguments& options) {
   const exchange::Times times = wanted_times(options.times);
   const study::StudyFolder study = study::open_study(options.folder);
   const std::vector<study::Result> results = study::results(study.study, study.runs, study.folder);
+  for (const study::Result& r : results)
+    if (r.standing.status == study::RunState::damaged)
+      throw InputOutputError(fmt::format("{}: runs/{} is damaged: {}", options.folder, r.run.hash, r.standing.reason));
   const auto runs = std::ranges::count_if(results, [](const study::Result& r) { return r.standing.done(); });
   if (runs == 0)
     throw InputOutputError(fmt::format("{0}: none of its {1} runs is done; matrigrate study run "
