@@ -111,6 +111,7 @@ TEST_F(StudyFolders, HaveRunsThatAreNotComputedAgain) {
     write_file(run_folder(study.folder, run) / "run.json",
                first ? R"({"status": "failed", "exit_code": 4, "reason": "why", "cause": "rim"})"
                      : R"({"status": "done"})");
+    write_file(run_folder(study.folder, run) / "summary.json", "{}");
     write_file(run_log(study.folder, run), "");
   }
   Stopping observer;
