@@ -76,9 +76,11 @@ std::vector<std::size_t> all_runs(const StudyFolder& study) {
   return all;
 }
 
-/// On a line of its own, before the closing line; nothing if no run ended at the rim.
-void print_rim(const StudyFolder& study, const std::vector<study::Result>& results) {
-  if (const std::string text = rim_text(study.study, results); !text.empty()) print(text + "\n");
+/// What makes means doubtful, each on a line of its own before the closing line: runs lost at the rim, runs of several
+/// builds.
+void print_doubts(const StudyFolder& study, const std::vector<study::Result>& results) {
+  for (const std::string& text : {rim_text(study.study, results), programs_text(results)})
+    if (!text.empty()) print(text + "\n");
 }
 
 void print_outcome(const StudyOptions& options, const StudyFolder& study, const PoolOutcome& outcome,
@@ -93,7 +95,7 @@ void print_outcome(const StudyOptions& options, const StudyFolder& study, const 
                        {"not_done", to_json(study, outcome.troubles)}});
   const std::string list = troubles_text(study, outcome.troubles);
   if (!list.empty()) options.quiet ? print_error(list) : print(list);
-  print_rim(study, results);
+  print_doubts(study, results);
   print(fmt::format("{} of {} runs done, {} of them now; results: {}\n", outcome.done_before + outcome.done_now,
                     study.runs.size(), outcome.done_now, (study.folder / "results.csv").string()));
 }
@@ -209,7 +211,7 @@ int collect_study(const StudyOptions& options) {
     return exit_code(damaged);
   }
   if (!options.quiet) print(collected_text(study, collected));
-  print_rim(study, collected.results);
+  print_doubts(study, collected.results);
   print_error(troubles_text(study, damaged.troubles));
   print(fmt::format("{} of {} runs done; results: {}\n", finished, study.runs.size(),
                     (study.folder / "results.csv").string()));

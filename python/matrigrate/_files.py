@@ -30,6 +30,21 @@ def unit_of(column: str) -> str:
     return next((unit for suffix, unit in _units.items() if column.endswith("_" + suffix)), "1")
 
 
+def make_folder(path: Path, overwrite: bool) -> None:
+    """Makes a folder for results.
+
+    :param overwrite: whether it may be there already
+    :raises InputOutputError: if it is there and may not, or cannot be made
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=overwrite)
+    except FileExistsError:
+        said = "is no folder" if not path.is_dir() else "exists already; give a new folder, or overwrite=True"
+        raise InputOutputError(f"{path}: {said}", path) from None
+    except OSError as error:
+        raise InputOutputError(f"{path}: {error.strerror}", path) from None
+
+
 def require_regular(path: Path) -> None:
     """:raises InputOutputError: of a device or pipe, which may have no end"""
     if path.exists() and not path.is_file() and not path.is_dir():

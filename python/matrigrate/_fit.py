@@ -13,10 +13,10 @@ import numpy as np
 from . import _arguments, _emulator
 from . import tracks as _tracks
 from ._emulator import Array, Emulator, Prior
-from ._files import _pandas
+from ._files import _pandas, make_folder
 from ._measurement import Means, Measurement, Points, differences, measurement, require_study, simulated, size_faults
 from ._posterior import at_bound, bound_note, constrained_width
-from .errors import ConfigurationError, InputOutputError
+from .errors import ConfigurationError
 from .studies import Study
 
 if TYPE_CHECKING:
@@ -67,13 +67,7 @@ class Fit:
 
         path = _arguments.path("folder", folder)
         text = page(self)
-        try:
-            path.mkdir(parents=True, exist_ok=overwrite)
-        except FileExistsError:
-            said = "is no folder" if not path.is_dir() else "exists already; give a new folder, or overwrite=True"
-            raise InputOutputError(f"{path}: {said}", path) from None
-        except OSError as error:
-            raise InputOutputError(f"{path}: {error.strerror}", path) from None
+        make_folder(path, overwrite)
         for name, table in (("posterior", self.table), ("readouts", self.readouts)):
             table.to_csv(path / f"{name}.csv", index_label="parameter" if name == "posterior" else "readout")
         self.sensitivity.to_csv(path / "sensitivity.csv", index=False)

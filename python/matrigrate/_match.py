@@ -12,10 +12,10 @@ import numpy as np
 
 from . import _arguments, _emulator, _space
 from ._emulator import Array, Emulator, Prior
-from ._files import _pandas
+from ._files import _pandas, make_folder
 from ._fit import prior_of, varied
 from ._outcomes import Outcome, Source, faults_of, runs_of, values_of
-from .errors import ConfigurationError, InputOutputError
+from .errors import ConfigurationError
 from .studies import Study
 
 if TYPE_CHECKING:
@@ -145,11 +145,7 @@ class Match:
 
         path = _arguments.path("folder", folder)
         text = page(self)
-        try:
-            path.mkdir(parents=True, exist_ok=overwrite)
-        except OSError as error:
-            said = "exists already; give a new folder, or overwrite=True" if path.is_dir() else error.strerror
-            raise InputOutputError(f"{path}: {said}", path) from None
+        make_folder(path, overwrite)
         self.outcomes.to_csv(path / "outcomes.csv", index_label="outcome")
         self.rows.to_csv(path / "rows.csv", index_label="row")
         self.exclusions.to_csv(path / "exclusions.csv", index=False)

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace matrigrate::study {
@@ -224,6 +225,22 @@ std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Resul
   for (const Result& r : results)
     if (ended_at_rim(r)) ++lost[r.run.point];
   return lost;
+}
+
+std::vector<std::string> programs_of(const std::vector<Result>& results) {
+  std::set<std::string> programs;
+  for (const Result& r : results)
+    if (r.standing.done() && !r.standing.program.empty()) programs.insert(r.standing.program);
+  return {programs.begin(), programs.end()};
+}
+
+std::string programs_text(const std::vector<Result>& results) {
+  const std::vector<std::string> programs = programs_of(results);
+  if (programs.size() < 2) return {};
+  return fmt::format(
+      "these runs were made by {} builds of matrigrate: {}. If the model changed between them, which the "
+      "changelog tells, they do not belong together: run the study anew into another folder (-o).",
+      programs.size(), fmt::join(programs, ", "));
 }
 
 std::string rim_text(const Study& study, const std::vector<Result>& results) {

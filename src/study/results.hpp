@@ -69,6 +69,12 @@ inline constexpr double larger_disc = 1.5;
 /// ...": what that means, and what to do; empty if none did.
 std::string rim_text(const Study& study, const std::vector<Result>& results);
 
+/// The builds of the program that made the runs that are done, "0.2.0 (9a32bbbb)", in alphabetical order.
+std::vector<std::string> programs_of(const std::vector<Result>& results);
+
+/// That runs of several builds are compared, and what it means; empty if one build made all.
+std::string programs_text(const std::vector<Result>& results);
+
 /// The read-outs in the folder of a run that is done, in the order of all_readouts(); NaN where not defined.
 /// @throws InputOutputError if a table cannot be read, or is not what the record or the checkpoint of the run says
 std::vector<double> readouts_of(const std::filesystem::path& run_folder);

@@ -78,6 +78,14 @@ TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
   EXPECT_EQ(names("old").size(), 2U);
 }
 
+TEST_F(OtherVersion, RunsOfSeveralBuildsAreTold) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  EXPECT_FALSE(contains(run("study collect e-study").out, "builds of matrigrate"));
+  change(path(names().front()) + "/run.json", "\"git_hash\": \"", "\"git_hash\": \"ffffffff");
+  EXPECT_TRUE(contains(run("study collect e-study").out, "these runs were made by 2 builds of matrigrate: "));
+  EXPECT_TRUE(contains(run("study run e.toml").out, "these runs were made by 2 builds of matrigrate: "));
+}
+
 TEST_F(OtherVersion, ARunOfAnotherNameIsKnownByItsScenario) {
   ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
   const std::string table = file("e-study/results.csv");

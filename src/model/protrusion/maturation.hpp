@@ -56,11 +56,12 @@ void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint3
                     DragSystem& A);
 
 /// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, I20): the
-/// bundle takes over nine tenths of f_mat F_am.
+/// bundle takes over handover_share of f_mat F_am.
 Contracting handover(const Maturing& maturing, double f_mat, double F, const Parameters& p);
 
 /// The same after dt with a load F. What the last step of maturation loaded beyond f_mat F_am falls off first;
-/// from then on the bundle gives way by what F exceeds 0.9 f_mat F_am, with a time constant of 0.4 s (MODEL.md, I20).
+/// from then on the bundle gives way by what F exceeds that share, with the time constant handover_time (MODEL.md,
+/// I20).
 /// @param F  force of the adhesion [nN]
 Contracting handed_over(Contracting phase, double F, const Parameters& p, double dt);
 

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <system_error>
 
 namespace matrigrate::study {
@@ -135,12 +134,10 @@ std::string titled(const Study& study) {
 Json facts_json(const StudyReport& report) {
   std::size_t done = 0;
   std::string last;
-  std::set<std::string> programs;
   for (const Result& r : report.results) {
     if (!r.standing.done()) continue;
     ++done;
     last = std::max(last, r.standing.end);
-    if (!r.standing.program.empty()) programs.insert(r.standing.program);
   }
   Json facts = Json::array();
   const auto add = [&](const char* name, const std::string& value) {
@@ -148,6 +145,7 @@ Json facts_json(const StudyReport& report) {
   };
   add("command", report.command);
   if (last.size() >= 16) add("date", fmt::format("{} {} UTC", last.substr(0, 10), last.substr(11, 5)));
+  const std::vector<std::string> programs = programs_of(report.results);
   if (!programs.empty()) add("program", fmt::format("matrigrate {}", fmt::join(programs, ", ")));
   add("runs done", fmt::format("{} of {}", done, report.results.size()));
   return facts;
