@@ -1,10 +1,11 @@
 """Outcomes: measured numbers, and how simulations under several conditions give them."""
 from __future__ import annotations
 
+import difflib
 import os
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -77,6 +78,46 @@ class Outcome:
         if not faults and not self.runs and not self.variance(relative) > 0:
             faults.append(f"{self.label}: has neither error, runs nor discrepancy")
         return faults
+
+
+_keys = {one.name for one in fields(Outcome)} | {"low", "high"}
+
+
+def read_outcomes(file: str | os.PathLike[str]) -> list[Outcome]:
+    """The ``[[outcomes]]`` of a TOML file: the fields of an ``Outcome`` by their names; in place of ``value`` a range by ``low``, ``high`` or both.
+
+    :raises ConfigurationError: with all that is wrong
+    """
+    path = _arguments.path("file", file)
+    try:
+        tables = tomllib.loads(read_text(path)).get("outcomes", [])
+    except tomllib.TOMLDecodeError as error:
+        raise ConfigurationError(f"{path}: {error}") from None
+    if not isinstance(tables, list) or not tables or not all(isinstance(one, dict) for one in tables):
+        raise ConfigurationError(f"{path}: has no [[outcomes]]")
+    faults, found = list[str](), list[Outcome]()
+    for k, table in enumerate(tables, 1):
+        wrong = _faults_of_table(table)
+        faults += [f"{path}: outcome {k}: {fault}" for fault in wrong]
+        if not wrong:
+            ends = (table.pop("low", -np.inf), table.pop("high", np.inf))
+            found.append(Outcome(**{"value": ends} | table))
+    if faults:
+        raise ConfigurationError("\n".join(faults))
+    return found
+
+
+def _faults_of_table(table: Mapping[str, Any]) -> list[str]:
+    faults = []
+    for name in table:
+        if name not in _keys:
+            near = difflib.get_close_matches(name, sorted(_keys), 1)
+            faults.append(f"{name}: there is no such key; " + (f"did you mean {near[0]}?" if near else f"there are {', '.join(sorted(_keys))}"))
+    if "readout" not in table:
+        faults.append("readout is missing")
+    if ("value" in table) == ("low" in table or "high" in table):
+        faults.append("either value, or low, high or both are needed")
+    return faults
 
 
 Source = Any  # a study, a data frame, or studies or frames by condition

@@ -20,7 +20,7 @@ from ._files import _pandas
 from ._fit import Emulators, Fit, emulate, fit, varied
 from ._match import Match, Wave, match
 from ._measurement import differences, measurement, require_study, simulated, size_faults
-from ._outcomes import Outcome
+from ._outcomes import Outcome, read_outcomes
 from ._posterior import at_bound, bound_note, constrained_width
 from .errors import ConfigurationError
 from .studies import Study
@@ -28,7 +28,7 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Emulators", "Fit", "Match", "Outcome", "Posterior", "Wave", "by_tracks", "emulate", "fit", "match", "weigh"]
+__all__ = ["Emulators", "Fit", "Match", "Outcome", "Posterior", "Wave", "by_tracks", "emulate", "fit", "match", "read_outcomes", "weigh"]
 
 _least_sample = 20.0
 

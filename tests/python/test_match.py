@@ -2,6 +2,8 @@
 import math
 import pathlib
 import re
+import tempfile
+import tomllib
 import unittest
 
 import common
@@ -41,6 +43,42 @@ def outcomes(a=0.4, b=0.5, error=0.3):
     return [Outcome("speed", 5 + 10 * a + 3 * b, error=error, at="soft", row="A"), Outcome("length", 20 - 6 * b, error=error, at="stiff", row="B"),
             Outcome("speed", 8 * a, error=error, at="soft", minus="stiff", row="C"), Outcome("length", (20, math.inf), error=error, at="soft", row="D"),
             Outcome("length", 20 - 6 * b + 4 * a, error=error, at="soft", name="kept", held_back=True)]
+
+
+class AFileOfOutcomes(unittest.TestCase):
+    def read(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "outcomes.toml"
+            file.write_text(text, encoding="utf-8")
+            return calibrate.read_outcomes(file)
+
+    def test_has_values_and_ranges(self):
+        found = self.read('[[outcomes]]\nreadout = "speed"\nvalue = 3.5\nat = "soft"\nrow = "A"\nruns = 12\nheld_back = true\n'
+                          '[[outcomes]]\nreadout = "length"\nhigh = -0.5\nat = "stiff"\nminus = "soft"\nerror = 0.1\n'
+                          '[[outcomes]]\nreadout = "length"\nlow = 25\nhigh = 30\nerror = 0.1\n')
+        self.assertEqual(found, [Outcome("speed", 3.5, at="soft", row="A", runs=12, held_back=True),
+                                 Outcome("length", (-math.inf, -0.5), at="stiff", minus="soft", error=0.1), Outcome("length", (25, 30), error=0.1)])
+
+    def test_tells_all_that_is_wrong(self):
+        with self.assertRaises(matrigrate.ConfigurationError) as caught:
+            self.read('[[outcomes]]\nreadot = "speed"\nvalue = 1\n[[outcomes]]\nreadout = "speed"\nvalue = 1\nlow = 0\n[[outcomes]]\nreadout = "speed"\n')
+        said = str(caught.exception).splitlines()
+        self.assertEqual(len(said), 4, said)
+        self.assertIn("outcome 1: readot: there is no such key; did you mean readout?", said[0])
+        self.assertIn("outcome 2: either value, or low, high or both", said[2])
+        for text in ("", "outcomes = 3", "[[outcomes]"):
+            with self.subTest(text), self.assertRaises(matrigrate.ConfigurationError):
+                self.read(text)
+
+    def test_of_the_choice_of_closures_is_read_and_names_its_conditions(self):
+        folder = pathlib.Path(__file__).parents[2] / "docs" / "validation"
+        wave = tomllib.loads((folder / "wave-1.toml").read_text(encoding="utf-8"))
+        labels = {one["label"] for one in wave["conditions"]}
+        outcomes = calibrate.read_outcomes(folder / "outcomes.toml")
+        self.assertGreater(len(outcomes), 20)
+        for one in outcomes:
+            self.assertLessEqual({one.at, one.minus or one.at}, labels, one)
+            self.assertEqual(one.faults(0.1), [])
 
 
 class OfAKnownModel(unittest.TestCase):

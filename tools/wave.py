@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""A wave of the search for closures, by one command: runs its study, keeps its table, and says what all waves so far leave.
+
+  tools/wave.py PROGRAM K FOLDER [--jobs N] [--next POINTS] [--allowed ROWS] [--match-only]
+
+Runs docs/validation/wave-K.toml in FOLDER/wave-K (it goes on from runs that are there), keeps its results as docs/validation/wave-K.csv,
+matches the runs of waves 1 to K with docs/validation/outcomes.toml, and writes the tables of the match to docs/validation/wave-K/, with the
+checks of the emulators; its page goes to FOLDER/match-K. --next writes wave-(K+1).toml with so many points where all is plausible.
+--match-only runs nothing: the match of kept tables alone. Needs the Python package, scikit-learn and matplotlib.
+"""
+
+import argparse
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "python"))
+
+import pandas  # noqa: E402
+from matrigrate.calibrate import match, read_outcomes  # noqa: E402
+
+KEPT = Path(__file__).parents[1] / "docs" / "validation"
+TABLES = ("outcomes.csv", "rows.csv", "exclusions.csv", "ranges.csv")
+
+
+def runs(wave, program, folder, jobs):
+    """Runs what is missing of a wave, and keeps the runs that are done, those at points that all conditions have."""
+    study = folder / f"wave-{wave}"
+    subprocess.run([program, "study", "run", KEPT / f"wave-{wave}.toml", "-o", study, "--jobs", str(jobs), "--quiet"], check=False)
+    keep(wave, study / "results.csv")
+
+
+def keep(wave, results):
+    table = pandas.read_csv(results)
+    table = table[table["status"].isin(["done", "failed"])]
+    drop = ["run", "status", "reason", "duration_s", *(name for name in table if table[name].isna().all() and name != "cause")]
+    table.drop(columns=drop).to_csv(KEPT / f"wave-{wave}.csv", index=False, float_format="%.6g")
+
+
+def kept(wave):
+    """The runs of a kept table, with the name of their condition."""
+    study = tomllib.loads((KEPT / f"wave-{wave}.toml").read_text(encoding="utf-8"))
+    table = pandas.read_csv(KEPT / f"wave-{wave}.csv")
+    table["condition"] = [label.rsplit(": ", 1)[0] for label in table["label"]]
+    lost = int((table["cause"] == "rim").sum()) if "cause" in table else 0
+    if lost:
+        print(f"wave {wave}: {lost} of {len(table)} runs ended at the rim and are left out")
+    return study, table[table["tau_prot_min"].notna() | table["n_protrusions"].notna()]
+
+
+def prior_of(study, table):
+    """The ranges of the first wave, by the names of columns."""
+    found = {}
+    for key, ends in study["latin_hypercube"].items():
+        if isinstance(ends, list):
+            column = next(name for name in table if name == key or name.startswith(f"{key}_"))
+            low, high = (float(str(end).split()[0]) for end in ends[:2])
+            found[column] = (low, high, *ends[2:])
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=Path)
+    parser.add_argument("wave", type=int)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--next", type=int, default=0, dest="points")
+    parser.add_argument("--allowed", type=int, default=2)
+    parser.add_argument("--match-only", action="store_true")
+    options = parser.parse_args()
+    if not options.match_only:
+        runs(options.wave, options.program.resolve(), options.folder, options.jobs)
+    waves = [kept(wave) for wave in range(1, options.wave + 1)]
+    found = match([table for _, table in waves], read_outcomes(KEPT / "outcomes.toml"), prior=prior_of(waves[0][0], waves[0][1]),
+                  allowed=options.allowed)
+    print(found, found.best.to_string(float_format="%.3g"), found.exclusions.head(15).to_string(float_format="%.3g"), sep="\n\n")
+    page = found.write(options.folder / f"match-{options.wave}", overwrite=True)
+    tables = KEPT / f"wave-{options.wave}"
+    tables.mkdir(exist_ok=True)
+    for name in TABLES:
+        shutil.copy(page.parent / name, tables / name)
+    print(f"page: {page}; tables: {tables}")
+    if options.points:
+        study = KEPT / f"wave-{options.wave + 1}.toml"
+        found.write_study(study, options.points, KEPT / "wave-1.toml")
+        print(f"next: {study}")
+
+
+if __name__ == "__main__":
+    main()
