@@ -1,4 +1,4 @@
-"""The lesson sheet: its links hold the presets that it names, and its numbers are those of docs/validation.md: test_lesson.py"""
+"""The lesson sheet: its links hold the presets that it names, and its numbers are those of docs/validation/results.md: test_lesson.py"""
 import base64
 import json
 import pathlib
@@ -7,10 +7,10 @@ import unittest
 
 source = pathlib.Path(__file__).resolve().parents[2]
 page = (source / "docs/lesson.md").read_text(encoding="utf-8")
-validation = (source / "docs/validation.md").read_text(encoding="utf-8")
+validation = (source / "docs/validation/results.md").read_text(encoding="utf-8")
 questions = re.split(r"^## (?=\d\. )", page, flags=re.MULTILINE)[1:]
 
-# The words of the sheet, and what stands in the tables of validation.md.
+# The words of the sheet, and what stands in the tables of results.
 read_outs = {"speed from start to end, um/h": "v_migr_abs, um/h", "speed along the path, every 60 s, um/h": "v_migr_path, 60 s, um/h",
              "how mature protrusions become, 0 to 1": "f_mat", "lifetime of a protrusion, min": "tau_prot, min",
              "protrusions in six hours": "n_protrusions", "slope of the mean square displacement": "slope of the MSD"}

@@ -152,7 +152,7 @@ def write_search(folder: pathlib.Path) -> None:
     """The search index as a script: a page that was opened as a file may not fetch it."""
     index = folder / "search" / "search_index.json"
     content = json.loads(index.read_text(encoding="utf-8"))
-    content["docs"] = [entry for entry in content["docs"] if not entry["location"].startswith("files/")]
+    content["docs"] = [entry for entry in content["docs"] if not entry["location"].startswith(("files/", "lab/"))]
     (folder / "search" / "search_index.js").write_text(f"setSearchIndex({json.dumps(content)});\n", encoding="utf-8")
     index.unlink()
 
