@@ -120,15 +120,14 @@ double pixel_of(const std::string& text, const observe::FrameHead& head) {
 /// The contact sheet and the paths of the cells.
 void export_svg(const FinishedRun& run, const std::filesystem::path& to) {
   write_file(to / "contact_sheet.svg", draw::contact_sheet(run.memory.scenes));
-  draw::ParticlePicture path{.title = "Path of the centre of mass", .value_label = "time [h]"};
-  double reach = 0.1; // [um]
-  for (const CellResult& cell : run.cells)
+  draw::ParticlePicture path{.title = "Path of the centre of mass, from ring to dot", .value_label = "time (h)"};
+  for (const CellResult& cell : run.cells) {
+    path.path_begin.push_back(path.position.size());
     for (const TrackRow& row : cell.rows) {
       path.position.push_back(row.centre);
       path.value.push_back(row.t / 3600.0);
-      reach = std::max(reach, (row.centre - path.position.front()).norm());
     }
-  path.particle_size = 0.02 * reach;
+  }
   write_file(to / "path.svg", draw::to_svg(path));
 }
 

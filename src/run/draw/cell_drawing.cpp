@@ -3,6 +3,7 @@
 #include "draw/cell_colours.hpp"
 #include "draw/svg.hpp"
 #include "draw/ticks.hpp"
+#include "draw/tunnel.hpp"
 #include "state/protrusion.hpp"
 
 #include <fmt/format.h>
@@ -15,10 +16,10 @@ namespace matrigrate::draw {
 
 namespace {
 
-// Lightness tells the classes apart without colour: the matrix gets lighter as it is degraded, the cell is darker than
-// both, its front lighter than its rear.
-constexpr std::array<std::string_view, observe::matrix_classes> matrix_colours{"#cbb994", "#d9ccb0", "#e4dbc8",
-                                                                               "#eee8dc", "#f8f6f1"};
+// Lightness tells them apart without colour: degraded matrix is lighter, the cell is darker than both, its front
+// lighter than its rear.
+constexpr std::string_view intact_colour = "#cbb994";
+constexpr std::string_view degraded_colour = "#f8f6f1";
 constexpr std::string_view obstacle_colour = "#3d4248";
 constexpr std::string_view path_colour = "#1f2328";
 constexpr std::string_view nucleus_colour = "#27406b";
@@ -47,35 +48,30 @@ std::string disc(const observe::CellScene& scene, const Panel& panel) {
   const Vec2 centre = panel.at(Vec2::Zero());
   return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>\n", svg::coordinate(centre.x()),
                      svg::coordinate(centre.y()), svg::coordinate(panel.scale() * (scene.radius + 0.5 * scene.spacing)),
-                     matrix_colours.front());
+                     intact_colour);
 }
 
-/// Particles of one colour as squares: short lines as wide as they are long.
-/// @param share  of the spacing that a side is long
-std::string squares(const std::vector<Vec2>& particles, double share, std::string_view colour,
-                    const observe::CellScene& scene, const Panel& panel) {
-  const double size = share * scene.spacing * panel.scale();
+/// Particles of an obstacle as squares: short lines as wide as they are long. They overlap, so that they leave no gaps
+/// where matrix is stretched.
+std::string obstacles(const observe::CellScene& scene, const Panel& panel) {
+  const double size = 1.25 * scene.spacing * panel.scale();
   const std::string stroke = fmt::format("h{:.2f}", size);
   std::string data;
-  for (const Vec2& x : particles) {
+  for (const Vec2& x : scene.obstacles) {
     const Vec2 a = panel.at(x);
     if (x.allFinite() && seen(a, panel, size)) data += 'M' + svg::point(a.x() - 0.5 * size, a.y()) + stroke;
   }
   if (data.empty()) return data;
-  return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", colour, size, data);
+  return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", obstacle_colour, size,
+                     data);
 }
 
-constexpr double overlapping = 1.08;    ///< side of a square over the spacing: a little, so that they read as one area
-constexpr double without_cracks = 1.25; ///< the same where matrix that is stretched is to leave no gaps either
-
-/// Degraded particles overlap; intact ones leave gaps, in which the deformation of the lattice shows.
-std::string matrix(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact) {
-  std::string out = intact == IntactMatrix::area ? disc(scene, panel) : std::string();
-  for (std::size_t c = 0; c < observe::matrix_classes; ++c) {
-    if (c == 0 && intact == IntactMatrix::area) continue;
-    out += squares(scene.matrix[c], c == 0 ? 0.82 : overlapping, matrix_colours[c], scene, panel);
-  }
-  return out;
+/// The disc, and what is degraded of it.
+std::string matrix(const observe::CellScene& scene, const Panel& panel) {
+  std::string data;
+  for (const Curve& edge : degraded_edges(scene, panel.box)) data += curve(edge, panel, true);
+  if (data.empty()) return disc(scene, panel);
+  return disc(scene, panel) + fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", degraded_colour, data);
 }
 
 std::string area(const std::vector<Vec2>& polygon, const Panel& panel, std::string_view colour) {
@@ -153,10 +149,9 @@ std::vector<Entry> cell_entries(std::size_t cells) {
 
 std::vector<Entry> legend_entries(const observe::CellScene& scene) {
   std::vector<Entry> entries;
-  std::string shades;
-  for (std::size_t c = 0; c < observe::matrix_classes; ++c)
-    shades += svg::rectangle(6.0 * static_cast<double>(c), -7.0, 6.2, 14.0, matrix_colours[c]);
-  entries.push_back({shades + svg::frame(0.0, -7.0, 30.0, 14.0), "matrix, solid to fluid"});
+  entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, intact_colour), "intact matrix"});
+  entries.push_back(
+      {svg::rectangle(0.0, -7.0, 30.0, 14.0, degraded_colour) + svg::frame(0.0, -7.0, 30.0, 14.0), "degraded"});
   if (!scene.obstacles.empty()) entries.push_back({svg::rectangle(0.0, -7.0, 30.0, 14.0, obstacle_colour), "obstacle"});
   for (Entry& entry : cell_entries(scene.cells.size())) entries.push_back(std::move(entry));
   if (std::ranges::any_of(scene.cells, [](const observe::DrawnCell& cell) { return !cell.nucleus.empty(); }))
@@ -174,11 +169,11 @@ std::vector<Entry> legend_entries(const observe::CellScene& scene) {
 
 } // namespace
 
-std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact) {
+std::string drawing(const observe::CellScene& scene, const Panel& panel) {
   // A nested svg element cuts off what lies outside, without an id.
   std::string out = fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" viewBox=\"{0} {1} {2} {2}\">\n",
                                 svg::coordinate(panel.left), svg::coordinate(panel.top), svg::coordinate(panel.side));
-  out += matrix(scene, panel, intact) + squares(scene.obstacles, without_cracks, obstacle_colour, scene, panel);
+  out += matrix(scene, panel) + obstacles(scene, panel);
   const std::size_t n = scene.cells.size();
   for (std::size_t k = 0; k < n; ++k) {
     const observe::DrawnCell& cell = scene.cells[k];
@@ -198,7 +193,7 @@ std::string scale_bar(double x, double y, double most, const Panel& panel) {
   double length = round_step(0.4 * longest); // at most 2.5 times what is asked for
   if (length > longest) length = 0.4 * longest;
   return svg::rectangle(x, y, length * panel.scale(), 5.0, svg::dark)
-         + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} um", length), {});
+         + svg::text(x + length * panel.scale() + 8.0, y + 8.5, fmt::format("{:.4g} µm", length), {});
 }
 
 CellLegend cell_legend(double width, const observe::CellScene& scene) {

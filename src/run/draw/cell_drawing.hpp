@@ -8,9 +8,6 @@
 /// The pieces of which pictures of the cell are made. Test: tests/unit/draw/cell_picture_test.cpp
 namespace matrigrate::draw {
 
-/// Intact matrix is drawn particle by particle, or as one area, which takes far fewer bytes.
-enum class IntactMatrix { particles, area };
-
 inline constexpr double room_around_cell = 12.0; ///< [um]
 inline constexpr double scale_bar_height = 30.0; ///< of the line with the scale bar [pixel]
 
@@ -28,7 +25,7 @@ struct Panel {
 };
 
 /// Matrix, cells, protrusions, adhesions and paths, cut off at the panel's frame.
-std::string drawing(const observe::CellScene& scene, const Panel& panel, IntactMatrix intact);
+std::string drawing(const observe::CellScene& scene, const Panel& panel);
 
 /// A bar of a round length and its length in um.
 /// @param x, y  upper left corner [pixel]

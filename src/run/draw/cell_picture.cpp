@@ -56,8 +56,7 @@ std::string cell_picture(const observe::CellScene& scene, const observe::Box& bo
   const std::string title = time_text(scene.t);
   const std::string body =
       svg::text(svg::margin, svg::margin + svg::title_size - 4.0, title, {.size = svg::title_size, .bold = true})
-      + drawing(scene, panel, IntactMatrix::particles) + svg::frame(panel.left, panel.top, panel.side, panel.side)
-      + below.svg;
+      + drawing(scene, panel) + svg::frame(panel.left, panel.top, panel.side, panel.side) + below.svg;
   return svg::document(width, below.height, "Cell and matrix after " + title, body);
 }
 
@@ -78,7 +77,7 @@ std::string contact_sheet(std::span<const observe::CellScene> scenes, std::size_
     panel.left = svg::margin + static_cast<double>(k - row * columns) * (side + gap);
     panel.top = svg::margin + static_cast<double>(row) * (side + gap + heading) + heading;
     body += svg::text(panel.left, panel.top - 6.0, time_text(scene.t), {.size = svg::label_size, .bold = true});
-    body += drawing(scene, panel, IntactMatrix::area) + svg::frame(panel.left, panel.top, side, side);
+    body += drawing(scene, panel) + svg::frame(panel.left, panel.top, side, side);
     bottom = panel.top + side;
   }
   const CellLegend below = footer(bottom, width, panel, scenes.empty() ? observe::CellScene{} : scenes.front());

@@ -39,7 +39,7 @@ bool third(double X, double spacing) { return std::abs(std::remainder(X / spacin
 
 std::string displacement_picture(const State& s, const Parameters& p) {
   ParticlePicture drawn = picture(s, p, "Displacement of the matrix");
-  drawn.value_label = "displacement [um]";
+  drawn.value_label = "displacement (µm)";
   drawn.value = displacement_field(s.ecm);
   drawn.value_max = usual_largest(drawn.value);
   const double dp = p.ecm.particle_spacing;
@@ -53,7 +53,7 @@ std::string displacement_picture(const State& s, const Parameters& p) {
 
 std::string fibre_stress_picture(const State& s, const Parameters& p, const FibreNetwork& network) {
   ParticlePicture drawn = picture(s, p, "Von Mises stress of the fibres");
-  drawn.value_label = "von Mises stress [Pa]";
+  drawn.value_label = "von Mises stress (Pa)";
   drawn.value = fibre_stress_field(s.ecm, p.fibres, network);
   for (double& value : drawn.value) value *= 1e3;
   drawn.value_max = usual_largest(drawn.value);

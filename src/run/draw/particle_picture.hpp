@@ -19,10 +19,13 @@ struct Picture {
 /// Particles in the plane coloured by a scalar, with a colour bar and a scale bar.
 struct ParticlePicture {
   std::string title;
-  std::string value_label;                 ///< with unit: "displacement [um]"
-  std::vector<Vec2> position = {};         ///< [um]; a particle whose position is not finite is left out
-  std::vector<double> value = {};          ///< one a particle; grey where not finite
-  double particle_size = 2.0;              ///< diameter of a dot [um]
+  std::string value_label;         ///< with unit: "displacement [um]"
+  std::vector<Vec2> position = {}; ///< [um]; a particle whose position is not finite is left out
+  std::vector<double> value = {};  ///< one a particle; grey where not finite
+  double particle_size = 2.0;      ///< diameter of a dot [um]
+  std::vector<std::size_t> path_begin =
+      {}; ///< where paths begin among the positions; if there are any, each is drawn as a line with a
+          ///< ring at its start and a dot at its end, in place of the particles
   double value_min = 0.0, value_max = 0.0; ///< range of the colour bar; taken from the values if both are 0; values
                                            ///< beyond it get the colour of its end
   std::vector<Vec2> arrow = {};            ///< drawn from each particle if not empty, in any unit

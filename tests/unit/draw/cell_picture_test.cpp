@@ -98,9 +98,9 @@ TEST(CellPicture, IsWellFormedAndSmall) {
   ASSERT_TRUE(parsed(svg));
   EXPECT_LT(occurrences(svg, "<path"), 60U) << "one path a class, not one a particle";
   EXPECT_EQ(occurrences(svg, ">1 h 30 min<"), 1U);
-  EXPECT_EQ(occurrences(svg, " um<"), 1U) << "scale bar";
-  for (const char* word : {"matrix, solid to fluid", "front", "rear", "growing", "maturing", "contracting", "finishing",
-                           "adhesion", "path of the centre"})
+  EXPECT_EQ(occurrences(svg, " µm<"), 1U) << "scale bar";
+  for (const char* word : {"intact matrix", "degraded", "front", "rear", "growing", "maturing", "contracting",
+                           "finishing", "adhesion", "path of the centre"})
     EXPECT_EQ(occurrences(svg, std::string(">") + word + "<"), 1U) << word;
 }
 
@@ -132,11 +132,14 @@ TEST(CellPicture, ShowsNuclei) {
       1U);
 }
 
-TEST(CellPicture, LeavesOutWhatIsNotSeen) {
+TEST(CellPicture, DrawsDegradedMatrixWhereItIsSeen) {
   const Parameters p = parameters(150.0);
   const observe::CellScene scene = observe::cell_scene(state(p), p, {});
-  const std::string part = cell_picture(scene, {Vec2(-20, -20), Vec2(20, 20)});
-  EXPECT_LT(10 * part.size(), cell_picture(scene, whole_disc(scene)).size());
+  const auto degraded = [&](const observe::Box& box) {
+    return occurrences(cell_picture(scene, box), "<path fill=\"#f8f6f1\"");
+  };
+  EXPECT_EQ(degraded(whole_disc(scene)), 1U);
+  EXPECT_EQ(degraded({Vec2(60, 60), Vec2(90, 90)}), 0U);
 }
 
 TEST(CellPicture, ShowsEveryCell) {

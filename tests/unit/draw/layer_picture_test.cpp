@@ -53,7 +53,7 @@ TEST(LayerPicture, ShowsDisplacementsWithArrowsAndTheCell) {
   const State s = pulled(p);
   const std::string drawing = displacement_picture(s, p);
   EXPECT_TRUE(parsed(drawing));
-  EXPECT_EQ(occurrences(drawing, "displacement [um]"), 1U);
+  EXPECT_EQ(occurrences(drawing, "displacement (µm)"), 1U);
   EXPECT_GE(occurrences(drawing, "30 min"), 1U);
   EXPECT_EQ(occurrences(drawing, "nan"), 0U);
   const auto drawn = dot_counts(drawing);
@@ -87,7 +87,7 @@ TEST(LayerPicture, ShowsTheStressOfTheFibres) {
   const FibreNetwork network(s.ecm, p.ecm, p.fibres, Reference(s.ecm, p.ecm));
   const std::string drawing = fibre_stress_picture(s, p, network);
   EXPECT_TRUE(parsed(drawing));
-  EXPECT_EQ(occurrences(drawing, "von Mises stress [Pa]"), 1U);
+  EXPECT_EQ(occurrences(drawing, "von Mises stress (Pa)"), 1U);
   const auto drawn = dot_counts(drawing);
   EXPECT_EQ(total(drawn), s.ecm.size());
   EXPECT_EQ(drawn.at(grey), without_value(fibre_stress_field(s.ecm, p.fibres, network)));

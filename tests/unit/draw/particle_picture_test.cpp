@@ -95,7 +95,7 @@ TEST(ParticlePicture, ValuesBeyondTheBarGetTheColourOfItsEnd) {
 
 TEST(ParticlePicture, HasAScaleBarAndALabelledColourBar) {
   const std::string svg = to_svg(lattice(60, 30));
-  EXPECT_EQ(occurrences(svg, ">20 um<"), 1U);
+  EXPECT_EQ(occurrences(svg, ">20 µm<"), 1U);
   EXPECT_EQ(occurrences(svg, ">x [um]<"), 1U);
   EXPECT_EQ(occurrences(svg, ">100<"), 1U);
   EXPECT_EQ(occurrences(svg, " id="), 0U);
@@ -109,6 +109,23 @@ TEST(ParticlePicture, DrawsArrowsThatCanBeSeen) {
   ASSERT_NE(start, std::string::npos);
   const std::string path = svg.substr(start, svg.find("/>", start) - start);
   EXPECT_EQ(occurrences(path, "M"), 2U) << "one shaft, one head";
+}
+
+TEST(ParticlePicture, DrawsPathsAsLinesWithStartAndEnd) {
+  ParticlePicture picture = lattice(6, 1);
+  picture.value = {0, 1, 2, 3, 4, 5};
+  picture.path_begin = {0, 4};
+  std::string svg = to_svg(picture);
+  EXPECT_TRUE(dots(svg).empty());
+  EXPECT_EQ(occurrences(svg, "<circle"), 4U) << "a ring and a dot for either path";
+  EXPECT_EQ(occurrences(svg, "stroke-width=\"2.4\""), 1U);
+  EXPECT_EQ(occurrences(svg, "<path stroke=\"#"), 3U + 1U + 0U) << "a colour for each stretch";
+  picture.position[1].x() = nan;
+  svg = to_svg(picture);
+  EXPECT_TRUE(parsed(svg));
+  EXPECT_EQ(occurrences(svg, "nan"), 0U);
+  picture.path_begin = {7};
+  EXPECT_THROW(to_svg(picture), std::invalid_argument);
 }
 
 TEST(ParticlePicture, DrawsAnythingWellFormed) {
