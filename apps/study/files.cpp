@@ -1,7 +1,7 @@
 #include "apps/study/files.hpp"
 
 #include "apps/shipped_pages.hpp"
-#include "apps/study/screening_text.hpp"
+#include "apps/study/discrepancy_text.hpp"
 #include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
 #include "study_report/played_runs.hpp"
@@ -116,7 +116,7 @@ std::string collected_text(const StudyFolder& study, const Collected& collected)
     if (study.study.points.size() <= most_shown) text += groups_text(study, samples, readout, lost);
     text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
-  return text + remarks_text(collected.comparisons) + screening_text(study.study, collected.screening)
+  return text + remarks_text(collected.comparisons) + discrepancy_text(study.study, collected.discrepancies)
          + (collected.claims.empty() ? "" : "\n" + claims_text(collected.claims));
 }
 

@@ -201,7 +201,6 @@ int collect_study(const StudyOptions& options) {
       if (std::filesystem::exists(study.folder / name)) files.push_back(name);
     if (!collected.claims.empty()) files.push_back("claims.csv");
     if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
-    if (!study.study.steps.empty()) files.push_back("effects.csv");
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},
                 {"done", finished},

@@ -19,8 +19,7 @@ def sklearn() -> Any:
     try:
         from sklearn import gaussian_process
     except ImportError:
-        raise ImportError("an emulator needs scikit-learn: apt install python3-sklearn, or pip install scikit-learn; "
-                          "calibrate.by_tracks does without one") from None
+        raise ImportError("an emulator needs scikit-learn: apt install python3-sklearn, or pip install scikit-learn") from None
     return gaussian_process
 
 

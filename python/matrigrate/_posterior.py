@@ -10,7 +10,7 @@ from ._files import unit_of
 constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
 
 
-def at_bound(places: Any, weights: Any = None) -> str:
+def at_bound(places: Any) -> str:
     """"lower" or "upper", if the posterior is cut off by that bound of the prior; else "".
 
     It is where its density in the last tenth of the prior is at least the prior's, and half of its largest: so there is no sign that it
@@ -18,7 +18,7 @@ def at_bound(places: Any, weights: Any = None) -> str:
 
     :param places: from 0 to 1 in the prior
     """
-    shares = np.histogram(np.clip(places, 0, 1), np.linspace(0, 1, 11), weights=weights)[0].astype(float)
+    shares = np.histogram(np.clip(places, 0, 1), np.linspace(0, 1, 11))[0].astype(float)
     shares /= shares.sum()
     lower, upper = (bool(share >= max(0.1, 0.5 * shares.max())) for share in (shares[0], shares[-1]))
     return "" if lower == upper else "lower" if lower else "upper"

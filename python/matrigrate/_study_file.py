@@ -16,7 +16,7 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
-_of_its_points = ("points", "steps", "claims", "statistics", "sweep", "latin_hypercube", "morris", "one_at_a_time")  # sections
+_of_its_points = ("points", "claims", "statistics", "sweep", "latin_hypercube")  # sections
 _section = re.compile(r"^\[+\s*\"?([a-z_]+)", re.MULTILINE)
 
 

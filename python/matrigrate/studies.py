@@ -78,8 +78,7 @@ class Study:
         return self._table("msd.csv")
 
     def table(self, name: str) -> pandas.DataFrame:
-        """Any table of the study by its name: "correlations", "paths", "adhesions", with targets "discrepancy", of
-        screening designs "effects"."""
+        """Any table of the study by its name: "correlations", "paths", "adhesions", with targets "discrepancy"."""
         _arguments.text("name", name, "the name of a table")
         return self._table(name if name.endswith(".csv") else f"{name}.csv")
 

@@ -25,8 +25,7 @@ std::vector<ConditionDraft> read_conditions(const toml::array& list, const Param
 /// Each factor set under each condition, labelled "condition: set"; the sets as they are without conditions.
 std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionDraft>& conditions);
 
-/// Faults for parameters that a design varies and a condition sets, and for those that stand in two designs of which
-/// one gives effects.
+/// Faults for parameters that a design varies and a condition sets.
 /// @param study  the whole file
 void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, FaultList& faults);
 

@@ -75,7 +75,7 @@ double TargetJudge::combined(const std::vector<double>& z) const {
   return weights > 0.0 ? std::sqrt(squares / weights) : undefined;
 }
 
-Discrepancy TargetJudge::discrepancy(std::size_t set, bool with_interval) const {
+Discrepancy TargetJudge::discrepancy(std::size_t set) const {
   Discrepancy d{set, {undefined, undefined, undefined}, 0, {}};
   std::vector<double> z;
   for (std::size_t k = 0; k < m_terms.size(); ++k) {
@@ -88,8 +88,7 @@ Discrepancy TargetJudge::discrepancy(std::size_t set, bool with_interval) const 
     d.judged += std::isnan(z.back()) ? 0 : 1;
   }
   d.value.value = combined(z);
-  if (with_interval && d.judged > 0)
-    d.value = statistics::percentile_interval(d.value.value, draws(set), m_study.comparisons.alpha);
+  if (d.judged > 0) d.value = statistics::percentile_interval(d.value.value, draws(set), m_study.comparisons.alpha);
   return d;
 }
 
@@ -126,6 +125,14 @@ std::vector<double> TargetJudge::draws(std::size_t set) const {
     }
     all.push_back(complete ? combined(z) : undefined);
   }
+  return all;
+}
+
+std::vector<Discrepancy> discrepancies(const Study& study, const std::vector<Result>& results) {
+  std::vector<Discrepancy> all;
+  if (study.targets.empty()) return all;
+  const TargetJudge judge(study, results);
+  for (std::size_t set = 0; set < study.sets.size(); ++set) all.push_back(judge.discrepancy(set));
   return all;
 }
 

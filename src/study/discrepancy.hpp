@@ -59,17 +59,16 @@ public:
   /// @param study, results  must outlive it
   TargetJudge(const Study& study, const std::vector<Result>& results);
 
-  /// @param with_interval  by bootstrap_draws draws
-  Discrepancy discrepancy(std::size_t set, bool with_interval = true) const;
+  /// With its interval by bootstrap_draws draws.
+  Discrepancy discrepancy(std::size_t set) const;
 
   /// The discrepancy in each draw; NaN where a term that was judged has no value left.
   std::vector<double> draws(std::size_t set) const;
 
+private:
   /// The value of each replicate at a point, from the first on; NaN where a replicate has none.
   /// @param readout  column of all_readouts()
   std::vector<double> replicates(std::size_t point, std::size_t readout) const;
-
-private:
   double combined(const std::vector<double>& z) const;
 
   const Study& m_study;
@@ -78,7 +77,13 @@ private:
   std::vector<std::vector<const Result*>> m_results; ///< by point and replicate, null where there is none
 };
 
+/// Those of all factor sets, in the order of the study; none without targets.
+std::vector<Discrepancy> discrepancies(const Study& study, const std::vector<Result>& results);
+
 /// Indices of discrepancies from the best on: by the number of judged terms, then by value.
 std::vector<std::size_t> ranking(const std::vector<Discrepancy>& all);
+
+/// discrepancy.csv: a row a factor set, in the order of ranking().
+std::string discrepancy_csv(const Study& study, const std::vector<Discrepancy>& all);
 
 } // namespace matrigrate::study

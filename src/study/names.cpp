@@ -1,6 +1,7 @@
 #include "study/names.hpp"
 
 #include "parameters/schema.hpp"
+#include "parameters/units.hpp"
 #include "study/settings.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +48,27 @@ std::string label_of(const std::vector<Setting>& settings, const Names& names, b
     label += fmt::format("{}{} {}", label.empty() ? "" : ", ", names.of(s.key), value);
   }
   return label;
+}
+
+std::string set_text(const Study& study, std::size_t set) {
+  const FactorSet& one = study.sets[set];
+  if (!one.label.starts_with("sample ") || one.settings.empty()) return one.label;
+  std::vector<Setting> rounded = one.settings;
+  for (Setting& s : rounded) {
+    if (kind(*find_row(s.key)) != Kind::quantity) continue;
+    std::string bare = s.value;
+    std::erase(bare, '"');
+    const units::Quantity quantity = units::parse_quantity(bare);
+    s.value = fmt::format("{:g} {}", std::stod(fmt::format("{:.3g}", std::stod(quantity.number))), quantity.unit);
+  }
+  return label_of(rounded, Names(study));
+}
+
+std::string point_text(const Study& study, std::size_t point) {
+  const Point& one = study.points[point];
+  const std::string text = set_text(study, one.set);
+  if (text == study.sets[one.set].label) return one.label;
+  return study.conditions.empty() ? text : fmt::format("{}: {}", study.conditions[one.condition].label, text);
 }
 
 } // namespace matrigrate::study

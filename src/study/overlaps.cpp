@@ -1,5 +1,4 @@
 #include "study/conditions.hpp"
-#include "study/design/designs.hpp"
 
 #include <fmt/format.h>
 
@@ -14,14 +13,10 @@ namespace {
 struct Varying {
   std::string_view name;
   std::vector<std::string> own; ///< keys that are no parameters
-  bool effects;                 ///< gives each factor an effect, so that nothing else may vary it
 };
 
-const std::array<Varying, 4>& varying_sections() {
-  static const std::array<Varying, 4> all{{{"sweep", {}, false},
-                                           {"one_at_a_time", {}, true},
-                                           {"morris", {"trajectories", "levels"}, true},
-                                           {"latin_hypercube", {"samples"}, false}}};
+const std::array<Varying, 2>& varying_sections() {
+  static const std::array<Varying, 2> all{{{"sweep", {}}, {"latin_hypercube", {"samples"}}}};
   return all;
 }
 
@@ -51,18 +46,12 @@ private:
 
 void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, FaultList& faults) {
   ConditionCheck condition_check(conditions, faults);
-  FaultList told("");                                   // elsewhere
-  std::map<std::string_view, const Varying*> varied_by; // the first section that varies a parameter
+  FaultList told(""); // elsewhere
   for (const Varying& section : varying_sections()) {
     const toml::node* node = study.get(section.name);
     if (node == nullptr || !node->is_table()) continue;
-    for (const Named& named : named_parameters(*node->as_table(), section.name, section.own, told)) {
+    for (const Named& named : named_parameters(*node->as_table(), section.name, section.own, told))
       condition_check.check(named);
-      const auto [first, is_new] = varied_by.try_emplace(named.row->path, &section);
-      if (is_new || !(section.effects || first->second->effects)) continue;
-      faults.add(place_of(*named.node), named.row->path,
-                 fmt::format("stands in two designs, [{}] and [{}]", first->second->name, section.name));
-    }
   }
   const toml::node* points = study.get("points");
   if (!condition_check.needed() || points == nullptr || !points->is_array()) return;

@@ -8,7 +8,6 @@
 #include "parameters/read.hpp"
 #include "parameters/scan.hpp"
 #include "study/conditions.hpp"
-#include "study/design/designs.hpp"
 #include "study/design/sweep.hpp"
 #include "study/read_comparisons.hpp"
 
@@ -26,26 +25,25 @@ constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
 constexpr std::size_t max_replicates = 100'000;
 
 const std::vector<std::string>& known_keys() {
-  static const std::vector<std::string> keys{"title",
-                                             "in_place_of",
-                                             "scenario",
-                                             "preset",
-                                             "replicates",
-                                             "seed",
-                                             "common_random_numbers",
-                                             "readouts",
-                                             "set",
-                                             "sweep",
-                                             "points",
-                                             "latin_hypercube",
-                                             "one_at_a_time",
-                                             "morris",
-                                             "conditions",
-                                             "targets",
-                                             "steps",
-                                             "statistics",
+  static const std::vector<std::string> keys{"title",  "in_place_of",           "scenario",   "preset",  "replicates",
+                                             "seed",   "common_random_numbers", "readouts",   "set",     "sweep",
+                                             "points", "latin_hypercube",       "conditions", "targets", "statistics",
                                              "claims"};
   return keys;
+}
+
+/// What replaces a section of earlier versions; null for another.
+const char* replacement(std::string_view key) {
+  if (key == "one_at_a_time")
+    return "is no design any more; list the base and each value alone as [[points]], or draw ranges by "
+           "[latin_hypercube], of which matrigrate.calibrate.fit tells how much each parameter matters";
+  if (key == "morris")
+    return "is no design any more; draw the ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells how "
+           "much each parameter matters";
+  if (key == "steps")
+    return "belong to a design that is no more; leave them out: the points and their runs stay. A [latin_hypercube] "
+           "and matrigrate.calibrate.fit tell how much each parameter matters";
+  return nullptr;
 }
 
 class Reader {
@@ -65,7 +63,7 @@ public:
     read_head();
     read_base();
     read_points();
-    read_targets_and_steps();
+    read_targets();
     read_statistics();
     require_room();
     m_faults.raise();
@@ -110,6 +108,10 @@ private:
     for (const auto& [name, node] : m_table) {
       const std::string key(name.str());
       if (std::ranges::find(known_keys(), key) != known_keys().end()) continue;
+      if (const char* instead = replacement(key)) {
+        m_faults.add(place_of(name), key, instead);
+        continue;
+      }
       m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
                    [key] { return did_you_mean(nearest(key, known_keys())); });
     }
@@ -119,7 +121,7 @@ private:
   void complete_fields_of_sections() {
     if (!m_study.base.grids) m_study.base.grids = std::make_shared<fields::Grids>();
     const auto complete = [&](toml::table& table) { complete_fields(table, m_folder, *m_study.base.grids, m_faults); };
-    for (const char* key : {"set", "sweep", "one_at_a_time", "morris"})
+    for (const char* key : {"set", "sweep"})
       if (toml::table* table = m_table[key].as_table()) complete(*table);
     for (const char* key : {"points", "conditions"})
       if (toml::array* list = m_table[key].as_array())
@@ -131,7 +133,6 @@ private:
     if (const auto* node = get("title")) m_study.title = m_faults.text(*node, "title");
     if (const auto* node = get("in_place_of")) m_study.in_place_of = m_faults.text(*node, "in_place_of");
     if (const auto* node = get("seed")) m_study.seed = m_faults.whole(*node, "seed", 0, largest_seed);
-    m_study.common_random_numbers = get("one_at_a_time") != nullptr || get("morris") != nullptr;
     if (const auto* node = get("common_random_numbers"))
       m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");
     if (const auto* node = get("replicates"))
@@ -225,34 +226,18 @@ private:
   std::vector<Draft> read_sets(Allowance& allowance) {
     std::vector<Draft> drafts;
     const auto take = [&](std::vector<Draft> more) { std::ranges::move(more, std::back_inserter(drafts)); };
-    const auto take_design = [&](Designed more) {
-      for (Step& step : more.steps) {
-        step.from += drafts.size();
-        step.to += drafts.size();
-        m_study.steps.push_back(std::move(step));
-      }
-      take(std::move(more.drafts));
-    };
     if (const auto* sweep = section("sweep")) take(grid_points(*sweep, m_study.base, allowance, m_faults));
     if (const auto* points = list("points", "its parameters"))
       take(listed_points(*points, m_study.base, allowance, m_faults));
     if (const auto* hypercube = section("latin_hypercube"))
       take(hypercube_points(*hypercube, m_study.base, m_study.seed, allowance, m_faults));
-    if (const auto* lists = section("one_at_a_time"))
-      take_design(one_at_a_time_sets(*lists, m_study.base, allowance, m_faults));
-    if (const auto* ranges = section("morris"))
-      take_design(morris_sets(*ranges, m_study.base, m_study.seed, allowance, m_faults));
     if (drafts.empty()) drafts.push_back({{.label = {}, .settings = {}, .parameters = m_study.base}, {}, {}});
     return drafts;
   }
 
-  void read_targets_and_steps() {
+  void read_targets() {
     if (const auto* tables = list("targets", "a readout, its value and error"))
-      m_study.targets = read_targets(*tables, m_study.conditions, m_folder, m_faults);
-    if (const auto* tables = list("steps", "its factor")) {
-      std::vector<Step> steps = read_steps(*tables, m_study.sets, m_faults);
-      std::ranges::move(steps, std::back_inserter(m_study.steps));
-    }
+      m_study.targets = study::read_targets(*tables, m_study.conditions, m_folder, m_faults);
   }
 
   void check_points(const std::vector<Draft>& drafts) {
@@ -304,7 +289,6 @@ private:
   }
 
   void read_statistics() {
-    if (!m_study.steps.empty()) m_study.comparisons.pairs = Pairs::none; // effects say what differs
     if (const toml::table* table = section("statistics"))
       m_study.comparisons = read_comparisons(*table, m_study.comparisons, m_study.points, m_faults);
     if (const auto* tables = list("claims", "an id, a sentence and conditions"))

@@ -43,8 +43,7 @@ bool is_study_file(const std::filesystem::path& file);
 Study parse_study(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                   const Changes& changes = {});
 
-/// The study with all its factor sets written out as points, and the steps of its designs, to be read back to the same
-/// runs and effects.
+/// The study with all its factor sets written out as points, to be read back to the same runs.
 /// @param scenario  file name of the base, which stands beside it
 std::string to_toml(const Study& study, const std::string& scenario);
 

@@ -55,21 +55,6 @@ struct Target {
   std::vector<std::string> notes{};                       ///< what the reader of these tracks has to tell
 };
 
-/// How factors are varied so that each has an effect of its own (effects.hpp).
-enum class Design { one_at_a_time, morris };
-
-/// Two factor sets that differ in one factor.
-struct Step {
-  Design design = Design::one_at_a_time;
-  std::string factor;         ///< path of the parameter
-  std::size_t trajectory = 0; ///< of Morris' design, from 1; 0 otherwise
-  std::size_t from = 0;       ///< index into Study::sets
-  std::size_t to = 0;
-  double size = 1.0; ///< change of the factor as a share of its range, with its sign; not 0
-
-  bool operator==(const Step&) const = default;
-};
-
 /// Which points are compared: neighbours along one parameter, all with all, all with one, or none.
 enum class Pairs { none, adjacent, all, control };
 
@@ -94,7 +79,6 @@ struct Study {
   std::vector<Condition> conditions;
   std::vector<Point> points; ///< each set under each condition, the conditions of a set side by side
   std::vector<Target> targets;
-  std::vector<Step> steps;
   Comparisons comparisons;
   std::vector<Claim> claims;
 

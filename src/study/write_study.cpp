@@ -1,4 +1,3 @@
-#include "study/design/designs.hpp"
 #include "study/read_study.hpp"
 
 #include <fmt/format.h>
@@ -43,13 +42,6 @@ std::string target_section(const Study& study, const Target& t) {
   return text + fmt::format("at = [{}]\n", labels);
 }
 
-std::string step_section(const Study& study, const Step& s) {
-  std::string text = fmt::format("\n[[steps]]\ndesign = \"{}\"\nfactor = \"{}\"\nfrom = {}\nto = {}\n", name(s.design),
-                                 s.factor, quoted(study.sets[s.from].label), quoted(study.sets[s.to].label));
-  if (s.design == Design::morris) text += fmt::format("trajectory = {}\nsize = {}\n", s.trajectory, s.size);
-  return text;
-}
-
 } // namespace
 
 std::string to_toml(const Study& study, const std::string& scenario) {
@@ -74,7 +66,6 @@ std::string to_toml(const Study& study, const std::string& scenario) {
     text += fmt::format("\n[[points]]\nlabel = {}\n", quoted(set.label));
     add_settings(set.settings, text);
   }
-  for (const Step& step : study.steps) text += step_section(study, step);
   for (const Claim& claim : study.claims) text += "\n" + claim.text;
   return text;
 }

@@ -270,7 +270,7 @@ class OfAStudy(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, r"study is the text 'design'; a study is expected, as matrigrate.load_study\('design'\)"):
             calibrate.fit("design", {"n_protrusions": (5, 1)})
         with self.assertRaisesRegex(TypeError, "study is a number"):
-            calibrate.by_tracks(3, tracks.of(self.study), ["speed_um_per_h"])
+            calibrate.fit(3, tracks.of(self.study), ["speed_um_per_h"])
         with self.assertRaisesRegex(TypeError, "measured is the text 'tm4.csv'"):
             calibrate.fit(self.study, "tm4.csv", ["speed_um_per_h"])
         with self.assertRaisesRegex(TypeError, "readouts is a string; a list of read-outs is expected"):

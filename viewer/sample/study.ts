@@ -1,5 +1,5 @@
 /** A made-up study: stiffness of the matrix against sensitivity of adhesions, twelve runs each. */
-import type { GridPoint, StudyEffect, StudyGroup, StudyPage, StudyRun, StudyScreening, StudyTest } from "../src/study/contract";
+import type { GridPoint, StudyDiscrepancy, StudyGroup, StudyPage, StudyRun, StudyTest } from "../src/study/contract";
 import { normal, random, type Random } from "./random";
 import { sampleRun } from "./run";
 
@@ -238,51 +238,14 @@ export function sampleStudy(replicates = 12): StudyPage {
   };
 }
 
-/** A made-up screening: four factors one at a time and by trajectories, under two conditions. */
-export function sampleScreening(): StudyScreening {
-  const conditions = ["soft", "stiff"];
-  const effects: StudyEffect[] = [];
-  const add = (readout: string, condition: string) => {
-    [0.2, -3, 1, 0.01].forEach((effect, k) =>
-      effects.push({
-        design: "one_at_a_time",
-        readout,
-        condition,
-        factor: `adhesion.factor_${k}`,
-        label: `factor_${k}`,
-        value: "bundle",
-        n: 12,
-        effect,
-        interval: [effect - 0.5, effect + 0.5],
-      }),
-    );
-    [4, 2.5, 0.5, 0].forEach((mu_star, k) =>
-      effects.push({
-        design: "morris",
-        readout,
-        condition,
-        factor: `ecm.range_${k}`,
-        label: `range_${k}`,
-        value: "",
-        n: 10,
-        mu: k === 1 ? -mu_star : mu_star,
-        mu_star,
-        mu_star_interval: [0.8 * mu_star, 1.2 * mu_star],
-        sigma: 0.4 * mu_star,
-        sigma_interval: null,
-      }),
-    );
-  };
-  add("discrepancy", "");
-  for (const readout of names.slice(0, 2)) for (const condition of conditions) add(readout, condition);
+/** Two made-up factor sets, under two conditions with a target each. */
+export function sampleDiscrepancy(): StudyDiscrepancy {
   return {
     confidence: 0.95,
-    paired: true,
-    targets: conditions.map((condition) => ({ readout: names[0], condition, target: "12.1 +- 1", weight: 1 })),
+    targets: ["soft", "stiff"].map((condition) => ({ readout: names[0], condition, target: "12.1 +- 1", weight: 1 })),
     sets: [
       { label: "base", settings: "", discrepancy: 0.8, interval: [0.5, 1.25], judged: 2, undefined: 0, z: [0.8, -0.8], means: [13, 11] },
-      { label: "trajectory 1, start", settings: "range_0 5 um", discrepancy: 2.5, interval: null, judged: 1, undefined: 3, z: [2.5, null], means: [15, null] },
+      { label: "sample 1", settings: "range_0 5 um", discrepancy: 2.5, interval: null, judged: 1, undefined: 3, z: [2.5, null], means: [15, null] },
     ],
-    effects,
   };
 }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
-import { sampleScreening, sampleStudy } from "../sample/study";
+import { sampleDiscrepancy, sampleStudy } from "../sample/study";
 import { allDrawn, launch, open, settled, until } from "./browser";
 
 let browser: Browser;
@@ -273,41 +273,20 @@ test("a study with one axis, or with nothing done yet", async () => {
   await second.page.context().close();
 });
 
-test("ranks factors by effect, and factor sets by discrepancy", async () => {
-  const study = { ...sampleStudy(3), screening: sampleScreening() };
+test("ranks factor sets by discrepancy", async () => {
+  const study = { ...sampleStudy(3), discrepancy: sampleDiscrepancy() };
   const { page, errors } = await open(browser, "study", JSON.stringify(study));
   await allDrawn(page);
-  // The discrepancy and two read-outs: one at a time, by trajectories, and mu* against sigma.
-  assert.equal(await page.locator("#factors .plotly-figure").count(), 9);
-  const plots = await page.evaluate(() =>
-    [...document.querySelectorAll("#factors .plotly-figure")].map((one) => {
-      const plot = one as unknown as {
-        _fullLayout: { yaxis: { ticktext?: string[] } };
-        data: { x: number[]; y: number[]; error_x?: { array: number[]; arrayminus: number[] } }[];
-      };
-      return { rows: plot._fullLayout.yaxis.ticktext, data: plot.data };
-    }),
-  );
-  const [first, morris, scatter, readout] = plots;
-  assert.deepEqual(first.rows, ["factor_1 bundle", "factor_2 bundle", "factor_0 bundle", "factor_3 bundle"], "by size");
-  assert.deepEqual(first.data[0].x, [-3, 1, 0.2, 0.01], "with their signs");
-  for (const bar of first.data[0].error_x?.array ?? []) assert.ok(Math.abs(bar - 0.5) < 1e-9);
-  assert.equal(first.data[0].error_x?.array.length, 4);
-  assert.deepEqual(morris.rows, ["range_0", "range_1", "range_2", "range_3"]);
-  assert.deepEqual(morris.data[0].x, [4, 2.5, 0.5, 0], "mu*, not mu");
-  assert.ok(Math.abs((morris.data[0].error_x?.arrayminus[0] ?? 0) - 0.8) < 1e-9);
-  assert.deepEqual(scatter.data[0].y, [1.6, 1, 0.2, 0], "sigma");
-  assert.equal(readout.data.length, 2, "one colour a condition");
   const sets = await page.locator("#sets tbody tr").allTextContents();
   assert.equal(sets.length, 2);
   assert.match(sets[0], /^base0.80.5 to 1.252 of 200.8\u22120.8$/);
-  assert.match(sets[1], /^trajectory 1, startrange_0 5 \u00b5m2.5\u20131 of 232.5\u2013$/);
+  assert.match(sets[1], /^sample 1range_0 5 \u00b5m2.5\u20131 of 232.5\u2013$/);
   assert.deepEqual(await page.locator("#sets strong").allTextContents(), ["2.5"], "beyond two standard errors");
   assert.match((await page.locator("#sets th >> nth=-1").textContent()) ?? "", /z v_migr_abs at stiff: 12.1 \u00b1 1/);
   assert.deepEqual(errors, []);
   await page.context().close();
   const plain = await open(browser, "study", JSON.stringify(sampleStudy(3)));
-  assert.equal(await plain.page.locator("#factors, #sets").count(), 0);
+  assert.equal(await plain.page.locator("#sets").count(), 0);
   await plain.page.context().close();
 });
 

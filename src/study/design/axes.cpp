@@ -39,7 +39,7 @@ std::vector<Json> values_of(const Study& study, const Row& row) {
 /// or of a Latin hypercube, the grid would be as good as empty, and beyond any page.
 bool is_grid(const Study& study) {
   const std::vector<std::string> keys = swept_keys(study);
-  if (keys.empty() || !study.steps.empty()) return false;
+  if (keys.empty()) return false;
   double cells = 1.0;
   for (const std::string& key : keys) cells *= static_cast<double>(values_of(study, *find_row(key)).size());
   return cells <= 2.0 * static_cast<double>(study.points.size());

@@ -8,7 +8,7 @@
 #include <optional>
 
 /// Ranges of parameters in a study file: ["low", "high"] or ["low", "high", "log"].
-/// Test: tests/unit/study/plan_test.cpp, tests/unit/study/designs_test.cpp
+/// Test: tests/unit/study/plan_test.cpp
 namespace matrigrate::study {
 
 /// A range that is sampled, in the unit of the row.

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// The factor sets of a study: a grid of lists, points one by one, and a Latin hypercube. Designs that give each factor
-/// an effect of its own are in designs.hpp. Test: tests/unit/study/read_study_test.cpp, plan_test.cpp
+/// The factor sets of a study: a grid of lists, points one by one, and a Latin hypercube.
+/// Test: tests/unit/study/read_study_test.cpp, plan_test.cpp
 namespace matrigrate::study {
 
 /// A point, or a factor set, that is being made, and where its settings stand in the file. Without a label it is called

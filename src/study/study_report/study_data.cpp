@@ -8,10 +8,10 @@
 #include "study/design/range.hpp"
 #include "study/names.hpp"
 #include "study/table_readouts.hpp"
+#include "study_report/discrepancy_json.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"
 #include "study_report/run_json.hpp"
-#include "study_report/screening_data.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -214,7 +214,7 @@ Json study_data(const StudyReport& report) {
             {"version", 1},
             {"title", titled(report.study)},
             {"status", status},
-            {"summary", result_sentence(report) + screening_sentence(report.study, report.screening)},
+            {"summary", result_sentence(report) + discrepancy_sentence(report.study, report.discrepancies)},
             {"facts", facts_json(report)},
             {"runs", std::move(runs)},
             {"msd", std::move(msd)},
@@ -222,7 +222,7 @@ Json study_data(const StudyReport& report) {
             {"scatter", scatter_json(report)},
             {"claims", claims_json(report.claims)},
             {"claims_note", report.claims_note},
-            {"screening", screening_json(report.study, report.screening)},
+            {"discrepancy", discrepancy_json(report.study, report.discrepancies)},
             {"players", players_json(report.played)},
             {"measured", measured_json(report.study, report.tracks, place)},
             {"provenance", report.provenance},

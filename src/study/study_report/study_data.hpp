@@ -2,7 +2,7 @@
 
 #include "claims/claims.hpp"
 #include "study/comparison.hpp"
-#include "study/effects.hpp"
+#include "study/discrepancy.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ struct StudyReport {
   std::string claims_note{};         ///< what to know of them
   std::vector<PlayedRun> played{};
   std::string command{}; ///< that computes the study again
-  Screening screening{};
+  std::vector<Discrepancy> discrepancies{};
   std::vector<CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
 };
 

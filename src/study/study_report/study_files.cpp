@@ -96,7 +96,7 @@ Collected gathered(const StudyFolder& study) {
   Collected c;
   c.results = results(study.study, study.runs, study.folder);
   c.comparisons = comparisons(study.study, c.results);
-  c.screening = screening(study.study, c.results);
+  c.discrepancies = discrepancies(study.study, c.results);
   return c;
 }
 
@@ -109,9 +109,7 @@ Collected collect_tables(const StudyFolder& study, const std::vector<Result>& ke
   write_file(study.folder / "statistics.csv", statistics_csv(study.study, c.comparisons, c.results));
   write_file(study.folder / "correlations.csv", correlations_csv(study.study, c.results));
   write_or_remove(study.folder / "discrepancy.csv", !study.study.targets.empty(),
-                  discrepancy_csv(study.study, c.screening.discrepancies));
-  write_or_remove(study.folder / "effects.csv", !study.study.steps.empty(),
-                  effects_csv(study.study, c.screening.effects));
+                  discrepancy_csv(study.study, c.discrepancies));
   write_curves(study, c.results);
   return c;
 }
@@ -130,7 +128,7 @@ void write_study_report(const StudyFolder& study, Collected& collected, const St
                                              .claims_note = claims_note(study.study),
                                              .played = played_runs(study, collected.results, page.played, page.tracks),
                                              .command = command_of(study),
-                                             .screening = collected.screening,
+                                             .discrepancies = collected.discrepancies,
                                              .tracks = page.tracks})));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "study/comparison.hpp"
-#include "study/effects.hpp"
+#include "study/discrepancy.hpp"
 #include "study_report/study_data.hpp"
 #include "study_runs/study_folder.hpp"
 
@@ -16,7 +16,7 @@ namespace matrigrate::study {
 struct Collected {
   std::vector<Result> results;
   std::vector<Comparison> comparisons;
-  Screening screening;
+  std::vector<Discrepancy> discrepancies;
   std::vector<JudgedClaim> claims{}; ///< write_study_report() judges them
 };
 
@@ -24,8 +24,7 @@ struct Collected {
 Collected gathered(const StudyFolder& study);
 
 /// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and, of at
-/// most 60 points, paths.csv, msd.csv and adhesions.csv; with targets discrepancy.csv, and of designs that
-/// screen factors effects.csv.
+/// most 60 points, paths.csv, msd.csv and adhesions.csv; with targets discrepancy.csv.
 /// @param kept  results from elsewhere, which results.csv holds in the place of runs that have not ended in the folder
 /// @throws InputOutputError before anything is written, as require_no_loss()
 Collected collect_tables(const StudyFolder& study, const std::vector<Result>& kept = {});

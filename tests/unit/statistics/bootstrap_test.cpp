@@ -1,5 +1,4 @@
 #include "statistics/bootstrap.hpp"
-#include "statistics/elementary_effects.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,26 +40,6 @@ TEST(Bootstrap, DrawsThatAreNotDefinedAreLeftOut) {
   EXPECT_TRUE(std::isnan(percentile_interval(2.0, std::vector<double>{1.0, nan, nan}, 0.5).low)) << "too many";
   EXPECT_TRUE(std::isnan(percentile_interval(nan, std::vector<double>{1.0, 2.0}, 0.5).low));
   EXPECT_TRUE(std::isnan(percentile_interval(2.0, {}, 0.5).high));
-}
-
-TEST(ElementaryEffects, ByHand) {
-  const ElementaryEffects e = elementary_effects(std::vector<double>{1.0, -3.0, nan, 5.0}, 1, 0.05);
-  EXPECT_EQ(e.n, 3U);
-  EXPECT_DOUBLE_EQ(e.mu.value, 1.0);
-  EXPECT_DOUBLE_EQ(e.mu_star.value, 3.0);
-  EXPECT_DOUBLE_EQ(e.sigma.value, 4.0);
-  EXPECT_GE(e.mu_star.low, 1.0);
-  EXPECT_LE(e.mu_star.high, 5.0);
-  EXPECT_LT(e.mu.low, e.mu.value);
-  EXPECT_GT(e.mu.high, e.mu.value);
-  const ElementaryEffects same = elementary_effects(std::vector<double>{2.0, 2.0}, 1, 0.05);
-  EXPECT_EQ(same.mu_star.low, 2.0);
-  EXPECT_EQ(same.mu_star.high, 2.0);
-  const ElementaryEffects one = elementary_effects(std::vector<double>{-2.0}, 1, 0.05);
-  EXPECT_EQ(one.mu_star.value, 2.0);
-  EXPECT_TRUE(std::isnan(one.mu_star.low));
-  EXPECT_TRUE(std::isnan(one.sigma.value));
-  EXPECT_TRUE(std::isnan(elementary_effects(std::vector<double>{}, 1, 0.05).mu.value));
 }
 
 } // namespace

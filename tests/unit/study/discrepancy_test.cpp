@@ -1,7 +1,6 @@
 #include "study/discrepancy.hpp"
 
 #include "statistics/bootstrap.hpp"
-#include "study/effects.hpp"
 #include "study/table_readouts.hpp"
 #include "unit/study/studies.hpp"
 
@@ -103,12 +102,16 @@ TEST(Discrepancy, ADrawIsJudgedByTheStandardErrorOfTheSample) {
   }
 }
 
+TEST(Discrepancy, IsOfNoSetWithoutTargets) {
+  EXPECT_TRUE(discrepancies(read(two_values), results_of("f_mat", {{0.7, 0.7}, {0.4, 0.4}})).empty());
+  EXPECT_EQ(discrepancies(read(two_values + target), results_of("f_mat", {{0.7, 0.7}, {0.4, 0.4}})).size(), 2U);
+}
+
 TEST(Discrepancy, TableHasARowForEachSetFromTheBestOn) {
   const Study s = read("readouts = [\"f_mat\"]\n[sweep]\necm.youngs_modulus = [\"0.05 kPa\", \"100 Pa\"]\n"
                        "[[conditions]]\nlabel = \"thin\"\necm.viscosity = 500\n"
                        + target + "[[targets]]\nreadout = \"n_protrusions\"\nlow = 1\nhigh = 2\nerror = 1\n");
-  const std::string csv =
-      discrepancy_csv(s, screening(s, results_of("f_mat", {{0.75, 0.75}, {0.625, 0.625}})).discrepancies);
+  const std::string csv = discrepancy_csv(s, discrepancies(s, results_of("f_mat", {{0.75, 0.75}, {0.625, 0.625}})));
   EXPECT_TRUE(csv.starts_with("rank,set,ecm.youngs_modulus_Pa,discrepancy,discrepancy_low,discrepancy_high,"
                               "targets_judged,targets,values_undefined,z_f_mat_at_thin,z_n_protrusions_at_thin,"
                               "mean_f_mat_at_thin,mean_n_protrusions_at_thin\n"

@@ -1,4 +1,3 @@
-#include "study/effects.hpp"
 #include "study/names.hpp"
 #include "unit/study/studies.hpp"
 
@@ -46,8 +45,6 @@ TEST(Names, TellPointsAndConditionsFromASweep) {
             (Labels{"protrusion.force 0.2 nN", "actomyosin.force 1 nN"}));
   EXPECT_EQ(labels(read(sweep + "[[conditions]]\nlabel = \"weak\"\nactomyosin.force = 0.1\n")),
             (Labels{"weak: protrusion.force 0.2 nN"}));
-  EXPECT_EQ(labels(read(sweep + "[one_at_a_time]\nactomyosin.force = [1]\n")),
-            (Labels{"protrusion.force 0.2 nN", "base", "actomyosin.force 1 nN"}));
 }
 
 TEST(Names, TellTheFactorsOfAHypercubeApart) {

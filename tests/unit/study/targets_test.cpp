@@ -57,9 +57,9 @@ TEST(Conditions, EachFault) {
   EXPECT_TRUE(fault_of("[[conditions]]\nlabel = \"a\"\necm.radius = \"1 um\"\n")
                   .ends_with("\"1 um\" is out of range; allowed is >= 10 and <= 2000 um"));
   const std::string both = "is also set by the condition \"soft\"; a condition must not set a factor";
-  EXPECT_EQ(fault_of(two + "[one_at_a_time]\necm.youngs_modulus = [50]\n"),
-            "f.toml:10:22: ecm.youngs_modulus: " + both);
-  EXPECT_EQ(fault_of(two + "[morris]\necm.youngs_modulus = [50, 100]\n"), "f.toml:10:22: ecm.youngs_modulus: " + both);
+  EXPECT_EQ(fault_of(two + "[sweep]\necm.youngs_modulus = [50]\n"), "f.toml:10:22: ecm.youngs_modulus: " + both);
+  EXPECT_EQ(fault_of(two + "[latin_hypercube]\nsamples = 2\necm.youngs_modulus = [50, 100]\n"),
+            "f.toml:11:22: ecm.youngs_modulus: " + both);
   EXPECT_EQ(fault_of(two + "[[points]]\necm.youngs_modulus = 60\n"), "f.toml:10:22: ecm.youngs_modulus: " + both);
   EXPECT_EQ(
       parse_study("preset = \"baseline\"\nreplicates = 10000\n" + two + "[sweep]\necm.viscosity = [1, 2, 3, 4, 5]\n",
@@ -130,7 +130,7 @@ TEST(Targets, EachFault) {
   EXPECT_EQ(fault_of("[targets]\nf_mat = 1\n"),
             "f.toml:3:1: targets: is no list of targets; write [[targets]] and a readout, its value and error below");
   EXPECT_EQ(faults_of("preset = \"baseline\"\nreplicates = 3\n[[targets]]\nvalue = \"1\"\nerror = 0\nat = \"x\"\n"
-                      "[morris]\nlevels = 3\nprotrusion.number = [4, 1]\n")
+                      "[latin_hypercube]\nsamples = 0\nprotrusion.number = [4, 1]\n")
                 .size(),
             6U)
       << "all at once";

@@ -2,7 +2,7 @@
 
 #include "store/csv.hpp"
 #include "study/design/axes.hpp"
-#include "study_report/screening_data.hpp"
+#include "study_report/discrepancy_json.hpp"
 #include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
@@ -35,11 +35,12 @@ TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
       axes_json(read("[latin_hypercube]\nsamples = 5\necm.youngs_modulus = [50, 400]\necm.viscosity = [500, 1000]\n"));
   ASSERT_EQ(samples.size(), 1U);
   EXPECT_EQ(samples.at(0).at("values").at(4), "sample 5");
-  const Study study = read("[one_at_a_time]\nadhesion.rupture = [true]\n[[conditions]]\nlabel = \"soft\"\n"
+  const Study study = read("[[points]]\nlabel = \"base\"\n[[points]]\nadhesion.rupture = true\n[[points]]\n"
+                           "protrusion.number = 2\n[[conditions]]\nlabel = \"soft\"\n"
                            "ecm.youngs_modulus = 50\n[[conditions]]\nlabel = \"stiff\"\necm.youngs_modulus = 400\n");
   const nlohmann::ordered_json axes = axes_json(study);
   ASSERT_EQ(axes.size(), 2U);
-  EXPECT_EQ(axes.at(0).at("values").dump(), "[\"base\",\"rupture true\"]");
+  EXPECT_EQ(axes.at(0).at("values").dump(), "[\"base\",\"rupture true\",\"n_prot 2\"]");
   EXPECT_EQ(axes.at(1).at("values").dump(), "[\"soft\",\"stiff\"]");
   EXPECT_EQ(places(study).at(3).dump(), "[1,1]");
   EXPECT_EQ(places(read("[sweep]\nprotrusion.number = [2, 1]\n")).at(0).dump(), "[1]") << "a grid, in order";
@@ -63,25 +64,22 @@ TEST(StudyData, TellsParametersApartThatEndAlike) {
   EXPECT_EQ(axes.at(1).at("label"), "nucleus.bending_stiffness") << "has no letters";
 }
 
-TEST(StudyData, HoldsFactorsAndTargets) {
-  const Study study = read("readouts = [\"f_mat\"]\n[one_at_a_time]\nadhesion.rupture = [true]\n[[targets]]\n"
-                           "readout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n");
+TEST(StudyData, HoldsTargetsAndDistances) {
+  const Study study = read("readouts = [\"f_mat\"]\n[[points]]\nlabel = \"base\"\n[[points]]\nadhesion.rupture = true\n"
+                           "[[targets]]\nreadout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n");
   const std::vector<Result> results = results_of("f_mat", {{0.25, 0.25, 0.25}, {1.5, 1.5, 1.5}});
-  const Screening found = screening(study, results);
-  const nlohmann::ordered_json json = screening_json(study, found);
+  const std::vector<Discrepancy> found = discrepancies(study, results);
+  const nlohmann::ordered_json json = discrepancy_json(study, found);
   EXPECT_EQ(json.at("targets").at(0).at("target"), "0.5 to 1 +- 0.25");
   EXPECT_EQ(json.at("sets").at(0).at("label"), "base");
   EXPECT_EQ(json.at("sets").at(0).at("z").dump(), "[-1.0]");
   EXPECT_EQ(json.at("sets").at(1).at("settings"), "rupture true");
   EXPECT_EQ(json.at("sets").at(1).at("discrepancy"), 2.0);
-  EXPECT_EQ(json.at("effects").at(0).at("readout"), "discrepancy");
-  EXPECT_EQ(json.at("effects").at(0).at("effect"), 1.0);
-  EXPECT_EQ(json.at("effects").at(1).at("interval").dump(), "[1.25,1.25]");
-  EXPECT_EQ(screening_sentence(study, found), " The discrepancy is least, 1 (1 to 1), at base. The largest effect on "
-                                              "discrepancy is that of rupture true: 1 (1 to 1).");
+  EXPECT_EQ(json.at("sets").at(1).at("interval").dump(), "[2.0,2.0]");
+  EXPECT_EQ(discrepancy_sentence(study, found), " The discrepancy is least, 1 (1 to 1), at base.");
   const Study plain = read("");
-  EXPECT_TRUE(screening_json(plain, {}).is_null());
-  EXPECT_EQ(screening_sentence(plain, {}), "");
+  EXPECT_TRUE(discrepancy_json(plain, {}).is_null());
+  EXPECT_EQ(discrepancy_sentence(plain, {}), "");
 }
 
 TEST(StudyData, HoldsRunsThatAreNotThereYet) {

@@ -154,40 +154,12 @@ export interface StudyFactorSet {
   means: (number | null)[];
 }
 
-/** The effect of a factor on a read-out, or on the discrepancy, under a condition. */
-export interface StudyEffect {
-  design: "one_at_a_time" | "morris";
-  /** A name of `readouts`, or "discrepancy". */
-  readout: string;
-  /** "" for the discrepancy, and without conditions. */
-  condition: string;
-  /** Path of the parameter. */
-  factor: string;
-  /** Short. */
-  label: string;
-  /** One at a time; "" otherwise. */
-  value: string;
-  n: number;
-  /** One at a time: value less base. */
-  effect?: number | null;
-  interval?: [number, number] | null;
-  /** Morris. */
-  mu?: number | null;
-  mu_star?: number | null;
-  mu_star_interval?: [number, number] | null;
-  sigma?: number | null;
-  sigma_interval?: [number, number] | null;
-}
-
-export interface StudyScreening {
+export interface StudyDiscrepancy {
   /** Of the intervals: 0.95. */
   confidence: number;
-  /** Whether replicates have common random numbers. */
-  paired: boolean;
   targets: StudyTarget[];
-  /** From the best on; empty without targets. */
+  /** From the best on. */
   sets: StudyFactorSet[];
-  effects: StudyEffect[];
 }
 
 /** Read-outs over the factors of a design that is no grid. */
@@ -240,7 +212,7 @@ export interface StudyPage extends StudyData {
   claims?: StudyClaim[];
   /** How the study differs from the published one; "" for nothing. */
   claims_note?: string;
-  screening?: StudyScreening | null;
+  discrepancy?: StudyDiscrepancy | null;
   scatter?: StudyScatter | null;
   players?: StudyPlayer[];
   /** Measured tracks, and the points that they are to be compared with. */

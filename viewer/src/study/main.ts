@@ -5,12 +5,12 @@ import { embeddedStudy } from "../embedded";
 import "../page.css";
 import { boxes, boxesNote } from "./boxes";
 import { leastRuns, type Shown } from "./brackets";
+import { sets } from "./discrepancy";
 import { pretty } from "../numbers";
 import { grid, seriesKey } from "./groups";
 import { claims, runs, safe } from "./lists";
 import { players } from "./players";
 import { scatters } from "./scatter";
-import { rankings, screeningNote, sets } from "./screening";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
 import { paths, shapes } from "./tracks";
@@ -49,7 +49,6 @@ function show(study: StudyPage, page: HTMLElement): void {
         claims(study),
         study.claims_note ? h("p", { class: "notice" }, pretty(study.claims_note)) : null,
       ),
-      part("factors", "Factors by effect", rankings(study), screeningNote(study)),
       part("sets", "Factor sets by discrepancy", sets(study)),
       part("scatter", "Read-outs over factors", scatters(study)),
       study.readouts.length > 0 && !study.scatter?.factors.length
