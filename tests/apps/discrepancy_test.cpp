@@ -62,7 +62,7 @@ TEST_F(TargetStudy, WritesNothingOnAFault) {
   const Ended ended = run("study run e.toml");
   EXPECT_EQ(ended.code, 3);
   for (const char* part :
-       {"e.toml:4:1: morris: is no design any more; draw the ranges by [latin_hypercube]",
+       {"e.toml:4:2: morris: is no design any more; draw the ranges by [latin_hypercube]",
         "e.toml:6:1: latin_hypercube.samples: is missing", "protrusion.force: \"0.6 nN\" is not below \"0.2 nN\"",
         "e.toml:8:22: ecm.youngs_modulus: is also set by the condition \"soft\"", "did you mean n_protrusions?",
         "e.toml:18:9: targets.error: 0 is out of range; allowed is > 0", "did you mean soft?"})

@@ -18,14 +18,14 @@ const std::string numbers = "ecm.youngs_modulus = [\"50 Pa\", \"400 Pa\"]\n"
 TEST(Designs, ThoseThatAreNoMoreAreRefusedWithWhatReplacesThem) {
   EXPECT_EQ(
       fault_of("[one_at_a_time]\nadhesion.rupture = [true]\n"),
-      "f.toml:3:1: one_at_a_time: is no design any more; list the base and each value alone as [[points]], or draw "
+      "f.toml:3:2: one_at_a_time: is no design any more; list the base and each value alone as [[points]], or draw "
       "ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells how much each parameter matters");
   EXPECT_EQ(fault_of("[morris]\ntrajectories = 4\necm.youngs_modulus = [100, 200]\n"),
-            "f.toml:3:1: morris: is no design any more; draw the ranges by [latin_hypercube], of which "
+            "f.toml:3:2: morris: is no design any more; draw the ranges by [latin_hypercube], of which "
             "matrigrate.calibrate.fit tells how much each parameter matters");
   const std::string resolved = "[[points]]\nlabel = \"base\"\n[[points]]\nlabel = \"b\"\nadhesion.rupture = true\n";
   EXPECT_EQ(fault_of(resolved + "[[steps]]\nfactor = \"adhesion.rupture\"\nfrom = \"base\"\nto = \"b\"\n"),
-            "f.toml:8:1: steps: belong to a design that is no more; leave them out: the points and their runs stay. A "
+            "f.toml:8:3: steps: belong to a design that is no more; leave them out: the points and their runs stay. A "
             "[latin_hypercube] and matrigrate.calibrate.fit tell how much each parameter matters");
   EXPECT_EQ(read(resolved).points.size(), 2U);
   EXPECT_EQ(
@@ -64,7 +64,7 @@ TEST(Designs, TheStudiesOfTheDocumentsAreGood) {
     return at == std::string::npos ? std::string() : text.substr(begin, text.find("\n```", at) - begin);
   };
   EXPECT_EQ(parse_study(block("title = \"Matrix stiffness\""), "f.toml", ".").runs(), 36U);
-  const Study s = parse_study(block("title = \"Matrices against measured cells\""), "f.toml", ".");
+  const Study s = parse_study(block("title = \"Cells against measured speeds\""), "f.toml", ".");
   EXPECT_EQ(s.sets.size(), 4U);
   EXPECT_EQ(s.targets.size(), 2U);
 }

@@ -36,11 +36,13 @@ TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
   ASSERT_EQ(samples.size(), 1U);
   EXPECT_EQ(samples.at(0).at("values").at(4), "sample 5");
   const Study study = read("[[points]]\nlabel = \"base\"\n[[points]]\nadhesion.rupture = true\n[[points]]\n"
-                           "protrusion.number = 2\n[[conditions]]\nlabel = \"soft\"\n"
-                           "ecm.youngs_modulus = 50\n[[conditions]]\nlabel = \"stiff\"\necm.youngs_modulus = 400\n");
+                           "protrusion.number = 2\n[[points]]\necm.viscosity = 500\n[[points]]\nprotrusion.force = 1\n"
+                           "[[conditions]]\nlabel = \"soft\"\necm.youngs_modulus = 50\n[[conditions]]\n"
+                           "label = \"stiff\"\necm.youngs_modulus = 400\n");
   const nlohmann::ordered_json axes = axes_json(study);
   ASSERT_EQ(axes.size(), 2U);
-  EXPECT_EQ(axes.at(0).at("values").dump(), "[\"base\",\"rupture true\",\"n_prot 2\"]");
+  EXPECT_EQ(axes.at(0).at("values").dump(),
+            "[\"base\",\"rupture true\",\"n_prot 2\",\"viscosity 500 Pa s\",\"force 1 nN\"]");
   EXPECT_EQ(axes.at(1).at("values").dump(), "[\"soft\",\"stiff\"]");
   EXPECT_EQ(places(study).at(3).dump(), "[1,1]");
   EXPECT_EQ(places(read("[sweep]\nprotrusion.number = [2, 1]\n")).at(0).dump(), "[1]") << "a grid, in order";
