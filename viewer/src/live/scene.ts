@@ -15,6 +15,7 @@ import { curves, type Curves } from "./curves";
 import type { LiveFilm } from "./film";
 import type { Head, TrackRow } from "./protocol";
 import type { Stroke } from "./scenario";
+import { travelledText } from "./travelled";
 
 /** Typical values, which scale arrows and colours [um, um/h, nN]. */
 const usual = { displacement: 3, velocity: 40, force: 2 };
@@ -92,13 +93,15 @@ export function scene(
   const stage = new Stage(run, film.film, clock, all, usual, undefined, gone);
   const chosen = all.find(({ key }) => key === before?.layer);
   if (chosen) stage.choose(chosen);
-  const time = h("output", { class: "time" });
+  const time = h("span", {});
+  const distance = h("span", { class: "travelled" });
   const showTime = () => {
     setText(time, timeText(clock.playing ? 10 * Math.floor(clock.time / 10) : clock.time));
+    setText(distance, travelledText(tracks, clock.time));
   };
   clock.onChange(showTime, gone);
   showTime();
-  stage.element.append(time, viewButtons(stage));
+  stage.element.append(h("output", { class: "time" }, time, distance), viewButtons(stage));
   const keys = keyList(true);
   attachKeys(clock, stage, new Probe(stage), all, keys, document, gone);
   brush.attach(stage, strokes);
