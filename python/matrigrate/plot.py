@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _drawing, _fibres
+from . import _arguments, _drawing, _fibres, _track_plots
 from ._files import unit_of
 from .results import Run, meaning
 from .studies import Study
+from .tracks import Tracks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,9 +23,17 @@ _colours = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#
 _words = {"youngs_modulus": "Young's modulus", "f_degr": "intact matrix (f_degr): 0 fluid, 1 intact", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
 
 
-def path(run: Run | Mapping[str, Run], axes: Axes | None = None) -> Axes:
-    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names. The path of a
-    single cell has the colours of time."""
+def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, together: bool = False) -> Axes:
+    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names; of measured tracks. The
+    path of a single cell has the colours of time.
+
+    :param together: of tracks, whether all begin at one point
+    """
+    if isinstance(run, Tracks):
+        axes = axes or _new_axes()
+        _track_plots.path(run, axes, together)
+        _plane(axes)
+        return axes
     runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     axes = axes or _new_axes()
     paths = [(name, number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
@@ -150,13 +159,26 @@ def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None 
     return axes
 
 
-def msd(results: Run | Study, axes: Axes | None = None) -> Axes:
+def quality(tracks: Tracks) -> Any:
+    """Whether a tracker can be trusted, in three panels: steps, with leaps in red; pairs of tracks, with cells that were found twice in red
+    (``Tracks.suspects``); drift of all cells. Returns the figure."""
+    _arguments.one_of("tracks", tracks, Tracks)
+    figure, axes = _pyplot().subplots(1, 3, figsize=(11, 3.6), layout="constrained")
+    _track_plots.quality(tracks, axes)
+    return figure
+
+
+def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
     """Mean square displacement [um^2] over lags [min], both logarithmic; of a run for each cell, of a study for each point,
     with its standard error. The dashed lines have the slopes of a random walk (1) and of a straight path (2). A run of
-    less than 20 min has none, and the figure says so."""
-    table = _arguments.one_of("results", results, Run, Study).msd
+    less than 20 min has none, and the figure says so. Of measured tracks that of all together."""
     axes = axes or _new_axes()
     axes.set(xlabel="lag [min]", ylabel="mean square displacement [µm²]")
+    if isinstance(results, Tracks):
+        lag, square = _track_plots.msd(results, axes)
+        _slopes(axes, lag, square)
+        return axes
+    table = _arguments.one_of("results", results, Run, Study).msd
     if not len(table):
         axes.text(0.5, 0.5, "no mean square displacement: its lags are 10 min\nto half a run, so a run of 20 min has the first",
                   transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")
@@ -173,23 +195,32 @@ def msd(results: Run | Study, axes: Axes | None = None) -> Axes:
         if "sem_um2" in rows:
             low = (rows["msd_um2"] - rows["sem_um2"]).clip(lower=rows["msd_um2"] / 10)
             axes.fill_between(lag, low, rows["msd_um2"] + rows["sem_um2"], color=colour, alpha=0.15, linewidth=0)
-    lags = np.array([table["lag_s"].min(), table["lag_s"].max()]) / 60
-    start = float(table["msd_um2"].iloc[0]) or 1.0
-    for slope in (1, 2):
-        axes.plot(lags, start * (lags / lags[0]) ** slope, "--", color="#999999", linewidth=1)
-    axes.set(xscale="log", yscale="log")
+    _slopes(axes, table["lag_s"] / 60, table["msd_um2"])
     if len(groups) > 1 or not isinstance(results, Run):
         axes.legend(frameon=False)
     return axes
 
 
-def _new_axes(**options: Any) -> Any:
+def _slopes(axes: Axes, lag: Any, square: Any) -> None:
+    """Logarithmic axes, with the slopes of a random walk and of a straight path from the first value on."""
+    lags = np.array([np.min(lag), np.max(lag)])
+    start = float(np.asarray(square)[0]) or 1.0
+    for slope in (1, 2):
+        axes.plot(lags, start * (lags / lags[0]) ** slope, "--", color="#999999", linewidth=1)
+    axes.set(xscale="log", yscale="log")
+
+
+def _pyplot() -> Any:
     try:
         from matplotlib import pyplot
     except ImportError:
         raise ImportError("figures need matplotlib: apt install python3-matplotlib, "
                           "or pip install matplotlib") from None
-    return pyplot.subplots(layout="constrained", **options)[1]
+    return pyplot
+
+
+def _new_axes(**options: Any) -> Any:
+    return _pyplot().subplots(layout="constrained", **options)[1]
 
 
 def _plane(axes: Axes) -> None:

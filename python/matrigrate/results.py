@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import functools
+import html
 import math
 import os
 import tomllib
@@ -177,6 +178,16 @@ class Run:
         reached = self.record.get("t_s") if self.record.get("exit_code") is not None else None  # else of a checkpoint
         until = f", {reached / 3600:.3g} h" if isinstance(reached, (int, float)) else ""
         return f"Run({str(self.folder)!r}: {self.status}{until}, seed {self.seed})"
+
+    def _repr_html_(self) -> str:
+        """In a notebook: the pictures of the run, and where its page is."""
+        said = [f"<p>{html.escape(repr(self))}</p>"]
+        sheet, page = self.folder / "snapshots.svg", self.folder / "report.html"
+        if sheet.is_file():
+            said.append(f'<div style="max-width: 760px; background: white">{sheet.read_text(encoding="utf-8")}</div>')
+        if page.is_file():
+            said.append(f'<p><a href="{html.escape(page.as_posix())}">its page</a>, with the player</p>')
+        return "\n".join(said)
 
     @property
     def status(self) -> str:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 import os
+import tempfile
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -28,10 +29,13 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Tracks", "meaning", "of", "read"]
+__all__ = ["Tracks", "from_frame", "meaning", "of", "read"]
 
 _off_grid = 0.01  # of an interval
 _resamples = 200  # of the bootstrap
+_leap = 10.0  # over the median step
+_alike = 0.8  # correlation of the steps of a cell that was found twice
+_least_steps = 5  # of both tracks of a pair
 
 
 def meaning(readout: str) -> str:
@@ -152,6 +156,41 @@ class Tracks(Mapping[str, Any]):
         square = self._parts.msd()
         return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
 
+    def pairs(self) -> pandas.DataFrame:
+        """A row for each pair of tracks that are there together for at least five steps: ``track``, ``other``, mean ``distance_um``, and the
+        ``correlation`` of their steps: 1 if both walk alike."""
+        firsts, found = self._firsts(), []
+        names = list(self)
+        for k, name in enumerate(names):
+            for other in names[k + 1:]:
+                begin = max(firsts[name], firsts[other])
+                a, b = self[name][begin - firsts[name]:], self[other][begin - firsts[other]:]
+                many = min(len(a), len(b))
+                steps = np.hstack([np.diff(a[:many], axis=0), np.diff(b[:many], axis=0)]) if many > 1 else np.empty((0, 4))
+                steps = steps[np.isfinite(steps).all(axis=1)]
+                if len(steps) < _least_steps:
+                    continue
+                size = math.sqrt(float((steps[:, :2]**2).sum() * (steps[:, 2:]**2).sum()))
+                alike = float((steps[:, :2] * steps[:, 2:]).sum()) / size if size else float("nan")
+                found.append((name, other, float(np.nanmean(np.hypot(*(a[:many] - b[:many]).T))), alike))
+        return _pandas().DataFrame(found, columns=["track", "other", "distance_um", "correlation"])
+
+    def suspects(self, nearer: float = 10.0) -> pandas.DataFrame:
+        """What a tracker may have got wrong, a row each: ``kind``, ``track``, ``other``, ``t_s``, ``value``. A ``"leap"`` is a step (``value``
+        [um], at ``t_s``) of more than ten times the median step of all tracks: a wrong link. A ``"double"`` are two tracks that stay within
+        ``nearer`` [um] and walk alike (correlation of their steps, ``value``, above 0.8): one cell that was found twice.
+        """
+        rows: list[tuple[Any, ...]] = []
+        sizes = {name: np.hypot(*(track[1:] - track[:-1]).T) for name, track in self.items()}
+        usual = float(np.nanmedian(np.concatenate(list(sizes.values()))))
+        for name, steps in sizes.items():
+            rows += [("leap", name, "", self._starts[name] + k * self.interval, float(steps[k]))
+                     for k in np.flatnonzero(steps > _leap * usual)]
+        pairs = self.pairs()
+        pairs = pairs[(pairs["distance_um"] < nearer) & (pairs["correlation"] > _alike)]
+        rows += [("double", row.track, row.other, float("nan"), row.correlation) for row in pairs.itertuples()]
+        return _pandas().DataFrame(rows, columns=["kind", "track", "other", "t_s", "value"])
+
     @cached_property
     def _parts(self) -> _motility.Parts:
         far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= _motility.farthest]
@@ -218,6 +257,25 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
         starts[name] = float(at[0, 0])
     tracks = Tracks(positions, step, found["notes"], starts)
     return tracks.without_drift() if drift else tracks
+
+
+def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
+    """Tracks from a data frame with columns for track, time, x and y. It is read as ``read`` reads a table, with the same options.
+
+    >>> import pandas
+    >>> spots = pandas.DataFrame({"cell": [1, 1, 1, 1], "min": [0, 5, 10, 15], "x_um": [0, 1, 2, 3], "y_um": [0, 0, 0, 0]})
+    >>> from_frame(spots, columns={"track": "cell", "t": "min"}, time_unit="min", fewest=1)
+    1 tracks, 4 positions, every 300 s
+    """
+    if not isinstance(frame, _pandas().DataFrame):
+        raise _arguments.wrong("frame", frame, "a data frame")
+    with tempfile.TemporaryDirectory(prefix="matrigrate.") as folder:
+        file = os.path.join(folder, "frame.csv")
+        frame.to_csv(file, index=False)
+        try:
+            return read(file, **options)
+        except ConfigurationError as error:
+            raise ConfigurationError(str(error).replace(file, "the data frame")) from None
 
 
 def of(result: Run | Study, interval: float | None = None) -> Tracks:

@@ -31,6 +31,27 @@ class Figures(common.InTemporaryFolder):
         self.drawn(axes)
         self.drawn(matrigrate.plot.path(self.study.runs))
 
+    def test_measured_tracks(self):
+        random = np.random.default_rng(2)
+        cells = matrigrate.tracks.Tracks({str(k): np.cumsum(random.normal(0, 1, (20, 2)), axis=0) for k in range(5)}, 60.0, [])
+        axes = matrigrate.plot.path(cells)
+        np.testing.assert_array_equal(axes.lines[0].get_xdata(), cells["0"][:, 0])
+        self.drawn(axes)
+        axes = matrigrate.plot.path(cells, together=True)
+        self.assertEqual((axes.lines[0].get_xdata()[0], axes.lines[0].get_ydata()[0]), (0.0, 0.0))
+        self.drawn(axes)
+        axes = matrigrate.plot.msd(cells)
+        np.testing.assert_allclose(axes.lines[0].get_ydata(), cells.msd()["msd_um2"].dropna())
+        self.drawn(axes)
+        figure = matrigrate.plot.quality(cells)
+        self.assertEqual([one.get_title() for one in figure.axes], ["0 leaps", "0 doubles", "drift: sum of mean steps"])
+        self.drawn(figure.axes[0])
+
+    def test_a_run_in_a_notebook_shows_its_pictures(self):
+        shown = self.run_._repr_html_()
+        self.assertIn("seed", shown)
+        self.assertEqual("<svg" in shown, (self.run_.folder / "snapshots.svg").is_file())
+
     def test_each_cell_has_its_path(self):
         axes = matrigrate.plot.path(self.pair)
         tracks = self.pair.tracks

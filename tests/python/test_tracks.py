@@ -6,6 +6,7 @@ import unittest
 import common
 import matrigrate
 import numpy as np
+import pandas
 from matrigrate import tracks
 
 trackmate = """LABEL,ID,TRACK_ID,QUALITY,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME
@@ -132,6 +133,53 @@ class Files(common.InTemporaryFolder):
         still = tracks.read("d.csv", drift=True)
         np.testing.assert_allclose(still.drift()[-1], 0, atol=1e-9)
         self.assertIn("is taken away", still.notes[-1])
+
+
+class Frames(unittest.TestCase):
+    def spots(self):
+        rows = [(k, 300.0 * frame, x, y) for k, walk in enumerate(walks()) for frame, (x, y) in enumerate(walk)]
+        return pandas.DataFrame(rows, columns=["cell no", "t_s", "x_um", "y_um"])
+
+    def test_are_read_as_files_are(self):
+        cells = tracks.from_frame(self.spots(), columns={"track": "cell no"})
+        self.assertEqual((len(cells), cells.interval), (3, 300.0))
+        for track, walk in zip(cells.values(), walks(), strict=True):
+            np.testing.assert_allclose(track, walk, rtol=1e-12)
+
+    def test_wrong_ones_are_refused_in_words(self):
+        with self.assertRaises(matrigrate.ConfigurationError) as caught:
+            tracks.from_frame(self.spots())
+        self.assertIn("the data frame", str(caught.exception))
+        self.assertNotIn("frame.csv", str(caught.exception))
+        with self.assertRaisesRegex(TypeError, "a data frame is expected"):
+            tracks.from_frame("spots.csv")
+
+
+class Suspects(unittest.TestCase):
+    def cells(self, **changed):
+        random = np.random.default_rng(3)
+        found = {str(k): np.cumsum(random.normal(0, 1, (30, 2)), axis=0) + 100 * k for k in range(4)}
+        return tracks.Tracks(found | changed, 120.0, [])
+
+    def test_there_are_none_among_random_walks(self):
+        self.assertEqual(len(self.cells().suspects()), 0)
+        self.assertEqual(len(self.cells().pairs()), 6)
+
+    def test_a_wrong_link_is_a_leap(self):
+        torn = self.cells()["2"].copy()
+        torn[10:] += 60.0
+        found = self.cells(**{"2": torn}).suspects()
+        self.assertEqual(list(found[["kind", "track", "t_s"]].itertuples(index=False, name=None)), [("leap", "2", 9 * 120.0)])
+        self.assertAlmostEqual(found["value"][0], 60 * math.sqrt(2), delta=5)
+
+    def test_a_cell_that_was_found_twice_is_a_double(self):
+        again = self.cells()["1"][5:] + np.random.default_rng(1).normal(0, 0.2, (25, 2)) + 3
+        found = self.cells(again=again).suspects()
+        self.assertEqual(len(found), 0, "it begins at another time: the steps are others")
+        late = tracks.Tracks(dict(self.cells()) | {"again": again}, 120.0, [], {"0": 0, "1": 0, "2": 0, "3": 0, "again": 600.0})
+        found = late.suspects()
+        self.assertEqual(list(found[["kind", "track", "other"]].itertuples(index=False, name=None)), [("double", "1", "again")])
+        self.assertGreater(found["value"][0], 0.8)
 
 
 class Readouts(unittest.TestCase):
