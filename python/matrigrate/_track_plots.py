@@ -51,12 +51,12 @@ def quality(tracks: Tracks, axes: Any) -> None:
     leaps = suspects[suspects["kind"] == "leap"]
     for _, row in leaps.iterrows():
         steps.axvline(row["value"], color=_red, linewidth=1)
-    steps.set(xlabel="step between positions (µm)", ylabel="steps", title=f"{len(leaps)} leaps")
+    steps.set(xlabel="step between positions (µm)", ylabel="steps", title=f"leaps: {len(leaps)}")
     of_pairs = tracks.pairs()
     double = set(zip(suspects.loc[suspects["kind"] == "double", "track"], suspects.loc[suspects["kind"] == "double", "other"]))
     colours = [_red if (row.track, row.other) in double else _grey for row in of_pairs.itertuples()]
     pairs.scatter(of_pairs["distance_um"], of_pairs["correlation"], s=9, c=colours)
-    pairs.set(xlabel="mean distance of two tracks (µm)", ylabel="correlation of their steps", ylim=(-1.05, 1.05), title=f"{len(double)} doubles")
+    pairs.set(xlabel="mean distance of two tracks (µm)", ylabel="correlation of their steps", ylim=(-1.05, 1.05), title=f"doubles: {len(double)}")
     way = tracks.drift()
     drift.plot(way[:, 0], way[:, 1], color=_blue)
     drift.plot(0, 0, "o", color=_blue, markerfacecolor="white")

@@ -44,7 +44,7 @@ class Figures(common.InTemporaryFolder):
         np.testing.assert_allclose(axes.lines[0].get_ydata(), cells.msd()["msd_um2"].dropna())
         self.drawn(axes)
         figure = matrigrate.plot.quality(cells)
-        self.assertEqual([one.get_title() for one in figure.axes], ["0 leaps", "0 doubles", "drift: sum of mean steps"])
+        self.assertEqual([one.get_title() for one in figure.axes], ["leaps: 0", "doubles: 0", "drift: sum of mean steps"])
         self.drawn(figure.axes[0])
 
     def test_a_run_in_a_notebook_shows_its_pictures(self):
