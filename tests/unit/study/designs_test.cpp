@@ -56,15 +56,15 @@ TEST(Designs, TheResolvedFormGivesTheSameRuns) {
 }
 
 TEST(Designs, TheStudiesOfTheDocumentsAreGood) {
-  std::ifstream in(MATRIGRATE_SOURCE_DIR "/docs/studies.md");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  const auto block = [&](const std::string& part) { // the fenced one that holds it
+  const auto block = [](const std::string& page, const std::string& part) { // the fenced one that holds it
+    std::ifstream in(MATRIGRATE_SOURCE_DIR "/docs/" + page);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const std::size_t at = text.find(part);
     const std::size_t begin = text.find('\n', text.rfind("\n```", at) + 1);
     return at == std::string::npos ? std::string() : text.substr(begin, text.find("\n```", at) - begin);
   };
-  EXPECT_EQ(parse_study(block("title = \"Matrix stiffness\""), "f.toml", ".").runs(), 36U);
-  const Study s = parse_study(block("title = \"Cells against measured speeds\""), "f.toml", ".");
+  EXPECT_EQ(parse_study(block("studies.md", "title = \"Matrix stiffness\""), "f.toml", ".").runs(), 36U);
+  const Study s = parse_study(block("how-to/targets.md", "title = \"Cells against measured speeds\""), "f.toml", ".");
   EXPECT_EQ(s.sets.size(), 4U);
   EXPECT_EQ(s.targets.size(), 2U);
 }
