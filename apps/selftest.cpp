@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/process.hpp"
 #include "base/threads.hpp"
-#include "parameters/presets.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
 #include "simulation/simulation.hpp"
@@ -28,13 +27,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-// Hashes of a release build with g++ 12 on x86-64 with FMA; the second with the first set of closures (MODEL.md).
+// Of a release build with g++ 12 on x86-64 with FMA.
 constexpr std::string_view known_hash = "96cbbf7204ac3b6b";
-constexpr std::string_view known_hash_of_first = "1854b61d401dca0e";
 constexpr std::size_t largest_answer = 1U << 20U;
 
 /// A short migration with every part of the model at work: fibres, growing and maturing protrusions, degradation.
-Parameters short_migration(Integrator integrator, Parameters p = {}) {
+Parameters short_migration(Integrator integrator) {
+  Parameters p;
   p.run.integrator = integrator;
   p.run.time_step = integrator == Integrator::adaptive ? 1.2 : 0.4;
   p.run.duration = 96.0;
@@ -116,24 +115,13 @@ int selftest(const SelftestArguments& options) {
     checks.push_back({fmt::format("{}: stopped and resumed, the same bits", name), hash_with_break(p) == whole});
   }
   const std::string hash = store::text_hash(hashes[0] + hashes[1]);
-  const Parameters first = parameters_of(*find_preset("first-closures"));
-  const std::string hash_of_first =
-      store::text_hash(hash_with_threads(short_migration(Integrator::reference, first), 1)
-                       + hash_with_threads(short_migration(Integrator::adaptive, first), 1));
   if (!options.other.empty())
     checks.push_back({fmt::format("{}: the same bits", options.other), found_by(options.other).at("hash") == hash});
   const bool all = std::ranges::all_of(checks, &Check::holds);
   if (options.json) {
     Json list = Json::array();
     for (const Check& check : checks) list.push_back({{"what", check.what}, {"holds", check.holds}});
-    print(Json{{"hash", hash},
-               {"known_hash", known_hash},
-               {"hash_of_first_closures", hash_of_first},
-               {"known_hash_of_first_closures", known_hash_of_first},
-               {"checks", list},
-               {"holds", all}}
-              .dump(2)
-          + "\n");
+    print(Json{{"hash", hash}, {"known_hash", known_hash}, {"checks", list}, {"holds", all}}.dump(2) + "\n");
     return all ? done : numerical;
   }
   for (const Check& check : checks)
@@ -141,10 +129,10 @@ int selftest(const SelftestArguments& options) {
                       coloured(check.holds ? "ok" : "FAILS", check.holds ? Colour::good : Colour::bad, Stream::out),
                       check.what));
   print(fmt::format(
-      "\nhash {} ({} with the first set of closures): {}\n", hash, hash_of_first,
-      hash == known_hash && hash_of_first == known_hash_of_first
-          ? "those of the release build with g++ 12 on x86-64 with FMA, so runs agree with it to the last bit"
-          : "not those of the release build with g++ 12 on x86-64 with FMA. With another compiler, processor\n"
+      "\nhash {}: {}\n", hash,
+      hash == known_hash
+          ? "that of the release build with g++ 12 on x86-64 with FMA, so runs agree with it to the last bit"
+          : "not that of the release build with g++ 12 on x86-64 with FMA. With another compiler, processor\n"
             "family or library of mathematical functions this is no fault: the same bits are promised\n"
             "for one program on one machine, and results of others agree in their statistics only."));
   return all ? done : numerical;

@@ -15,7 +15,7 @@ _matrigrate() {
     esac
   done
   case $verb:$previous in
-  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
+  matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells" -- "$cur")); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
   matrigrate_check:--set) COMPREPLY=(); return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
@@ -33,14 +33,14 @@ _matrigrate() {
   matrigrate_resume:--hours) COMPREPLY=(); return ;;
   matrigrate_resume:--threads) COMPREPLY=(); return ;;
   matrigrate_resume:--wall-time) COMPREPLY=(); return ;;
-  matrigrate_sample:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
+  matrigrate_sample:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells" -- "$cur")); return ;;
   matrigrate_sample:--scenario) _matrigrate_files -f; return ;;
   matrigrate_sample:--targets) COMPREPLY=(); return ;;
   matrigrate_sample:--seed) COMPREPLY=(); return ;;
   matrigrate_sample:--hours) COMPREPLY=(); return ;;
   matrigrate_sample:--threads) COMPREPLY=(); return ;;
   matrigrate_demo:-o|matrigrate_demo:--output) _matrigrate_files -d; return ;;
-  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres first-closures two-cells" -- "$cur")); return ;;
+  matrigrate_demo:--preset) COMPREPLY=($(compgen -W "baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells" -- "$cur")); return ;;
   matrigrate_demo:--hours) COMPREPLY=(); return ;;
   matrigrate_report:--play) COMPREPLY=(); return ;;
   matrigrate_report:--tracks) COMPREPLY=(); return ;;
@@ -97,7 +97,6 @@ _matrigrate() {
   matrigrate_reproduce:--replicates) COMPREPLY=(); return ;;
   matrigrate_reproduce:--jobs) COMPREPLY=(); return ;;
   matrigrate_reproduce:--integrator) COMPREPLY=($(compgen -W "adaptive reference" -- "$cur")); return ;;
-  matrigrate_reproduce:--closures) COMPREPLY=(); return ;;
   matrigrate_reproduce:--set) COMPREPLY=(); return ;;
   matrigrate_reproduce:--from) _matrigrate_files -d; return ;;
   matrigrate_reproduce:--kept) COMPREPLY=(); return ;;
@@ -152,7 +151,7 @@ _matrigrate() {
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_reproduce)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --closures --set --from --kept --markdown --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --set --from --kept --markdown --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_info)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   esac

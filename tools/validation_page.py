@@ -4,7 +4,7 @@
     tools/validation_page.py [--check]    # with --check: writes nothing; exit code 1 and a diff if a page is stale
 
 A generated part stands between the lines `<!-- generated: NAME -->` and `<!-- end -->`. The tables of runs
-(<study>-results.csv) and of verdicts (claims.csv, experiments.csv; those of the first set of closures in first/) are
+(<study>-results.csv) and of verdicts (claims.csv, experiments.csv; in before/ those of the set of closures before the default, where they are kept) are
 copied there by tools/keep_results.sh.
 """
 import argparse
@@ -18,6 +18,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT = ROOT / "docs/validation"
+BEFORE = KEPT / "before"
 PAGES = ["docs/validation.md", "docs/validation/results.md", "docs/performance.md"]
 LENGTH = 15_000  # characters of docs/validation.md, at most
 
@@ -95,23 +96,21 @@ def without_verification(rows: list[dict[str, str]]) -> list[dict[str, str]]:
     return [row for row in rows if row["kind"] != "verification"]
 
 
-def count(rows: list[dict[str, str]], verdict: str, column: str = "verdict_second_edition") -> int:
-    return sum(row[column] == verdict for row in rows)
+def count(rows: list[dict[str, str]], verdict: str) -> int:
+    return sum(row["verdict"] == verdict for row in rows)
 
 
 def bottom_line(_page: str) -> str:
-    rows, first = rows_of(KEPT / "claims.csv"), rows_of(KEPT / "first/claims.csv")
+    rows = rows_of(KEPT / "claims.csv")
     predicted = [row for row in rows if row["kind"] == "predicted"]
-    open_rows = [row["id"] for row in rows if row["verdict_second_edition"] == "undecided"]
+    open_rows = [row["id"] for row in rows if row["verdict"] == "undecided"]
     lines = [f"**Of the {len(rows)} claims {count(rows, 'holds')} hold, {count(rows, 'in direction')} come out in direction, and "
              f"{count(rows, 'does not hold')} do not hold**"
              + (f"; {len(open_rows)} are still to be judged ({', '.join(open_rows)}), since their runs are not made yet." if open_rows else "."),
              f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {count(predicted, 'in direction')} are in direction, "
              f"{count(predicted, 'does not hold')} do not hold"
              + (f", and {count(predicted, 'undecided')} are to be judged." if open_rows else "."),
-             f"Against the paper's direction, by a whole interval of 95 %: {', '.join(row['id'] for row in rows if row['against']) or 'none'}.",
-             f"The first set of closures: {count(first, 'holds')} hold, {count(first, 'in direction')} in direction, "
-             f"{count(first, 'does not hold')} do not hold. All by the second edition of the rules."]
+             f"Against the paper's direction, by a whole interval of 95 %: {', '.join(row['id'] for row in rows if row['against']) or 'none'}."]
     return "\n".join(lines)
 
 
@@ -128,8 +127,8 @@ def plain(text: str) -> str:
 
 def verdict(row: dict[str, str]) -> str:
     """A row's verdict, and that with the cells that ended at the rim made again in a larger disc."""
-    again = row["second_edition_in_larger_disc"]
-    return f"**{row['verdict_second_edition']}**" + (f"; with cells at the rim made again: {again}" if again else "")
+    again = row["verdict_in_larger_disc"]
+    return f"**{row['verdict']}**" + (f"; with cells at the rim made again: {again}" if again else "")
 
 
 def claims(_page: str) -> str:
@@ -138,16 +137,16 @@ def claims(_page: str) -> str:
                   for row in rows_of(KEPT / "claims.csv")])
 
 
+def with_reasons(name: str) -> str:
+    """Our values and what is not met, and in a column of its own the verdict of the set of closures before the default, where it is kept."""
+    before = {row["id"]: [row["verdict"]] for row in rows_of(BEFORE / name)}
+    return table(["row", "ours: mean [95 % interval]", "verdict", *(["set before"] if before else []), "not met"],
+                 [[row["id"], plain(shortened(row["ours"], 5)), verdict(row), *before.get(row["id"], [""] if before else []),
+                   plain(shortened(row["why_not"].removeprefix("not met: ")))] for row in rows_of(KEPT / name)])
+
+
 def verdicts(_page: str) -> str:
-    first = {row["id"]: row for row in rows_of(KEPT / "first/claims.csv")}
-    made = []
-    for row in rows_of(KEPT / "claims.csv"):
-        before = first[row["id"]]
-        made.append([row["id"], plain(shortened(row["ours"], 5)), verdict(row),
-                     f"{before['verdict']} / {before['verdict_second_edition']}",
-                     plain(shortened(row["why_not"].removeprefix("not met: ")))])
-    return table(["row", "ours: mean [95 % interval]", "verdict", "first set: first / second edition",
-                  "not met, by the first edition"], made)
+    return with_reasons("claims.csv")
 
 
 def experiments(_page: str) -> str:
@@ -156,12 +155,7 @@ def experiments(_page: str) -> str:
 
 
 def experiment_verdicts(_page: str) -> str:
-    first = {row["id"]: row for row in rows_of(KEPT / "first/experiments.csv")}
-    rows = rows_of(KEPT / "experiments.csv")
-    return table(["row", "ours: mean [95 % interval]", "verdict", "first set", "not met"],
-                 [[row["id"], plain(shortened(row["ours"], 5)), verdict(row),
-                   first[row["id"]]["verdict_second_edition"], plain(shortened(row["why_not"].removeprefix("not met: ")))]
-                  for row in rows])
+    return with_reasons("experiments.csv")
 
 
 def constrictions(_page: str) -> str:

@@ -8,7 +8,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/shipped_studies.hpp"
-#include "parameters/presets.hpp"
 #include "parameters/write.hpp"
 #include "run/folder_lock.hpp"
 #include "run/provenance.hpp"
@@ -165,16 +164,11 @@ void require_own_study_folders(const std::vector<study::Claim>& claims, const Re
 
 study::Study shipped(std::string_view name, const ReproduceOptions& options) {
   study::Changes changes{options.overrides, options.replicates, start_rules()};
-  if (options.closures == "first") {
-    const std::vector<std::string> first = first_closures();
-    changes.overrides.insert(changes.overrides.begin(), first.begin(), first.end());
-  }
   changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
   const std::filesystem::path kept = std::filesystem::path(options.from) / fmt::format("{}.toml", name);
   if (!options.from.empty() && std::filesystem::exists(kept)) // kept runs of an earlier form of the study
     return study::parse_study(read_file(kept, std::size_t{1} << 20U), kept.string(), options.from, changes);
-  return study::parse_study(study::shipped_file(name, options.set()).text, fmt::format("studies/{}.toml", name), ".",
-                            changes);
+  return study::parse_study(study::shipped_file(name).text, fmt::format("studies/{}.toml", name), ".", changes);
 }
 
 ClaimEvidence gather_evidence(const std::vector<study::Claim>& claims, const ReproduceOptions& options) {

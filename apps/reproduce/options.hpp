@@ -1,7 +1,5 @@
 #pragma once
 
-#include "study/claim.hpp"
-
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -18,7 +16,6 @@ struct ReproduceOptions {
   std::string kept; ///< folder of kept tables whose runs are not made again; empty: none
   std::optional<std::size_t> replicates;
   std::string integrator = "adaptive";
-  std::string closures = "second"; ///< set of closures that is judged: "first" or "second"
   std::vector<std::string> overrides;
   int jobs = 0;
   bool json = false;
@@ -26,7 +23,6 @@ struct ReproduceOptions {
   bool quiet = false;
   std::string command; ///< as it was typed
 
-  study::ClosureSet set() const { return closures == "first" ? study::ClosureSet::first : study::ClosureSet::second; }
   /// Whether a row of the claims, by its id, was asked for.
   bool chooses(std::string_view row) const { return id == "all" || row.starts_with(id); }
 };

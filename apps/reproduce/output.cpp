@@ -33,38 +33,25 @@ std::vector<Value> of_row(const std::map<std::string, std::vector<Value>>& all, 
   return found == all.end() ? std::vector<Value>() : found->second;
 }
 
-/// "by the second edition of the rules: in direction; missed: ..."
-std::string second_edition(const study::Finding& finding) {
-  const std::string missed = finding.second_unmet.empty() ? "" : "; missed: " + joined(finding.second_unmet);
-  return fmt::format("by the second edition of the rules: {}{}", to_string(finding.second), missed);
-}
-
-/// "by the first edition of the rules: does not hold; missed: ..."
-std::string first_edition(const study::Finding& finding) {
-  const std::string missed = finding.unmet.empty() ? "" : "; missed: " + joined(finding.unmet);
-  return fmt::format("by the first edition of the rules: {}{}", to_string(finding.verdict), missed);
-}
-
-/// "with runs that ended at the rim made again in a larger disc, by the second edition of the rules: holds; ..."
+/// "with runs that ended at the rim made again in a larger disc: holds; ..."
 std::string with_larger_disc(const study::Finding& finding) {
-  return fmt::format("with runs that ended at the rim made again in a larger disc, {}; {}", second_edition(finding),
-                     first_edition(finding));
+  const std::string missed = finding.unmet.empty() ? "" : "; missed: " + joined(finding.unmet);
+  return fmt::format("with runs that ended at the rim made again in a larger disc: {}{}", to_string(finding.verdict),
+                     missed);
 }
 
 report::Statement statement(const study::JudgedClaim& row, const ReproducedFigures& figures) {
   std::vector<std::string> conditions = row.finding.conditions;
-  conditions.push_back(second_edition(row.finding));
-  conditions.push_back(first_edition(row.finding));
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("{}; {}", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief));
   return {.id = row.id,
           .kind = kind_name(row.kind),
           .sentence = row.sentence,
-          .verdict = row.finding.second,
+          .verdict = row.finding.verdict,
           .caveat = row.caveat,
           .published = row.published,
           .brief = row.finding.brief,
-          .why_not = study::why_not_by_second(row.finding),
+          .why_not = study::why_not(row.finding),
           .details = {{"Ours; intervals are those of 95 %", row.finding.ours},
                       {"Conditions, each with its statistic", std::move(conditions)}},
           .studies = row.studies,
@@ -134,7 +121,6 @@ void write_reproduction(const std::filesystem::path& folder, const std::string& 
                              .statements = {},
                              .studies = figures.studies,
                              .provenance = provenance_text()};
-  page.facts.push_back({"rules", "second edition. " + study::first_bottom_line(rows)});
   for (const study::JudgedClaim& row : rows) page.statements.push_back(statement(row, figures));
   write_file(folder / fmt::format("report-{}.html", id),
              report::filled_page(verdicts_page_template(), report::verdict_data(page)));
@@ -144,12 +130,11 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
   std::string text;
   for (const study::JudgedClaim& row : rows) {
     text += fmt::format("{:<4}{}{}\n    {}\n", row.id,
-                        coloured(to_string(row.finding.second), colour_of(row.finding.second), Stream::out),
+                        coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
                         row.caveat.empty() ? "" : fmt::format(" ({})", row.caveat), row.sentence);
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
-    text += fmt::format("    {}\n    {}\n", second_edition(row.finding), first_edition(row.finding));
     if (row.in_larger_disc)
       text += fmt::format("    {}\n      {}\n", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief);
   }

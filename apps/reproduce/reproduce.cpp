@@ -24,7 +24,7 @@ namespace {
 
 /// Of the paper's claims and, where they are asked for by name, of the experiments beside it.
 std::vector<study::Claim> chosen_claims(const ReproduceOptions& options) {
-  std::vector<study::Claim> chosen = study::shipped_claims(options.set());
+  std::vector<study::Claim> chosen = study::shipped_claims();
   std::erase_if(chosen, [&](const study::Claim& claim) {
     return options.id == "all" ? claim.kind == study::ClaimKind::experiment : !claim.id.starts_with(options.id);
   });
@@ -50,7 +50,6 @@ std::string setting_text(const ReproduceOptions& options) {
                                        "throughout: --integrator reference).",
                                        usual_time_step(Integrator::adaptive))
                          : "Integrator: reference, 0.4 s throughout, as in the paper.";
-  if (options.closures == "first") text += " Closures: the first set.";
   if (options.replicates) text += fmt::format(" Replicates: {}.", *options.replicates);
   if (!options.overrides.empty()) text += fmt::format(" Changed: {}.", fmt::join(options.overrides, ", "));
   if (!as_published(options)) text += " Not run as the paper ran it, so these are no verdicts on the paper.";
@@ -61,7 +60,7 @@ std::string setting_text(const ReproduceOptions& options) {
 std::vector<study::JudgedClaim> judged_rows(const std::vector<study::Claim>& claims, const ClaimEvidence& all,
                                             std::vector<study::JudgedClaim> rows, const ReproduceOptions& options) {
   for (const study::Claim& claim : claims) {
-    rows.push_back(study::judged_claim(claim, all.evidence, options.set()));
+    rows.push_back(study::judged_claim(claim, all.evidence));
     study::Evidence larger;
     for (const std::string& name : claim.studies())
       if (const auto found = all.larger.find(name); found != all.larger.end()) larger.insert(*found);
@@ -106,8 +105,7 @@ int reproduce(const ReproduceOptions& options) {
   }
   rows = judged_rows(claims, all, std::move(rows), options);
   if (options.markdown) {
-    print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n" + study::first_bottom_line(rows)
-          + ".\n");
+    print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n");
   } else {
     write_reproduction(options.folder, options.id, rows, all.evidence, reproduced_figures(all.evidence, options),
                        setting, options.command);
@@ -117,7 +115,7 @@ int reproduce(const ReproduceOptions& options) {
       print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
             + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   }
-  const auto holds = [](const study::JudgedClaim& row) { return row.finding.second == study::Verdict::holds; };
+  const auto holds = [](const study::JudgedClaim& row) { return row.finding.verdict == study::Verdict::holds; };
   return std::ranges::all_of(rows, holds) ? done : numerical;
 }
 
@@ -132,7 +130,7 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       "figures. Runs use the adaptive integrator with steps of up to 5 s unless --integrator reference is\n"
       "given: 0.4 s throughout, as in the paper, and 7 to 9 times slower. Runs that end at the rim of the\n"
       "matrix, of points that decide on a claim, are made again in a disc of 1.5 times the radius, and give a\n"
-      "second verdict beside the first. Exit code 4 if a claim does not hold or is undecided. V rows are judged\n"
+      "verdict of their own beside it. Exit code 4 if a claim does not hold or is undecided. V rows are judged\n"
       "on verification cases (matrigrate validate), by rules on the quantity that each claims, F1 on the frames\n"
       "of two runs. X rows are experiments beside the paper (docs/validation.md). --from judges by kept tables\n"
       "and runs nothing: matrigrate reproduce all --from docs/validation. --kept goes on from kept tables: only\n"
@@ -148,8 +146,6 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       ->check(CLI::Range(1, 4096));
   verb->add_option("--integrator", options->integrator, "adaptive (default) or reference")
       ->check(CLI::IsMember({"adaptive", "reference"}));
-  verb->add_option("--closures", options->closures, "Set of closures: second (default) or first (MODEL.md)")
-      ->check(CLI::IsMember({"first", "second"}));
   verb->add_option("--set", options->overrides, "key=value, over all studies; may be repeated")
       ->allow_extra_args(false);
   CLI::Option* from = verb->add_option("--from", options->from,

@@ -121,12 +121,12 @@ std::string collected_text(const StudyFolder& study, const Collected& collected)
 }
 
 std::string claims_text(const std::vector<study::JudgedClaim>& claims) {
-  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "first edition", "claim"}};
+  std::vector<std::vector<std::string>> cells{{"row", "kind", "verdict", "claim"}};
   for (const study::JudgedClaim& c : claims)
     cells.push_back({c.id, kind_name(c.kind),
-                     to_string(c.finding.second) + (c.caveat.empty() ? "" : fmt::format(" ({})", c.caveat)),
-                     to_string(c.finding.verdict), c.sentence});
-  return fmt::format("{}{}.\n{}.\n", aligned(cells, 5), study::bottom_line(claims), study::first_bottom_line(claims));
+                     to_string(c.finding.verdict) + (c.caveat.empty() ? "" : fmt::format(" ({})", c.caveat)),
+                     c.sentence});
+  return fmt::format("{}{}.\n", aligned(cells, 4), study::bottom_line(claims));
 }
 
 } // namespace matrigrate::apps

@@ -7,24 +7,6 @@
 
 namespace matrigrate {
 
-std::vector<std::string> first_closures() {
-  return {"actomyosin.curvature_profile=triangle",
-          "adhesion.rupture_strands=1",
-          "degradation.pressure=solid",
-          "contact.fluid_share=0.1",
-          "cell.centre_of_mass=area",
-          "adhesion.rest_speed=0 nm/s",
-          "adhesion.hold=place",
-          "adhesion.spread=1",
-          "adhesion.handover_time=0.4 s",
-          "adhesion.handover_share=0.9",
-          "contact.body_fluid_share=0.1",
-          "adhesion.pinned_particles=3",
-          "adhesion.maturation_strands=1",
-          "degradation.body_rear_share=1",
-          "degradation.smaller_share=1"};
-}
-
 std::span<const Preset> presets() {
   const std::vector<std::string> uniaxial{"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial",
                                           "fibres.stiffness=10 kPa"};
@@ -120,8 +102,6 @@ std::span<const Preset> presets() {
        "Fibres on circles around the centre of the matrix (contact guidance)",
        {"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial", "fibres.stiffness=10 kPa",
         "fibres.field.direction_deg=atan2(x, -y)*180/_pi"}},
-      {"first-closures", "The baseline with the first set of closures, frozen on 22 November 2026 (MODEL.md)",
-       first_closures()},
       {"two-cells",
        "Two cells that begin 2 um apart (off the paper)",
        {"cells=[{x=\"-16 um\", y=\"0 um\"}, {x=\"16 um\", y=\"0 um\"}]"}},

@@ -19,10 +19,6 @@ struct Preset {
 
 std::span<const Preset> presets();
 
-/// What the first set of closures, frozen on 22 November 2026, chose otherwise than the defaults of today, as after
-/// --set (MODEL.md, "The choice of the closures").
-std::vector<std::string> first_closures();
-
 /// @return the preset of that name, or null
 const Preset* find_preset(std::string_view name);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,6 @@ namespace matrigrate::study {
 /// frozen (MODEL.md, "The choice of the closures"), verification rows test parts of the model, and experiment rows go
 /// beyond the paper.
 enum class ClaimKind { calibration, predicted, verification, experiment };
-
-/// The sets of closures (MODEL.md, "The choice of the closures").
-enum class ClosureSet { first, second };
 
 enum class Sign { up, down };
 
@@ -58,22 +54,17 @@ struct ClaimCondition {
   double high = 0.0;
   double runs = 0.0; ///< that a published value is the mean of
   double share = 0.0;
-  bool first = true;  ///< belongs to the first edition of the rules
-  bool second = true; ///< to the second
 };
 
 struct Claim {
   std::string id;      ///< "A1"
   std::string study{}; ///< whose file it stands in
   ClaimKind kind = ClaimKind::predicted;
-  std::optional<ClaimKind> kind_with_first{}; ///< with the first set of closures, if it is another
-  std::optional<ClosureSet> closures{};       ///< the set alone that it is judged with; none: either
-  std::string sentence{};                     ///< what is claimed
-  std::string published{};                    ///< the numbers that were published
+  std::string sentence{};  ///< what is claimed
+  std::string published{}; ///< the numbers that were published
   std::vector<ClaimCondition> conditions{};
   std::string text{}; ///< the [[claims]] table of a file, to be read again
 
-  ClaimKind kind_of(ClosureSet set) const { return set == ClosureSet::first ? kind_with_first.value_or(kind) : kind; }
   /// Names of the studies that it is judged by, its own first.
   std::vector<std::string> studies() const;
   /// Whether the runs at a point of a study decide on it: a condition names the point, or all runs of the study.

@@ -15,30 +15,33 @@ namespace matrigrate::study {
 namespace {
 
 const std::vector<std::string> kind_names{"calibration", "predicted", "verification", "experiment"};
-const std::vector<std::string> set_names{"first", "second"};
+constexpr std::string_view gone = "has gone with the first set of closures; the version of the tag closures-2 has both";
 
-/// A rule, as it stands in files, and the keys that it must have; in the order of ClaimRule.
+/// A rule, as it stands in files, and the keys that it must have.
 struct RuleSpec {
+  ClaimRule rule;
   std::string name;
   std::vector<std::string> keys;
 };
-const std::vector<RuleSpec> rules{{"differs", {"readout", "from", "to", "sign"}},
-                                  {"same", {"readout", "from", "to"}},
-                                  {"leans", {"readout", "from", "to", "sign"}},
-                                  {"not_beyond", {"readout", "from", "to", "sign"}},
-                                  {"ratio_below", {"readout", "from", "to", "bound"}},
-                                  {"exceeds", {"readout", "over", "at"}},
-                                  {"agrees", {"readout", "at", "value", "runs"}},
-                                  {"lowest_agrees", {"readout", "value", "runs"}},
-                                  {"highest_agrees", {"readout", "value", "runs"}},
-                                  {"within", {"readout", "at", "low", "high"}},
-                                  {"below", {"readout", "at", "bound"}},
-                                  {"above", {"readout", "at", "bound"}},
-                                  {"correlates", {"readout", "with", "sign"}},
-                                  {"uncorrelated", {"readout", "with"}},
-                                  {"mean_above", {"readout", "bound"}},
-                                  {"none_above", {"readout", "bound"}},
-                                  {"mostly_up_to", {"readout", "bound", "share"}}};
+const std::vector<RuleSpec> rules{
+    {ClaimRule::differs, "differs", {"readout", "from", "to", "sign"}},
+    {ClaimRule::same, "same", {"readout", "from", "to"}},
+    {ClaimRule::leans, "leans", {"readout", "from", "to", "sign"}},
+    {ClaimRule::not_beyond, "not_beyond", {"readout", "from", "to", "sign"}},
+    {ClaimRule::ratio_below, "ratio_below", {"readout", "from", "to", "bound"}},
+    {ClaimRule::exceeds, "exceeds", {"readout", "over", "at"}},
+    {ClaimRule::agrees, "agrees", {"readout", "at", "value", "runs"}},
+    {ClaimRule::lowest_agrees, "lowest_agrees", {"readout", "value", "runs"}},
+    {ClaimRule::highest_agrees, "highest_agrees", {"readout", "value", "runs"}},
+    {ClaimRule::within, "within", {"readout", "at", "low", "high"}},
+    {ClaimRule::below, "below", {"readout", "at", "bound"}},
+    {ClaimRule::above, "above", {"readout", "at", "bound"}},
+    {ClaimRule::correlates, "correlates", {"readout", "with", "sign"}},
+    {ClaimRule::uncorrelated, "uncorrelated", {"readout", "with"}},
+    {ClaimRule::mean_above, "mean_above", {"readout", "bound"}},
+    {ClaimRule::none_above, "none_above", {"readout", "bound"}},
+    {ClaimRule::mostly_up_to, "mostly_up_to", {"readout", "bound", "share"}},
+};
 
 bool has(const std::vector<std::string>& list, const std::string& one) {
   return std::ranges::find(list, one) != list.end();
@@ -63,7 +66,7 @@ public:
 
   Claim read(const toml::table& table) {
     static const std::vector<std::string> keys{
-        "id", "kind", "kind_with_first_closures", "closures", "sentence", "published", "conditions"};
+        "id", "kind", "sentence", "published", "conditions", "kind_with_first_closures", "closures"};
     m_faults.check_keys(table, "claims", keys);
     Claim claim;
     if (const auto* node = m_faults.wanted(table, "claims", "id", "; write id = \"A1\"")) claim.id = id(*node);
@@ -72,11 +75,8 @@ public:
       claim.sentence = text(*node, "claims.sentence");
     if (const auto* node = m_faults.wanted(table, "claims", "kind", "; write kind = \"predicted\""))
       claim.kind = static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind", kind_names));
-    if (const auto* node = table.get("kind_with_first_closures"))
-      claim.kind_with_first =
-          static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind_with_first_closures", kind_names));
-    if (const auto* node = table.get("closures"))
-      claim.closures = static_cast<ClosureSet>(m_faults.choice(*node, "claims.closures", set_names));
+    if (const auto* node = table.get("closures"); node != nullptr && node->value<std::string>() != "second")
+      m_faults.add(place_of(*node), "claims.closures", std::string(gone));
     if (const auto* node = table.get("published")) claim.published = m_faults.text(*node, "claims.published");
     if (const auto* node =
             m_faults.wanted(table, "claims", "conditions", "; write conditions = [{ rule = \"differs\", ... }]"))
@@ -123,18 +123,24 @@ private:
     if (typed->value<std::string>() != m_rules[index]) return {};
     const std::vector<std::string>& needed = rules[index].keys;
     std::vector<std::string> keys = needed;
-    keys.insert(keys.end(), {"rule", "edition"});
+    keys.emplace_back("rule");
     if (!has(keys, "to") && !has(keys, "at")) keys.emplace_back("study");
-    m_faults.check_keys(table, "claims.conditions", keys,
+    std::vector<std::string> known = keys;
+    known.emplace_back("edition"); // of earlier versions
+    m_faults.check_keys(table, "claims.conditions", known,
                         fmt::format("\"{}\" has no such key; it has {}", m_rules[index], fmt::join(keys, ", ")));
     for (const std::string& key : needed)
       m_faults.wanted(table, "claims.conditions", key,
                       fmt::format("; \"{}\" needs {}", m_rules[index], fmt::join(needed, ", ")));
-    ClaimCondition c{.rule = static_cast<ClaimRule>(index)};
+    ClaimCondition c{.rule = rules[index].rule};
     for (const std::string& key : keys)
       if (const toml::node* node = table.get(key)) take(key, *node, c);
     if (has(keys, "low") && table.contains("low") && table.contains("high") && !(c.value < c.high))
       m_faults.add(place_of(*table.get("low")), full("low"), "is not below high");
+    // of the first edition of the rules, which earlier versions had
+    if (const toml::node* edition = table.get("edition");
+        edition != nullptr && edition->value<std::string>() == "first")
+      return {};
     return at_points(table, c);
   }
 
@@ -154,11 +160,6 @@ private:
       c.share = share(node);
     else if (key == "study")
       c.study = study(node);
-    else if (key == "edition") {
-      const std::size_t edition = m_faults.choice(node, full(key), {"both", "first", "second"});
-      c.first = edition != 2;
-      c.second = edition != 1;
-    }
   }
 
   double share(const toml::node& node) {

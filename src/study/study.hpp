@@ -69,8 +69,7 @@ struct Comparisons {
 
 struct Study {
   std::string title;
-  std::string in_place_of; ///< the study of the paper that it replaces with the first set of closures; else empty
-  Parameters base;         ///< the scenario with what the study fixes; its seed and threads are of no meaning
+  Parameters base; ///< the scenario with what the study fixes; its seed and threads are of no meaning
   std::size_t replicates = 1;
   std::uint64_t seed = 1;
   bool common_random_numbers = false; ///< the same seeds at each point

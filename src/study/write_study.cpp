@@ -51,7 +51,6 @@ std::string to_toml(const Study& study, const std::string& scenario) {
           : "# A study with all its points written out; each is run at each condition. Running this file "
             "again adds nothing.\n";
   if (!study.title.empty()) text += fmt::format("title = {}\n", quoted(study.title));
-  if (!study.in_place_of.empty()) text += fmt::format("in_place_of = {}\n", quoted(study.in_place_of));
   text += fmt::format("scenario = {}\nreplicates = {}\nseed = {}\ncommon_random_numbers = {}\nreadouts = [",
                       quoted(scenario), study.replicates, study.seed, study.common_random_numbers);
   for (std::size_t i = 0; i < study.readouts.size(); ++i)

@@ -22,7 +22,7 @@ namespace matrigrate::study {
 
 /// The claims of all shipped studies, by their ids: rows A to E of the paper, and rows X, experiments beside it, which
 /// are not among the paper's thirty.
-std::vector<Claim> shipped_claims(ClosureSet set = ClosureSet::second);
+std::vector<Claim> shipped_claims();
 
 /// A claim, or a verification beside them, with what became of it.
 struct JudgedClaim {
@@ -36,21 +36,13 @@ struct JudgedClaim {
   std::vector<std::string> studies{};      ///< names of those that it is judged by, as far as there are any
 };
 
-/// @param set  of closures of the runs
-JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence, ClosureSet set);
+JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence);
 
-/// Why a claim does not hold by the first edition, in a line; empty if it does.
+/// Why a claim does not hold, in a line; empty if it does.
 std::string why_not(const Finding& finding);
 
-/// The same by the second edition.
-std::string why_not_by_second(const Finding& finding);
-
-/// "By the second edition of the rules 18 of 30 hold: 7 of 16 calibration, 5 of 10 predicted, 3 of 4 verification; 5
-/// more in direction; 2 undecided"
+/// "18 of 30 hold: 7 of 16 calibration, 5 of 10 predicted, 3 of 4 verification; 5 more in direction; 2 undecided"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
-
-/// "By the first edition, which knows no "in direction": 17 of 30 hold"
-std::string first_bottom_line(const std::vector<JudgedClaim>& claims);
 
 /// The table of a page of Markdown: a row a claim, with what was published, what came out, and the verdict.
 std::string markdown_table(const std::vector<JudgedClaim>& claims);
@@ -59,7 +51,7 @@ std::string markdown_table(const std::vector<JudgedClaim>& claims);
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
 
 /// For programs: {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,
-/// verdict_in_larger_disc, verdict_second_edition, against, second_edition_in_larger_disc}.
+/// verdict_in_larger_disc, against}.
 nlohmann::ordered_json claim_json(const JudgedClaim& claim);
 
 /// Every mean and condition of each claim.

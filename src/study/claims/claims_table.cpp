@@ -8,25 +8,25 @@
 
 namespace matrigrate::study {
 
+namespace {
+
+std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
+
+/// The verdict with runs in the larger disc, where there are any.
+std::string in_larger_disc(const JudgedClaim& c) {
+  return c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : "";
+}
+
+} // namespace
+
 std::string why_not(const Finding& finding) {
-  return fmt::format("{}{}", finding.verdict == Verdict::does_not_hold ? "not met: " : "",
-                     fmt::join(finding.unmet, "; "));
-}
-
-std::string why_not_by_second(const Finding& finding) {
-  const bool told = finding.second == Verdict::does_not_hold || finding.second == Verdict::in_direction;
-  return fmt::format("{}{}", told ? "not met: " : "", fmt::join(finding.second_unmet, "; "));
-}
-
-std::string first_bottom_line(const std::vector<JudgedClaim>& claims) {
-  const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
-  return fmt::format("By the first edition, which knows no \"in direction\": {} of {} hold",
-                     std::ranges::count_if(claims, holds), claims.size());
+  const bool told = finding.verdict == Verdict::does_not_hold || finding.verdict == Verdict::in_direction;
+  return (told ? "not met: " : "") + joined(finding.unmet);
 }
 
 std::string bottom_line(const std::vector<JudgedClaim>& claims) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(claims, condition); };
-  const auto holds = [](const JudgedClaim& c) { return c.finding.second == Verdict::holds; };
+  const auto holds = [](const JudgedClaim& c) { return c.finding.verdict == Verdict::holds; };
   std::vector<std::string> parts;
   for (const ClaimKind kind :
        {ClaimKind::calibration, ClaimKind::predicted, ClaimKind::verification, ClaimKind::experiment}) {
@@ -35,38 +35,21 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
       parts.push_back(fmt::format("{} of {} {}", count([&](const JudgedClaim& c) { return of_kind(c) && holds(c); }),
                                   all, kind_name(kind)));
   }
-  const auto of = [&](Verdict verdict) { return count([&](const auto& c) { return c.finding.second == verdict; }); };
+  const auto of = [&](Verdict verdict) { return count([&](const auto& c) { return c.finding.verdict == verdict; }); };
   const auto more = [](auto n, const char* what) { return n > 0 ? fmt::format("; {} {}", n, what) : std::string(); };
-  return fmt::format("By the second edition of the rules {} of {} hold{}{}{}", count(holds), claims.size(),
+  return fmt::format("{} of {} hold{}{}{}", count(holds), claims.size(),
                      parts.size() > 1 ? fmt::format(": {}", fmt::join(parts, ", ")) : "",
                      more(of(Verdict::in_direction), "more in direction"), more(of(Verdict::undecided), "undecided"));
 }
 
-namespace {
-
-std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
-
-/// A verdict with runs in the larger disc, where there are any.
-std::string in_larger_disc(const JudgedClaim& c, Verdict Finding::*edition) {
-  return c.in_larger_disc ? to_string((*c.in_larger_disc).*edition) : "";
-}
-
-/// "holds", and beside it the verdict with runs in the larger disc where there are any.
-std::string verdict_text(const JudgedClaim& c, Verdict Finding::*edition) {
-  return to_string(c.finding.*edition)
-         + (c.in_larger_disc ? fmt::format(" (larger disc: {})", in_larger_disc(c, edition)) : "");
-}
-
-} // namespace
-
 std::string markdown_table(const std::vector<JudgedClaim>& claims) {
-  std::string text =
-      "| row | kind | claim | published | ours: mean [95 % interval] | verdict | first edition | why not |\n"
-      "|---|---|---|---|---|---|---|---|\n";
+  std::string text = "| row | kind | claim | published | ours: mean [95 % interval] | verdict | why not |\n"
+                     "|---|---|---|---|---|---|---|\n";
   for (const JudgedClaim& c : claims)
-    text += fmt::format("| {} | {} | {} | {} | {} | **{}** | {} | {} |\n", c.id, kind_name(c.kind), c.sentence,
-                        c.published, c.finding.brief, verdict_text(c, &Finding::second),
-                        verdict_text(c, &Finding::verdict), why_not_by_second(c.finding));
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | **{}**{} | {} |\n", c.id, kind_name(c.kind), c.sentence, c.published,
+                    c.finding.brief, to_string(c.finding.verdict),
+                    c.in_larger_disc ? fmt::format(" (larger disc: {})", in_larger_disc(c)) : "", why_not(c.finding));
   return text;
 }
 
@@ -81,15 +64,11 @@ std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
 }
 
 std::string claims_csv(const std::vector<JudgedClaim>& claims) {
-  std::string text =
-      "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,verdict_second_edition,against,caveat,"
-      "second_edition_in_larger_disc\n";
+  std::string text = "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,against,caveat\n";
   for (const JudgedClaim& c : claims)
-    text +=
-        store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
-                         View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
-                         View(in_larger_disc(c, &Finding::verdict)), View(to_string(c.finding.second)),
-                         View(joined(c.finding.against)), View(c.caveat), View(in_larger_disc(c, &Finding::second))});
+    text += store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
+                             View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
+                             View(in_larger_disc(c)), View(joined(c.finding.against)), View(c.caveat)});
   return text;
 }
 
@@ -104,10 +83,8 @@ nlohmann::ordered_json claim_json(const JudgedClaim& c) {
           {"kind", kind_name(c.kind)},
           {"brief", c.finding.brief},
           {"why_not", why_not(c.finding)},
-          {"verdict_in_larger_disc", in_larger_disc(c, &Finding::verdict)},
-          {"verdict_second_edition", to_string(c.finding.second)},
-          {"against", c.finding.against},
-          {"second_edition_in_larger_disc", in_larger_disc(c, &Finding::second)}};
+          {"verdict_in_larger_disc", in_larger_disc(c)},
+          {"against", c.finding.against}};
 }
 
 } // namespace matrigrate::study

@@ -89,9 +89,7 @@ Finding fields_shown(std::string_view csv, double t_end) {
   }
   finding.ours = brief;
   finding.brief = fmt::format("{}", fmt::join(brief, "; "));
-  finding.verdict = finding.second = all.empty()             ? Verdict::undecided
-                                     : finding.unmet.empty() ? Verdict::holds
-                                                             : Verdict::does_not_hold;
+  finding.verdict = all.empty() ? Verdict::undecided : finding.unmet.empty() ? Verdict::holds : Verdict::does_not_hold;
   return finding;
 }
 

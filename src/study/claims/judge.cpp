@@ -1,13 +1,11 @@
 #include "claims/judge.hpp"
 
-#include "observe/readout_table.hpp"
 #include "statistics/compare.hpp"
-#include "statistics/correlation.hpp"
+#include "study/names.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,20 +13,21 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr double tenth = 0.1; // of a published mean: as near as it is read off a figure, whatever the scatter
-
-std::string_view word(Sign sign) { return sign == Sign::up ? "above" : "below"; }
-bool has(Sign sign, double value) { return sign == Sign::up ? value > 0.0 : value < 0.0; }
-
-/// Whether an interval reaches further to either side than half of what it is about: a difference of that size could
-/// not have been told.
-bool vague(const statistics::Interval& interval, double about) {
-  return 0.5 * (interval.high - interval.low) > 0.5 * std::abs(about);
+/// Takes a name out of a text, but not the end of a path.
+void drop_name(std::string& text, const std::string& name) {
+  for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;)
+    if (at > 0 && text[at - 1] == '.')
+      at += name.size();
+    else
+      text.erase(at, name.size());
 }
 
-/// Whether an interval lies wholly on the other side of a limit than stated.
-bool opposes(Sign stated, const statistics::Interval& interval, double limit = 0.0) {
-  return stated == Sign::up ? interval.high < limit : interval.low > limit;
+/// The label of a point without the names of the parameters that vary; whole paths, which tell two apart, stay.
+std::string without_names(std::string label, const Study& study) {
+  const Names names(study);
+  for (const std::string& key : swept_keys(study))
+    if (key.ends_with("." + names.of(key))) drop_name(label, names.of(key) + " ");
+  return label;
 }
 
 } // namespace
@@ -41,10 +40,12 @@ const Ensemble* Judge::ensemble(const std::string& study) const {
 Judge::Group Judge::group(const PointName& name) const {
   const std::string study = name.study.empty() ? m_study : name.study;
   const Ensemble* known = ensemble(study);
-  if (known == nullptr) return {study, study};
+  if (known == nullptr) return {study, {study, study}};
   const auto point = std::ranges::find(known->study.points, name.label, &Point::label);
-  const std::string label = m_evidence.size() == 1 ? name.label : fmt::format("{}: {}", study, name.label);
-  if (point == known->study.points.end()) return {study, label + " (no such point)"};
+  const std::string of_study = m_evidence.size() == 1 ? "" : study + ": ";
+  const Words label{of_study + name.label, of_study + without_names(name.label, known->study)};
+  if (point == known->study.points.end())
+    return {study, {label.whole + " (no such point)", label.brief + " (no such point)"}};
   return {study, label, known, static_cast<std::size_t>(point - known->study.points.begin())};
 }
 
@@ -64,225 +65,101 @@ std::vector<double> Judge::column(const ClaimCondition& c, std::string_view read
   return x;
 }
 
-void Judge::condition(const std::string& wanted, const std::string& measured, bool defined, bool met, Reading reading) {
-  if (m_second) m_again.push_back({shortened(fmt::format("{} ({})", wanted, measured)), defined, met, reading});
-  if (!m_first) return;
-  m_defined = m_defined && defined;
-  m_met = m_met && met;
-  const bool untold = met && reading.vague;
-  m_vague = m_vague || untold;
-  m_conditions.push_back(defined ? fmt::format("{} ({}): {}", wanted, measured,
-                                               untold ? "too few runs to tell"
-                                               : met  ? "met"
-                                                      : "not met")
-                                 : fmt::format("{}: too few runs", wanted));
-  constexpr const char* too_few = "too few runs";
-  if (defined && !met)
-    m_unmet.push_back(shortened(fmt::format("{} ({})", wanted, measured)));
-  else if ((!defined || untold) && std::ranges::find(m_unmet, too_few) == m_unmet.end())
-    m_unmet.emplace_back(too_few);
-}
-
-/// Two points by a t-test.
-void Judge::compare(const ClaimCondition& c) {
-  const Group a = group(c.from);
-  const Group b = group(c.to);
-  const std::vector<double> x = values(a, c.readout);
-  const std::vector<double> y = values(b, c.readout);
-  const statistics::Interval d = statistics::mean_difference(x, y, alpha);
-  const statistics::Interval g = statistics::hedges_g(x, y, alpha);
-  const double larger = std::max(std::abs(statistics::moments(x).mean), std::abs(statistics::moments(y).mean));
-  const double p = statistics::t_test(x, y).p;
-  const bool signed_so = has(c.sign, d.value);
-  const bool significant = p < alpha;
-  std::string wanted;
-  bool met = false;
-  Reading reading;
-  if (c.rule == ClaimRule::differs) {
-    wanted = fmt::format("significantly {}", word(c.sign));
-    met = signed_so && significant;
-    reading = {.direction = signed_so, .against = opposes(c.sign, d)};
-  } else if (c.rule == ClaimRule::leans) {
-    wanted = word(c.sign);
-    met = signed_so;
-    reading = {.direction = signed_so, .against = opposes(c.sign, d)};
-  } else if (c.rule == ClaimRule::same) {
-    wanted = "not significantly different from";
-    met = !significant;
-    reading = {.family = Family::no_difference, .p = p, .vague = vague(d, larger)};
-  } else { // not_beyond
-    wanted = fmt::format("not significantly {}", word(c.sign));
-    met = !(signed_so && significant);
-    reading = {
-        .family = Family::no_difference, .p = signed_so ? p : 1.0, .vague = vague(d, larger) && !opposes(c.sign, d)};
-  }
-  condition(fmt::format("{} at {} {} that at {}", c.readout, b.label, wanted, a.label),
-            fmt::format("difference {:.3g} [{:.3g}, {:.3g}], p {:.2g}, g {:.2g} [{:.2g}, {:.2g}]", d.value, d.low,
-                        d.high, p, g.value, g.low, g.high),
-            x.size() > 1 && y.size() > 1, met, reading);
-}
-
-void Judge::ratio_below(const ClaimCondition& c) {
-  const Group a = group(c.from);
-  const Group b = group(c.to);
-  const double mean_b = statistics::moments(values(b, c.readout)).mean;
-  const double ratio = mean_b / statistics::moments(values(a, c.readout)).mean;
-  condition(fmt::format("{} at {} over that at {} is below {:.3g}", c.readout, b.label, a.label, c.value),
-            fmt::format("{:.3g}", ratio), std::isfinite(ratio), ratio < c.value, {.direction = ratio < c.value});
-}
-
-void Judge::exceeds(const ClaimCondition& c) {
-  const Group g = group(c.to);
-  std::vector<double> differences;
-  if (g.ensemble != nullptr) {
-    values(g, c.other);
-    values(g, c.readout);
-    for (const Result& r : g.ensemble->results)
-      if (r.run.point == g.point)
-        differences.push_back(r.readouts.at(readout_column(c.readout)) - r.readouts.at(readout_column(c.other)));
-  }
-  const std::vector<double> both = statistics::finite(differences);
-  const statistics::Interval d = statistics::mean_interval(both, alpha);
-  condition(fmt::format("{} above {} in the runs at {}", c.readout, c.other, g.label),
-            fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, both.size()),
-            both.size() > 1, d.low > 0.0, {.direction = d.value > 0.0, .against = opposes(Sign::up, d)});
-}
-
-void Judge::agrees_at(const Group& g, const ClaimCondition& c) {
-  const std::vector<double> x = values(g, c.readout);
-  const double mean = statistics::moments(x).mean;
-  const statistics::Interval interval = statistics::mean_interval(x, alpha);
-  const double p = statistics::published_mean_test(x, c.value, c.runs).p;
-  condition(fmt::format("{} at {} agrees with {:.3g}", c.readout, g.label, c.value),
-            fmt::format("mean {:.3g}, p {:.2g}", mean, p), x.size() > 1, p >= alpha,
-            {.family = Family::agreement,
-             .p = p,
-             .close = std::abs(mean - c.value) <= tenth * std::abs(c.value),
-             .vague = vague(interval, c.value)});
-}
-
-void Judge::agrees(const ClaimCondition& c) { agrees_at(group(c.to), c); }
-
-/// The first of the lowest, or highest, means of all points.
-void Judge::extreme_agrees(const ClaimCondition& c) {
-  const Sign which = c.rule == ClaimRule::lowest_agrees ? Sign::down : Sign::up;
-  const Ensemble* known = ensemble(c.study);
-  Group extreme = group({c.study, ""});
-  double best = std::nan("");
-  if (known != nullptr)
-    for (std::size_t i = 0; i < known->study.points.size(); ++i) {
-      Group g = group({c.study, known->study.points[i].label});
-      const double mean = statistics::moments(values(g, c.readout)).mean;
-      if (i > 0 && !has(which, mean - best)) continue;
-      best = mean;
-      extreme = std::move(g);
-    }
-  agrees_at(extreme, c);
-}
-
-void Judge::within(const ClaimCondition& c) {
-  const Group g = group(c.to);
-  const double mean = statistics::moments(values(g, c.readout)).mean;
-  condition(fmt::format("mean {} at {} is {:.3g} to {:.3g}", c.readout, g.label, c.value, c.high),
-            fmt::format("{:.3g}", mean), std::isfinite(mean), mean >= c.value && mean <= c.high, {});
-}
-
-void Judge::beyond(const ClaimCondition& c) {
-  const bool above = c.rule == ClaimRule::above;
-  const Group g = group(c.to);
-  const statistics::Interval mean = statistics::mean_interval(values(g, c.readout), alpha);
-  const double end = above ? mean.low : mean.high;
-  const auto met = [&](double x) { return above ? x > c.value : x < c.value; };
-  condition(
-      fmt::format("{} at {} lies {} {:.3g} with its interval", c.readout, g.label, above ? "above" : "below", c.value),
-      fmt::format("{} {:.3g}", above ? "from" : "up to", end), std::isfinite(end), met(end),
-      {.direction = met(mean.value), .against = opposes(above ? Sign::up : Sign::down, mean, c.value)});
-}
-
-void Judge::correlate(const ClaimCondition& c) {
-  const statistics::Correlation found = statistics::pearson(column(c, c.readout), column(c, c.other));
-  if (std::isfinite(found.r))
-    tell_all(fmt::format("r of {} and {} {:.2g} (n = {})", c.readout, c.other, found.r, found.n));
-  const bool wanted = c.rule == ClaimRule::correlates;
-  const bool signed_so = has(c.sign, found.r);
-  condition(fmt::format("{} and {} {} over the runs of {}", c.readout, c.other,
-                        !wanted              ? "do not correlate"
-                        : c.sign == Sign::up ? "rise together"
-                                             : "go against each other",
-                        c.study.empty() ? m_study : c.study),
-            fmt::format("r {:.2g}, p {:.2g}", found.r, found.p), std::isfinite(found.r),
-            wanted ? signed_so && found.p < alpha : found.p >= alpha,
-            wanted ? Reading{.direction = signed_so, .against = !signed_so && found.p < alpha}
-                   : Reading{.vague = found.n < 4 || vague(statistics::correlation_interval(found, alpha), 1.0)});
-}
-
-void Judge::over_all_runs(const ClaimCondition& c) {
-  const std::vector<double> x = statistics::finite(column(c, c.readout));
-  const std::string& study = c.study.empty() ? m_study : c.study;
-  const bool defined = x.size() > 1;
-  if (c.rule == ClaimRule::mostly_up_to) {
-    const auto within = static_cast<double>(std::ranges::count_if(x, [&](double value) { return value <= c.value; }));
-    const double found = within / static_cast<double>(x.size());
-    return condition(fmt::format("{} is at most {:.3g} in at least {:.0f} % of the runs of {}", c.readout, c.value,
-                                 100.0 * c.share, study),
-                     fmt::format("{:.0f} %", 100.0 * found), defined, found >= c.share, {});
-  }
-  const bool of_mean = c.rule == ClaimRule::mean_above;
-  const double found = of_mean ? statistics::moments(x).mean : x.empty() ? std::nan("") : *std::ranges::max_element(x);
-  const char* what = of_mean ? "mean" : "largest";
-  if (!x.empty()) tell_all(fmt::format("{} {} {:.3g} (n = {})", what, c.readout, found, x.size()));
-  condition(fmt::format("{} {} over the runs of {} is {} {:.3g}", what, c.readout, study, of_mean ? "above" : "at most",
-                        c.value),
-            fmt::format("{:.3g}", found), defined, of_mean ? found > c.value : found <= c.value, {});
+void Judge::condition(Words wanted, const std::string& measured, bool defined, bool met, Reading reading) {
+  m_conditions.push_back({std::move(wanted), {measured, measured}, defined, met, reading});
 }
 
 Judge& Judge::add(const ClaimCondition& c) {
-  static constexpr std::array by_rule{&Judge::compare,       &Judge::compare,        &Judge::compare,
-                                      &Judge::compare,       &Judge::ratio_below,    &Judge::exceeds,
-                                      &Judge::agrees,        &Judge::extreme_agrees, &Judge::extreme_agrees,
-                                      &Judge::within,        &Judge::beyond,         &Judge::beyond,
-                                      &Judge::correlate,     &Judge::correlate,      &Judge::over_all_runs,
-                                      &Judge::over_all_runs, &Judge::over_all_runs};
-  m_first = c.first;
-  m_second = c.second;
-  (this->*by_rule.at(static_cast<std::size_t>(c.rule)))(c);
+  switch (c.rule) {
+  case ClaimRule::differs:
+  case ClaimRule::same:
+  case ClaimRule::leans:
+  case ClaimRule::not_beyond:
+    compare(c);
+    break;
+  case ClaimRule::ratio_below:
+    ratio_below(c);
+    break;
+  case ClaimRule::exceeds:
+    exceeds(c);
+    break;
+  case ClaimRule::agrees:
+    agrees(c);
+    break;
+  case ClaimRule::lowest_agrees:
+  case ClaimRule::highest_agrees:
+    extreme_agrees(c);
+    break;
+  case ClaimRule::within:
+    within(c);
+    break;
+  case ClaimRule::below:
+  case ClaimRule::above:
+    beyond(c);
+    break;
+  case ClaimRule::correlates:
+  case ClaimRule::uncorrelated:
+    correlate(c);
+    break;
+  case ClaimRule::mean_above:
+  case ClaimRule::none_above:
+  case ClaimRule::mostly_up_to:
+    over_all_runs(c);
+    break;
+  }
   return *this;
 }
 
-/// The verdict of the second edition.
-void Judge::judge_again(Finding& finding) const {
-  std::map<Family, std::vector<double>> adjusted;
+/// The conditions, of which those of a family are met or not by their corrected p.
+std::vector<Judge::Condition> Judge::corrected() const {
+  std::vector<Condition> all = m_conditions;
   for (const Family family : {Family::no_difference, Family::agreement}) {
-    for (const Condition& c : m_again)
-      if (c.reading.family == family) adjusted[family].push_back(c.reading.p);
-    adjusted[family] = statistics::holm(adjusted[family]);
+    std::vector<double> p;
+    for (const Condition& c : all)
+      if (c.reading.family == family) p.push_back(c.reading.p);
+    const std::vector<double> adjusted = statistics::holm(p);
+    std::size_t next = 0;
+    for (Condition& c : all) {
+      if (c.reading.family != family) continue;
+      const double corrected = adjusted[next++];
+      c.met = c.reading.close || !(corrected < alpha);
+      std::string more;
+      if (corrected != c.reading.p && std::isfinite(corrected)) more = fmt::format(", corrected {:.2g}", corrected);
+      if (c.reading.close && corrected < alpha) more += ", within a tenth";
+      c.measured.whole += more;
+      c.measured.brief += more;
+    }
   }
-  bool defined = !m_again.empty(), met = true, states_direction = false, direction = true, vague = false;
-  std::map<Family, std::size_t> next;
-  for (const Condition& c : m_again) {
-    bool is_met = c.met;
-    if (c.reading.family != Family::none)
-      is_met = c.reading.close || !(adjusted[c.reading.family][next[c.reading.family]++] < alpha);
-    defined = defined && c.defined;
-    met = met && is_met;
-    vague = vague || (is_met && c.reading.vague);
-    states_direction = states_direction || c.reading.direction.has_value();
-    direction = direction && c.reading.direction.value_or(true);
-    if (!is_met) finding.second_unmet.push_back(c.text);
-    if (c.defined && c.reading.against) finding.against.push_back(c.text);
-  }
-  finding.second = !defined || (met && vague)      ? Verdict::undecided
-                   : met                           ? Verdict::holds
-                   : states_direction && direction ? Verdict::in_direction
-                                                   : Verdict::does_not_hold;
+  return all;
 }
 
 Finding Judge::finding() const {
-  const bool told = m_defined && !m_conditions.empty() && !(m_met && m_vague);
-  const Verdict verdict = !told ? Verdict::undecided : m_met ? Verdict::holds : Verdict::does_not_hold;
-  Finding finding{.verdict = verdict, .ours = m_ours, .conditions = m_conditions, .brief = brief()};
-  if (verdict != Verdict::holds) finding.unmet = m_unmet;
-  judge_again(finding);
+  constexpr const char* too_few = "too few runs";
+  Finding finding{.ours = m_ours, .conditions = {}, .brief = brief()};
+  bool defined = !m_conditions.empty(), met = true, states_direction = false, direction = true, vague = false;
+  for (const Condition& c : corrected()) {
+    const bool untold = c.met && c.reading.vague;
+    defined = defined && c.defined;
+    met = met && c.met;
+    vague = vague || untold;
+    states_direction = states_direction || c.reading.direction.has_value();
+    direction = direction && c.reading.direction.value_or(true);
+    finding.conditions.push_back(c.defined ? fmt::format("{} ({}): {}", c.wanted.whole, c.measured.whole,
+                                                         untold  ? "too few runs to tell"
+                                                         : c.met ? "met"
+                                                                 : "not met")
+                                           : fmt::format("{}: {}", c.wanted.whole, too_few));
+    const std::string brief = fmt::format("{} ({})", c.wanted.brief, c.measured.brief);
+    if (c.defined && !c.met)
+      finding.unmet.push_back(brief);
+    else if ((!c.defined || untold) && std::ranges::find(finding.unmet, too_few) == finding.unmet.end())
+      finding.unmet.emplace_back(too_few);
+    if (c.defined && c.reading.against) finding.against.push_back(brief);
+  }
+  finding.verdict = !defined || (met && vague)      ? Verdict::undecided
+                    : met                           ? Verdict::holds
+                    : states_direction && direction ? Verdict::in_direction
+                                                    : Verdict::does_not_hold;
   return finding;
 }
 

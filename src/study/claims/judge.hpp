@@ -11,16 +11,15 @@
 #include <vector>
 
 /// Whether what a paper says comes out of studies: conditions on groups of runs, each with its statistic. The test is
-/// the paper's, an unpaired two-sample t-test at 0.05. Each claim is judged twice, by two editions of the rules:
-/// - first: no correction, and every condition must be met, as the paper's text has it;
-/// - second: where a claim says of several comparisons that they do not differ, or of several means that they agree
-/// with
+/// the paper's, an unpaired two-sample t-test at 0.05.
+/// - Where a claim says of several comparisons that they do not differ, or of several means that they agree with
 ///   published ones, p-values are corrected within the claim (Holm), since ten true nulls at 0.05 each fail two times
-///   in five; a mean within a tenth of the published one agrees whatever the scatter; and a claim whose stated
-///   directions and orders all come out, though a value or a significance is missed, is "in direction".
-/// By both editions a test that finds nothing says nothing where it could not have: where a 95 % interval reaches
-/// further to either side than half of what the condition is about (the larger of two means, the published mean,
-/// r = 1), a condition that p >= 0.05 would meet is not told, and the claim undecided unless another condition fails.
+///   in five. A mean within a tenth of the published one agrees whatever the scatter.
+/// - A claim whose stated directions and orders all come out, though a value or a significance is missed, is "in
+///   direction".
+/// - A test that finds nothing says nothing where it could not have: where a 95 % interval reaches further to either
+///   side than half of what the condition is about (the larger of two means, the published mean, r = 1), a condition
+///   that p >= 0.05 would meet is not told, and the claim undecided unless another condition fails.
 /// Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
@@ -37,18 +36,19 @@ using report::Verdict;
 
 /// The verdict on a claim.
 struct Finding {
-  Verdict verdict = Verdict::undecided;    ///< by the first edition, which knows no "in direction"
-  std::vector<std::string> ours;           ///< means with their 95 % intervals
-  std::vector<std::string> conditions;     ///< each with its statistic, and whether it is met
-  std::string brief{};                     ///< ours in a line, for a table
-  std::vector<std::string> unmet{};        ///< why it does not hold: the conditions that are not met, shortened
-  Verdict second = Verdict::undecided;     ///< by the second edition
-  std::vector<std::string> second_unmet{}; ///< the same by the second edition
-  std::vector<std::string> against{};      ///< conditions whose direction comes out opposite by its whole interval
+  Verdict verdict = Verdict::undecided;
+  std::vector<std::string> ours;       ///< means with their 95 % intervals
+  std::vector<std::string> conditions; ///< each with its statistic, and whether it is met
+  std::string brief{};                 ///< ours in a line, for a table
+  std::vector<std::string> unmet{};    ///< why it does not hold: the conditions that are not met, in brief
+  std::vector<std::string> against{}; ///< conditions whose direction comes out opposite by its whole interval, in brief
 };
 
 /// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs or
 /// the runs that there are tell too little.
+///
+/// Each sentence is written twice: whole, and in brief for tables, which call a read-out by its label and a point
+/// without the name of the parameter that varies.
 class Judge {
 public:
   /// @param study  that conditions mean where they name none
@@ -61,16 +61,19 @@ public:
 private:
   static constexpr double alpha = 0.05; ///< level of tests and of intervals
 
+  /// A text for whoever reads all of it, and for a table.
+  struct Words {
+    std::string whole, brief;
+  };
   /// The runs at one point of a study.
   struct Group {
     std::string study;
-    std::string label;                  ///< as it is printed
+    Words label;
     const Ensemble* ensemble = nullptr; ///< null where there is no such study, or no such point of it
     std::size_t point = 0;
   };
-  /// Conditions of a claim whose p-values the second edition corrects together.
+  /// Conditions of a claim whose p-values are corrected together.
   enum class Family { none, no_difference, agreement };
-  /// How the second edition takes a condition.
   struct Reading {
     std::optional<bool> direction{}; ///< whether the stated direction comes out; none where the claim states none
     Family family = Family::none;
@@ -80,9 +83,17 @@ private:
     bool vague = false;   ///< the interval is too wide for a p above 0.05 to meet the condition
   };
   struct Condition {
-    std::string text; ///< shortened
-    bool defined, met;
+    Words wanted;
+    Words measured;
+    bool defined = false;
+    bool met = false; ///< of a family its corrected p decides
     Reading reading;
+  };
+  /// A mean that a condition is about.
+  struct Mean {
+    Group group;
+    std::string readout;
+    std::string value; ///< with its interval
   };
 
   const Ensemble* ensemble(const std::string& study) const;
@@ -90,9 +101,8 @@ private:
   std::vector<double> values(const Group& g, std::string_view readout);
   std::vector<double> column(const ClaimCondition& c, std::string_view readout) const;
   void tell(const Group& g, std::string_view readout, const std::vector<double>& x);
-  void tell_all(const std::string& text);
-  void condition(const std::string& wanted, const std::string& measured, bool defined, bool met, Reading reading);
-  std::string shortened(std::string text) const;
+  void tell_all(const Words& text);
+  void condition(Words wanted, const std::string& measured, bool defined, bool met, Reading reading);
   std::string brief() const;
   void compare(const ClaimCondition& c);
   void ratio_below(const ClaimCondition& c);
@@ -104,27 +114,23 @@ private:
   void beyond(const ClaimCondition& c);
   void correlate(const ClaimCondition& c);
   void over_all_runs(const ClaimCondition& c);
-  void judge_again(Finding& finding) const;
+  std::vector<Condition> corrected() const;
 
-  /// A mean that a condition is about.
-  struct Mean {
-    Group group;
-    std::string readout;
-    std::string value; ///< with its interval
-  };
+  /// sentence(name of a read-out, label of a group) in both forms.
+  template <class Sentence>
+  static Words words(const Sentence& sentence) {
+    return {sentence([](std::string_view readout) { return std::string(readout); },
+                     [](const Group& g) { return g.label.whole; }),
+            sentence(readout_label, [](const Group& g) { return g.label.brief; })};
+  }
+  static std::string readout_label(std::string_view readout);
 
   const Evidence& m_evidence;
   std::string m_study;
   std::vector<Mean> m_means;
-  std::vector<std::string> m_others; ///< correlations, and numbers over all runs of a study
-  bool m_defined = true;
-  bool m_met = true;
-  bool m_vague = false; ///< a condition that would be met is not told
+  std::vector<std::string> m_others; ///< correlations, and numbers over all runs of a study, in brief
   std::vector<std::string> m_ours;
-  std::vector<std::string> m_conditions;
-  std::vector<std::string> m_unmet;
-  bool m_first = true, m_second = true;
-  std::vector<Condition> m_again; ///< conditions of the second edition
+  std::vector<Condition> m_conditions;
 };
 
 /// What becomes of a claim by the evidence.

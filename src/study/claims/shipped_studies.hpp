@@ -20,7 +20,7 @@ std::span<const ShippedStudy> shipped_studies();
 
 /// The same, read.
 struct ReadStudy {
-  std::string name; ///< by which claims call it: that of the file, or of the study that it stands in place of
+  std::string name; ///< of the file, without its ending
   Study study;
 };
 const std::vector<ReadStudy>& read_shipped_studies();
@@ -29,8 +29,7 @@ const std::vector<ReadStudy>& read_shipped_studies();
 /// @throws ConfigurationError if that file has faults, InputOutputError if it cannot be read
 LabelsOf other_studies(const std::filesystem::path& folder);
 
-/// The file of the study that claims call so: with the first set of closures one that stands in its place.
-/// @throws std::out_of_range if there is none
-const ShippedStudy& shipped_file(std::string_view name, ClosureSet set);
+/// @throws std::out_of_range if there is none of that name
+const ShippedStudy& shipped_file(std::string_view name);
 
 } // namespace matrigrate::study

@@ -2,10 +2,8 @@
 
 #include "base/failure.hpp"
 #include "claims/shipped_studies.hpp"
-#include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
-#include "parameters/write.hpp"
 
 #include <fmt/format.h>
 
@@ -58,11 +56,6 @@ bool decides_on_results(const Row& row) {
   return !row.path.starts_with("output.") && row.path != "run.seed" && row.path != "run.threads";
 }
 
-/// Whether the parameters are those of the first set of closures.
-bool has_first_closures(const Parameters& p) {
-  return values_text(apply_overrides(p, first_closures())) == values_text(p);
-}
-
 /// In what a study is not the shipped one.
 struct Deviations {
   std::vector<std::string> sentences;
@@ -73,7 +66,6 @@ Deviations deviations(const study::Study& study) {
   const ReadStudy* shipped = shipped_study(study);
   if (shipped == nullptr) return {};
   study::Study published = shipped->study;
-  if (has_first_closures(study.base)) published.base = apply_overrides(published.base, first_closures());
   published.base = apply_overrides(published.base, {"run.integrator=reference"}); // the paper's
   Deviations found;
   if (study.replicates != published.replicates)
@@ -94,11 +86,10 @@ Deviations deviations(const study::Study& study) {
 std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results) {
   const ReadStudy* shipped = shipped_study(study.study);
   const std::string name = shipped != nullptr ? shipped->name : own_name(study.folder);
-  const ClosureSet set = has_first_closures(study.study.base) ? ClosureSet::first : ClosureSet::second;
   std::vector<Claim> claims = study.study.claims;
   for (Claim& claim : claims) claim.study = name;
   if (shipped != nullptr)
-    for (Claim& claim : shipped_claims(set))
+    for (Claim& claim : shipped_claims())
       if (std::ranges::find(claims, claim.id, &Claim::id) == claims.end()) claims.push_back(std::move(claim));
   Evidence all;
   all.emplace(name, Ensemble{study.study, results});
@@ -112,7 +103,7 @@ std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vecto
         if (auto found = beside(study.folder, other, shipped != nullptr)) all.emplace(other, *std::move(found));
       if (const auto known = all.find(other); known != all.end()) evidence.insert(*known);
     }
-    judged.push_back(judged_claim(claim, evidence, set));
+    judged.push_back(judged_claim(claim, evidence));
   }
   return judged;
 }
@@ -131,11 +122,9 @@ std::string claims_caveat(const study::Study& study) {
 const std::vector<ReadStudy>& read_shipped_studies() {
   static const std::vector<ReadStudy> all = [] {
     std::vector<ReadStudy> read;
-    for (const ShippedStudy& shipped : shipped_studies()) {
-      Study study = parse_study(shipped.text, fmt::format("studies/{}.toml", shipped.name), ".");
-      std::string name(study.in_place_of.empty() ? shipped.name : study.in_place_of);
-      read.push_back({std::move(name), std::move(study)});
-    }
+    for (const ShippedStudy& shipped : shipped_studies())
+      read.push_back(
+          {std::string(shipped.name), parse_study(shipped.text, fmt::format("studies/{}.toml", shipped.name), ".")});
     return read;
   }();
   return all;
@@ -156,32 +145,26 @@ LabelsOf other_studies(const std::filesystem::path& folder) {
   };
 }
 
-const ShippedStudy& shipped_file(std::string_view name, ClosureSet set) {
-  const ShippedStudy* found = nullptr;
-  const auto& all = read_shipped_studies();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].name == name && (found == nullptr || all[i].study.in_place_of.empty() == (set == ClosureSet::second)))
-      found = &shipped_studies()[i];
-  if (found == nullptr) throw std::out_of_range(fmt::format("there is no shipped study {}", name));
+const ShippedStudy& shipped_file(std::string_view name) {
+  const auto all = shipped_studies();
+  const auto found = std::ranges::find(all, name, &ShippedStudy::name);
+  if (found == all.end()) throw std::out_of_range(fmt::format("there is no shipped study {}", name));
   return *found;
 }
 
-std::vector<Claim> shipped_claims(ClosureSet set) {
+std::vector<Claim> shipped_claims() {
   std::vector<Claim> all;
-  const auto& studies = read_shipped_studies();
-  for (std::size_t i = 0; i < studies.size(); ++i) {
-    if (&shipped_file(studies[i].name, set) != &shipped_studies()[i]) continue;
-    for (Claim claim : studies[i].study.claims) {
-      claim.study = studies[i].name;
+  for (const ReadStudy& shipped : read_shipped_studies())
+    for (Claim claim : shipped.study.claims) {
+      claim.study = shipped.name;
       all.push_back(std::move(claim));
     }
-  }
   std::ranges::sort(all, {}, &Claim::id);
   return all;
 }
 
-JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence, ClosureSet set) {
-  JudgedClaim result{claim.id, claim.kind_of(set), claim.sentence, claim.published, judged(claim, evidence)};
+JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence) {
+  JudgedClaim result{claim.id, claim.kind, claim.sentence, claim.published, judged(claim, evidence)};
   for (const std::string& name : claim.studies())
     if (const auto found = evidence.find(name); found != evidence.end()) {
       if (result.caveat.empty()) result.caveat = claims_caveat(found->second.study);

@@ -30,38 +30,55 @@ std::string fault_in(const std::string& condition) {
 
 TEST(ReadClaims, TakesEveryKey) {
   const Study s = read(points + "[[claims]]\n" + head + R"(published = "3.7 um/h"
-kind_with_first_closures = "calibration"
 conditions = [
-  { rule = "differs", readout = "f_mat", from = "one: youngs_modulus 50 Pa", to = ["two: youngs_modulus 50 Pa", "two: youngs_modulus 200 Pa"], sign = "down", edition = "second" },
+  { rule = "differs", readout = "f_mat", from = "one: youngs_modulus 50 Pa", to = ["two: youngs_modulus 50 Pa", "two: youngs_modulus 200 Pa"], sign = "down" },
   { rule = "within", readout = "l_prot_um", at = "one: youngs_modulus 50 Pa", low = 25, high = 30 },
   { rule = "mostly_up_to", readout = "n_simultaneous_max", bound = 3, share = 0.5, study = "other" },
-  { rule = "agrees", readout = "n_protrusions", at = "other: any label", value = 5.6, runs = 18, edition = "first" },
+  { rule = "agrees", readout = "n_protrusions", at = "other: any label", value = 5.6, runs = 18 },
 ])");
   ASSERT_EQ(s.claims.size(), 1U);
   const Claim& c = s.claims.front();
   EXPECT_EQ(c.id, "A1");
-  EXPECT_EQ(c.kind_of(ClosureSet::second), ClaimKind::predicted);
-  EXPECT_EQ(c.kind_of(ClosureSet::first), ClaimKind::calibration);
+  EXPECT_EQ(c.kind, ClaimKind::predicted);
   EXPECT_EQ(c.published, "3.7 um/h");
   ASSERT_EQ(c.conditions.size(), 5U) << "one for each point of a list";
   EXPECT_EQ(c.conditions[1].from.label, "one: youngs_modulus 50 Pa") << "its own, although it has a colon";
   EXPECT_EQ(c.conditions[1].to.label, "two: youngs_modulus 200 Pa");
   EXPECT_EQ(c.conditions[1].sign, Sign::down);
-  EXPECT_FALSE(c.conditions[1].first);
-  EXPECT_TRUE(c.conditions[1].second);
   EXPECT_EQ(c.conditions[2].value, 25.0);
   EXPECT_EQ(c.conditions[2].high, 30.0);
   EXPECT_EQ(c.conditions[3].share, 0.5);
   EXPECT_EQ(c.conditions[4].to.study, "other");
   EXPECT_EQ(c.conditions[4].to.label, "any label");
   EXPECT_EQ(c.conditions[4].runs, 18.0);
-  EXPECT_FALSE(c.conditions[4].second);
   EXPECT_EQ(c.studies(), (std::vector<std::string>{"", "other"}));
   EXPECT_TRUE(c.depends_on("", "one: youngs_modulus 50 Pa"));
   EXPECT_TRUE(c.depends_on("", "two: youngs_modulus 50 Pa"));
   EXPECT_FALSE(c.depends_on("", "one: youngs_modulus 200 Pa")) << "no condition names it";
   EXPECT_TRUE(c.depends_on("other", "one: youngs_modulus 200 Pa")) << "a condition is on all runs of that study";
   EXPECT_FALSE(c.depends_on("third", "any label"));
+}
+
+/// Folders of studies hold claims as they were written then.
+TEST(ReadClaims, OfEarlierVersionsAreThoseOfTheRulesOfToday) {
+  const std::string conditions = R"(conditions = [
+  { rule = "none_above", readout = "f_mat", bound = 1, edition = "first" },
+  { rule = "mean_above", readout = "f_mat", bound = 0.5, edition = "second" },
+  { rule = "mean_above", readout = "f_mat", bound = 0.4, edition = "both" },
+]
+)";
+  const std::string before = points + "[[claims]]\n" + head;
+  const Study s = read(before + "kind_with_first_closures = \"calibration\"\nclosures = \"second\"\n" + conditions);
+  ASSERT_EQ(s.claims.size(), 1U);
+  EXPECT_EQ(s.claims[0].kind, ClaimKind::predicted);
+  ASSERT_EQ(s.claims[0].conditions.size(), 2U);
+  EXPECT_EQ(s.claims[0].conditions[0].value, 0.5);
+  EXPECT_TRUE(fault_of("[[claims]]\n" + head + "closures = \"first\"\n" + conditions)
+                  .ends_with("claims.closures: has gone with the first set of closures; the version of the tag "
+                             "closures-2 has both"));
+  EXPECT_EQ(fault_of("in_place_of = \"stiffness\"\n"),
+            "f.toml:3:15: in_place_of: has gone with the first set of closures; the version of the tag closures-2 has "
+            "both");
 }
 
 TEST(ReadClaims, StandInTheResolvedStudy) {
@@ -108,7 +125,7 @@ TEST(ReadClaims, TellsEachFaultOfACondition) {
   EXPECT_EQ(fault_in(R"({ rule = "mean_above", readout = "f_mat" })"),
             "claims.conditions.bound: is missing; \"mean_above\" needs readout, bound");
   EXPECT_EQ(fault_in(R"({ rule = "mean_above", readout = "f_mat", bound = 1, sing = "up" })"),
-            "claims.conditions.sing: \"mean_above\" has no such key; it has readout, bound, rule, edition, study");
+            "claims.conditions.sing: \"mean_above\" has no such key; it has readout, bound, rule, study");
   EXPECT_TRUE(fault_in(R"({ rule = "mean_above", readout = "f_mt", bound = 1 })").find("; did you mean f_mat? `")
               != std::string::npos);
   EXPECT_EQ(fault_in(R"({ rule = "correlates", readout = "f_mat", with = "l_prot_um", sign = "plus" })"),

@@ -46,7 +46,6 @@ TEST(RunsOfStudies, KeepTheirNames) {
   };
   const std::vector<Named> named{
       {"baseline", "", "d436f2c98f0bb7fc"},
-      {"first-closures", "", "d3677eb3906e1ba9"},
       {"two-cells", "", "434d19cfb1a49228"},
       {"fibrillar", "", "6c51f4bbcb3e62fc"},
       {"two-protrusions-fibres", "", "718095b47d6d59d3"},

@@ -116,10 +116,7 @@ export interface StudyClaim {
   sentence: string;
   /** The paper's numbers; "" where it gives none. */
   published: string;
-  /** By the first edition of the rules. */
   verdict: Verdict;
-  /** By the second one, which pages show. */
-  verdict_second_edition?: Verdict;
   /** Beside the verdict: "not the paper's runs"; "" for nothing. */
   caveat: string;
   /** What was found: means with their intervals. */

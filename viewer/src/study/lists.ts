@@ -24,7 +24,7 @@ export function claims(study: StudyPage): HTMLElement | null {
     study.claims.map((c) => [
       c.id,
       c.sentence,
-      h("div", {}, verdict(c.verdict_second_edition ?? c.verdict), c.caveat ? h("div", { class: "caveat" }, c.caveat) : null),
+      h("div", {}, verdict(c.verdict), c.caveat ? h("div", { class: "caveat" }, c.caveat) : null),
       pretty(c.published) || "\u2013",
       lines(c.ours.map(pretty)),
       lines(c.statistic.map(pretty)),
