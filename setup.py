@@ -11,7 +11,7 @@ from setuptools.command.build_py import build_py
 
 _root = Path(__file__).parent
 _named = os.environ.get("MATRIGRATE_CORE", "")
-_live = [page for page in (_root / "pages/live.html", _root / "build/web/live/index.html") if page.is_file()][:1]
+_live = [page for page in (_root / "pages/live.html", _root / "build/web/live/index.html", _root / "live/index.html") if page.is_file()][:1]
 _built = [Path(_named)] if _named else sorted(_root.glob("build/*/python/_core*.so"), key=os.path.getmtime)[-1:]
 _program = os.environ.get("MATRIGRATE_INSIDE", "")
 

@@ -25,12 +25,13 @@ struct LiveArguments {
 };
 
 /// Where the page may be: beside the installed program; in a wheel; where web/build.sh puts it; in the source archive
-/// of a release.
+/// of a release; in a clone.
 std::vector<std::string> places() {
   const fs::path folder = platform::program_file().parent_path();
   std::vector<std::string> all;
   for (const char* place :
-       {"../share/matrigrate/live.html", "../live.html", "../../web/live/index.html", "../../../pages/live.html"})
+       {"../share/matrigrate/live.html", "../live.html", "../../web/live/index.html", "../../../pages/live.html",
+        "../../../live/index.html"})
     all.push_back((folder / place).lexically_normal().string());
   return all;
 }
@@ -40,8 +41,8 @@ fs::path live_page() {
   for (const std::string& place : places())
     if (fs::is_regular_file(place, error)) return place;
   throw InputOutputError(fmt::format(
-      "the live page is not here: there is none of {}. The Debian package, the wheel and the folder of a release have "
-      "it; in a clone web/build.sh builds it (it gets Emscripten, 840 MB)",
+      "the live page is not here: there is none of {}. A clone has it in live/; so have the Debian package, the wheel and "
+      "the folder of a release",
       fmt::join(places(), ", ")));
 }
 

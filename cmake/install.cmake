@@ -25,11 +25,13 @@ install(FILES ${PROJECT_BINARY_DIR}/package/MatrigrateConfig.cmake
 
 install(DIRECTORY scenarios studies DESTINATION ${data} FILES_MATCHING PATTERN *.toml PATTERN *.png)
 install(FILES docs/scenario.schema.json DESTINATION ${data}/docs) # where the scenarios look for it
-# The live page, where it is: web/build.sh makes it; the source archive of a release has it in pages/. It holds its own licences.
-set(MATRIGRATE_LIVE_PAGE ${PROJECT_SOURCE_DIR}/build/web/live/index.html)
-if(EXISTS ${PROJECT_SOURCE_DIR}/pages/live.html)
-  set(MATRIGRATE_LIVE_PAGE ${PROJECT_SOURCE_DIR}/pages/live.html)
-endif()
+# The live page: as web/build.sh makes it; that of a source archive; that of the last release. It holds its own licences.
+set(MATRIGRATE_LIVE_PAGE ${PROJECT_SOURCE_DIR}/live/index.html)
+foreach(page build/web/live/index.html pages/live.html)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/${page})
+    set(MATRIGRATE_LIVE_PAGE ${PROJECT_SOURCE_DIR}/${page})
+  endif()
+endforeach()
 install(FILES ${MATRIGRATE_LIVE_PAGE} DESTINATION ${data} RENAME live.html OPTIONAL) # looked for by apps/live.cpp
 install(FILES LICENSE NOTICES DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES man/matrigrate.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

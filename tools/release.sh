@@ -67,9 +67,17 @@ of_this_commit() {
   "$program" info | grep -qx "commit *$commit" || die "$program is not of the commit $commit, or was built with changes; build it anew"
 }
 
-# live_page: the live page of this commit; nothing where it was not built.
+# live_page: the live page of this commit, or the kept one if it was made of the same sources; else nothing.
 live_page() {
-  if [ "$(cat build/web/live/COMMIT 2>/dev/null)" = "$commit" ]; then echo build/web/live/index.html; fi
+  local folder
+  if [ "$(cat build/web/live/COMMIT 2>/dev/null)" = "$commit" ]; then
+    echo build/web/live/index.html
+    return
+  fi
+  for folder in src viewer web; do
+    grep -qsx "$folder $(git rev-parse "HEAD:$folder")" live/SOURCES || return 0
+  done
+  echo live/index.html
 }
 
 # archive FOLDER FILE: a folder as a .tar.gz whose bytes depend on the names and contents of its files alone.

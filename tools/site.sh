@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Builds the documentation site, and installs what that needs: mkdocs, its theme and KaTeX, from Debian.
-#   tools/site.sh FOLDER [PROGRAM]    with the program, the gallery holds report pages of short runs (half a minute);
-#                                     the live page is part of the site where web/build.sh has made it
+#   tools/site.sh FOLDER [PROGRAM]    with the program, the gallery holds report pages of short runs (half a minute)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 [ $# -ge 1 ] || {
@@ -11,8 +10,5 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/setup.sh"
 install_packages "$packages_for_site"
 live=$here/../build/web/live/index.html
-[ -e "$live" ] || {
-  say "the site goes without the live page, which web/build.sh makes"
-  live=
-}
-exec /usr/bin/python3 -B "$here/site/build.py" "$1" ${2:+--program "$2"} ${live:+--live "$live"}
+[ -e "$live" ] || live=$here/../live/index.html
+exec /usr/bin/python3 -B "$here/site/build.py" "$1" ${2:+--program "$2"} --live "$live"

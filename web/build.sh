@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the live page into build/web/live/: one folder of static files. Emscripten comes from Debian; it is large, so that
 # nothing else of the project asks for it.
+#   web/build.sh [--keep]    --keep: also renews live/, the page that a clone has, for a release
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/setup.sh
@@ -42,4 +43,13 @@ commit=$(git rev-parse HEAD 2>/dev/null || cat COMMIT 2>/dev/null || echo unknow
 } >build/web/live/NOTICES
 node web/join.mjs "$viewer/dist/live.html" build/web/core/core_worker.js "$viewer/dist/live_worker.js" build/web/live/NOTICES build/web/live/index.html
 echo "$commit" >build/web/live/COMMIT
+if [ "${1:-}" = --keep ]; then
+  case $commit in *changes) die "live/ is made of committed sources only" ;; esac
+  cp build/web/live/index.html live/index.html
+  {
+    sed -n 's/^project(matrigrate VERSION \([0-9.]*\).*/version \1/p' CMakeLists.txt
+    for folder in src viewer web; do echo "$folder $(git rev-parse "HEAD:$folder")"; done # tools/release.sh compares them
+  } >live/SOURCES
+  say "renewed live/index.html"
+fi
 say "open build/web/live/index.html ($(du -h build/web/live/index.html | cut -f1))"

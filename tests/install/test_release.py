@@ -97,6 +97,7 @@ class Release(unittest.TestCase):
         for tool in ("bash", "cat", "cp", "dirname", "git", "grep", "ls", "mkdir", "mktemp", "rm", "sed", "sudo", "basename", "id", "dpkg-query", "nproc"):
             if found := shutil.which(tool):
                 (clone / "bin" / tool).symlink_to(found)
+        (clone / "live/SOURCES").write_text("version 0.1.0\n")  # of other sources than these
         page = clone / "build/web/live/index.html"
         page.parent.mkdir(parents=True)
         page.write_text("<p>a cell")
@@ -108,6 +109,15 @@ class Release(unittest.TestCase):
             self.assertEqual("Emscripten is not installed" in done.stdout, not there, done.stdout)
             self.assertIn("R is not installed", done.stdout)
             self.assertEqual([file.read_text() for file in to.iterdir()], ["<p>a cell"] if there else [])
+
+        page.unlink()
+        trees = [f"{folder} " + subprocess.run(["git", "rev-parse", f"HEAD:{folder}"], cwd=clone, capture_output=True, text=True, check=True).stdout
+                 for folder in ("src", "viewer", "web")]
+        (clone / "live/SOURCES").write_text("version 0.1.0\n" + "".join(trees))
+        (clone / "live/index.html").write_text("<p>the kept one")
+        (page.parent / "COMMIT").unlink()
+        subprocess.run([clone / "tools/release.sh", "--to", clone / "release/kept", "live"], check=True, env={"PATH": str(clone / "bin")})
+        self.assertEqual([file.read_text() for file in (clone / "release/kept").iterdir()], ["<p>the kept one"])
 
     def test_unknown_steps_are_refused(self):
         done = subprocess.run([source / "tools/release.sh", "--to", first / "no", "sbmo"], capture_output=True, text=True)
