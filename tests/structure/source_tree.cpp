@@ -86,6 +86,26 @@ std::vector<Source> sources(const std::filesystem::path& src) {
   return found;
 }
 
+Findings long_functions(const Source& source, int most_lines) {
+  Findings findings;
+  std::istringstream in(source.text);
+  std::string line;
+  int start = 0; // the line of the last declaration at the left edge; 0: none since the last brace
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line == "}") {
+      const int length = number - start + 1;
+      if (start > 0 && length > most_lines)
+        findings.push_back(source.path + ':' + std::to_string(start) + ": a function of " + std::to_string(length)
+                           + " lines");
+      start = 0;
+    } else if (!line.empty() && std::string_view(" }#/").find(line[0]) == std::string_view::npos
+               && !line.starts_with("template")) {
+      start = number;
+    }
+  }
+  return findings;
+}
+
 std::pair<std::string, std::set<std::string>> declared_folder(std::string_view cmake) {
   const std::string text = std::regex_replace(std::string(cmake), std::regex("#[^\n]*"), "");
   std::smatch call;

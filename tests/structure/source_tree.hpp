@@ -55,6 +55,10 @@ Findings forbidden_includes(const Source& source, const Graph& allowed);
 /// brackets.
 Graph reached_includes(const std::vector<Source>& all);
 
+/// Functions of more lines than so many, from the line of their name or type to the brace that ends them. Only those
+/// that begin at the left edge count; what a class defines inside is short.
+Findings long_functions(const Source& source, int most_lines);
+
 /// Common names of libraries (std::vector, fmt::) that a file uses without including, itself or through headers of
 /// ours, what declares them.   @param reached  of reached_includes()
 Findings undeclared_names(const Source& source, const Graph& reached);
