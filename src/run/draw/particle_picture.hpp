@@ -2,6 +2,7 @@
 
 #include "base/vector.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
