@@ -30,7 +30,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// The checkpoint that lies closest before t; none: the start. Warns of those that cannot be read.
+/// The checkpoint that lies closest before t [s] on the way of a longer run; none: the start. Warns of those that
+/// cannot be read.
 std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t, RunObserver& observer) {
   std::vector<fs::path> files{folder / store::checkpoint_name, folder / store::previous_checkpoint_name};
   std::error_code error;
@@ -42,7 +43,8 @@ std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double 
     try {
       FoundCheckpoint found = read_checkpoint_of(folder, file);
       const double at = found.checkpoint.state.t;
-      if (at <= t * (1.0 + 1e-12) && (!best || at > best->checkpoint.state.t)) best = std::move(found);
+      if (at <= t * (1.0 + 1e-12) && !is_shortened_end(found) && (!best || at > best->checkpoint.state.t))
+        best = std::move(found);
     } catch (const InputOutputError& trouble) { // an earlier one will do
       observer.warn(fmt::format("{}; it is not used", trouble.what()));
     }
@@ -59,6 +61,22 @@ std::span<const Rule> rules_without_fields() {
     return all;
   }();
   return rules;
+}
+
+/// What a branch goes on from.
+struct Origin {
+  double t;                             ///< asked for, or that of the last checkpoint [s]
+  std::string place;                    ///< what names t: that checkpoint or "--at"
+  std::optional<FoundCheckpoint> found; ///< none: the start
+};
+
+Origin origin_of(const fs::path& folder, const BranchOptions& how, RunObserver& observer) {
+  if (how.at) return {.t = *how.at, .place = "--at", .found = checkpoint_before(folder, *how.at, observer)};
+  FoundCheckpoint last = last_checkpoint(folder, how.previous);
+  Origin origin{.t = last.checkpoint.state.t, .place = last.file.string(), .found = {}};
+  origin.found =
+      is_shortened_end(last) ? checkpoint_before(folder, origin.t, observer) : std::optional(std::move(last));
+  return origin;
 }
 
 bool is_multiple(double t, const Parameters& p) {
@@ -81,9 +99,8 @@ std::optional<double> next_multiple(double t, const Parameters& before, const Pa
 
 /// When the branch begins: at the time that was asked for, or at the next multiple of the step behind the checkpoint.
 /// @param after  parameters of the branch
-double begin_of(const BranchOptions& how, const std::optional<FoundCheckpoint>& found, const Parameters& before,
-                const Parameters& after) {
-  const double wanted = how.at ? *how.at : found->checkpoint.state.t;
+double begin_of(const BranchOptions& how, const Origin& origin, const Parameters& before, const Parameters& after) {
+  const double wanted = origin.t;
   const std::optional<double> next = next_multiple(wanted, before, after);
   const std::string steps = before.run.time_step == after.run.time_step
                                 ? fmt::format("run.time_step, {:.6g} s", before.run.time_step)
@@ -99,10 +116,10 @@ double begin_of(const BranchOptions& how, const std::optional<FoundCheckpoint>& 
     refuse("--at", fmt::format("{:.6g} s is not before the end, {:.6g} s; --hours sets another end", until,
                                after.run.duration));
   refuse(
-      found->file.string(),
+      origin.place,
       fmt::format("the checkpoint is at {:.6g} s, and the branch would end at {:.6g} s: --hours sets a later end, --at "
                   "an earlier time to branch at",
-                  found->checkpoint.state.t, after.run.duration));
+                  wanted, after.run.duration));
 }
 
 /// Whether a folder holds the same branch, which was killed before it had a checkpoint.
@@ -128,12 +145,12 @@ void require_free_for(const fs::path& folder, const Parameters& p, const Json& e
 
 RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptions& options, RunObserver& observer) {
   const Parameters before = scenario_of(from, observer);
-  std::optional<FoundCheckpoint> found =
-      how.at ? checkpoint_before(from, *how.at, observer) : last_checkpoint(from, how.previous);
+  const Origin origin = origin_of(from, how, observer);
+  const std::optional<FoundCheckpoint>& found = origin.found;
   const Parameters after = apply_overrides(before, how.overrides, found ? rules_without_fields() : start_rules());
   if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
     throw ConfigurationError(std::move(faults));
-  const double until = begin_of(how, found, before, after);
+  const double until = begin_of(how, origin, before, after);
 
   const Json record = record_of(from);
   RunStart start;

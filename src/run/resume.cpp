@@ -44,14 +44,16 @@ bool holds_run(const std::filesystem::path& folder, const Parameters& p) {
 RunOutcome resume(const RunOptions& options, const ResumeOptions& from, RunObserver& observer) {
   const Json record = record_of(options.folder);
   if (!from.previous && is_done(options.folder, record, observer)) return done_before(options, record, observer);
-  return resume_from(last_checkpoint(options.folder, from.previous), options, record, from.threads, observer);
+  return resume_from(before_shortened_end(last_checkpoint(options.folder, from.previous), options.folder), options,
+                     record, from.threads, observer);
 }
 
 RunOutcome resume(const RunOptions& options, const Parameters& p, RunObserver& observer) {
   const Json record = record_of(options.folder);
   if (is_done(options.folder, record, observer)) return done_before(options, record, observer);
   if (has_checkpoint(options.folder))
-    return resume_from(whole_checkpoint(options.folder, observer), options, record, p.run.threads, observer);
+    return resume_from(before_shortened_end(whole_checkpoint(options.folder, observer), options.folder), options,
+                       record, p.run.threads, observer);
   return run({.s = initial_state(p), .p = p}, options, observer);
 }
 

@@ -50,8 +50,10 @@ void RunFolder::begin(const State& s, const Workspace& w) {
   if (m_keeps_checkpoints) write_checkpoint(s, w, 0.0);
 }
 
+void RunFolder::note_step(const Workspace& w) { m_run.memory.watch.see(w.health); }
+
 void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record) {
-  m_run.memory.watch.see(w.health);
+  note_step(w);
   write_due(s, w);
   const bool keep = m_kept_cadence.due(s.t);
   const bool due = m_checkpoint_cadence.due(s.t) || keep;

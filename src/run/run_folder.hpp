@@ -35,6 +35,9 @@ public:
   /// @throws NumericalFailure if the run must not go on (observe/health.hpp, alarm)
   void see(const State& s, const Workspace& w, const RunRecord& record);
 
+  /// Counts a step after which nothing is due but what see_last() writes.
+  void note_step(const Workspace& w);
+
   /// Writes checkpoint.h5, if the run may go on.
   /// @param keep  writes a second file, named by its time, for branches
   /// @throws NumericalFailure if the run must not go on; checkpoint.h5 then stays the last good one

@@ -5,6 +5,7 @@
 #include "base/threads.hpp"
 #include "base/time_text.hpp"
 #include "run/run_folder.hpp"
+#include "simulation/march.hpp"
 #include "simulation/simulation.hpp"
 #include "store/checkpoint.hpp"
 
@@ -117,7 +118,7 @@ private:
       m_folder->keep_checkpoints(!m_before);
       if (m_new) m_folder->begin(s, w);
       if (m_before) march_before(each_step);
-      if (has_branched()) m_simulation->march(m_p.run.duration, {}, each_step);
+      if (has_branched()) march_after(each_step);
       note_time();
       note_end();
     } catch (const NumericalFailure& failure) {
@@ -138,16 +139,28 @@ private:
     m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time);
   }
 
+  /// To the end. Where it lies within a step, a checkpoint at the step before it is what a longer run goes on from.
+  void march_after(const std::function<bool(const State&)>& each_step) {
+    State& s = m_simulation->s;
+    Workspace& w = m_simulation->w;
+    const double t_end = m_p.run.duration;
+    m_has_ended = march_within(s, m_p, w, t_end, each_step);
+    if (!m_has_ended || !is_before(s, m_p, t_end)) return;
+    m_folder->write_checkpoint(s, w, m_record.march_wall_time);
+    shorten_last_step(s, m_p, w, t_end);
+    m_folder->note_step(w);
+    m_observer.step(s);
+  }
+
   bool has_branched() const { return !m_before || m_simulation->s.t >= m_before->until; }
 
   void note_end() {
-    const bool stopped = m_simulation->s.t < m_p.run.duration - 0.5 * m_p.run.time_step;
     if (has_branched()) m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time);
-    m_record.ended = !stopped                           ? RunEnd::completed
+    m_record.ended = m_has_ended                        ? RunEnd::completed
                      : m_stop == StopRequest::user      ? RunEnd::stopped_by_user
                      : m_stop == StopRequest::terminate ? RunEnd::told_to_terminate
                                                         : RunEnd::out_of_wall_time;
-    if (stopped) m_record.reason = fmt::format("stopped by {}; {}", stop_text(*m_record.ended), safe_text());
+    if (!m_has_ended) m_record.reason = fmt::format("stopped by {}; {}", stop_text(*m_record.ended), safe_text());
   }
 
   static const char* stop_text(RunEnd end) {
@@ -212,6 +225,7 @@ private:
   RunRecord m_record;
   std::optional<RunFolder> m_folder;
   std::optional<StopRequest> m_stop;
+  bool m_has_ended = false;
 };
 
 } // namespace

@@ -8,6 +8,8 @@
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
+#include "simulation/march.hpp"
+#include "simulation/step_limits.hpp"
 #include "store/state_json.hpp"
 
 #include <fmt/chrono.h>
@@ -74,7 +76,7 @@ bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) 
     if (!whole)
       observer.warn(fmt::format("{}: missing or damaged; the end of the run is written again",
                                 (folder / "summary.json").string()));
-    if (t >= found.p.run.duration - 0.5 * found.p.run.time_step) return whole;
+    if (t >= found.p.run.duration - 0.5 * shortest_step(found.p)) return whole;
     observer.warn(fmt::format("{}: says that the run is done, but its checkpoint is at {} of {}",
                               (folder / "run.json").string(), time_text(t), time_text(found.p.run.duration)));
     return false;
@@ -170,6 +172,21 @@ FoundCheckpoint whole_checkpoint(const fs::path& folder, RunObserver& observer) 
     if (!before) throw;
     observer.warn(trouble.what());
     return *std::move(before);
+  }
+}
+
+bool is_shortened_end(const FoundCheckpoint& found) {
+  const double end = found.p.run.duration;
+  return found.checkpoint.state.t == end && is_within_step(end, found.p);
+}
+
+FoundCheckpoint before_shortened_end(FoundCheckpoint found, const fs::path& folder) {
+  if (!is_shortened_end(found)) return found;
+  try {
+    FoundCheckpoint before = read_checkpoint_of(folder, folder / store::previous_checkpoint_name);
+    return is_shortened_end(before) ? found : before;
+  } catch (const InputOutputError&) { // then the end is what there is
+    return found;
   }
 }
 

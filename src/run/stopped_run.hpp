@@ -53,6 +53,12 @@ FoundCheckpoint last_checkpoint(const std::filesystem::path& folder, bool previo
 /// @throws InputOutputError if neither checkpoint is whole
 FoundCheckpoint whole_checkpoint(const std::filesystem::path& folder, RunObserver& observer);
 
+/// Whether a checkpoint holds the end of a run that ended within a step. A longer run does not pass this state.
+bool is_shortened_end(const FoundCheckpoint& found);
+
+/// The checkpoint, or in place of a shortened end the one before it, as far as that can be read.
+FoundCheckpoint before_shortened_end(FoundCheckpoint found, const std::filesystem::path& folder);
+
 /// True if the folder holds a checkpoint.
 bool has_checkpoint(const std::filesystem::path& folder);
 

@@ -51,11 +51,14 @@ protected:
     return all;
   }
 
-  void expect_same_files(const std::string& a, const std::string& b) const {
+  void expect_same_results(const std::string& a, const std::string& b) const {
     EXPECT_EQ(record(a).at("trajectory_hash"), record(b).at("trajectory_hash"));
     for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json", "msd.csv", "snapshots.svg",
                              "scenario.resolved.toml", "fields.h5", "fields.xdmf"})
       EXPECT_EQ(text_of(folder / a / file), text_of(folder / b / file)) << file;
+  }
+  void expect_same_files(const std::string& a, const std::string& b) const {
+    expect_same_results(a, b);
     EXPECT_EQ(names(a + "/snapshots"), names(b + "/snapshots"));
     for (const std::string& file : names(b + "/snapshots"))
       EXPECT_EQ(text_of(folder / a / "snapshots" / file), text_of(folder / b / "snapshots" / file)) << file;
@@ -265,7 +268,7 @@ TEST_F(Resume, RefusesBranchesThatCannotBe) {
 
 TEST_F(Resume, BranchesFromACheckpointBetweenMultiplesOfTheStep) {
   ASSERT_EQ(run("run s.toml -o odd --quiet --set run.integrator=adaptive --set run.duration='11 s'").code, 0);
-  ASSERT_EQ(record("odd").at("t_s"), 11.25) << "the run ends between two multiples of 5 s";
+  ASSERT_EQ(record("odd").at("t_s"), 11.0);
   const Ended longer = run("resume odd --hours 0.01 -o longer --quiet");
   EXPECT_EQ(longer.code, 0) << longer.err;
   EXPECT_EQ(record("longer").at("lineage").back().at("at_s"), 15.0);
@@ -274,6 +277,48 @@ TEST_F(Resume, BranchesFromACheckpointBetweenMultiplesOfTheStep) {
   const Ended between = run("resume odd --at '7 s' -o none");
   EXPECT_EQ(between.code, 3);
   EXPECT_TRUE(contains(between.err, "--at: 7 s is no multiple of run.time_step, 5 s; --at \"10 s\" is")) << between.err;
+}
+
+TEST_F(Resume, EndsAtItsDurationWithinAStepAndGoesOnAsIfItHadNot) {
+  const std::string reference = " --quiet";
+  const std::string adaptive = " --quiet --set run.integrator=adaptive --set 'run.time_step=5 s'";
+  for (const std::string& options : {reference, adaptive}) {
+    for (const char* name : {"short", "long", "longer", "late"}) std::filesystem::remove_all(folder / name);
+    ASSERT_EQ(
+        run("run s.toml -o short --set 'run.duration=61.3 s' --set 'output.kept_checkpoint_interval=61.3 s'" + options)
+            .code,
+        0);
+    EXPECT_EQ(record("short").at("t_s"), 61.3);
+    EXPECT_EQ(record("short").at("reason"), "");
+    EXPECT_TRUE(contains(text_of(folder / "short/tracks.csv"), "\n1,61.3,"));
+    EXPECT_TRUE(contains(text_of(folder / "short/health.csv"), "\n61.3,"));
+    EXPECT_EQ(store::read_film(folder / "short").frames.back().t, 61.3);
+    EXPECT_EQ(json::parse(text_of(folder / "short/summary.json")).at("duration_s"), 61.3);
+    const std::string all = "--set 'run.duration=80 s' --set 'output.kept_checkpoint_interval=12 s'";
+    ASSERT_EQ(run("run s.toml -o long " + all + options).code, 0);
+    ASSERT_EQ(run("resume short -o longer --quiet " + all).code, 0);
+    ASSERT_EQ(run("resume short -o late --at '70 s' --quiet " + all).code, 0);
+    for (const char* branch : {"longer", "late"}) expect_same_results(branch, "long");
+  }
+}
+
+TEST_F(Resume, GoesOnFromBeforeAShortenedEndAlsoWhereThatWasWrittenTwice) {
+  const std::string options = " --set 'run.duration=61.3 s' --quiet";
+  ASSERT_EQ(run("run s.toml -o short" + options).code, 0);
+  std::filesystem::copy(folder / "short", folder / "whole", std::filesystem::copy_options::recursive);
+  for (const bool twice : {false, true}) {
+    json changed = record("short"); // as if it was killed among its last files
+    changed["status"] = "running";
+    write("short/run.json", changed.dump());
+    if (twice)
+      std::filesystem::copy_file(folder / "short/checkpoint.h5", folder / "short/checkpoint_prev.h5",
+                                 std::filesystem::copy_options::overwrite_existing);
+    ASSERT_EQ(run("resume short --quiet").code, 0);
+    expect_same_files("short", "whole");
+  }
+  ASSERT_EQ(run("run s.toml -o long --quiet --set 'run.duration=80 s'").code, 0);
+  ASSERT_EQ(run("resume short -o longer --quiet --set 'run.duration=80 s'").code, 0);
+  expect_same_results("longer", "long");
 }
 
 TEST_F(Resume, SaysHowADoneRunBranches) {

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "gel.hpp"
+#include "same_bits.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"
 
@@ -62,4 +63,39 @@ TEST(AdaptiveStep, MeetsTheMultiplesOfTheLongestStepAndHalvesWhereThingsMoveFar)
   EXPECT_LT(times.size(), 40U);
   EXPECT_LT(shortest, 1.5);
   EXPECT_LE(longest_move, 0.2 * p.ecm.particle_spacing * (1.0 + 1e-9));
+}
+
+TEST(March, EndsWithinAStepExactlyWhereItShould) {
+  for (const Integrator integrator : {Integrator::reference, Integrator::adaptive})
+    for (const double t_end : {41.0, 40.0 + 1e-4, 39.9}) {
+      Parameters p = small();
+      p.run.integrator = integrator;
+      if (integrator == Integrator::adaptive) p.run.time_step = 2.0;
+      State s = start(p);
+      Workspace w(s, p);
+      const auto go_on = [](const State& /*now*/) { return true; };
+      EXPECT_TRUE(march_within(s, p, w, t_end, go_on));
+      EXPECT_LE(s.t, t_end);
+      State longer = start(p); // goes on with the same bits
+      Workspace w_longer(longer, p);
+      march(longer, p, w_longer, s.t);
+      EXPECT_TRUE(same_bits(s, longer));
+      const std::uint64_t steps = s.step;
+      const double before = s.t;
+      EXPECT_EQ(is_before(s, p, t_end), is_within_step(t_end, p));
+      shorten_last_step(s, p, w, t_end);
+      EXPECT_EQ(s.t, t_end);
+      EXPECT_EQ(s.step, steps + 1);
+      EXPECT_LT(s.t - before, p.run.time_step);
+    }
+}
+
+TEST(March, TellsWhetherAnotherStepHasRoom) {
+  const Parameters p = small();
+  State s = start(p);
+  Workspace w(s, p);
+  EXPECT_FALSE(march_within(s, p, w, 4.0, [](const State& now) { return now.step < 3; }));
+  EXPECT_TRUE(march_within(s, p, w, 4.0, [](const State& now) { return now.step < 10; }));
+  EXPECT_FALSE(is_before(s, p, 4.0));
+  EXPECT_FALSE(is_within_step(4.0, p));
 }

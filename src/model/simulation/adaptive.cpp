@@ -53,9 +53,9 @@ double step_to_try(const State& s, const Parameters& p, const StepLimits& limits
   return dt;
 }
 
-void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads, double longest) {
   const double shortest = shortest_step(p);
-  double dt = step_to_try(s, p, w.limits);
+  double dt = std::min(step_to_try(s, p, w.limits), longest);
   for (bool tried_once = false;; tried_once = true, dt *= 0.5) {
     const bool last = dt < 1.5 * shortest;
     const auto refused = advance(

@@ -2,6 +2,8 @@
 
 #include "simulation/equations.hpp"
 
+#include <limits>
+
 /// The adaptive integrator: steps of run.time_step, halved where a particle would move too far (MODEL.md, I29).
 /// Test: tests/unit/simulation/adaptive_test.cpp, tests/physics/march_test.cpp
 namespace matrigrate {
@@ -11,7 +13,9 @@ namespace matrigrate {
 double step_to_try(const State& s, const Parameters& p, const StepLimits& limits);
 
 /// Makes that step, halved until nothing moves further than usual_move and no cell crosses itself.
+/// @param longest  of the step, to end between the multiples of run.time_step [s]
 /// @throws NumericalFailure as advance(), also if the shortest step is still too long; the state is then unchanged
-void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads);
+void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads,
+                        double longest = std::numeric_limits<double>::infinity());
 
 } // namespace matrigrate

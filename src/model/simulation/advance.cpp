@@ -17,6 +17,12 @@ std::span<const double> propensity_of(std::size_t cell, const Workspace& w) {
   return cell < w.propensity.size() ? std::span<const double>(w.propensity[cell]) : std::span<const double>();
 }
 
+/// The next multiple of dt, whatever rounding left before; dt later from a time between multiples [s].
+double time_after(double t, double dt) {
+  const double steps = t / dt;
+  return std::abs(steps - std::round(steps)) < 1e-6 ? (std::round(steps) + 1.0) * dt : t + dt;
+}
+
 } // namespace
 
 std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
@@ -34,7 +40,7 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
   // positions, density, stress
   move(s, p, dt, w);
   ++s.step;
-  s.t = (std::round(s.t / dt) + 1.0) * dt; // the next multiple of dt, whatever rounding left before
+  s.t = time_after(s.t, dt);
 
   // events
   advance_attractant(s, p, dt, w);

@@ -13,4 +13,21 @@ namespace matrigrate {
 void march(State& s, const Parameters& p, Workspace& w, double t_end, const Loads& loads = {},
            const std::function<bool(const State&)>& each_step = {});
 
+/// The same as long as no step passes t_end [s]. A longer march goes on with the same bits from there.
+/// @param each_step  called after every step; returning false ends the march
+/// @return whether no further step has room before t_end
+/// @throws NumericalFailure as march()
+bool march_within(State& s, const Parameters& p, Workspace& w, double t_end,
+                  const std::function<bool(const State&)>& each_step);
+
+/// Whether t_end [s] is still to come.
+bool is_before(const State& s, const Parameters& p, double t_end);
+
+/// Whether a time [s] is no multiple of run.time_step, so that a march may pass it by.
+bool is_within_step(double t, const Parameters& p);
+
+/// Goes on to t_end [s] itself by a shorter step, of which a longer march knows nothing.
+/// @throws NumericalFailure as march()
+void shorten_last_step(State& s, const Parameters& p, Workspace& w, double t_end);
+
 } // namespace matrigrate
