@@ -30,6 +30,7 @@ struct RunArguments {
   bool force = false;
   bool json = false;
   bool quiet = false;
+  bool file_is_temporary = false;
   std::vector<std::string> command_line;
 };
 
@@ -39,6 +40,14 @@ std::string default_folder(const RunArguments& options, const Parameters& p) {
   std::string name = fmt::format("{}-seed{}", std::filesystem::path(options.file).stem().string(), p.run.seed);
   for (const std::string& change : options.parameters.overrides) name += tag_of(change);
   return name.substr(0, max_length); // a folder that another run has is refused
+}
+
+/// For run.json: the command that makes the run again. A file that is gone by then, as one of Python's, is no part of
+/// it.
+std::vector<std::string> command_of(const RunArguments& options, const std::string& folder) {
+  if (!options.file_is_temporary) return options.command_line;
+  const std::string scenario = (std::filesystem::path(folder) / "scenario.resolved.toml").string();
+  return {options.command_line.front(), "run", scenario, "-o", folder + "-again"};
 }
 
 Parameters parameters_of(const RunArguments& options) {
@@ -54,6 +63,7 @@ RunOutcome outcome_of(const RunArguments& options, const Parameters& p, const Ru
   if (!options.force && holds_run(how.folder, p)) return resume(how, p, display);
   options.force ? warn_of_other_files(how.folder, display) : require_free(how.folder, p, display);
   RunStart start{.s = initial_state(p), .p = p};
+  if (options.file_is_temporary) start.scenario = std::filesystem::path(options.file).stem().string();
   make_output_folder(how.folder, options.force);
   if (!options.quiet && !options.json)
     if (const std::string cost = run::cost_of_reference_steps(p); !cost.empty())
@@ -63,9 +73,8 @@ RunOutcome outcome_of(const RunArguments& options, const Parameters& p, const Ru
 
 int run_scenario(const RunArguments& options) {
   const Parameters p = parameters_of(options);
-  RunOptions how{.folder = options.folder.empty() ? default_folder(options, p) : options.folder,
-                 .command_line = options.command_line,
-                 .page_template = run_page_template()};
+  const std::string folder = options.folder.empty() ? default_folder(options, p) : options.folder;
+  RunOptions how{.folder = folder, .command_line = command_of(options, folder), .page_template = run_page_template()};
   if (!options.wall_time.empty()) how.wall_time_limit = seconds_of(options.wall_time);
   RunDisplay display(options.quiet || options.json);
   display.may_end_before_first_step(how.wall_time_limit);
@@ -106,6 +115,7 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
                  "Start again in a folder that is not empty: files of an older run are removed, others are kept");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");
   verb->add_flag("--quiet", options->quiet, "Show no progress; print only where the report is");
+  verb->add_flag("--temporary-file", options->file_is_temporary, "FILE will be removed")->group(""); // of Python
   verb->callback([options, &chosen] { chosen = [options] { return run_scenario(*options); }; });
 }
 

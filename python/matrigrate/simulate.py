@@ -52,6 +52,7 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     folder = None if out is None else _arguments.path("out", out)
     with _file_of(scenario) as file:
         words = ["run", str(file), "--json", "--quiet"]
+        words += ["--temporary-file"] if isinstance(scenario, Scenario) else []
         for option, value in (("--seed", seed), ("--hours", hours), ("--threads", threads), ("--wall-time", wall_time)):
             words += [] if value is None else [option, str(value)]
         for key, value in overrides.items():

@@ -36,6 +36,21 @@ class RunsFromPython(common.InTemporaryFolder):
         scenario = Scenario.load(cell).copy("mine")
         self.assertEqual(matrigrate.run(scenario, hours=0.01).folder, pathlib.Path("mine-seed1"))
 
+    def test_names_the_command_that_makes_the_run_again(self):
+        scenario = Scenario.load(cell).copy("mine")
+        scenario.output.report = True
+        run = matrigrate.run(scenario, hours=0.01, seed=5)
+        command = run.record["command_line"]
+        self.assertEqual(command[1:], ["run", "mine-seed5/scenario.resolved.toml", "-o", "mine-seed5-again"])
+        self.assertEqual(run.record["commands"], [command])
+        self.assertEqual(run.record["scenario"], "mine")
+        self.assertIn("matrigrate run mine-seed5/scenario.resolved.toml -o mine-seed5-again",
+                      (run.folder / "report.html").read_text(encoding="utf-8"))
+        self.assertEqual(subprocess.run([*command, "--quiet"], capture_output=True, check=False).returncode, 0)
+        self.assertEqual(matrigrate.load("mine-seed5-again").trajectory_hash, run.trajectory_hash)
+        again = matrigrate.run(cell, out="by-file", hours=0.01)
+        self.assertIn(str(cell), again.record["command_line"], "a file that stays is named")
+
     def test_configuration(self):
         scenario = Scenario.load(cell)
         scenario.ecm.radius = 20
