@@ -8,7 +8,7 @@
 namespace matrigrate::study {
 
 /// What a claim is for: closures were chosen on calibration rows, no predicted row was looked at before they were
-/// frozen (MODEL.md, "The choice of the closures"), verification rows test parts of the model, and experiment rows go
+/// frozen (docs/closures.md), verification rows test parts of the model, and experiment rows go
 /// beyond the paper.
 enum class ClaimKind { calibration, predicted, verification, experiment };
 
