@@ -131,18 +131,27 @@ def verdict(row: dict[str, str]) -> str:
     return f"**{row['verdict']}**" + (f"; with cells at the rim made again: {again}" if again else "")
 
 
+def by_verdict(name: str) -> str:
+    """The rows of each verdict; * marks those that served no choice."""
+    rows, lines = rows_of(KEPT / name), []
+    for word in ("holds", "in direction", "does not hold", "undecided"):
+        found = [row["id"] + ("*" if row["kind"] == "predicted" else "") for row in rows if row["verdict"] == word]
+        if found:
+            lines.append(f"- *{word}*: {', '.join(found)}")
+    return "\n".join(lines)
+
+
 def claims(_page: str) -> str:
-    return table(["row", "kind", "claim", "published", "verdict"],
-                 [[row["id"], row["kind"] + ("*" if row["kind"] == "predicted" else ""), row["claim"], row["published"], verdict(row)]
-                  for row in rows_of(KEPT / "claims.csv")])
+    return by_verdict("claims.csv")
 
 
 def with_reasons(name: str) -> str:
-    """Our values and what is not met, and in a column of its own the verdict of the set of closures before the default, where it is kept."""
+    """Claims, our values and what is not met, and in a column of its own the verdict of the set of closures before the default, where it is kept."""
     before = {row["id"]: [row["verdict"]] for row in rows_of(BEFORE / name)}
-    return table(["row", "ours: mean [95 % interval]", "verdict", *(["set before"] if before else []), "not met"],
-                 [[row["id"], plain(shortened(row["ours"], 5)), verdict(row), *before.get(row["id"], [""] if before else []),
-                   plain(shortened(row["why_not"].removeprefix("not met: ")))] for row in rows_of(KEPT / name)])
+    return table(["row", "kind", "claim", "published", "ours: mean [95 % interval]", "verdict", *(["set before"] if before else []), "not met"],
+                 [[row["id"], row["kind"], row["claim"], row.get("published", ""), plain(shortened(row["ours"], 5)), verdict(row),
+                   *before.get(row["id"], [""] if before else []), plain(shortened(row["why_not"].removeprefix("not met: ")))]
+                  for row in rows_of(KEPT / name)])
 
 
 def verdicts(_page: str) -> str:
@@ -150,8 +159,7 @@ def verdicts(_page: str) -> str:
 
 
 def experiments(_page: str) -> str:
-    return table(["row", "published", "verdict"],
-                 [[row["id"], row["claim"], verdict(row)] for row in rows_of(KEPT / "experiments.csv")])
+    return by_verdict("experiments.csv")
 
 
 def experiment_verdicts(_page: str) -> str:
