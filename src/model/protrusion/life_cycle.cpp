@@ -6,13 +6,14 @@
 #include "protrusion/maturation.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace matrigrate {
 
 namespace {
 
 Transition to(Phase next, EndCause cause = EndCause::none) {
-  return {.changes = true, .ends = false, .next = next, .cause = cause};
+  return {.changes = true, .ends = false, .next = std::move(next), .cause = cause};
 }
 
 /// The table, a row of functions: one for each phase.
