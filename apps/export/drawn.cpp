@@ -118,7 +118,7 @@ struct Scratch {
 
 private:
   static std::filesystem::path made(const std::filesystem::path& in) {
-    const std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
+    std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
     if (std::filesystem::is_symlink(folder)) // what it leads to is not ours to remove
       throw InputOutputError(fmt::format("{}: is a symbolic link; remove it", folder.string()));
     make_output_folder(folder, true);

@@ -65,6 +65,7 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
   std::string text = aligned(rows, 2);
   if (std::ranges::max(lengths(text)) > widest) { // each pair on a line of its own
     std::vector<std::vector<std::string>> numbers;
+    numbers.reserve(rows.size());
     for (const auto& row : rows) numbers.emplace_back(row.begin() + 2, row.end());
     std::istringstream lines(aligned(numbers, 0));
     text.clear();
