@@ -30,7 +30,8 @@ Field::Field(Field&&) noexcept = default;
 Field::~Field() = default;
 
 double Field::at(const Vec2& x) const {
-  if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of)) return m_factor * (*grid)->at(x);
+  if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of))
+    return m_are_axes ? (*grid)->axis_at(x, m_factor) : m_factor * (*grid)->at(x);
   return m_factor * std::get<Formula>(m_source->of).at(x);
 }
 

@@ -39,6 +39,10 @@ public:
   /// The same field in another unit: `factor` times its values, > 0.
   void scale(double factor) { m_factor *= factor; }
 
+  /// Between the nodes of a grid, its values are now directions without a sense, in degrees: between 80 and -80
+  /// lies 90.
+  void take_as_axes() { m_are_axes = true; }
+
   /// "a formula", or "a grid of 301 x 301 nodes from (-150, -150) to (150, 150) um".
   std::string description() const;
 
@@ -51,6 +55,7 @@ private:
   std::string m_text;
   std::unique_ptr<Source> m_source;
   double m_factor = 1.0;
+  bool m_are_axes = false;
 };
 
 /// Whether a text names a file by its whole path and fingerprint, as Field::text() does.

@@ -18,6 +18,9 @@ struct Grid {
   double from = 0.0, to = 1.0;
 
   double at(const Vec2& x) const { return from + (to - from) * samples.at(x); }
+  double axis_at(const Vec2& x, double factor) const { ///< of factor times these values [degrees]
+    return samples.axis_at(x, factor * from, factor * (to - from));
+  }
 };
 
 /// A grid and the text that gives the same one from any folder.

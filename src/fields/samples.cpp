@@ -109,26 +109,39 @@ Vec2 Samples::end() const {
   return origin + Vec2(spacing.x() * static_cast<double>(columns - 1), spacing.y() * static_cast<double>(rows - 1));
 }
 
-double Samples::at(const Vec2& x) const {
+namespace {
+
+/// Bilinear between the nodes around x.
+/// @param of  what is taken of each value
+template <class Of>
+double between_nodes(const Samples& s, const Vec2& x, const Of& of) {
   const auto cell = [](double position, std::size_t nodes) {
     const double inside = std::clamp(position, 0.0, static_cast<double>(nodes - 1));
     const auto k = std::min(static_cast<std::size_t>(inside), nodes < 2 ? 0 : nodes - 2);
     return std::pair(k, inside - static_cast<double>(k));
   };
-  const auto [i, u] = cell((x.x() - origin.x()) / spacing.x(), columns);
-  const auto [j, v] = cell((x.y() - origin.y()) / spacing.y(), rows);
-  const auto between = [&, i = i, j = j, u = u, v = v](auto&& of) {
-    const auto value = [&](std::size_t column, std::size_t row) {
-      return of(values[std::min(row, rows - 1) * columns + std::min(column, columns - 1)]);
-    };
-    const double low = (1.0 - u) * value(i, j) + u * value(i + 1, j);
-    const double high = (1.0 - u) * value(i, j + 1) + u * value(i + 1, j + 1);
-    return (1.0 - v) * low + v * high;
+  const auto [i, u] = cell((x.x() - s.origin.x()) / s.spacing.x(), s.columns);
+  const auto [j, v] = cell((x.y() - s.origin.y()) / s.spacing.y(), s.rows);
+  const auto value = [&](std::size_t column, std::size_t row) {
+    return of(s.values[std::min(row, s.rows - 1) * s.columns + std::min(column, s.columns - 1)]);
   };
-  if (!axes) return between([](double value) { return value; });
+  const double low = (1.0 - u) * value(i, j) + u * value(i + 1, j);
+  const double high = (1.0 - u) * value(i, j + 1) + u * value(i + 1, j + 1);
+  return (1.0 - v) * low + v * high;
+}
+
+} // namespace
+
+double Samples::at(const Vec2& x) const {
+  if (axes) return axis_at(x, 0.0, 1.0);
+  return between_nodes(*this, x, [](double value) { return value; });
+}
+
+double Samples::axis_at(const Vec2& x, double from, double per_value) const {
   constexpr double twice = 2.0 * std::numbers::pi / 180.0; // directions without a sense repeat after 180 degrees
-  return std::atan2(between([](double angle) { return std::sin(twice * angle); }),
-                    between([](double angle) { return std::cos(twice * angle); }))
+  const auto angle = [=](double value) { return twice * (from + per_value * value); };
+  return std::atan2(between_nodes(*this, x, [&](double value) { return std::sin(angle(value)); }),
+                    between_nodes(*this, x, [&](double value) { return std::cos(angle(value)); }))
          / twice;
 }
 

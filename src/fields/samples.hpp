@@ -21,6 +21,10 @@ struct Samples {
   bool axes = false;          ///< the values are directions without a sense [degrees]: 90 is -90
 
   double at(const Vec2& x) const;
+
+  /// The direction without a sense, where the nodes have those of from + per_value * value [degrees], in (-90, 90].
+  double axis_at(const Vec2& x, double from, double per_value) const;
+
   Vec2 end() const; ///< of the last node [um]
 };
 

@@ -25,9 +25,9 @@ const std::string& text_of(const Parameters& p, const Row& row) {
 /// The unit of the attractant is of the user's choice.
 bool unit_is_free(const Row& row) { return row.path.starts_with("ecm.fields.attractant"); }
 
-/// The field in the unit of its row. @return nothing where the scenario gives no such field
+/// The field in the unit of its row, its values as they are. @return nothing where the scenario gives no such field
 /// @throws ConfigurationError
-std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_view path) {
+std::shared_ptr<fields::Field> numbers_of(const Parameters& p, std::string_view path) {
   const Row& row = *find_row(path);
   const std::string& text = text_of(p, row);
   if (text.empty()) return nullptr;
@@ -40,6 +40,13 @@ std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_v
   } catch (const InputOutputError& error) {
     throw ConfigurationError({{"", 0, 0, std::string(path), error.what()}});
   }
+}
+
+/// The same as the model takes it: the directions of fibres have no sense.
+std::shared_ptr<const fields::Field> field_of(const Parameters& p, std::string_view path) {
+  const auto field = numbers_of(p, path);
+  if (field && path == "fibres.field.direction_deg") field->take_as_axes();
+  return field;
 }
 
 std::vector<Vec2> places(const Parameters& p) { return lattice_patch(p.ecm, p.ecm.radius); }
@@ -72,7 +79,7 @@ MatrixFields matrix_fields(const Parameters& p) {
 
 std::string fault_of_field(const Parameters& p, const Row& row) {
   try {
-    const auto field = field_of(p, row.path);
+    const auto field = numbers_of(p, row.path);
     if (!field) return {};
     for (const Vec2& X : places(p)) {
       const double value = field->at(X);

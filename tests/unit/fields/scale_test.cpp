@@ -164,6 +164,23 @@ TEST_F(ScaledFields, TakeTheDirectionOfStripesFromTheStructureTensor) {
   EXPECT_NE(what("small.tif pixel=1 direction=1").find("is smaller than 3 x 3 pixels"), std::string::npos);
 }
 
+TEST_F(ScaledFields, DirectionsOfAPictureHaveNoSense) {
+  write("angles.tif", 2, {80, -80, 80, -80}, "");
+  Field field("angles.tif pixel=1", folder);
+  EXPECT_NEAR(field.at({0, 0}), 0.0, 1e-9) << "as plain numbers";
+  field.take_as_axes();
+  EXPECT_NEAR(std::abs(field.at({0, 0})), 90.0, 1e-9);
+  EXPECT_NEAR(field.at({-0.5, 0}), 80.0, 1e-9);
+  write("radians.tif", 2, {1.0, 2.0, 1.0, 2.0}, "");
+  Field radians("radians.tif pixel=1", folder);
+  radians.scale(180.0 / std::numbers::pi);
+  radians.take_as_axes();
+  EXPECT_NEAR(radians.at({0, 0}), 1.5 * 180.0 / std::numbers::pi, 1e-6);
+  Field of_grey("angles.tif pixel=1 from=-90 to=90 black=-80 white=80", folder);
+  of_grey.take_as_axes();
+  EXPECT_NEAR(std::abs(of_grey.at({0, 0})), 90.0, 1e-9) << "black and white are the same direction";
+}
+
 TEST(Directions, DoNotDependOnTheSizeOfTheNumbers) {
   Picture picture{.width = 24, .height = 24, .samples = {}, .pixel = {}, .black = {}, .white = {}};
   for (std::size_t k = 0; k < 576; ++k)

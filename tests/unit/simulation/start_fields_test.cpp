@@ -6,9 +6,11 @@
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 
@@ -42,14 +44,36 @@ TEST(StartFields, StiffnessIsThatOfTheReferencePosition) {
   for (std::size_t i = 0; i < s.ecm.size(); ++i) EXPECT_NEAR(s.ecm.stiffness(i), 1.0 + s.ecm.X[i].x() / 200.0, 1e-12);
 }
 
+/// A CSV of two by two nodes, its value on the left and on the right.
+std::string grid_file(const std::string& column, const std::string& left, const std::string& right) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("matrigrate-" + column + ".csv");
+  std::string text = "x_um,y_um," + column + "\n";
+  for (const char* y : {"-90", "90"}) text += fmt::format("-90,{0},{1}\n90,{0},{2}\n", y, left, right);
+  write_file(file, text);
+  return file.string();
+}
+
+TEST(StartFields, DirectionsInAFileHaveNoSense) {
+  const auto angles = [](const std::string& file) {
+    const std::vector<std::string> all{"fibres.arrangement=uniaxial", "fibres.field.direction_deg=" + file};
+    const State s = initial_state(small(all));
+    for (std::size_t i = 0; i < s.ecm.size(); ++i) // 10 degrees to either side of the y axis
+      EXPECT_GE(std::abs(s.ecm.fibre_direction[i]), 79.9 * std::numbers::pi / 180.0) << s.ecm.X[i].x();
+    EXPECT_LE(field_summaries(small(all)).fields[0].high, 90.0);
+  };
+  const std::string degrees = grid_file("angle", "80", "-80"), radians = grid_file("a_rad", "1.3963", "-1.3963");
+  angles(degrees);
+  angles(radians);
+  EXPECT_NE(fault_of("fibres.field.direction_deg=" + grid_file("far", "500", "500")).find("is 500 at ("),
+            std::string::npos);
+  for (const char* name : {"angle", "a_rad", "far"})
+    std::filesystem::remove(std::filesystem::temp_directory_path() / fmt::format("matrigrate-{}.csv", name));
+}
+
 TEST(StartFields, TheUnitInTheNameOfAColumnCounts) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   const auto grid = [&](const std::string& column, const std::string& value) {
-    const std::filesystem::path file = folder / ("matrigrate-" + column + ".csv");
-    std::string text = "x_um,y_um," + column + "\n";
-    for (const char* node : {"-90,-90,", "90,-90,", "-90,90,", "90,90,"}) text += node + value + "\n";
-    write_file(file, text);
-    return file.string();
+    return grid_file(column, value, value);
   };
   const std::string stiff = "ecm.fields.youngs_modulus=";
   const State s = initial_state(small({stiff + grid("E_kPa", "0.3"), "fibres.arrangement=uniaxial",
