@@ -50,6 +50,26 @@ TEST_F(Claims, OfAStudyAreJudgedWithIt) {
   EXPECT_EQ(file("own-study/claims.csv"), table) << "from the folder alone";
 }
 
+TEST_F(Claims, TellWhichWayMeansLeanWhereRunsEndedAtTheRim) {
+  const std::string claim = "\nkind = \"experiment\"\nsentence = \"as it is\"\npublished = \"few\"\nconditions = [";
+  const std::string condition = R"({ rule = "within", readout = "n_protrusions", low = 0, high = 1000, at = )";
+  write("own.toml", "scenario = \"s.toml\"\nreplicates = 2\n[set]\nrun.duration = \"0.1 h\"\n"
+                    "[[points]]\nlabel = \"fast\"\nprotrusion.number = 1\n"
+                    "[[points]]\nlabel = \"still\"\nprotrusion.initiation_rate = \"0 1/s\"\n"
+                    "[[claims]]\nid = \"S1\""
+                        + claim + condition + "\"fast\" }]\n[[claims]]\nid = \"S2\"" + claim + condition
+                        + "\"still\" }]\n");
+  const Ended ended = run("study run own.toml --quiet");
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  const std::string caveat = "2 of 2 runs ended at the rim: means are those of the slower cells";
+  const json claims = json::parse(page_data("own-study/report.html")).at("claims");
+  EXPECT_EQ(claims.at(0).at("caveat"), caveat);
+  EXPECT_EQ(claims.at(1).at("caveat"), "");
+  EXPECT_TRUE(contains(file("own-study/claims.csv"), "," + caveat + ",")) << file("own-study/claims.csv");
+  const Ended collected = run("study collect own-study");
+  EXPECT_TRUE(contains(collected.out, "(" + caveat + ")")) << collected.out;
+}
+
 TEST_F(Claims, AreCheckedBeforeAnythingIsWritten) {
   write_study("own",
               R"({ rule = "same", readout = "n_protrusion", from = "sof", to = "stiffness: youngs_modulus 51 Pa" },

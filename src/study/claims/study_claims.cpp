@@ -81,6 +81,21 @@ Deviations deviations(const study::Study& study) {
   return found;
 }
 
+/// "3 of 8 runs ended at the rim: means are those of the slower cells", of the points that a claim depends on; "" if
+/// none did.
+std::string rim_caveat(const Claim& claim, const Evidence& evidence) {
+  std::size_t all = 0;
+  std::size_t lost = 0;
+  for (const auto& [name, ensemble] : evidence)
+    for (const Result& r : ensemble.results)
+      if (claim.depends_on(name, ensemble.study.points[r.run.point].label)) {
+        ++all;
+        if (ended_at_rim(r)) ++lost;
+      }
+  if (lost == 0) return {};
+  return fmt::format("{} of {} runs ended at the rim: means are those of the slower cells", lost, all);
+}
+
 } // namespace
 
 std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results) {
@@ -103,7 +118,9 @@ std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vecto
         if (auto found = beside(study.folder, other, shipped != nullptr)) all.emplace(other, *std::move(found));
       if (const auto known = all.find(other); known != all.end()) evidence.insert(*known);
     }
-    judged.push_back(judged_claim(claim, evidence));
+    JudgedClaim& about = judged.emplace_back(judged_claim(claim, evidence));
+    if (const std::string rim = rim_caveat(claim, evidence); !rim.empty())
+      about.caveat += (about.caveat.empty() ? "" : "; ") + rim;
   }
   return judged;
 }
