@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -24,11 +25,32 @@ std::optional<RunState> state_of(const std::string& word) {
   return std::nullopt;
 }
 
-/// Read-outs that came after the first tables were kept.
-bool came_later(std::string_view name) {
-  return name == "migration_index_x"
-         || std::ranges::find(group_readout_table(), name, &TableReadOut::name) != group_readout_table().end();
-}
+/// Read-outs of the first tables that were kept. Tables without one that came later are whole: this list never grows.
+constexpr auto first_readouts = std::to_array<std::string_view>({"duration_s",
+                                                                 "v_migr_abs_um_per_h",
+                                                                 "v_migr_path_60s_um_per_h",
+                                                                 "v_migr_path_600s_um_per_h",
+                                                                 "n_protrusions",
+                                                                 "n_unadhered",
+                                                                 "tau_prot_min",
+                                                                 "n_tau_prot",
+                                                                 "n_censored",
+                                                                 "l_prot_um",
+                                                                 "f_mat",
+                                                                 "force_nN",
+                                                                 "f_adh_rel",
+                                                                 "n_simultaneous_mean",
+                                                                 "n_simultaneous_max",
+                                                                 "msd_slope",
+                                                                 "path_angle_deg",
+                                                                 "f_mat_along",
+                                                                 "f_mat_across",
+                                                                 "share_ruptured_along",
+                                                                 "share_ruptured_across",
+                                                                 "share_f_adh_rel_low",
+                                                                 "share_2_or_3_protrusions"});
+
+bool came_later(std::string_view name) { return std::ranges::find(first_readouts, name) == first_readouts.end(); }
 
 /// A table of results, and all that is wrong with it.
 class Kept {

@@ -1,11 +1,16 @@
 #include "study/read_results.hpp"
 
 #include "base/failure.hpp"
+#include "store/csv.hpp"
+#include "store/row_file.hpp"
 #include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace matrigrate::study {
 namespace {
@@ -85,6 +90,29 @@ TEST(ReadResults, RefusesFieldsThatCannotBe) {
       std::string::npos)
       << fault("youngs_modulus 50 Pa,50,", "youngs_modulus 50 Pa,200,");
   EXPECT_NE(fault(",done,", ",finished,").find("\"finished\" is no status of a run"), std::string::npos);
+}
+
+/// The table without some of its columns.
+std::string without(const std::string& csv, const std::vector<std::string>& columns) {
+  const store::CsvTable table = store::read_csv(csv);
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& row) {
+    std::vector<store::Field> fields;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      if (std::ranges::find(columns, table.header[k]) == columns.end()) fields.emplace_back(std::string_view(row[k]));
+    text += store::csv_line(fields);
+  };
+  add(table.header);
+  for (const auto& row : table.rows) add(row);
+  return text;
+}
+
+TEST(ReadResults, TakesTablesFromBeforeAReadOutCame) {
+  const Study study = read(sweep);
+  const std::string csv = results_csv(study, made(study));
+  EXPECT_NO_THROW(read_results(study, without(csv, {"migration_index_x"}), "r.csv"));
+  for (const char* name : {"duration_s", "f_mat", "share_ruptured_across", "share_2_or_3_protrusions"})
+    EXPECT_THROW(read_results(study, without(csv, {name}), "r.csv"), InputOutputError) << name;
 }
 
 TEST(ReadResults, RefusesADurationThatIsNotTheStudys) {
