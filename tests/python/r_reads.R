@@ -162,7 +162,7 @@ without_nucleus <- function(names) names[!grepl("^nucleus_", names)]
 for (table in c("tracks.csv", "summary.csv", "protrusions.csv", "msd.csv", "group.csv")) {
   stopifnot(identical(names(read_run(own("pair"), table)), without_nucleus(names(read_run(file.path(runs, "pair"), table)))))
 }
-for (table in c("results.csv", "msd.csv")) {
+for (table in c("results.csv", "groups.csv", "statistics.csv", "msd.csv")) {
   stopifnot(identical(names(read_results(own("stiffness-study"), table)), names(read_results(file.path(runs, "study"), table))))
 }
 sourced <- new.env()
