@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -93,6 +95,36 @@ TEST(Structure, FilesIncludeWhatTheyName) {
   const Graph reached = reached_includes(all);
   for (const Source& file : all)
     for (const std::string& finding : undeclared_names(file, reached)) ADD_FAILURE() << finding;
+}
+
+// The live page is built seldom; its libraries are headers alone (web/CMakeLists.txt).
+TEST(Structure, SourcesOfTheLivePageNeedOnlyItsLibraries) {
+  std::ifstream in(src.parent_path() / "web/CMakeLists.txt");
+  const std::string cmake(std::istreambuf_iterator<char>(in), {});
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(cmake, found, std::regex(R"(foreach\(folder ([^)]*)\))")));
+  std::istringstream folders(found[1].str());
+  std::vector<std::regex> left_out;
+  const std::regex filter(R"rx(list\(FILTER sources EXCLUDE REGEX "([^"]*)")rx");
+  for (std::sregex_iterator it(cmake.begin(), cmake.end(), filter), end; it != end; ++it)
+    left_out.emplace_back(std::regex_replace((*it)[1].str(), std::regex(R"(\\\\)"), "\\"));
+  ASSERT_EQ(left_out.size(), 2U);
+  const std::regex needs_library(
+      "<(tiffio|png|muParser|hdf5|H5public|zlib)\\.h>|<(tbb|oneapi|boost|CLI)/.*>|<sys/wait.h>");
+  const Graph reached = reached_includes(sources(src));
+  std::size_t compiled = 0;
+  for (std::string folder; folders >> folder;)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(src / folder)) {
+      const std::string path = "/" + std::filesystem::relative(entry.path(), src).generic_string();
+      const auto is_left_out = [&](const std::regex& names) { return std::regex_search(path, names); };
+      if (!path.ends_with(".cpp") || std::ranges::any_of(left_out, is_left_out)) continue;
+      const auto file = std::ranges::find_if(reached, [&](const auto& of) { return path.ends_with("/" + of.first); });
+      ASSERT_NE(file, reached.end()) << path;
+      ++compiled;
+      for (const std::string& header : file->second)
+        EXPECT_FALSE(std::regex_match(header, needs_library)) << "src" << path << " includes " << header;
+    }
+  EXPECT_GT(compiled, 80U);
 }
 
 // Without it CMake takes a script for one of its first versions, and warns at each build.
