@@ -2,7 +2,7 @@
 
     from matrigrate import calibrate, tracks
 
-    cells = tracks.read("spots.csv", pixel=0.65, interval=120)
+    cells = tracks.read("spots.csv", pixel=0.65, frame_interval=120)
     study = matrigrate.load_study("design-study")         # a Latin hypercube: its ranges are the prior
     fit = calibrate.fit(study, cells, ["speed_um_per_h", "straightness"])
     fit.write("fit")                                      # fit/report.html, and tables
