@@ -170,14 +170,22 @@ void add_distance(Json& json, const std::vector<study::Target>& targets, const s
   json["distance"] = number_or_null(std::sqrt(squares / weights));
 }
 
+RunOutcome run_in(const TemporaryFolder& folder, const Parameters& p, const SampleArguments& options) {
+  RunDisplay display(true);
+  try {
+    return run::run(
+        {.s = initial_state(p), .p = p},
+        {.folder = folder.path, .command_line = options.command_line, .page_template = {}, .folder_is_kept = false},
+        display);
+  } catch (const InputOutputError& error) {
+    throw InputOutputError(fmt::format("{}; TMPDIR names another folder to work in", error.what()));
+  }
+}
+
 int sample(const SampleArguments& options) {
   const Request request = request_of(options);
   const TemporaryFolder folder;
-  RunDisplay display(true);
-  const RunOutcome outcome = run::run(
-      {.s = initial_state(request.p), .p = request.p},
-      {.folder = folder.path, .command_line = options.command_line, .page_template = {}, .folder_is_kept = false},
-      display);
+  const RunOutcome outcome = run_in(folder, request.p, options);
   if (outcome.end != RunEnd::completed) {
     print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
     return run::exit_code(outcome.end);
@@ -219,7 +227,7 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
   verb->add_option("--targets", options->targets, "Measured read-outs to tell the distance from");
   verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
   verb->add_option("--hours", options->parameters.hours, "Simulated time in hours, or as \"30 min\": run.duration");
-  verb->add_option("--threads", options->parameters.threads, "Threads, 0 for all: run.threads; never changes a result");
+  add_threads(*verb, options->parameters, "Threads, 0 for all: run.threads; never changes a result");
   verb->callback([options, &chosen] { chosen = [options] { return sample(*options); }; });
 }
 

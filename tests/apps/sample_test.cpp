@@ -98,6 +98,16 @@ TEST_F(Program, SampleNamesTheFolderThatItCannotWorkIn) {
   EXPECT_TRUE(contains(ended.err, "; TMPDIR names another one")) << ended.err;
 }
 
+TEST_F(Program, SampleSaysWhereThereIsNoRoomToWork) {
+  const Ended ended = run("sample ecm.radius=\"40 um\" --hours 0.01",
+                          "bash' -c 'ulimit -f 150; TMPDIR=. exec \"$0\" \"$@\"' '" MATRIGRATE_PROGRAM); // kB a file
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_TRUE(contains(ended.err, "checkpoint")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "nothing of it is kept; TMPDIR names another folder to work in\n")) << ended.err;
+  EXPECT_EQ(entries(), 0U);
+}
+
 TEST_F(Program, SampleThatIsStoppedPromisesNothing) {
   ::setenv("TMPDIR", folder.c_str(), 1);
   const int code = stopped("sample ecm.radius=60 run.integrator=adaptive --hours 100", ".",
