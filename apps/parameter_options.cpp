@@ -1,8 +1,10 @@
 #include "apps/parameter_options.hpp"
 
 #include "apps/verbs.hpp"
+#include "parameters/schema.hpp"
 #include "parameters/units.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +31,12 @@ std::string with_hours(const std::string& text) {
 }
 
 } // namespace
+
+void add_threads(CLI::App& verb, ParameterOptions& options, const std::string& meaning) {
+  const Range& range = find_row(threads)->range;
+  verb.add_option("--threads", options.threads, meaning)
+      ->check(CLI::Range(static_cast<int>(range.low), static_cast<int>(range.high)));
+}
 
 std::vector<std::string> all_overrides(const ParameterOptions& options) {
   std::vector<std::string> all = options.overrides;

@@ -7,6 +7,10 @@
 #include <string_view>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 /// Options of the command line that set parameters. Test: tests/apps/run_test.cpp
 namespace matrigrate::apps {
 
@@ -16,6 +20,9 @@ struct ParameterOptions {
   std::optional<std::string> seed;
   std::optional<int> threads;
 };
+
+/// Adds --threads with its range.
+void add_threads(CLI::App& verb, ParameterOptions& options, const std::string& meaning);
 
 /// All options as "key=value", the changes by --set first.
 std::vector<std::string> all_overrides(const ParameterOptions& options);

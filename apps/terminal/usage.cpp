@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +48,26 @@ std::vector<std::string> options_of(const CLI::App& verb) {
     for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
   return names;
+}
+
+/// What a number given by an option may be: "a whole number from 1 to 4096".
+std::string number_of(const CLI::Option& option, const std::string& range) {
+  const std::string type = option.get_type_name();
+  return (type.starts_with("FLOAT") ? "a number" : "a whole number") + range;
+}
+
+/// Of an option whose text is no number, or one out of its range: what is wanted; else nothing.
+std::string number_fault(const CLI::App& verb, const std::string& what) {
+  static const std::regex no_number("Could not convert: (-[^ ]+) = ?(.*)");
+  static const std::regex out_of_range("(-[^ ]+): Value (.*) not in range ([^ ]+) to ([^ ]+)");
+  std::smatch found;
+  const bool ranged = std::regex_match(what, found, out_of_range);
+  if (!ranged && !std::regex_match(what, found, no_number)) return {};
+  const CLI::Option* option = verb.get_option_no_throw(found[1]);
+  if (option == nullptr) return {};
+  const std::string range =
+      ranged ? fmt::format(" from {:g} to {:g}", std::stod(found[3]), std::stod(found[4])) : std::string();
+  return fmt::format("{}: \"{}\" is not {}", found[1].str(), found[2].str(), number_of(*option, range));
 }
 
 } // namespace
@@ -91,7 +113,8 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   if (!extra.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     return fmt::format("too many arguments: {}{}", fmt::join(extra, " "), help);
   if (std::string_view(error.what()) == "A subcommand is required") return fmt::format("a verb is required{}", help);
-  return fmt::format("{}{}", error.what(), help);
+  const std::string number = number_fault(*verb, error.what());
+  return fmt::format("{}{}", number.empty() ? error.what() : number, help);
 }
 
 } // namespace matrigrate::apps

@@ -46,9 +46,13 @@ struct Typed {
 
 /// @throws std::invalid_argument saying what is wrong with a string
 Typed typed_string(const Row& row, const std::string& text) {
-  if (kind(row) == Kind::ratio)
-    throw std::invalid_argument(
-        fmt::format("is a string; write a bare number without quotes, such as {}", example(row)));
+  if (kind(row) == Kind::ratio) {
+    const std::string such = fmt::format("such as {}", example(row));
+    if (text.find_first_of("0123456789") == std::string::npos)
+      throw std::invalid_argument(
+          fmt::format("{} is no number; allowed is {}, {}", quoted_excerpt(text), allowed_text(row), such));
+    throw std::invalid_argument(fmt::format("is a string; write a bare number without quotes, {}", such));
+  }
   const bool angle = kind(row) == Kind::angle;
   const std::string such = fmt::format("write it like {}", angle ? "\"30 deg\"" : example(row));
   units::Quantity quantity;
@@ -109,15 +113,20 @@ std::string assign_real(const Row& row, const Given& given, double& parameter) {
   }
 }
 
+/// Why a text stands for no whole number. An option of the command line has no quotes that one could leave out.
+std::string not_whole(const Row& row, const std::string& text) {
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
+    return fmt::format("{} is no whole number; allowed is {}, such as {}", quoted_excerpt(text), allowed_text(row),
+                       example(row));
+  if (text.size() > 18) return out_of_range(row, text);
+  return fmt::format("is a string; write a whole number without quotes, such as {}", example(row));
+}
+
 template <class Whole>
 std::string assign_whole(const Row& row, const Given& given, Whole& parameter) {
   if (std::holds_alternative<double>(given.value))
     return fmt::format("has a decimal point or an exponent; write a whole number, such as {}", example(row));
-  if (const auto* text = std::get_if<std::string>(&given.value)) {
-    if (text->find_first_not_of("0123456789") == std::string::npos && text->size() > 18)
-      return out_of_range(row, *text);
-    return fmt::format("is a string; write a whole number without quotes, such as {}", example(row));
-  }
+  if (const auto* text = std::get_if<std::string>(&given.value)) return not_whole(row, *text);
   const auto* value = std::get_if<std::int64_t>(&given.value);
   if (value == nullptr) return wrong_type(row, given);
   if (!within(row.range, static_cast<double>(*value), row.range.low, row.range.high))

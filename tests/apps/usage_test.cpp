@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace matrigrate {
 namespace {
@@ -26,6 +27,32 @@ TEST_F(Program, WithoutAVerbItNamesThem) {
   EXPECT_FALSE(contains(run("-h").out, "SUBCOMMAND"));
   EXPECT_TRUE(contains(run("-h").out, "\nVerbs:\n"));
   EXPECT_TRUE(contains(run("study -h").out, "\nVerbs:\n"));
+}
+
+TEST_F(Program, OptionsThatWantANumberSayWhich) {
+  ASSERT_EQ(run("new cell.toml").code, 0);
+  const std::string seeds = "is no whole number; allowed is >= 0 and <= 9007199254740991, such as 1\n";
+  EXPECT_EQ(run("run cell.toml --seed abc").err, "--seed: run.seed: \"abc\" " + seeds);
+  EXPECT_EQ(run("explain cell.toml --set run.seed=abc").err, "--set: run.seed: \"abc\" " + seeds);
+  EXPECT_EQ(run("sample run.seed=abc").err, "run.seed: \"abc\" " + seeds);
+  EXPECT_EQ(run("explain cell.toml --set ecm.poissons_ratio=abc").err,
+            "--set: ecm.poissons_ratio: \"abc\" is no number; allowed is > 0 and < 0.5, such as 0.45\n");
+  for (const auto& [words, said] : {
+           std::pair{"run cell.toml --threads abc", "--threads: \"abc\" is not a whole number from 0 to 1024"},
+           {"resume here --threads -1", "--threads: \"-1\" is not a whole number from 0 to 1024"},
+           {"sample --threads 1.5", "--threads: \"1.5\" is not a whole number from 0 to 1024"},
+           {"study run s.toml --jobs 0", "--jobs: \"0\" is not a whole number from 1 to 4096"},
+           {"study submit s.toml --chunk x", "--chunk: \"x\" is not a whole number"},
+           {"reproduce A1 --replicates x", "--replicates: \"x\" is not a whole number from 1 to 100000"},
+           {"export r --movie --seconds x", "--seconds: \"x\" is not a number from 0.1 to 3600"},
+           {"tracks t.csv --shortest x", "--shortest: \"x\" is not a whole number"},
+           {"tracks t.csv --jitter x", "--jitter: \"x\" is not a number"},
+           {"demo --hours x", "--hours: \"x\" is not a number"},
+       }) {
+    const Ended ended = run(words);
+    EXPECT_EQ(ended.code, 2) << words;
+    EXPECT_EQ(lines(ended.err, 1), std::string("matrigrate: ") + said + "\n") << words;
+  }
 }
 
 TEST_F(Program, AVerbOfAnotherGroupIsNamed) {
