@@ -21,6 +21,9 @@ void expect_none(const Findings& findings) {
   for (const std::string& finding : findings) ADD_FAILURE() << finding;
 }
 
+/// Its pages stand as they were written: they may name what is no longer there. Their links are checked.
+bool is_lab_book(const Document& page) { return page.path.starts_with("docs/lab/"); }
+
 TEST(Documents, LinksLeadSomewhere) {
   const Tree files = tree(root);
   const auto pages = documents(root, files);
@@ -30,7 +33,8 @@ TEST(Documents, LinksLeadSomewhere) {
 
 TEST(Documents, NameFilesThatExist) {
   const Tree files = tree(root);
-  for (const Document& page : documents(root, files)) expect_none(missing_files(page, files));
+  for (const Document& page : documents(root, files))
+    if (!is_lab_book(page)) expect_none(missing_files(page, files));
 }
 
 TEST(Documents, CommentsNameFilesThatExist) {
@@ -75,7 +79,8 @@ TEST(Documents, GiveCommandsThatExist) {
   std::set<std::string> known;
   for (const Source& source : sources(root / "apps")) known.merge(declared_commands(source.text));
   ASSERT_TRUE(known.contains("study") && known.contains("--output"));
-  for (const Document& page : documents(root, tree(root))) expect_none(unknown_commands(page, known));
+  for (const Document& page : documents(root, tree(root)))
+    if (!is_lab_book(page)) expect_none(unknown_commands(page, known));
 }
 
 TEST(Documents, ExamplesAreShortAndListed) {
