@@ -154,7 +154,7 @@ export function sampleStudy(replicates = 12): StudyPage {
     version: 1,
     title: "Stiffness of the matrix and sensitivity of adhesions",
     status: `${done.length} of ${runs.length} runs done, ${runs.length - done.length} failed.`,
-    summary: "v_migr_abs is highest at E = 400 Pa.",
+    summary: "Speed, start to end (v_migr_abs), is highest at E = 400 Pa.",
     facts: [
       { name: "command", value: "matrigrate study run stiffness.toml" },
       { name: "runs done", value: `${done.length} of ${runs.length}` },

@@ -1,7 +1,9 @@
 /** A plotly plot in the look of the page, drawn when it comes near the window or is printed, and again for another look. */
 import Plotly from "plotly.js-cartesian-dist-min";
 import { h, isDark, onDarkMode } from "./dom";
+import { roundStep } from "./numbers";
 import { onPrint } from "./paper";
+import { lettered, typeset, units } from "./words";
 
 export type Json = Record<string, unknown>;
 
@@ -20,7 +22,7 @@ export const ink = () =>
 export function axis(title: string, more: Json = {}): Json {
   const colours = ink();
   return {
-    title: { text: title, standoff: 8 },
+    title: { text: typeset(units(title)), standoff: 8 },
     gridcolor: colours.line,
     linecolor: colours.soft,
     showline: true,
@@ -31,6 +33,22 @@ export function axis(title: string, more: Json = {}): Json {
     automargin: true,
     ...more,
   };
+}
+
+/** A logarithmic axis from the least to the largest value: decades where there are two, else 1, 2, 5. */
+export function logAxis(title: string, values: number[], more: Json = {}): Json {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const decades = Array.from({ length: 40 }, (_, k) => 10 ** (k - 20));
+  const steps = high > 99 * low ? [1] : [1, 2, 5];
+  const tickvals = decades.flatMap((d) => steps.map((n) => Number((n * d).toPrecision(3)))).filter((v) => v >= 0.5 * low && v <= 2 * high);
+  const exponent = (v: number) => `10<sup>${Math.round(Math.log10(v))}</sup>`.replace("-", "\u2212");
+  const plain = (v: number) => (v >= 1e-4 && v < 1e5 ? String(v) : steps.length === 1 ? exponent(v) : v.toExponential(0).replace("-", "\u2212"));
+  return axis(title, { type: "log", tickvals, ticktext: tickvals.map(plain), ...more });
+}
+
+/** Ticks of an axis of counts: whole numbers. */
+export function wholeTicks(low: number, high: number): Json {
+  return { tick0: 0, dtick: Math.max(1, roundStep((high - low) / 5)), tickformat: "d" };
 }
 
 /** Without a pointer there is nothing to hover with, and a drag should scroll the page. */
@@ -61,7 +79,7 @@ export function figure(
   });
   plot.setAttribute("role", "img");
   plot.setAttribute("aria-label", caption);
-  const element = h("figure", {}, plot, h("figcaption", {}, caption));
+  const element = h("figure", {}, plot, h("figcaption", {}, ...lettered(caption)));
   let seen = false;
   const draw = () => {
     const colours = ink();

@@ -133,8 +133,8 @@ test("an edge of the cell in colours has their scale in saved pictures, and no l
   await page.locator("select[name=edge]").selectOption("force");
   const bar = (await page.locator("div.edge .bar-numbers").first().textContent()) ?? "";
   const seen = await texts();
-  for (const text of ["Edge:", "actomyosin force [nN]"]) assert.ok(seen.includes(text), seen.join());
-  assert.ok(bar.endsWith(seen[seen.indexOf("actomyosin force [nN]") - 2]), `${bar}: ${seen.join()}`);
+  for (const text of ["Edge:", "actomyosin force (nN)"]) assert.ok(seen.includes(text), seen.join());
+  assert.ok(bar.endsWith(seen[seen.indexOf("actomyosin force (nN)") - 2]), `${bar}: ${seen.join()}`);
   assert.match(await legend(), /adhesion, maturing; adhesion, contracting/);
   assert.ok(!/growing|finishing/.test(await legend()), await legend());
   const coloured = await saved("Save PNG");

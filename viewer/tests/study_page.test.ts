@@ -305,7 +305,7 @@ test("a design that is no grid is drawn over its factors, with targets", async (
     msd: [],
     scatter: {
       points,
-      factors: [{ name: "ecm.youngs_modulus", label: "youngs_modulus", unit: "Pa", values, correlations }],
+      factors: [{ name: "ecm.youngs_modulus", label: "ecm.youngs_modulus (E)", meaning: "Young's modulus of the intact matrix", unit: "Pa", values, correlations }],
       targets: [{ readout: study.readouts[0].name, low: 5, high: 6 }],
     },
   };
@@ -314,7 +314,7 @@ test("a design that is no grid is drawn over its factors, with targets", async (
   assert.equal(await page.locator("#scatter .plotly-figure").count(), study.readouts.length);
   assert.equal(await page.locator("#readouts").count(), 0, "no boxes over names of samples");
   const caption = (await page.locator("#scatter figcaption >> nth=0").textContent()) ?? "";
-  assert.match(caption, /v_migr_abs over youngs_modulus: Spearman's rho 0.9 over 5 points, p = 0.040 after Holm/);
+  assert.match(caption, /^Speed, start to end, over Young's modulus of the intact matrix: Spearman's rho 0.9 over 5 points, p = 0.040 after Holm/);
   const shapes = await page.evaluate(() =>
     [...document.querySelectorAll("#scatter .plotly-figure")].map(
       (one) => (one as unknown as { layout: { shapes: { y0: number; y1: number }[] } }).layout.shapes.map((s) => [s.y0, s.y1]),

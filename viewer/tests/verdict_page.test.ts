@@ -70,7 +70,7 @@ test("draws curves with their marks, axes and legend, and pictures as they are",
     ["markers", "solid", "#d55e00", 21],
     ["lines", "dash", "#009e73", 2],
   ]);
-  assert.deepEqual(drawn.axes, ["linear", "time [s]", "log", "displacement [\u00b5m]"]);
+  assert.deepEqual(drawn.axes, ["linear", "time (s)", "log", "displacement (\u00b5m)"]);
   // No dot for the value that is missing, nor for the one that is zero, which a logarithmic axis cannot show.
   assert.equal(await page.locator("[data-figure=creep] .points path").count(), 19);
   assert.deepEqual(await page.locator("[data-figure=creep] .legendtext").allTextContents(), ["1 - exp(-t)", "measured"]);

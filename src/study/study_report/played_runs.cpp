@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "run/finished_run.hpp"
+#include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,8 @@ std::optional<Choice> typical(const StudyFolder& study, const std::vector<Result
   if (runs.empty()) return {};
   const auto by_value = [&](const Result* r) { return r->readouts[column]; };
   std::ranges::sort(runs, {}, by_value);
-  return Choice{runs[(runs.size() - 1) / 2], fmt::format("the middle one by {}", readout)};
+  return Choice{runs[(runs.size() - 1) / 2],
+                fmt::format("the middle one by {}", readouts_json(study.study).at(0).at("meaning").get<std::string>())};
 }
 
 /// Up to max_runs points, spread over all of them.

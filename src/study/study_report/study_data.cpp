@@ -101,6 +101,7 @@ Json scatter_json(const StudyReport& report) {
     }
     factors.push_back({{"name", key},
                        {"label", Names::whole(key)},
+                       {"meaning", row.description},
                        {"unit", row.unit == "1" ? "" : row.unit},
                        {"values", values},
                        {"correlations", correlations}});
@@ -182,6 +183,13 @@ std::string result_sentence(const StudyReport& report) {
   };
   const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
   if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
+  if (std::min(low->moments.n, high->moments.n) < least_runs) {
+    const std::string unit = readout.at("unit");
+    return fmt::format(
+        "{} goes from {:.3g} to {:.3g}{} over {} points; of fewer than {} runs none is called the lowest "
+        "or the highest.",
+        label, low->moments.mean, high->moments.mean, unit.empty() ? "" : " " + unit, defined.size(), least_runs);
+  }
   std::size_t tested = 0;
   std::size_t significant = 0;
   for (const Comparison& c : report.comparisons) {

@@ -1,5 +1,6 @@
 #include "study_report/study_data.hpp"
 
+#include "parameters/schema.hpp"
 #include "store/csv.hpp"
 #include "study/design/axes.hpp"
 #include "study_report/discrepancy_json.hpp"
@@ -51,11 +52,12 @@ TEST(StudyData, PointsThatAreNoGridHaveTheirLabelsAsAnAxis) {
 TEST(StudyData, TellsParametersApartThatEndAlike) {
   const Study study = read("readouts = [\"f_mat\"]\n[latin_hypercube]\nsamples = 5\nprotrusion.force = [0.1, 0.2]\n"
                            "actomyosin.force = [1, 2]\n");
-  auto results = results_of("f_mat", {{1.0}, {2.0}, {3.0}, {4.0}, {5.0}});
+  auto results = results_of("f_mat", {{1.0, 1.1, 1.2}, {2.0}, {3.0}, {4.0}, {5.0, 5.1, 5.2}});
   for (Result& r : results) r.standing.status = RunState::running; // there are no tables of runs to read
   const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
   EXPECT_EQ(data.at("scatter").at("factors").at(0).at("label"), "protrusion.force (F_prot)");
   EXPECT_EQ(data.at("scatter").at("factors").at(1).at("label"), "actomyosin.force (F_am)");
+  EXPECT_EQ(data.at("scatter").at("factors").at(1).at("meaning"), find_row("actomyosin.force")->description);
   const std::string summary = data.at("summary");
   for (const char* name : {"protrusion.force 0.1", "actomyosin.force 1"})
     EXPECT_NE(summary.find(name), std::string::npos) << summary;
@@ -115,8 +117,16 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
   EXPECT_EQ(data.at("groups").at(0).at("low_quartile"), 0.2125) << "linear between order statistics";
   EXPECT_EQ(data.at("groups").at(1).at("n"), 1);
   EXPECT_TRUE(data.at("tests").at(0).contains("p_holm"));
-  EXPECT_EQ(data.at("summary"), "Maturation, mean (f_mat) is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, "
-                                "0.5 (mean of 1 run) at n_prot 2; no comparison has 3 runs at both points.");
+  EXPECT_EQ(data.at("summary"),
+            "Maturation, mean (f_mat) goes from 0.412 to 0.5 over 2 points; of fewer than 3 runs none "
+            "is called the lowest or the highest.");
+  results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5, 0.6, 0.7}});
+  for (Result& r : results) r.standing.status = RunState::running;
+  const std::string enough =
+      study_data({study, results, comparisons(study, results), "nowhere", "commit"}).at("summary");
+  EXPECT_TRUE(enough.starts_with("Maturation, mean (f_mat) is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, "
+                                 "0.6 (mean of 3 runs) at n_prot 2; "))
+      << enough;
 }
 
 TEST(StudyData, SaysThatRunsEndedAtTheRim) {

@@ -71,7 +71,7 @@ export interface Curves {
 }
 
 export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionRow[], gone: AbortSignal): Curves {
-  const speed = plot(clock, "speed [\u00b5m/h]", false);
+  const speed = plot(clock, "speed (\u00b5m/h)", false);
   const alive = plot(clock, "protrusions alive", true);
   const life = h("div", {});
   const older = h("p", { class: "note" });

@@ -84,7 +84,7 @@ export function onPick(made: Frame, pick: (x: number, y: number) => void): void 
 export const hours = ({ end }: { end: number }): Axis => {
   const high = end / 3600;
   const step = high > 0.5 && high < 8 ? (high > 2 ? 1 : 0.5) : undefined;
-  return { low: 0, high, label: "time [h]", ticks: ticks(0, high, 6, step) };
+  return { low: 0, high, label: "time (h)", ticks: ticks(0, high, 6, step) };
 };
 
 const line = (made: Frame, x: number[], y: number[]): string =>
@@ -194,8 +194,8 @@ function path(clock: Clock, width: number, cells: CellTracks[], measured: Measur
   const made = frame(
     width,
     height,
-    axis(xs, w, "x [\u00b5m]"),
-    axis(ys, k, "y [\u00b5m]"),
+    axis(xs, w, "x (\u00b5m)"),
+    axis(ys, k, "y (\u00b5m)"),
     cells.length > 1 ? "Paths of the centres of mass" : "Path of the centre of mass",
   );
   for (const { x, y } of measured)
@@ -271,11 +271,11 @@ export function plots(run: Pick<RunPage, "tracks" | "measured">, clock: Clock, w
       "div",
       {},
       figure(
-        overTime(clock, column, curves(speeds), "speed [\u00b5m/h]", true, gone),
+        overTime(clock, column, curves(speeds), "speed (\u00b5m/h)", true, gone),
         "Speed: displacement over ten minutes.",
       ),
       figure(
-        overTime(clock, column, curves((own) => ({ t: own.t_s, v: own.area_um2 })), "area [\u00b5m\u00b2]", false, gone),
+        overTime(clock, column, curves((own) => ({ t: own.t_s, v: own.area_um2 })), "area (\u00b5m\u00b2)", false, gone),
         "Area inside the cortex.",
       ),
     ),

@@ -38,7 +38,7 @@ export function scaleControls(
     ...layer.maps.map((key) => h("option", { value: key, selected: key === scale.limits.map }, colourMaps[key].name)),
   );
   const fault = h("p", { class: "note caveat", role: "alert" });
-  const unit = layer.unit ? ` [${layer.unit}]` : "";
+  const unit = layer.unit ? ` (${layer.unit})` : "";
   const number = (end: "low" | "high", name: string) => {
     const input = h("input", {
       type: "number",

@@ -46,7 +46,7 @@ function story(row: ProtrusionRow): string {
 function remark(row: ProtrusionRow, wide: boolean): string {
   if (row.cause === "unadhered") return wide ? "never adhered" : "\u2013";
   const parts = [];
-  if (row.f_mat !== null) parts.push(`${wide ? "f_mat " : ""}${readable(row.f_mat, 2)}`);
+  if (row.f_mat !== null) parts.push(`${wide ? "maturation " : ""}${readable(row.f_mat, 2)}`);
   if (row.force_nN !== null) parts.push(`${readable(row.force_nN, 2)} nN`);
   if (row.cause === "rupture") parts.push("ruptured");
   return parts.join(wide ? ", " : " ");

@@ -1,17 +1,18 @@
 /** A read-out by parameter value: boxes with every run as a point, n, mean, and what differs significantly. */
 import type { StudyData, StudyGroup, StudyReadout } from "./contract";
+import { h } from "../dom";
 import { pretty, readable } from "../numbers";
 import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
-import { axis, figure, ink, type Json } from "../figure";
-import { groupAt, seriesColour, values, withUnit, type Grid, type Group } from "./groups";
+import { axis, figure, ink, wholeTicks, type Json } from "../figure";
+import { axisTitle, capital, lettered, typeset } from "../words";
+import { groupAt, seriesColour, values, type Grid, type Group } from "./groups";
 
 /** The summary of a read-out at the point of a group, as the program computed it. */
 const statisticsOf = (study: StudyData, group: Group, readout: string): StudyGroup | undefined =>
   study.groups.find((one) => one.readout === readout && one.point.join() === group.point.join());
 
 function caption(study: StudyData, readout: StudyReadout): string {
-  const meaning = `${readout.meaning[0]?.toUpperCase() ?? ""}${readout.meaning.slice(1)}.`;
-  return `${meaning}${starsNote(study.tests, readout.name)}`;
+  return `${capital(readout.meaning)}.${starsNote(study.tests, readout.name)}`;
 }
 
 /** Runs that a box is drawn of; of fewer the runs alone. */
@@ -28,15 +29,29 @@ function labelRoom(columns: string[], width: number): number {
 /** With more columns than this there is room for bare numbers of runs alone. */
 const mostWideColumns = 8;
 
-export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown): HTMLElement {
+/** Levels of comparisons over the boxes of a read-out. */
+const levelsOf = (bars: Bracket[]): number => Math.max(0, ...bars.map((b) => b.level + 1));
+
+/** A plot of each read-out that has a value, all of one height, so that those beside each other stand on one level. */
+export function boxesOfAll(study: StudyData, made: Grid, show: Shown): HTMLElement[] {
+  const shown = study.readouts.filter((r) => made.groups.some((g) => values(g, r.name).length > 0));
+  const levels = Math.max(0, ...shown.map((r) => levelsOf(brackets(study.tests, made, r.name, show))));
+  const empty = study.readouts.filter((r) => !shown.includes(r)).map((r) => r.meaning);
+  return [
+    ...shown.map((r) => boxes(study, made, r, show, levels)),
+    ...(empty.length > 0 ? [h("p", { class: "note empty" }, ...lettered(`No run has a value of: ${empty.join("; ")}.`))] : []),
+  ];
+}
+
+export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown, levels = levelsOf(brackets(study.tests, made, readout.name, show))): HTMLElement {
   const bars = brackets(study.tests, made, readout.name, show);
-  const levels = Math.max(0, ...bars.map((b) => b.level + 1));
   const plotHeight = 270 + 17 * levels;
   const crowded = made.columns.length > mostWideColumns;
   return figure(caption(study, readout), (width) => plotHeight + labelRoom(made.columns, width), () => {
     const colours = ink();
     const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
     const [low, high] = [Math.min(...every), Math.max(...every)];
+    const counted = !readout.unit && every.every(Number.isInteger);
     const span = high - low || 1;
     // Room above the data is counted in pixels, so that stars keep their distance whatever the values are.
     const pixel = (1.12 * span) / Math.max(100, plotHeight - 36 - 17 * levels);
@@ -48,12 +63,12 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
       for (const g of groups) {
         const found = values(g, readout.name);
         const box = statisticsOf(study, g, readout.name);
-        const text = found.map((v) => `${g.label}<br>seed ${v.run.seed}: ${readable(v.value)}`);
+        const text = found.map((v) => `${typeset(g.label)}<br>seed ${v.run.seed}: ${readable(v.value)}`);
         if (found.length < leastForBox) {
           data.push({
             type: "scatter",
             mode: "markers",
-            name,
+            name: typeset(name),
             x: found.map((_, i) => g.x + made.width * 0.3 * (found.length > 1 ? i / (found.length - 1) - 0.5 : 0)),
             y: found.map((v) => v.value),
             marker: { color: colour, size: 7, opacity: 0.75 },
@@ -64,7 +79,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
         }
         data.push({
           type: "box",
-          name,
+          name: typeset(name),
           x: [g.x],
           // Quartiles and whiskers as in groups.csv: plotly has definitions of its own.
           q1: [box?.low_quartile],
@@ -93,7 +108,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
         y: means,
         marker: { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } },
         text: groups.map(
-          (g, i) => `${g.label}<br>mean ${readable(means[i])} ${pretty(readout.unit)}, n = ${values(g, readout.name).length}`,
+          (g, i) => `${typeset(g.label)}<br>mean ${readable(means[i])} ${pretty(readout.unit)}, n = ${values(g, readout.name).length}`,
         ),
         hoverinfo: "text",
       });
@@ -133,7 +148,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
           showgrid: false,
           fixedrange: true,
         }),
-        yaxis: axis(withUnit(readout.label, readout.unit), { range: [bottom, top] }),
+        yaxis: axis(axisTitle(readout), { range: [bottom, top], ...(counted ? wholeTicks(low, high) : {}) }),
         annotations: made.groups.map((g) => ({
           x: g.x,
           y: 0,

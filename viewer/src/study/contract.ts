@@ -166,6 +166,8 @@ export interface StudyScatter {
   factors: {
     name: string;
     label: string;
+    /** A sentence. */
+    meaning?: string;
     unit: string;
     /** One value per point. */
     values: number[];

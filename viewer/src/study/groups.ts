@@ -1,10 +1,8 @@
 /** The grid of a study as it is drawn: one axis along x, the combinations of the others as series in colours. */
 import { palette, paletteOnDark } from "../colour";
-import type { GridPoint, StudyData, StudyRun } from "./contract";
+import type { GridPoint, StudyAxis, StudyData, StudyRun } from "./contract";
 import { h, isDark } from "../dom";
-import { pretty } from "../numbers";
-
-export const withUnit = (label: string, unit: string): string => (unit ? `${label} [${pretty(unit)}]` : label);
+import { lettered, settingOf, titleOf } from "../words";
 
 export interface Group {
   point: GridPoint;
@@ -31,16 +29,22 @@ export interface Grid {
 
 const key = (point: GridPoint): string => point.join(",");
 
-/** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough. */
-const most = (made: Grid): number => Math.min(6, made.columns.length);
-export const multiplesStyle = (made: Grid): string => `--columns:${most(made)};--some:${Math.min(3, most(made))}`;
+/** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough; several series in a row of few columns. */
+const most = (made: Grid): number =>
+  made.columns.length > 2 ? Math.min(6, made.columns.length) : made.columns.length * Math.min(made.series.length, made.columns.length > 1 ? 2 : 4);
+const largest = 520;
+export const multiplesStyle = (made: Grid, beside = most(made)): string =>
+  `--columns:${beside};--some:${Math.min(3, beside)};--side:${largest}px`;
 /** The side of a square one in a window of this width [px]; as study.css has it. */
 export function multipleSide(made: Grid, window: number): number {
   const beside = window <= 640 ? 2 : window <= 1024 ? Math.min(3, most(made)) : most(made);
-  return Math.round(Math.min(320, (Math.min(1280, window) - 48 - 19 * (beside - 1)) / beside));
+  return Math.round(Math.min(largest, (Math.min(1280, window) - 48 - 19 * (beside - 1)) / beside));
 }
 export const inRows = (groups: Group[]): Group[] =>
   [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
+
+/** Whether the values of an axis name themselves: points of a study, and conditions. */
+const isNamed = (axis: StudyAxis): boolean => !axis.name.includes(".");
 
 /** @param main  index of the axis along x */
 export function grid(study: StudyData, main: number): Grid {
@@ -50,16 +54,12 @@ export function grid(study: StudyData, main: number): Grid {
   for (const a of study.axes) points = points.flatMap((p) => a.values.map((_, i) => [...p, i]));
   const seriesOf = (p: GridPoint) =>
     others
-      .map(
-        (i) =>
-          `${study.axes[i].label} ${study.axes[i].values[p[i]]}${study.axes[i].unit ? ` ${pretty(study.axes[i].unit)}` : ""}`,
-      )
+      .map((i) => (isNamed(study.axes[i]) ? String(study.axes[i].values[p[i]]) : settingOf(study.axes[i], study.axes[i].values[p[i]])))
       .join(", ");
   const series = [...new Set(points.map(seriesOf))];
   const width = 0.8 / series.length;
   const columns = axis ? axis.values.map(String) : [""];
-  const unit = axis?.unit ? ` ${pretty(axis.unit)}` : "";
-  const columnLabels = axis ? columns.map((value) => `${axis.label} ${value}${unit}`) : ["all runs"];
+  const columnLabels = axis ? (isNamed(axis) ? columns : columns.map((value) => settingOf(axis, value))) : ["all runs"];
   const groups = points.map((point): Group => {
     const column = axis ? point[main] : 0;
     const k = series.indexOf(seriesOf(point));
@@ -72,7 +72,7 @@ export function grid(study: StudyData, main: number): Grid {
       runs: study.runs.filter((run) => key(run.point) === key(point)),
     };
   });
-  return { axisTitle: axis ? withUnit(axis.label, axis.unit) : "", columns, columnLabels, series, groups, width };
+  return { axisTitle: axis ? titleOf(isNamed(axis) ? { ...axis, meaning: undefined } : axis) : "", columns, columnLabels, series, groups, width };
 }
 
 export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>
@@ -90,7 +90,7 @@ export function seriesKey(made: Grid): HTMLElement | null {
     "ul",
     { class: "series" },
     ...made.series.map((name, k) =>
-      h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), name),
+      h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), ...lettered(name)),
     ),
   );
 }

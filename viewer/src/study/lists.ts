@@ -2,7 +2,9 @@
 import type { StudyPage, StudyRun, Verdict } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
-import { withUnit } from "./groups";
+
+/** A code name with its unit: tables alone have them. */
+const withUnit = (label: string, unit: string): string => (unit ? `${label} (${pretty(unit)})` : label);
 
 export const verdict = (word: Verdict): HTMLElement => h("span", { class: `verdict ${word.replaceAll(" ", "-")}` }, word);
 

@@ -3,7 +3,7 @@ import type { StudyPage } from "./contract";
 import { factList, fault, h, section } from "../dom";
 import { embeddedStudy } from "../embedded";
 import "../page.css";
-import { boxes, boxesNote } from "./boxes";
+import { boxesNote, boxesOfAll } from "./boxes";
 import { leastRuns, type Shown } from "./brackets";
 import { sets } from "./discrepancy";
 import { pretty } from "../numbers";
@@ -14,6 +14,7 @@ import { scatters } from "./scatter";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
 import { paths, shapes } from "./tracks";
+import { capital, wordsOf } from "../words";
 
 /** Points that small pictures and curves of each are drawn of; of more, nobody could tell one from another. */
 const mostPoints = 60;
@@ -58,7 +59,7 @@ function show(study: StudyPage, page: HTMLElement): void {
             fewRuns(study),
             seriesKey(made),
             h("p", { class: "note" }, boxesNote),
-            h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, comparisons))),
+            h("div", { class: "boxes" }, ...boxesOfAll(study, made, comparisons)),
           )
         : null,
       many
@@ -72,7 +73,7 @@ function show(study: StudyPage, page: HTMLElement): void {
       many ? null : part("shapes", "Cells at the end", shapes(made), seriesKey(made)),
       played,
       many ? null : part("msd", "Mean square displacement", msd(study, made)),
-      part("adhesions", "Force at which adhesions ended, over f_mat F_am", adhesionForces(made), seriesKey(made)),
+      part("adhesions", "Force at which adhesions ended", adhesionForces(made), seriesKey(made)),
       part("correlation", "Correlations within points", correlation(study)),
       section("runs", "Runs", runs(study)),
       section("provenance", "Provenance", h("pre", {}, study.provenance)),
@@ -80,7 +81,7 @@ function show(study: StudyPage, page: HTMLElement): void {
     ];
     body.replaceChildren(...parts.filter((p): p is HTMLElement => p !== null));
   };
-  const choice = h("select", {}, ...study.axes.map((a, i) => h("option", { value: i }, `${a.label}: ${a.meaning}`)));
+  const choice = h("select", {}, ...study.axes.map((a, i) => h("option", { value: i }, capital(wordsOf(a)))));
   choice.addEventListener("change", () => {
     main = Number(choice.value);
     draw();

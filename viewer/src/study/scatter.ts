@@ -1,12 +1,21 @@
 /** Each read-out over each factor, of a design that is no grid. */
-import { axis, figure, ink, type Json } from "../figure";
+import { axis, figure, ink, logAxis, wholeTicks, type Json } from "../figure";
 import { h } from "../dom";
 import { pretty, pText, readable } from "../numbers";
 import type { StudyPage } from "./contract";
-import { seriesColour, withUnit } from "./groups";
+import { seriesColour } from "./groups";
+import { axisTitle, capital, settingOf, typeset, wordsOf } from "../words";
 
-/** On a logarithmic axis if the values span more than a decade. */
-const isLog = (values: number[]): boolean => Math.min(...values) > 0 && Math.max(...values) > 10 * Math.min(...values);
+/** How far the ranks of values are from even steps between the ends. */
+function unevenness(values: number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  const span = sorted[sorted.length - 1] - sorted[0] || 1;
+  return Math.max(...sorted.map((v, i) => Math.abs((v - sorted[0]) / span - i / (sorted.length - 1 || 1))));
+}
+
+/** The scale on which a parameter was drawn: that on which its values are spread evenly. */
+export const isLog = (values: number[]): boolean =>
+  values.length > 2 && Math.min(...values) > 0 && unevenness(values.map(Math.log)) < unevenness(values);
 
 export function scatters(study: StudyPage): HTMLElement | null {
   const made = study.scatter;
@@ -21,7 +30,7 @@ export function scatters(study: StudyPage): HTMLElement | null {
       const known = c && c.rho !== null;
       const targets = made.targets.filter((t) => t.readout === readout.name);
       const caption =
-        `${readout.label} over ${factor.label}: ` +
+        `${capital(readout.meaning)}, over ${wordsOf(factor)}: ` +
         (known ? `Spearman's rho ${readable(c.rho, 2)} over ${c.n} points, ${pText(c.p_holm)} after Holm's correction.` : "no rank correlation.") +
         (targets.length > 0 ? " Line or band: target." : "");
       return figure(pretty(caption), 330, () => {
@@ -35,11 +44,11 @@ export function scatters(study: StudyPage): HTMLElement | null {
           return {
             type: "scatter",
             mode: "markers",
-            name: condition,
+            name: typeset(condition),
             x: mine.map((r) => r.x),
             y: mine.map((r) => r.y),
             marker: { color: seriesColour(k), size: 7, opacity: 0.75 },
-            text: mine.map((r) => `${pretty(`${factor.label} ${readable(r.x, 3)} ${factor.unit}`)}<br>seed ${r.run.seed}: ${readable(r.y)}`),
+            text: mine.map((r) => `${typeset(settingOf(factor, readable(r.x, 3)))}<br>seed ${r.run.seed}: ${readable(r.y)}`),
             hoverinfo: "text",
           };
         });
@@ -48,8 +57,8 @@ export function scatters(study: StudyPage): HTMLElement | null {
           layout: {
             showlegend: conditions.length > 1,
             legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
-            xaxis: axis(withUnit(factor.label, factor.unit), isLog(factor.values) ? { type: "log" } : {}),
-            yaxis: axis(withUnit(readout.label, readout.unit)),
+            xaxis: (isLog(factor.values) ? logAxis(axisTitle(factor), factor.values) : axis(axisTitle(factor))),
+            yaxis: axis(axisTitle(readout), !readout.unit && runs.every((r) => Number.isInteger(r.y)) ? wholeTicks(Math.min(...runs.map((r) => r.y)), Math.max(...runs.map((r) => r.y))) : {}),
             shapes: targets.map((t) => ({
               type: "rect",
               xref: "paper",

@@ -3,6 +3,7 @@ import { blueWhiteOrange } from "../colour";
 import type { StudyData, StudyPage } from "./contract";
 import { h } from "../dom";
 import { pText, readable, stars } from "../numbers";
+import { symbolOf, typeset, wordsOf, wrapped } from "../words";
 import { leastRuns } from "./brackets";
 import { axis, figure, ink, type Json } from "../figure";
 import { columnColour, groupAt, multiplesStyle, seriesColour, type Grid } from "./groups";
@@ -31,13 +32,13 @@ export function msd(study: StudyData, made: Grid): HTMLElement | null {
             mode: "lines+markers",
             x: m.lag_min,
             y: m.msd_um2,
-            name: `${g.label}: slope ${readable(m.slope, 3)}`,
+            name: `${typeset(g.label)}: slope ${readable(m.slope, 3)}`,
             line: { color: colour, width: 2, dash: dashes[g.series % 4] },
             marker: { color: colour, size: 7, symbol: symbols[g.series % 4] },
             error_y: m.sem_um2
               ? { type: "data", array: m.sem_um2.map((v) => v ?? 0), thickness: 1.2, width: 3, color: colour }
               : undefined,
-            hovertemplate: `${g.label}<br>lag %{x} min<br>MSD %{y:.4g} \u00b5m\u00b2<extra></extra>`,
+            hovertemplate: `${typeset(g.label)}<br>lag %{x} min<br>MSD %{y:.4g} \u00b5m\u00b2<extra></extra>`,
           },
         ];
       });
@@ -58,8 +59,8 @@ export function msd(study: StudyData, made: Grid): HTMLElement | null {
         layout: {
           showlegend: true,
           legend: width > 700 ? { x: 1.02, y: 1 } : { orientation: "h", y: -0.18, yanchor: "top", font: { size: 12 } },
-          xaxis: axis("lag [min]", { type: "log", tickvals: roundNumbers }),
-          yaxis: axis("MSD [\u00b5m\u00b2]", { type: "log", tickvals: roundNumbers }),
+          xaxis: axis("lag (min)", { type: "log", tickvals: roundNumbers }),
+          yaxis: axis("mean square displacement (\u00b5m\u00b2)", { type: "log", tickvals: roundNumbers }),
         },
       };
     },
@@ -85,7 +86,7 @@ export function adhesionForces(made: Grid): HTMLElement | null {
   const top = 1.1 * Math.max(...made.series.flatMap((_, k) => made.columns.flatMap((__, c) => share(of(k, c)))));
   return h(
     "div",
-    { class: "multiples", style: multiplesStyle(made) },
+    { class: "multiples", style: multiplesStyle(made, Math.min(6, columns.length)) },
     ...columns.map((c) =>
       figure(
         `${made.columnLabels[c]}: n = ${made.series.map((_, k) => of(k, c).length).join(" and ")} adhesions`,
@@ -93,7 +94,7 @@ export function adhesionForces(made: Grid): HTMLElement | null {
         () => ({
           // Several series as outlines: bars over bars would mix their colours.
           data: made.series.map((series, k) => ({
-            name: series,
+            name: typeset(series),
             x: Array.from({ length: count }, (_, i) => (i + 0.5) * bin),
             y: share(of(k, c)),
             ...(made.series.length > 1
@@ -103,13 +104,13 @@ export function adhesionForces(made: Grid): HTMLElement | null {
                   line: { shape: "hvh", color: seriesColour(k), width: 2.2, dash: dashes[k % 4] },
                 }
               : { type: "bar", width: bin, marker: { color: seriesColour(k) } }),
-            hovertemplate: `${series}<br>f_adh_rel around %{x:.2f}<br>share %{y:.2f}<extra></extra>`,
+            hovertemplate: `${typeset(series)}<br>force around %{x:.2f}<br>share %{y:.2f}<extra></extra>`,
           })),
           layout: {
             barmode: "overlay",
             margin: { l: 50, r: 8, t: 6, b: 40 },
-            xaxis: axis("f_adh_rel", { range: [0, count * bin] }),
-            yaxis: axis("share", { range: [0, top], nticks: 5 }),
+            xaxis: axis("force / (f_mat F_am)", { range: [0, count * bin] }),
+            yaxis: axis("share of adhesions", { range: [0, top], nticks: 5 }),
           },
         }),
       ),
@@ -120,8 +121,10 @@ export function adhesionForces(made: Grid): HTMLElement | null {
 export function correlation(study: StudyPage): HTMLElement | null {
   const c = study.correlation;
   if (!c || c.names.length === 0) return null;
-  const label = (name: string) => study.readouts.find((r) => r.name === name)?.label ?? name;
-  const labels = c.names.map(label);
+  const found = c.names.map((name) => study.readouts.find((r) => r.name === name) ?? { name, label: name, meaning: "", unit: "" });
+  const broken = (text: string, letters: number) => typeset(wrapped(text, letters)).replaceAll("\n", "<br>");
+  const labels = found.map((r) => broken(symbolOf(r) || wordsOf(r), 14));
+  const rows = found.map((r) => broken(wordsOf(r), 26));
   const enough = (i: number, j: number) => c.n[i][j] >= leastRuns;
   const drawn = figure(
     `Correlation of read-outs within points: Pearson's r of the deviations of runs from the mean of their point, so that what the study sets makes none. Read-outs that do not vary within points are left out. Stars for p < 0.05, 0.01, 0.001 after Holm's correction over all pairs; both p and n on hover.`,
@@ -131,7 +134,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
         {
           type: "heatmap",
           x: labels,
-          y: labels,
+          y: rows,
           z: c.r.map((row, i) => row.map((r, j) => (enough(i, j) ? r : null))),
           zmin: -1,
           zmax: 1,
@@ -143,7 +146,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
           text: c.r.map((row, i) =>
             row.map(
               (r, j) =>
-                `${labels[i]} with ${labels[j]}<br>r = ${readable(r, 3)}${i === j ? "" : `, ${pText(c.p[i][j])}, after Holm's correction ${pText(c.p_holm[i][j])}`}<br>n = ${c.n[i][j]}`,
+                `${typeset(wordsOf(found[i]))} with ${typeset(wordsOf(found[j]))}<br>r = ${readable(r, 3)}${i === j ? "" : `, ${pText(c.p[i][j])}, after Holm's correction ${pText(c.p_holm[i][j])}`}<br>n = ${c.n[i][j]}`,
             ),
           ),
           hoverinfo: "text",
@@ -155,7 +158,7 @@ export function correlation(study: StudyPage): HTMLElement | null {
         annotations: c.r.flatMap((row, i) =>
           row.map((r, j) => ({
             x: labels[j],
-            y: labels[i],
+            y: rows[i],
             showarrow: false,
             text:
               r === null || !enough(i, j)
@@ -171,6 +174,6 @@ export function correlation(study: StudyPage): HTMLElement | null {
   );
   // Where the numbers would not fit, it is scrolled sideways.
   drawn.classList.add("wide");
-  drawn.style.setProperty("--least", `${110 + 8 * Math.max(...labels.map((l) => l.length)) + 46 * labels.length}px`);
+  drawn.style.setProperty("--least", `${110 + 8 * 26 + 46 * labels.length}px`);
   return drawn;
 }

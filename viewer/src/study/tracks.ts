@@ -4,6 +4,7 @@ import { h, isDark, s } from "../dom";
 import { countOf, durationOf, measuredColour, measuredTracks, type MeasuredTrack } from "../measured";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "../figure";
+import { lettered } from "../words";
 import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
 /** One line for each cell. */
@@ -98,8 +99,8 @@ function pictures(made: Grid, sets: Measured[]): HTMLElement | null {
           )],
           layout: {
             margin: { l: 44, r: 8, t: 6, b: 38 },
-            xaxis: axis("x [\u00b5m]", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
-            yaxis: axis("y [\u00b5m]", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
+            xaxis: axis("x (\u00b5m)", { range: [-reach, reach], nticks: 5, constrain: "domain" }),
+            yaxis: axis("y (\u00b5m)", { range: [-reach, reach], nticks: 5, scaleanchor: "x", constrain: "domain" }),
           },
         }),
       ),
@@ -155,7 +156,7 @@ export function shapes(made: Grid): HTMLElement | null {
           `${readable(bar)} \u00b5m`,
         ),
       );
-      return h("figure", {}, svg, h("figcaption", {}, g.label));
+      return h("figure", {}, svg, h("figcaption", {}, ...lettered(g.label)));
     }),
   );
 }

@@ -2,6 +2,7 @@
 import { h } from "../dom";
 import { axis, figure, named } from "../figure";
 import { pretty } from "../numbers";
+import { typeset } from "../words";
 import { seriesColour } from "../study/groups";
 import type { Picture, Plot } from "./contract";
 
@@ -22,7 +23,7 @@ export function plot(p: Plot): HTMLElement {
       mode: s.mark === "points" ? "markers" : "lines",
       x: s.x,
       y: s.y,
-      name: pretty(s.label),
+      name: typeset(pretty(s.label)),
       showlegend: s.label !== "",
       line: { color: seriesColour(s.colour), width: 2, dash: s.mark === "dashed" ? "dash" : "solid" },
       marker: { color: seriesColour(s.colour), size: 7, symbol: symbols[s.colour % symbols.length] },

@@ -30,9 +30,9 @@ export interface Layer {
   contour?: number;
 }
 
-/** "Intact matrix (f_degr)", "Pressure [Pa]" */
+/** "Intact matrix (f_degr)", "Pressure (Pa)" */
 export const titleOf = ({ name, symbol, unit }: Pick<Layer, "name" | "symbol" | "unit">): string =>
-  name + (symbol ? ` (${symbol})` : "") + (unit ? ` [${unit}]` : "");
+  name + (symbol ? ` (${symbol})` : "") + (unit ? ` (${unit})` : "");
 
 const sequential: MapKey[] = ["viridis", "cividis", "magma", "grey"];
 

@@ -1,0 +1,93 @@
+/** What stands on axes, in legends and in captions: words of the program's tables, the paper's symbol and the unit. Python's `_words.py` says the same. */
+import { pretty } from "./numbers";
+
+interface Named {
+  /** Code name: key of a read-out, or path of a parameter. */
+  name: string;
+  /** Symbol, or the end of the code name where there is none. */
+  label: string;
+  /** A sentence. */
+  meaning?: string;
+  unit: string;
+}
+
+const greek: Record<string, string> = {
+  eta: "\u03b7", gamma: "\u03b3", zeta: "\u03b6", kappa: "\u03ba", mu: "\u03bc", nu: "\u03bd", tau: "\u03c4", eps: "\u03b5",
+};
+const letter = `(?:${Object.keys(greek).join("|")}|[A-Za-z])`;
+/** "f_mat", "tau_prot", "r_off,min"; not counts such as n_protrusions. */
+const symbolPattern = new RegExp(`(?<![\\w.])(?!n_(?!prot\\b))(${letter})_([A-Za-z0-9]+(?:[_,][A-Za-z0-9]+)*)(?![\\w.])`, "g");
+
+/** The parts of a text: its plain ones, and a symbol with what stands below. */
+function parts(text: string): (string | { sign: string; below: string })[] {
+  const found: (string | { sign: string; below: string })[] = [];
+  let end = 0;
+  for (const match of text.matchAll(symbolPattern)) {
+    found.push(text.slice(end, match.index), { sign: greek[match[1]] ?? match[1], below: match[2].replaceAll("_", ",") });
+    end = match.index + match[0].length;
+  }
+  return [...found, text.slice(end)];
+}
+
+/** For plots: symbols with their index below the line. */
+export const typeset = (text: string): string =>
+  parts(text).map((part) => (typeof part === "string" ? part : `${part.sign}<sub>${part.below}</sub>`)).join("");
+
+/** The same for a page. */
+export const lettered = (text: string): (string | HTMLElement)[] =>
+  parts(text).flatMap((part) => {
+    if (typeof part === "string") return part ? [part] : [];
+    const below = document.createElement("sub");
+    below.textContent = part.below;
+    return [part.sign, below];
+  });
+
+/** The paper's symbol as it is typed, "f_mat"; "" if there is none. */
+export function symbolOf({ name, label }: Named): string {
+  if (name.includes(".") && label.startsWith(name)) return /\((\S+)\)$/.exec(label)?.[1] ?? "";
+  if (new RegExp(`^${symbolPattern.source}$`).test(label)) return label;
+  return name.includes(".") && !name.endsWith(`.${label}`) ? label : "";
+}
+
+/** A noun for a thing whose meaning is a sentence: its first clause; of a rule the words of its name. */
+export function wordsOf(one: Named): string {
+  const clause = (one.meaning ?? "").split(/[;:,(]/)[0].trim();
+  if (!one.name.includes(".")) return one.meaning || one.label.replaceAll("_", " ");
+  if (clause && clause.length <= 60 && !/^(The|With|Two|A|Whether|How|Which|What) /.test(clause)) return lower(clause);
+  const [section, key] = [one.name.slice(0, one.name.lastIndexOf(".")), one.name.slice(one.name.lastIndexOf(".") + 1)];
+  return `${section}: ${key}`.replaceAll("_", " ").replaceAll(".", " ");
+}
+
+/** Within a sentence: names of people stay. */
+const lower = (text: string): string => (/^(Young|Poisson|Kelvin|x |y )/.test(text) ? text : `${text[0].toLowerCase()}${text.slice(1)}`);
+export const capital = (text: string): string => `${text[0]?.toUpperCase() ?? ""}${text.slice(1)}`;
+
+/** "speed, start to end, v_migr,abs (\u00b5m/h)" */
+export function titleOf(one: Named): string {
+  const symbol = symbolOf(one);
+  return `${wordsOf(one)}${symbol ? `, ${symbol}` : ""}${one.unit && one.unit !== "-" ? ` (${pretty(one.unit)})` : ""}`;
+}
+
+/** For an axis: broken into lines of some letters, symbols typeset. */
+export function axisTitle(one: Named, letters = 44): string {
+  return typeset(wrapped(titleOf(one), letters)).replaceAll("\n", "<br>");
+}
+
+/** A value of a parameter as a legend names it: "E = 50 Pa"; without a symbol by words. */
+export function settingOf(one: Named, value: number | string): string {
+  const symbol = symbolOf(one);
+  return `${symbol ? `${symbol} =` : wordsOf(one)} ${value}${one.unit ? ` ${pretty(one.unit)}` : ""}`;
+}
+
+/** The unit of a label of the program, "force [nN]", as axes have it: "force (nN)"; none of a ratio. */
+export const units = (label: string): string => pretty(label.replace(/ \[-\]$/, "").replace(/ \[([^\][]+)\]$/, " ($1)"));
+
+export function wrapped(text: string, letters: number): string {
+  const lines = [""];
+  for (const word of text.split(" ")) {
+    const last = lines.length - 1;
+    if (lines[last] && lines[last].length + 1 + word.length > letters) lines.push(word);
+    else lines[last] += (lines[last] ? " " : "") + word;
+  }
+  return lines.join("\n");
+}

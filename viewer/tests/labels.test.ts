@@ -1,0 +1,164 @@
+/** What a person reads on axes, in legends and in captions is in words: no code name, no "um", no unit in brackets, no name twice. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { sampleRun } from "../sample/run";
+import { sampleStudy } from "../sample/study";
+import { sampleVerdicts } from "../sample/verdicts";
+import { settingOf, symbolOf, titleOf, typeset, units, wordsOf } from "../src/words";
+import type { StudyPage } from "../src/study/contract";
+import { allDrawn, launch, open } from "./browser";
+
+let browser: Browser;
+before(async () => {
+  browser = await launch(false);
+});
+after(async () => {
+  await browser.close();
+});
+
+const source = process.env["MATRIGRATE_SOURCE"] ?? "..";
+const document_ = (name: string) => JSON.parse(readFileSync(join(source, "docs", name), "utf8"));
+
+/** A code name, a unit in letters that are no unit, or one in brackets. */
+const code = /[a-z]{2,}_[a-z0-9]|[a-z0-9]_[a-z]{2,}|\bum\b|\[[^\]]*\]/;
+
+interface Entry {
+  type?: string;
+  description: string;
+  properties?: Record<string, Entry>;
+}
+
+function parameters(entry: Entry, path = ""): { name: string; label: string; meaning: string; unit: string }[] {
+  return Object.entries(entry.properties ?? {}).flatMap(([key, inner]) => {
+    if (inner.properties) return parameters(inner, `${path}${key}.`);
+    const name = path + key;
+    const meaning = inner.description.split(/; |\. Default/)[0];
+    return path ? [{ name, label: / \(([^()\s]+)\)$/.exec(meaning)?.[1] ?? key, meaning: meaning.replace(/ \([^()\s]+\)$/, ""), unit: "" }] : [];
+  });
+}
+
+test("every parameter has words of its own, and none is a code name", () => {
+  const all = parameters(document_("scenario.schema.json"));
+  assert.ok(all.length > 100);
+  const words = all.map(wordsOf);
+  for (const [i, text] of words.entries()) {
+    assert.doesNotMatch(typeset(text), code, all[i].name);
+    assert.equal(words.indexOf(text), i, `${all[i].name} and ${all[words.indexOf(text)].name}`);
+  }
+});
+
+test("every read-out has words of its own", () => {
+  const titles = (document_("readouts.json") as { name: string; label: string; unit: string; meaning: string }[]).map(titleOf);
+  for (const title of titles) assert.doesNotMatch(typeset(title), code);
+  assert.equal(new Set(titles).size, titles.length);
+  assert.ok(titles.includes("speed, start to end, v_migr_abs (\u00b5m/h)"));
+  assert.ok(titles.includes("protrusions initiated"), "a count has no symbol");
+});
+
+test("symbols are set as the paper does", () => {
+  assert.equal(typeset("f_mat F_am, tau_prot, r_off,min"), "f<sub>mat</sub> F<sub>am</sub>, \u03c4<sub>prot</sub>, r<sub>off,min</sub>");
+  assert.equal(typeset("n_protrusions msd_slope"), "n_protrusions msd_slope");
+  assert.equal(symbolOf({ name: "protrusion.force", label: "protrusion.force (F_prot)", unit: "nN" }), "F_prot");
+  assert.equal(symbolOf({ name: "degradation.tip_rate", label: "tip_rate", unit: "1/s" }), "");
+  assert.equal(settingOf({ name: "protrusion.force", label: "F_prot", meaning: "Growth force of a protrusion", unit: "nN" }, 0.2), "F_prot = 0.2 nN");
+  assert.equal(units("ratio [-]"), "ratio");
+  assert.equal(units("displacement [um]"), "displacement (\u00b5m)");
+});
+
+/** All that is written in and below the plots of a page, as lines of plain text. */
+const written = (page: Page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("figure svg text, figcaption, ul.series li, .plots text, .study-controls option, header")].map((one) => {
+      const copy = one.cloneNode(true) as Element;
+      for (const below of copy.querySelectorAll("sub, tspan[style*='font-size']")) below.replaceWith(` ${below.textContent ?? ""}`);
+      return copy.textContent ?? "";
+    }),
+  );
+
+/** A study of two forces, both `force` by their last word. */
+function hypercube(): StudyPage {
+  const study = sampleStudy(2);
+  const values = [0.01, 0.03, 0.1, 0.3, 1];
+  const correlations = study.readouts.map((r) => ({ readout: r.name, rho: 0.9, p_holm: 0.04, n: 5 }));
+  const factor = (name: string, label: string, meaning: string, of: number[]) => ({ name, label, meaning, unit: "nN", values: of, correlations });
+  return {
+    ...study,
+    axes: [{ name: "point", label: "point", meaning: "Point of the study", unit: "", values: values.map((_, i) => `sample ${i + 1}`) }],
+    runs: study.runs.filter((r) => r.point[1] === 0).map((r) => ({ ...r, point: [r.point[0]], readouts: { ...r.readouts, tau_prot_min: null } })),
+    groups: study.groups.filter((g) => g.point[1] === 0).map((g) => ({ ...g, point: [g.point[0]] })),
+    tests: [],
+    msd: [],
+    scatter: {
+      points: values.map((_, i) => [i]),
+      factors: [
+        factor("protrusion.force", "protrusion.force (F_prot)", "Growth force of a protrusion", values),
+        factor("actomyosin.force", "actomyosin.force (F_am)", "Actomyosin force of a strand at full maturation", [1, 2, 3, 4, 5]),
+      ],
+      targets: [],
+    },
+  };
+}
+
+test("pages are read without knowing the code", async () => {
+  for (const [kind, data] of [
+    ["study", sampleStudy()],
+    ["study", hypercube()],
+    ["verdicts", sampleVerdicts()],
+    ["run", sampleRun({ radius: 90, interval: 600, end: 3600 })],
+  ] as const) {
+    const { page, errors } = await open(browser, kind, JSON.stringify(data));
+    await (kind === "run" ? page.locator(".plots svg >> nth=0").waitFor({ state: "attached" }) : allDrawn(page));
+    const texts = (await written(page)).map((text) => text.replace(/\([vf]_[a-z_]+\)/g, ""));
+    assert.ok(texts.length > 20, kind);
+    for (const text of texts) assert.doesNotMatch(text, code, kind);
+    assert.deepEqual(errors, []);
+    await page.context().close();
+  }
+});
+
+test("a plot tells its parameter from others, and has the scale that this was drawn on", async () => {
+  const { page } = await open(browser, "study", JSON.stringify(hypercube()));
+  await allDrawn(page);
+  const axes = await page.evaluate(() =>
+    [...document.querySelectorAll("#scatter .plotly-figure")].map((one) => {
+      const { xaxis, yaxis } = (one as unknown as { layout: Record<string, { title: { text: string }; type?: string; ticktext?: string[]; dtick?: number }> }).layout;
+      return { x: xaxis.title.text.replaceAll("<br>", " "), type: xaxis.type, ticks: xaxis.ticktext, y: yaxis.title.text, step: yaxis.dtick };
+    }),
+  );
+  assert.equal(axes[0].x, "growth force of a protrusion, F<sub>prot</sub> (nN)");
+  assert.equal(axes[1].x, "actomyosin force of a strand at full maturation, F<sub>am</sub> (nN)");
+  assert.deepEqual(axes.slice(0, 2).map((a) => a.type), ["log", "linear"]);
+  assert.deepEqual(axes[0].ticks, ["0.01", "0.1", "1"], "decades");
+  assert.ok(axes.filter((a) => a.y === "protrusions initiated").every((a) => Number.isInteger(a.step)), "counts");
+  assert.equal(axes.filter((a) => a.y.startsWith("life of")).length, 0, "no plot without a value");
+  await page.context().close();
+});
+
+test("plots beside each other stand on one level, and one without a value is said, not drawn", async () => {
+  const study = sampleStudy();
+  for (const run of study.runs) run.readouts["l_prot_um"] = null;
+  study.tests = study.tests.filter((t) => t.readout !== "f_mat"); // fewer levels of comparisons
+  const { page } = await open(browser, "study", JSON.stringify(study));
+  await allDrawn(page);
+  const boxes = await page.evaluate(() =>
+    [...document.querySelectorAll("#readouts .plotly-figure")].map((one) => one.getBoundingClientRect()).map((r) => ({ top: r.top, height: r.height })),
+  );
+  assert.equal(boxes.length, study.readouts.length - 1);
+  for (let i = 0; i + 1 < boxes.length; i += 2) assert.deepEqual(boxes[i], boxes[i + 1]);
+  assert.match((await page.locator("#readouts .empty").textContent()) ?? "", /No run has a value of: length at the end of growth/);
+  await page.context().close();
+});
+
+test("few small pictures use the width of the page", async () => {
+  const study = sampleStudy(2);
+  const one = { ...study, axes: study.axes.slice(0, 1).map((a) => ({ ...a, values: a.values.slice(0, 2) })), tests: [], msd: [], correlation: null };
+  one.runs = study.runs.filter((r) => r.point[1] === 0 && r.point[0] < 2).map((r) => ({ ...r, point: [r.point[0]] }));
+  const { page } = await open(browser, "study", JSON.stringify(one));
+  await allDrawn(page);
+  const width = await page.evaluate(() => [...document.querySelectorAll("#paths .plotly-figure")].reduce((sum, f) => sum + f.clientWidth, 0));
+  assert.ok(width > 900, `${width}`);
+  await page.context().close();
+});
