@@ -168,6 +168,14 @@ Json to_json(const ExplainArguments& options, const Parameters& p, const Derived
           {"warnings", found}};
 }
 
+/// What a field is, in words: "Young's modulus of the intact matrix".
+std::string words_of(const Row& row) {
+  const std::string_view clause = row.description.substr(0, row.description.find_first_of(";:,("));
+  std::string words(clause.substr(0, clause.find(" as a function of position")));
+  while (words.ends_with(' ')) words.pop_back();
+  return words;
+}
+
 /// Draws each field of a scenario, with the cell's outline at the start, into a new folder.
 void draw_fields(const Parameters& p, const std::string& folder) {
   const FieldSummaries given = field_summaries(p);
@@ -176,9 +184,9 @@ void draw_fields(const Parameters& p, const std::string& folder) {
   make_output_folder(folder, false);
   const std::vector<Vec2> outline = round_cortex(p.cell).x;
   for (const FieldSummary& field : given.fields) {
-    const std::string unit = field.row->unit == "1" ? std::string() : fmt::format(" [{}]", field.row->unit);
-    const draw::ParticlePicture picture{.title = std::string(field.row->description),
-                                        .value_label = fmt::format("{}{}", key_of(*field.row), unit),
+    const std::string unit = field.row->unit == "1" ? std::string() : fmt::format(" ({})", field.row->unit);
+    const draw::ParticlePicture picture{.title = words_of(*field.row),
+                                        .value_label = words_of(*field.row) + unit,
                                         .position = given.places,
                                         .value = field.values,
                                         .particle_size = p.ecm.particle_spacing,

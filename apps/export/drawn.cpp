@@ -92,8 +92,8 @@ json job(const DrawnOptions& options, std::string_view layer, std::string_view k
            {{"width", width},
             {"height", height},
             {"layer", options.layer.empty() ? layer : options.layer},
-            {"whole", kind == "frames"},
-            {"follow", options.follow}}},
+            {"whole", options.whole},
+            {"follow", options.follow || (kind == "frames" && !options.whole)}}},
           {"scale", kind == "panel" ? 2 : 1}, // of its images of the matrix
           {kind, std::move(what)}};
 }

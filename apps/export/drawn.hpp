@@ -13,7 +13,8 @@ namespace matrigrate::apps {
 struct DrawnOptions {
   std::string layer;                   ///< that the matrix is coloured by; empty: what the kind has by default
   std::string size = "1280x720";       ///< of movies and pictures of frames [pixel]
-  bool follow = false;                 ///< the view stays on the cell
+  bool follow = false;                 ///< the view of movies stays on the cell; that of frames does anyway
+  bool whole = false;                  ///< frames show the whole matrix
   double fps = 30.0;                   ///< pictures a second
   std::optional<double> movie_seconds; ///< by default one for 15 min of the run
   std::vector<double> panel_times;     ///< of panel.svg [s]

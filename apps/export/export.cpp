@@ -261,7 +261,8 @@ void add_export(CLI::App& app, Action& chosen) {
       ->check(CLI::Range(0.1, 3600.0));
   verb->add_option("--size", options->drawn.size,
                    "Of --movie and --png: width and height in pixels (default: 1280x720)");
-  verb->add_flag("--follow", options->drawn.follow, "Of --movie and --png: the view stays on the cell");
+  verb->add_flag("--follow", options->drawn.follow, "Of --movie: the view stays on the cell, as that of --png does");
+  verb->add_flag("--whole", options->drawn.whole, "Of --png: the whole matrix, not the cell");
   verb->add_option("--layer", options->drawn.layer,
                    "What the matrix is coloured by (default: displacement; of --movie degradation)");
   verb->add_option("-o,--output", options->output, "Folder to write into (default: DIR/export)");

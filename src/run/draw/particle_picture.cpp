@@ -19,6 +19,7 @@ namespace {
 
 constexpr double bar_gap = 20.0;    ///< between the particles and the colour bar [pixel]
 constexpr double scale_room = 40.0; ///< below the particles, for the scale bar [pixel]
+constexpr double overlap = 1.08;    ///< side of the square of a particle over its size
 constexpr std::string_view missing = "#b8b8b8";
 
 bool finite(const Vec2& a) { return std::isfinite(a.x()) && std::isfinite(a.y()); }
@@ -77,7 +78,8 @@ struct Projection {
   Vec2 at(const Vec2& a) const { return {left + scale * (a.x() - low.x()), bottom - scale * (a.y() - low.y())}; }
 };
 
-/// A dot is a line of no length with round ends, which takes a third of the bytes of a circle.
+/// Particles are squares that overlap a little, so that no ground is seen between those of a lattice. A square is a
+/// line of no length with square ends, which takes a third of the bytes of a rectangle.
 std::string dots(const ParticlePicture& p, const ColourScale& scale, const Projection& projection) {
   std::array<std::string, colour_levels + 1> path; // missing values first
   for (std::size_t i = 0; i < p.position.size(); ++i) {
@@ -85,8 +87,8 @@ std::string dots(const ParticlePicture& p, const ColourScale& scale, const Proje
     const Vec2 a = projection.at(p.position[i]);
     path[static_cast<std::size_t>(scale.level(p.value[i]) + 1)] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
-  std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\">\n",
-                                p.particle_size * projection.scale);
+  std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"square\" stroke-width=\"{:.2f}\">\n",
+                                overlap * p.particle_size * projection.scale);
   for (int level = -1; level < colour_levels; ++level) {
     const auto& data = path[static_cast<std::size_t>(level + 1)];
     const std::string c = level < 0 ? std::string(missing) : level_colour(level);

@@ -20,10 +20,10 @@ struct Picture {
 /// Particles in the plane coloured by a scalar, with a colour bar and a scale bar.
 struct ParticlePicture {
   std::string title;
-  std::string value_label;         ///< with unit: "displacement [um]"
+  std::string value_label;         ///< with unit: "displacement (µm)"
   std::vector<Vec2> position = {}; ///< [um]; a particle whose position is not finite is left out
   std::vector<double> value = {};  ///< one a particle; grey where not finite
-  double particle_size = 2.0;      ///< diameter of a dot [um]
+  double particle_size = 2.0;      ///< side of the square that a particle takes [um]
   std::vector<std::size_t> path_begin =
       {}; ///< where paths begin among the positions; if there are any, each is drawn as a line with a
           ///< ring at its start and a dot at its end, in place of the particles

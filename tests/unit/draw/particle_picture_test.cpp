@@ -53,6 +53,19 @@ TEST(ParticlePicture, DrawsEachParticleOnceGroupedByColour) {
   EXPECT_EQ(groups.front().colour.front(), '#');
 }
 
+TEST(ParticlePicture, LeavesNoGapsInALattice) {
+  ParticlePicture picture = lattice(40, 10);
+  picture.particle_size = 1.7;
+  const std::string svg = to_svg(picture);
+  double width = 0, x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  const std::size_t group = svg.find("stroke-linecap=\"square\" stroke-width=\"");
+  ASSERT_NE(group, std::string::npos) << "squares, not dots";
+  ASSERT_EQ(std::sscanf(svg.c_str() + group, "stroke-linecap=\"square\" stroke-width=\"%lf\"", &width), 1);
+  const std::string column = dots(svg).front().data; // neighbours along y
+  ASSERT_EQ(std::sscanf(column.c_str(), "M%lf %lfh0M%lf %lfh0", &x0, &y0, &x1, &y1), 4);
+  EXPECT_GT(width, 1.02 * std::hypot(x1 - x0, y1 - y0));
+}
+
 TEST(ParticlePicture, StaysSmallForAWholeMatrix) {
   const std::string svg = to_svg(lattice(134, 135));
   ASSERT_TRUE(parsed(svg));
