@@ -10,8 +10,8 @@ plot_path <- function(x, cell = NULL, from_start = FALSE, ...) {
   x_seen <- range_of("x_um")
   y_seen <- range_of("y_um")
   below <- 0.12 * max(diff(x_seen), diff(y_seen), 1) # where the scale bar is
-  .frame(x_seen, c(y_seen[1] - below, y_seen[2]), asp = 1, xlab = .micro("x [um]"), ylab = .micro("y [um]"), ...)
-  .legend(names, .colours(length(names)))
+  .frame(x_seen, c(y_seen[1] - below, y_seen[2]), asp = 1, xlab = .micro("x (um)"), ylab = .micro("y (um)"), ...)
+  .legend(.in_words(names), .colours(length(names)))
   for (k in seq_along(paths)) lines(paths[[k]]$x_um, paths[[k]]$y_um, col = colours[k], lwd = 1.4)
   for (k in seq_along(paths)) {
     path <- paths[[k]]
@@ -29,6 +29,7 @@ plot_msd <- function(x, cell = NULL, ...) {
   if (nrow(rows) == 0) {
     stop("there is no mean square displacement: its lags are 10 min to half a run, so a run of 20 min has the first", call. = FALSE)
   }
+  if (length(unique(rows$lag_s)) < 2) return(.only_one_lag(rows))
   curves <- if (of_study) split(rows, factor(rows$point, unique(rows$point))) else .by_cell(rows, "lag_s")
   groups <- if (of_study) names(curves) else vapply(curves, .group, "")
   names <- unique(groups)
@@ -38,9 +39,9 @@ plot_msd <- function(x, cell = NULL, ...) {
   slopes <- min(rows$msd_um2[rows$lag_s == min(rows$lag_s)]) * rbind(1, lags[2] / lags[1], (lags[2] / lags[1])^2)
   bands <- if (of_study) c(band(rows, 1), band(rows, -1))
   .frame(lags, range(rows$msd_um2, slopes, bands, na.rm = TRUE),
-    log = "xy", xlab = "lag [min]", ylab = .micro("mean square displacement [um2]"), ...
+    log = "xy", xlab = "lag (min)", ylab = .micro("mean square displacement (um2)"), ...
   )
-  .legend(names, .colours(length(names)))
+  .legend(.in_words(names), .colours(length(names)))
   for (k in 1:2) lines(lags, c(slopes[1], slopes[k + 1]), lty = 2, col = "grey60")
   if (lags[2] > lags[1]) text(lags[2], slopes[2:3], c("slope 1", "slope 2"), adj = c(1, -0.4), cex = 0.8, col = "grey40", xpd = NA)
   for (k in seq_along(curves)) {
@@ -66,15 +67,50 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   }
   samples <- split(results[[readout]], factor(results$label, unique(results$label)))
   if (all(is.na(results[[readout]]))) stop(study, ": ", readout, " has no value in any of its runs", call. = FALSE)
-  .frame(c(0.5, length(samples) + 0.5), range(results[[readout]], na.rm = TRUE), xlab = "", ylab = .label_of(readout), xaxt = "n", ...)
-  boxes <- boxplot(samples, add = TRUE, axes = FALSE, outline = FALSE, boxwex = 0.5, col = "grey95", medcol = .colours(1), whisklty = 1)
+  named <- .points_of(results, names(samples))
+  whole <- all(results[[readout]] == round(results[[readout]]), na.rm = TRUE) && !grepl("(", .label_of(readout), fixed = TRUE)
+  .frame(c(0.5, length(samples) + 0.5), range(results[[readout]], na.rm = TRUE),
+    xlab = named$title, ylab = .label_of(readout), xaxt = "n", yaxt = if (whole) "n" else "s", ...
+  )
+  if (whole) axis(2, unique(round(pretty(results[[readout]]))), las = 1)
+  boxed <- vapply(samples, function(sample) sum(!is.na(sample)), 1) >= .least_for_box
+  boxes <- boxplot(samples, plot = FALSE)
+  if (any(boxed)) {
+    boxplot(samples[boxed], at = which(boxed), add = TRUE, axes = FALSE, outline = FALSE, boxwex = 0.5, col = "grey95", medcol = .colours(1), whisklty = 1)
+  }
   for (k in seq_along(samples)) {
     sample <- samples[[k]]
     beside <- if (length(sample) > 1) seq(-0.12, 0.12, length.out = length(sample)) else 0
     points(k + beside, sample, pch = 19, col = adjustcolor(.colours(1), 0.6))
   }
-  .labels_below(names(samples))
+  .labels_below(named$labels)
   invisible(boxes)
+}
+
+.least_for_box <- 5 # runs that a box is drawn of; of fewer the runs alone
+
+# What the points of a study are called: the values alone, below the title of an axis, where a single parameter of numbers names them; else their labels.
+.points_of <- function(results, labels) {
+  columns <- names(results)
+  first <- match("label", columns) + 1
+  last <- match("replicate", columns) - 1
+  column <- columns[first]
+  made <- sub(".*[.]", "", sub("_[^_.]*$", "", column)) # "youngs_modulus" of "ecm.youngs_modulus_Pa"
+  if (first != last || !is.numeric(results[[column]]) || !all(startsWith(labels, paste0(made, " ")))) return(list(labels = .in_words(labels), title = ""))
+  unit <- sub(".*_", "", column)
+  list(labels = format(results[[column]][match(labels, results$label)], trim = TRUE), title = .micro(paste0(.in_words(made), " (", unit, ")")))
+}
+
+# Labels of points with the names of parameters as words; symbols such as F_am stay.
+.in_words <- function(labels) {
+  words <- gsub("([a-z]{2})_([a-z]{2})", "\\1 \\2", gsub("\\bum\\b", .micro("um"), labels))
+  gsub("\\byoungs\\b", "Young's", gsub("\\bpoissons\\b", "Poisson's", words))
+}
+
+.only_one_lag <- function(rows) {
+  plot(0, 0, type = "n", axes = FALSE, xlab = "", ylab = "")
+  text(0, 0, paste0("a single lag, ", rows$lag_s[1] / 60, " min: two are needed for a curve,\nof a run of 40 min"))
+  invisible(rows)
 }
 
 # What a folder or a data frame has of some cells.
@@ -105,7 +141,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 .group <- function(table) as.character(if (is.null(table$label)) table$id[1] else table$label[1])
 
 .colours <- function(n) { # told apart by all eyes
-  known <- c("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#7f7f7f")
+  known <- c("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#f0e442")
   if (n <= length(known)) known[seq_len(n)] else hcl.colors(n, "viridis")
 }
 
@@ -118,7 +154,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   known <- readouts()
   row <- match(readout, known$name)
   if (is.na(row)) return(readout)
-  paste0(known$meaning[row], if (!known$unit[row] %in% c("", "-")) .micro(paste0(" [", known$unit[row], "]")))
+  paste0(known$meaning[row], if (!known$unit[row] %in% c("", "-")) .micro(paste0(" (", known$unit[row], ")")))
 }
 
 .frame <- function(x, y, ...) {

@@ -30,6 +30,18 @@ stopifnot(
 )
 invisible(grDevices::dev.off())
 
+# Words on axes and in legends, a title with the unit and values alone below; no box of four runs, and no curve of one lag.
+grDevices::pdf(file)
+stopifnot(
+  identical(matrigrate:::.points_of(results, unique(results$label)), list(labels = c("50", "200"), title = "Young's modulus (Pa)")),
+  identical(matrigrate:::.in_words("protrusion_force 0.2, F_am 1"), "protrusion force 0.2, F_am 1"),
+  !grepl("[[]| um|um2", matrigrate:::.label_of("v_migr_abs_um_per_h")), matrigrate:::.least_for_box == 5
+)
+one <- read_msd(study)
+plot_msd(one[one$lag_s == min(one$lag_s), ])
+stopifnot(!par("xlog"))
+invisible(grDevices::dev.off())
+
 # As many lines of a path as there are cells: in the file a line begins with "m" and goes on with "l" for each row.
 grDevices::pdf(file, compress = FALSE)
 plot_path(pair, axes = FALSE, ann = FALSE)
