@@ -239,10 +239,11 @@ def number_of(axes: Axes, outline: Array, number: int) -> None:
                   zorder=6, bbox={"boxstyle": "circle,pad=0.25", "facecolor": "white", "alpha": 0.85, "linewidth": 0})
 
 
-def scale_bar(axes: Axes, unit: float) -> None:
-    """At the lower left a length, at the lower right an arrow of a round force.
+def scale_bar(axes: Axes, unit: float, outlines: list[Array]) -> None:
+    """In a corner that no cell is in a length, in another one an arrow of a round force.
 
     :param unit: length of an arrow of 1 nN [um]; 0 for none
+    :param outlines: of the cells [um]
     """
     from matplotlib.font_manager import FontProperties
     from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
@@ -250,18 +251,30 @@ def scale_bar(axes: Axes, unit: float) -> None:
     left, right = axes.get_xlim()
     bottom, top = axes.get_ylim()
     width, height = right - left, top - bottom
+    first, second = free_corners(((left, right), (bottom, top)), outlines)
     length = _round(0.25 * width)
-    bar = AnchoredSizeBar(axes.transData, length, f"{length:g} µm", "lower left", pad=0.35, borderpad=0.6, sep=4, color=_ink,
+    bar = AnchoredSizeBar(axes.transData, length, f"{length:g} µm", first, pad=0.35, borderpad=0.6, sep=4, color=_ink,
                           size_vertical=0.009 * height, label_top=True, fontproperties=FontProperties(size=9, weight="bold"))
     bar.patch.set(facecolor="white", alpha=0.85, linewidth=0)
     bar.set(zorder=7, gid="scale bar")
     axes.add_artist(bar)
     if unit > 0:
-        force, y, end = _round(0.12 * width / unit), bottom + 0.05 * height, right - 0.04 * width
+        force = _round(0.12 * width / unit)
+        y = bottom + 0.05 * height if second.startswith("lower") else top - 0.05 * height
+        end = right - 0.04 * width if second.endswith("right") else left + 0.2 * width + unit * force
         _arrow(axes, (end - unit * force, y), (end, y), 7.2)
         axes.annotate(f"{force:g} nN", (end - unit * force, y), (-5, 0), textcoords="offset points", ha="right", va="center",
                       fontsize=9, color=_ink, zorder=7.1,
                       bbox={"boxstyle": "round,pad=0.3", "facecolor": "white", "alpha": 0.85, "linewidth": 0})
+
+
+def free_corners(seen: tuple[tuple[float, float], tuple[float, float]], outlines: list[Array]) -> list[str]:
+    """The two corners of a view with the least of the cells in them; of equal ones the lower ones first."""
+    corners = {"lower left": (0, 0), "lower right": (1, 0), "upper left": (0, 1), "upper right": (1, 1)}
+    points = np.concatenate([np.asarray(outline, float) for outline in outlines]) if outlines else np.zeros((0, 2))
+    shares = np.column_stack([(points[:, k] - low) / (high - low) for k, (low, high) in enumerate(seen)])
+    inside = {name: int(np.sum((np.abs(shares[:, 0] - x) < 0.36) & (np.abs(shares[:, 1] - y) < 0.14))) for name, (x, y) in corners.items()}
+    return sorted(corners, key=lambda name: inside[name])[:2]
 
 
 def legend(axes: Axes, fields: Fields, hidden: set[str], cells: int, has_path: bool) -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -50,6 +50,7 @@ class Fit:
     prior: Prior
     measured: _tracks.Tracks | None = None  #: if tracks were measured
     simulated: _tracks.Tracks | None = None  #: of the points that fit best
+    source: dict[str, str] = field(default_factory=dict)  #: folder of the study, file of the tracks, seed
 
     def __repr__(self) -> str:
         shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]
@@ -86,6 +87,7 @@ class Emulators:
     points: Points
     sensitivity: pandas.DataFrame  #: as ``Fit.sensitivity``
     notes: list[str]
+    study: str = ""  #: its folder
 
     def __repr__(self) -> str:
         return "\n".join(f"{name}: predicts {one.explained:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
@@ -140,8 +142,9 @@ class Emulators:
             "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high, "implausibility": best,
             "predicted": [one.explained for one in self.processes], "coverage": [one.coverage for one in self.processes]}, index=self.names)
         sample = _pandas().DataFrame(self.prior.from_cube(drawn), columns=parameters)
-        both = (measured, self._nearest(likelihood, len(measured))) if isinstance(measured, _tracks.Tracks) else ()
-        return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), effective, notes, self.prior, *both)
+        both = (measured, self._nearest(likelihood, len(measured))) if isinstance(measured, _tracks.Tracks) else (None, None)
+        source = {"study": self.study, "tracks": getattr(measured, "source", ""), "seed": str(seed)}
+        return Fit(table, shown, self.sensitivity, sample, correlations, len(kept) / len(even), effective, notes, self.prior, *both, source)
 
     @cached_property
     def _of_prior(self) -> tuple[Array, Array, Array]:
@@ -173,7 +176,7 @@ def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = N
     :raises ImportError: without scikit-learn
     """
     _emulator.sklearn()
-    return of_points(simulated(study, readouts, interval, error), prior, seed)
+    return replace(of_points(simulated(study, readouts, interval, error), prior, seed), study=str(study.folder))
 
 
 def fit(study: Study, measured: _tracks.Tracks | Means, readouts: Sequence[str] | None = None, *,

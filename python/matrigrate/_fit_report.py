@@ -1,179 +1,103 @@
-"""The page of a fit: figures of matplotlib and tables in one file."""
+"""The page of a fit."""
 from __future__ import annotations
 
-import base64
 import html
-import io
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import results, tracks
-from ._version import __version__
+from . import _words
+from ._report import blue, corner, document, figure, grey, intervals, new, note, red, table, wrapped
 
 if TYPE_CHECKING:
-    import pandas
-
     from ._fit import Fit
 
-_blue, _red, _grey = "#0072b2", "#d55e00", "#999999"  # told apart by all eyes
-_style = """body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}
-table{border-collapse:collapse;font-size:.85rem;display:block;overflow-x:auto}td,th{padding:.2rem .6rem;text-align:right;border-bottom:1px solid #ddd}
-td:first-child,th:first-child{text-align:left}img{max-width:100%}li{margin:.2rem 0}small{color:#555}"""
+_heads = {"prior_5": "prior 5 %", "prior_95": "prior 95 %", "posterior_5": "5 %", "posterior_50": "50 %", "posterior_95": "95 %", "at_bound": "at bound",
+          "standard_error": "standard error", "posterior_mean": "posterior mean", "first_5": "first 5 %", "first_95": "first 95 %",
+          "total_5": "total 5 %", "total_95": "total 95 %"}
 
 
 def page(fit: Fit) -> str:
     """report.html: it needs no other file and no network."""
     short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]]
-    notes = "".join(f"<li>{html.escape(note)}</li>" for note in fit.notes) or "<li>none</li>"
-    return f"""<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>Fitted parameters</title><style>{_style}</style></head><body>
-<h1>Fitted parameters</h1>
+    notes = "".join(f"<li>{note(text)}</li>" for text in fit.notes) or "<li>none</li>"
+    return document("Fitted parameters", facts(fit), f"""
 <p>{fit.plausible:.1%} of the prior is plausible: there no read-out is off by more than three standard errors.</p>
 <h2>Parameters</h2>
-{_table(short)}
-<p><small>Quantiles of prior and posterior in per cent. <i>width</i>: of the 90 % interval, over that of the prior. <i>constrained</i>: it is below
-0.8, and the prior cuts off neither end. <i>at_bound</i>: the posterior ends at this bound of the prior.</small></p>
-{_figure(lambda: _corner(fit), "Posterior of each parameter, and of each pair")}
+{table(short, _heads)}
+<p><small>Quantiles of prior and posterior. <i>width</i>: of the 90 % interval, over that of the prior. <i>constrained</i>: it is below
+0.8, and the prior cuts off neither end. <i>at bound</i>: the posterior ends at this bound of the prior. The posterior has the weight of
+{fit.effective_sample_size:.0f} independent draws.</small></p>
+{figure(lambda: corner(fit.prior, [(fit.prior.to_cube(fit.sample[fit.prior.names].to_numpy(float)), blue)]),
+        "Posterior of each parameter (the prior is the dashed line), and of each pair, with 50 and 90 % of it, over the whole prior")}
 <h2>What the data cannot tell</h2>
 <ul>{notes}</ul>
-{_figure(lambda: _widths(fit), "Width of the 90 % interval over that of the prior; at 1 the data tell nothing")}
+{figure(lambda: _widths(fit), "Width of the 90 % interval over that of the prior: at 1 the data tell nothing, and below 0.8 (dashed) a parameter is constrained")}
 <h2>Fit against data</h2>
-{_table(fit.readouts)}
-<p><small>{_meanings(fit)} <i>implausibility</i>: standard errors between measured value and emulator, where the largest of them is least.
+{table(fit.readouts, _heads)}
+<p><small><i>implausibility</i>: standard errors between measured value and emulator, where the largest of them is least.
 <i>predicted</i>: share of the variance of points that an emulator predicts when they are left out; the rest is scatter of cells.
 <i>coverage</i>: share of points within its 90 % interval.</small></p>
-{_figure(lambda: _against_data(fit), "Measured with two standard errors (red), and 90 % of the posterior (blue)")}
-{_figure(lambda: _paths(fit), "Measured tracks (red) over simulated ones of the points that fit best (blue), each from its start [um]")
+{figure(lambda: _against_data(fit), "Measured values with two standard errors, and 90 % of the posterior")}
+{figure(lambda: _paths(fit), "Measured tracks beside simulated ones of the points that fit best, each from its start, to one scale")
  if fit.measured is not None and fit.simulated is not None else ""}
 <h2>Which parameters the read-outs depend on</h2>
-{_figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
-{_table(fit.sensitivity.set_index("readout"))}
-<p><small>Matrigrate {__version__}. The effective sample size is {fit.effective_sample_size:.0f} independent draws.</small></p>
-</body></html>
-"""
+{figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
+{table(fit.sensitivity.set_index("readout"), _heads)}""")
 
 
-def _meanings(fit: Fit) -> str:
-    return " ".join(f"<i>{html.escape(name)}</i>: {html.escape(results.meaning(tracks.meaning(name)))}." for name in fit.readouts.index)
-
-
-def _table(table: pandas.DataFrame) -> str:
-    def cell(value: Any) -> str:
-        if isinstance(value, (bool, np.bool_)):
-            return "yes" if value else "no"
-        if isinstance(value, float):
-            return f"{value:.3g}" if np.isfinite(value) else ""
-        return html.escape(str(value))
-
-    head = "".join(f"<th>{html.escape(str(name))}</th>" for name in ["", *table.columns])
-    rows = "".join("<tr>" + "".join(f"<td>{cell(value)}</td>" for value in (name, *row)) + "</tr>"
-                   for name, row in zip(table.index, table.itertuples(index=False), strict=True))
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
-
-
-def _figure(draw: Callable[[], Any], title: str) -> str:
-    """A figure that is drawn without a display and without the state of pyplot."""
-    figure = draw()
-    image = io.BytesIO()
-    figure.savefig(image, format="png", dpi=110, metadata={"Software": None})
-    text = base64.b64encode(image.getvalue()).decode()
-    return f'<figure><img alt="{html.escape(title)}" src="data:image/png;base64,{text}"><figcaption>{html.escape(title)}</figcaption></figure>'
-
-
-def _new(width: float, height: float) -> Any:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def _corner(fit: Fit) -> Any:
-    names, prior = fit.prior.names, fit.prior
-    n = len(names)
-    figure = _new(2.3 * n + 0.6, 2.1 * n + 0.4)
-    axes = figure.subplots(n, n, squeeze=False)
-    for row in range(n):
-        for column in range(n):
-            ax = axes[row][column]
-            if column > row:
-                ax.set_axis_off()
-                continue
-            ends = (prior.low[column], prior.high[column])
-            edges = prior.from_cube(np.linspace(0, 1, 31)[:, None] * np.ones(n))
-            if row == column:
-                ax.hist(fit.sample[names[row]], edges[:, row], color=_blue, density=False)
-                ax.axhline(len(fit.sample) / 30, color=_grey, linewidth=1, label="prior")
-                ax.set_yticks([])
-            else:
-                ax.hist2d(fit.sample[names[column]], fit.sample[names[row]], [edges[:, column], edges[:, row]], cmap="Blues")
-                ax.set_ylim(prior.low[row], prior.high[row])
-                ax.set_yscale("log" if prior.is_log[row] else "linear")
-            ax.set_xlim(ends)
-            ax.set_xscale("log" if prior.is_log[column] else "linear")
-            ticks = prior.from_cube(np.array([[0.1], [0.5], [0.9]]) * np.ones(n)).T
-            for axis, k in ((ax.xaxis, column), *(((ax.yaxis, row),) if row != column else ())):
-                axis.set_ticks(ticks[k], [f"{tick:.3g}" for tick in ticks[k]], fontsize=7)
-                axis.set_ticks([], minor=True)
-            if row == n - 1:
-                ax.set_xlabel(names[column], fontsize=8)
-            if column == 0 and row > 0:
-                ax.set_ylabel(names[row], fontsize=8)
-    return figure
+def facts(fit: Fit) -> list[tuple[str, str]]:
+    """Of what the page was made."""
+    tracks = fit.measured
+    return [("study", fit.source.get("study", "")), ("measured tracks", fit.source.get("tracks", "")),
+            ("number of tracks", "" if tracks is None else f"{len(tracks)}, every {tracks.interval:g} s"), ("seed", fit.source.get("seed", ""))]
 
 
 def _widths(fit: Fit) -> Any:
-    figure = _new(7, 0.6 + 0.4 * len(fit.table))
-    ax = figure.subplots()
+    made = new(7, 0.6 + 0.45 * len(fit.table))
+    ax = made.subplots()
     constrained = fit.table["constrained"].to_numpy(bool)
-    ax.barh(fit.table.index, fit.table["width"], color=np.where(constrained, _blue, _red))
-    ax.axvline(0.8, color=_grey, linestyle="--", linewidth=1)
+    ax.barh([wrapped(str(name), 40) for name in fit.table.index], fit.table["width"], color=np.where(constrained, blue, red), height=0.6)
+    ax.axvline(0.8, color=grey, linestyle="--", linewidth=1)
     ax.set_xlim(0, 1.1)
+    ax.set_xlabel("width of the posterior over that of the prior")
     ax.invert_yaxis()
-    return figure
+    return made
 
 
 def _against_data(fit: Fit) -> Any:
-    table = fit.readouts
-    figure = _new(7, 0.8 + 0.4 * len(table))
-    ax = figure.subplots()
-    scale = table["standard_error"]
-    at = np.arange(len(table))
-    low, high = ((table[name] - table["measured"]) / scale for name in ("posterior_5", "posterior_95"))
-    ax.errorbar(np.zeros(len(table)), at, xerr=2.0, fmt="o", color=_red, capsize=4)
-    ax.hlines(at + 0.18, low, high, color=_blue, linewidth=4)
-    ax.set_yticks(at, [f"{name} = {row.measured:.3g}" for name, row in zip(table.index, table.itertuples(), strict=True)])
-    ax.set_xlabel("distance from the measured value, in standard errors")
-    ax.set_ylim(len(table) - 0.4, -0.6)
-    return figure
+    rows, scale = fit.readouts, fit.readouts["standard_error"]
+    low, high = (((rows[name] - rows["measured"]) / scale).to_numpy(float) for name in ("posterior_5", "posterior_95"))
+    names = [_words.typeset(f"{_words.words(str(name))}: {value:.3g} {_words.unit(str(name))}".strip())
+             for name, value in zip(rows.index, rows["measured"], strict=True)]
+    two = np.full(len(rows), 2.0)
+    return intervals(names, (-two, two), (low, high), 20.0, "distance from the measured value (standard errors)")
 
 
 def _paths(fit: Fit) -> Any:
-    figure = _new(6, 6)
-    ax = figure.subplots()
-    for cells, colour in ((fit.simulated, _blue), (fit.measured, _red)):
+    """Measured and simulated tracks beside each other, to one scale."""
+    made = new(8.2, 4.2)
+    axes = made.subplots(1, 2, sharex=True, sharey=True)
+    for ax, cells, colour, said in zip(axes, (fit.measured, fit.simulated), (red, blue), ("measured", "simulated"), strict=True):
         for track in (cells or {}).values():
-            ax.plot(*(track - track[0]).T, color=colour, linewidth=1, alpha=0.7)
-    ax.set_aspect("equal")
-    return figure
+            ax.plot(*(track - track[np.isfinite(track[:, 0])][0]).T, color=colour, linewidth=1, alpha=0.7)
+        ax.set(xlabel="x (µm)", title=f"{said}: {len(cells or {})} tracks", aspect="equal", adjustable="box")
+    axes[0].set_ylabel("y (µm)")
+    return made
 
 
 def _sobol(fit: Fit) -> Any:
     names, parameters = list(fit.readouts.index), fit.prior.names
-    figure = _new(2.6 * len(parameters) + 2, 0.9 + 0.45 * len(names))
-    axes = figure.subplots(1, len(parameters), sharey=True, squeeze=False)[0]
+    made = new(min(2.3 * len(parameters) + 2.4, 12.0), 1.2 + 0.5 * len(names))
+    axes = made.subplots(1, len(parameters), sharey=True, squeeze=False)[0]
     for ax, parameter in zip(axes, parameters, strict=True):
         rows = fit.sensitivity[fit.sensitivity["parameter"] == parameter]
-        for shift, kind, colour in ((-0.17, "first", "#7fb8d8"), (0.17, "total", _blue)):
+        for shift, kind, colour in ((-0.17, "first", "#7fb8d8"), (0.17, "total", blue)):
             value = rows[kind].to_numpy(float)
             span = np.abs(rows[[f"{kind}_5", f"{kind}_95"]].to_numpy(float).T - value)
-            ax.barh(np.arange(len(rows)) + shift, value, 0.32, color=colour, xerr=span, ecolor=_grey)
-        ax.set_yticks(np.arange(len(names)), names)
-        ax.set_title(parameter, fontsize=8)
+            ax.barh(np.arange(len(rows)) + shift, value, 0.32, color=colour, xerr=span, ecolor=grey)
+        ax.set_yticks(np.arange(len(names)), [wrapped(name, 30) for name in names])
+        ax.set_title(wrapped(parameter, 22), fontsize=8)
         ax.set_xlim(0, 1.05)
     axes[0].invert_yaxis()
-    return figure
+    return made

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -62,6 +62,7 @@ class Match:
     _judge: _Judge = field(repr=False)
     _there: Array = field(repr=False)  # points of all waves in the unit cube
     _seed: int = 1
+    source: dict[str, str] = field(default_factory=dict)  #: the folders of studies
 
     def __repr__(self) -> str:
         shares = ", ".join(f"{wave.share:.3g}" for wave in self.waves)
@@ -258,7 +259,16 @@ def match(designs: Source | Sequence[Source], outcomes: Sequence[Outcome], *, pr
             notes.append(f"wave {k + 1}: its {waves[-1].points} points tell no outcome, so it excludes nothing")
     if judge is None:
         raise ConfigurationError("\n".join(["no outcome is told by an emulator", *said]))
-    return _match(waves, judge, outcomes, frame, ranges, [*notes, *prior_notes, *said])
+    made = _match(waves, judge, outcomes, frame, ranges, [*notes, *prior_notes, *said])
+    return replace(made, source={"study": ", ".join(_folders(designs))})
+
+
+def _folders(designs: Any) -> list[str]:
+    """Of the studies among designs."""
+    if isinstance(designs, Study):
+        return [str(designs.folder)]
+    parts = designs.values() if isinstance(designs, Mapping) else designs if isinstance(designs, (list, tuple)) else []
+    return [folder for part in parts for folder in _folders(part)]
 
 
 def _gathered(designs: Any, prior: Mapping[str, Any] | None) -> tuple[list[pandas.DataFrame], list[str], list[str]]:

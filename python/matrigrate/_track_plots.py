@@ -5,12 +5,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _words
 from .tracks import Tracks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_grey, _blue, _red = "#999999", "#0072b2", "#d55e00"
+_grey, _blue, _red = _words.grey, _words.blue, _words.red
 
 
 def path(tracks: Tracks, axes: Axes, together: bool) -> None:

@@ -5,27 +5,27 @@
 """
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _drawing, _fibres, _track_plots
-from ._files import unit_of
-from .results import Run, meaning
-from .studies import Study
+from . import _arguments, _drawing, _fibres, _track_plots, _words
+from .results import Run
+from .studies import Runs, Study
 from .tracks import Tracks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_colours = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")  # told apart by all eyes
-_words = {"youngs_modulus": "Young's modulus", "f_degr": "intact matrix (f_degr): 0 fluid, 1 intact", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
+_colours = _words.colours
+_fields = {"youngs_modulus": "Young's modulus", "f_degr": "intact matrix, f_degr: 0 fluid, 1 intact", "von_mises": "von Mises stress", "fibre_von_mises": "von Mises stress of fibres"}
 
 
 def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, together: bool = False) -> Axes:
-    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names; of measured tracks. The
-    path of a single cell has the colours of time.
+    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names, of those of a study by
+    their points; of measured tracks. The path of a single cell has the colours of time.
 
     :param together: of tracks, whether all begin at one point
     """
@@ -35,9 +35,10 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
         _plane(axes)
         return axes
     runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
-    axes = axes or _new_axes()
-    paths = [(name, number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
-    lines = list(runs) if len(runs) > 1 else [number for _, number, _ in paths]  # each has a colour and its name
+    named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
+    paths = [(named_by.get(name, name), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
+    axes = axes or _new_axes(figsize=_shape([table for _, _, table in paths]))
+    lines = list(dict.fromkeys(name for name, _, _ in paths)) if len(runs) > 1 else [number for _, number, _ in paths]  # each has a colour and its name
     named = set()
     for name, number, track in paths:
         line = name if len(runs) > 1 else number
@@ -53,7 +54,7 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     if len(paths) == 1 and len(paths[0][2]) > 1:
         track = paths[0][2]
         shown = _drawing.path_in_time(axes, track["x_um"].to_numpy(), track["y_um"].to_numpy(), track["t_s"].to_numpy() / 60)
-        axes.figure.colorbar(shown, ax=axes, label="time [min]", shrink=0.8)
+        axes.figure.colorbar(shown, ax=axes, label="time (min)", shrink=0.8)
     _plane(axes)
     if 1 < len(lines) <= 8:
         axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
@@ -100,13 +101,13 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     unit = _draw_cells(axes, run, k, outlines, hidden)
     axes.set(xlim=seen[:2], ylim=seen[2:])
     if "colour bar" not in hidden:
-        words = _words.get(field, field) + ("" if shown.units == "1" else f" [{_shown_unit(shown.units)}]")
-        axes.figure.colorbar(colours, ax=axes, label=words, shrink=0.8, extend=beyond)
+        words = _fields.get(field, field.replace("_", " ")) + (f" ({_words.shown_unit(shown.units)})" if _words.shown_unit(shown.units) else "")
+        axes.figure.colorbar(colours, ax=axes, label=_words.typeset(words), shrink=0.8, extend=beyond)
         if strain is not None:
             axes.figure.colorbar(strain, ax=axes, label="strain of fibres", shrink=0.8, extend="both")
     if "scale bar" not in hidden:
         axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
-        _drawing.scale_bar(axes, unit)
+        _drawing.scale_bar(axes, unit, list(outlines.values()))
     if "legend" not in hidden:
         _drawing.legend(axes, fields, hidden, len(outlines), k > 0)
     return axes
@@ -138,22 +139,31 @@ def _draw_cells(axes: Axes, run: Run, k: int, outlines: Mapping[int, Any], hidde
 
 
 def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None = None) -> Axes:
-    """Box plots of a read-out, a box for each point of a study, with a dot for each run."""
+    """A read-out of each run of a study as a dot, with a box for each point of five runs or more."""
     _arguments.one_of("study", study, Study)
     axes = axes or _new_axes()
     done = study.results[study.results["status"] == "done"]
     if readout not in done.columns:
         known = [name for name in done.columns[list(done.columns).index("trajectory_hash") + 1:]]
         raise KeyError(f"{readout}; the read-outs are {', '.join(known)}")
-    labels = list(study.points["label"])
-    samples = [done.loc[done["label"] == label, readout].dropna().to_numpy(float) for label in labels]
-    axes.boxplot(samples, labels=labels, showfliers=False, medianprops={"color": _colours[0], "linewidth": 2})
+    names, title = _points(study)
+    samples = [done.loc[done["label"] == label, readout].dropna().to_numpy(float) for label in names]
+    boxed = [k for k, sample in enumerate(samples, 1) if len(sample) >= _words.least_for_box]
+    if boxed:
+        axes.boxplot([samples[k - 1] for k in boxed], positions=boxed, widths=0.5, manage_ticks=False, showfliers=False,
+                     medianprops={"color": _colours[0], "linewidth": 2})
     for k, sample in enumerate(samples, 1):
         spread = np.linspace(-0.12, 0.12, len(sample)) if len(sample) > 1 else np.zeros(len(sample))
-        axes.plot(k + spread, sample, "o", color=_colours[0], alpha=0.5, markersize=4)
-    unit = unit_of(readout)
-    axes.set_ylabel(_wrapped(meaning(readout)) + ("" if unit == "1" else f" [{_shown_unit(unit)}]"))
-    if len(labels) > 3:
+        axes.plot(k + spread, sample, "o", color=_colours[0], alpha=0.5 if k in boxed else 0.8, markersize=4)
+    axes.set_xticks(range(1, len(names) + 1), [_words.typeset(name) for name in names.values()])
+    axes.set(xlim=(0.5, len(names) + 0.5), xlabel=title, ylabel=_words.axis_title(readout, 40))
+    whole = all(float(value).is_integer() for sample in samples for value in sample)
+    if whole and not _words.unit(readout):
+        axes.yaxis.get_major_locator().set_params(integer=True)
+    if not any(len(sample) for sample in samples):
+        axes.set(yticks=[])
+        axes.text(0.5, 0.5, "no run has a value", transform=axes.transAxes, horizontalalignment="center")
+    if max(map(len, names.values())) * len(names) > 60:
         for text in axes.get_xticklabels():
             text.set(rotation=30, horizontalalignment="right", rotation_mode="anchor")
     return axes
@@ -173,7 +183,7 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
     with its standard error. The dashed lines have the slopes of a random walk (1) and of a straight path (2). A run of
     less than 20 min has none, and the figure says so. Of measured tracks that of all together."""
     axes = axes or _new_axes()
-    axes.set(xlabel="lag [min]", ylabel="mean square displacement [µm²]")
+    axes.set(xlabel="lag (min)", ylabel="mean square displacement (µm²)")
     if isinstance(results, Tracks):
         lag, square = _track_plots.msd(results, axes)
         _slopes(axes, lag, square)
@@ -184,11 +194,17 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
                   transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")
         axes.set(xticks=[], yticks=[])
         return axes
+    if table["lag_s"].nunique() < 2:
+        axes.text(0.5, 0.5, f"a single lag, {table['lag_s'].iloc[0] / 60:g} min: two are needed for a curve,\nof a run of 40 min",
+                  transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")
+        axes.set(xticks=[], yticks=[])
+        return axes
     groups: list[tuple[Any, Any]] = [("", table)]
     if "cell" in table:
         groups = [(f"cell {number}", rows) for number, rows in table.groupby("cell")]
     elif not isinstance(results, Run):
-        groups = list(table.groupby("point", sort=False))
+        known = _points(results, with_name=True)[0]
+        groups = [(_words.typeset(known.get(name, name)), rows) for name, rows in table.groupby("point", sort=False)]
     for k, (name, rows) in enumerate(groups):
         colour, lag = _colours[k % len(_colours)], rows["lag_s"] / 60
         axes.plot(lag, rows["msd_um2"], "o-", color=colour, markersize=3, label=str(name) or None)
@@ -208,6 +224,8 @@ def _slopes(axes: Axes, lag: Any, square: Any) -> None:
     for slope in (1, 2):
         axes.plot(lags, start * (lags / lags[0]) ** slope, "--", color="#999999", linewidth=1)
     axes.set(xscale="log", yscale="log")
+    _words.plain_decades(axes.xaxis, *axes.get_xlim())
+    _words.plain_decades(axes.yaxis, *axes.get_ylim())
 
 
 def _pyplot() -> Any:
@@ -220,18 +238,48 @@ def _pyplot() -> Any:
 
 
 def _new_axes(**options: Any) -> Any:
-    return _pyplot().subplots(layout="constrained", **options)[1]
+    from matplotlib import rc_context
+
+    pyplot = _pyplot()
+    with rc_context(_words.style):
+        return pyplot.subplots(layout="constrained", **options)[1]
+
+
+def _points(study: Study, with_name: bool = False) -> tuple[dict[str, str], str]:
+    """What each point of a study is called by its label, and the title of an axis of them: of a single parameter the values alone.
+
+    :param with_name: whether values have the name of their parameter beside them
+    """
+    points, parameters = study.points, study.parameters
+    labels = list(points["label"])
+    own = all(_words.parameter_of(name) and _is_named_by(label, name) for label in labels for name in parameters)
+    if not parameters or not own:
+        return {label: label for label in labels}, ""
+    rows = points[parameters].to_dict("records")
+    if len(parameters) == 1 and not with_name:
+        return {label: _words.number(row[parameters[0]]) for label, row in zip(labels, rows, strict=True)}, _words.axis_title(parameters[0])
+    return {label: ", ".join(_words.setting(name, value) for name, value in row.items()) for label, row in zip(labels, rows, strict=True)}, ""
+
+
+def _is_named_by(label: str, column: str) -> bool:
+    """Whether a label was made of the name of a parameter, not given by the author of the study."""
+    parameter = _words.parameter_of(column)
+    return parameter is not None and any(re.search(rf"(^|[ .]){re.escape(name)} ", label) for name in (parameter.key, parameter.symbol) if name)
+
+
+def _labels(study: Study) -> dict[str, str]:
+    """By the name of a run what its point is called."""
+    known = _points(study, with_name=True)[0]
+    return {run: _words.typeset(known[label]) for run, label in zip(study.results["run"], study.results["label"], strict=True)}
+
+
+def _shape(tracks: list[Any]) -> tuple[float, float]:
+    """Size of a figure that has the shape of what it shows [inch], so that distant cells use all of it."""
+    x, y = (np.concatenate([track[name].to_numpy(float) for track in tracks]) for name in ("x_um", "y_um"))
+    share = float(np.clip((np.ptp(y) + 1e-9) / (np.ptp(x) + 1e-9), 0.45, 1.2))
+    return 6.4, 0.9 + 5.2 * share
 
 
 def _plane(axes: Axes) -> None:
-    axes.set(xlabel="x [µm]", ylabel="y [µm]")
+    axes.set(xlabel="x (µm)", ylabel="y (µm)")
     axes.set_aspect("equal", "datalim" if axes.get_autoscale_on() else "box")
-
-
-def _shown_unit(unit: str) -> str:
-    return unit.replace("um", "µm").replace("^2", "²")
-
-
-def _wrapped(text: str, width: int = 40) -> str:
-    words = text.split(", ")
-    return ",\n".join(words) if len(text) > width else text

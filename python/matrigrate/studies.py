@@ -22,8 +22,9 @@ _texts = ("run", "label", "status", "reason", "cause", "trajectory_hash", "point
 class Runs(Mapping[str, Run]):
     """The runs of a study by the names of their folders. Each is loaded when it is asked for."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, study: Study | None = None) -> None:
         self._folder = _arguments.path("folder", folder)
+        self.study = study if (folder.parent / "results.csv").is_file() else None  #: with its table of runs, if it was written yet
         self._names = sorted(path.parent.name for path in self._folder.glob("*/run.json"))
 
     def __getitem__(self, name: str) -> Run:
@@ -99,7 +100,7 @@ class Study:
     @cached_property
     def runs(self) -> Runs:
         """The runs that have begun, by the names of their folders."""
-        return Runs(self.folder / "runs")
+        return Runs(self.folder / "runs", self)
 
     def tracks(self) -> pandas.DataFrame:
         """The tracks of all runs that have begun, in one frame: those of ``Run.tracks`` with the columns ``run``,

@@ -52,6 +52,8 @@ class Tracks(Mapping[str, Any]):
         self._starts = dict(starts or dict.fromkeys(positions, 0.0))  # [s]
         self.interval = interval
         """Time between positions [s]."""
+        self.source = ""
+        """The file that they were read from; empty if they were not."""
         self.notes = notes
         """What was left out or changed, one sentence for each change."""
 
@@ -256,7 +258,9 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
         positions[name][indices] = at[:, 1:]
         starts[name] = float(at[0, 0])
     tracks = Tracks(positions, step, found["notes"], starts)
-    return tracks.without_drift() if drift else tracks
+    tracks = tracks.without_drift() if drift else tracks
+    tracks.source = str(file)
+    return tracks
 
 
 def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:

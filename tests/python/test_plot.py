@@ -26,7 +26,7 @@ class Figures(common.InTemporaryFolder):
 
     def test_path(self):
         axes = matrigrate.plot.path(self.run_)
-        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("x [µm]", "y [µm]"))
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("x (µm)", "y (µm)"))
         self.assertEqual(list(axes.lines[0].get_xdata()), list(self.run_.tracks["x_um"]))
         self.drawn(axes)
         self.drawn(matrigrate.plot.path(self.study.runs))
@@ -107,7 +107,7 @@ class Figures(common.InTemporaryFolder):
         for field in ("f_degr", "degradation"):
             axes = matrigrate.plot.frame(self.pair, field=field)
             words = [other.get_ylabel() for other in axes.figure.axes]
-            self.assertIn("intact matrix (f_degr): 0 fluid, 1 intact", words)
+            self.assertIn("intact matrix, $f_{\\mathrm{degr}}$: 0 fluid, 1 intact", words)
             self.drawn(axes)
 
     def test_parts_can_be_hidden(self):
@@ -117,7 +117,7 @@ class Figures(common.InTemporaryFolder):
         self.assertIn("20 µm", [text.get_text() for text in bar[0].findobj(pyplot.Text)])
         bare = matrigrate.plot.frame(self.pair, hide=matrigrate._drawing.overlays)
         self.assertEqual((list(bare.patches), list(bare.lines), list(bare.texts)), ([], [], []))
-        self.assertEqual((bare.get_xlabel(), bare.get_legend(), len(bare.figure.axes)), ("x [µm]", None, 1))
+        self.assertEqual((bare.get_xlabel(), bare.get_legend(), len(bare.figure.axes)), ("x (µm)", None, 1))
         self.drawn(every)
         self.drawn(bare)
 
@@ -162,7 +162,7 @@ class Figures(common.InTemporaryFolder):
             self.assertEqual(axes.get_title(), "10 min")
             self.drawn(axes)
         self.assertEqual(matrigrate.plot.frame(self.run_, fluid=True).get_title(), "30 min")
-        self.assertEqual(axes.figure.axes[1].get_ylabel(), "von Mises stress [Pa]")
+        self.assertEqual(axes.figure.axes[1].get_ylabel(), "von Mises stress (Pa)")
         for wrong in ("colour", "reference", "spacing"):
             with self.assertRaisesRegex(KeyError, f"{wrong}; the fields of the matrix are .*f_degr"):
                 matrigrate.plot.frame(self.run_, field=wrong)
@@ -173,7 +173,7 @@ class Figures(common.InTemporaryFolder):
         scenario.ecm.fields.obstacle = "x > 40 && abs(y) < 6"
         run = matrigrate.run(scenario, out="given", hours=0.02, overrides={"output.pictures": False})
         axes = matrigrate.plot.frame(run, field="youngs_modulus", window="all")
-        self.assertEqual(axes.figure.axes[1].get_ylabel(), "Young's modulus [Pa]")
+        self.assertEqual(axes.figure.axes[1].get_ylabel(), "Young's modulus (Pa)")
         self.assertEqual(axes.figure.axes[1].get_ylim(), (100, 300))
         solid = run.fields["matrix/obstacle"][...] == 1
         drawn = [len(part.get_paths()) for part in axes.collections if len(part.get_paths())]
@@ -184,7 +184,7 @@ class Figures(common.InTemporaryFolder):
     def test_boxes(self):
         axes = matrigrate.plot.boxes(self.study)
         self.assertEqual([label.get_text() for label in axes.get_xticklabels()], ["=soft", "NA"])
-        self.assertEqual(axes.get_ylabel(), "speed, start to end [µm/h]")
+        self.assertEqual(axes.get_ylabel(), "speed, start to end, $v_{\\mathrm{migr,abs}}$ (µm/h)")
         self.drawn(axes)
         self.drawn(matrigrate.plot.boxes(self.study, "tau_prot_min"))  # defined in no run
         with self.assertRaisesRegex(KeyError, "the read-outs are"):

@@ -1,0 +1,223 @@
+"""What pages of fits and matches are made of: one file with tables and figures in the colours of the page, light or dark."""
+from __future__ import annotations
+
+import html
+import io
+import re
+import textwrap
+from collections.abc import Callable, Iterable, Sequence
+from datetime import datetime, timezone
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _words
+from ._version import __version__
+from ._words import blue, grey, red
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._emulator import Array, Prior
+
+_ink = "#1a2b3d"  # of figures; the page replaces it by the colour of its text
+_style = """:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff;color-scheme:light dark}
+@media (prefers-color-scheme:dark){:root{--text:#e9edf1;--soft:#a3adb8;--line:#343b43;--ground:#14171a}}
+@media print{:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff}}
+body{font:16px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1.5rem;color:var(--text);background:var(--ground)}
+table{border-collapse:collapse;font-size:.85rem;display:block;overflow-x:auto}td,th{padding:.2rem .5rem;text-align:right;border-bottom:1px solid var(--line)}
+th{font-weight:600;vertical-align:bottom}td:first-child,th:first-child{text-align:left}figure{margin:1rem 0}figure svg{max-width:100%;height:auto}
+figcaption,small,dt{color:var(--soft)}li{margin:.2rem 0}dl{display:grid;grid-template-columns:max-content 1fr;gap:.1rem 1rem;font-size:.9rem}dd{margin:0}"""
+
+
+def document(heading: str, facts: Iterable[tuple[str, str]], body: str) -> str:
+    """report.html: it needs no other file and no network.
+
+    :param facts: names and values, of what the page was made; empty ones are left out
+    """
+    now = datetime.now(timezone.utc).strftime("%Y-%m-%d")
+    shown = "".join(f"<dt>{html.escape(name)}</dt><dd>{html.escape(value)}</dd>"
+                    for name, value in [*facts, ("date", now), ("program", f"matrigrate {__version__}")] if value)
+    return f"""<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>{html.escape(heading)}</title><style>{_style}</style></head><body>
+<h1>{html.escape(heading)}</h1>
+<dl>{shown}</dl>
+{body}
+</body></html>
+"""
+
+
+def note(text: str) -> str:
+    """A note of the program with parameters and read-outs in words."""
+    name = re.compile(r"[A-Za-z][\w.]*_\w+|[a-z]+\.[a-z_]\w*")
+    return _words.lettered(html.escape(name.sub(lambda m: _words.words(m[0]) if _is_named(m[0]) else m[0], text)))
+
+
+def _is_named(name: str) -> bool:
+    return _words.words(name) != name.replace("_", " ")
+
+
+def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
+    """A table, its rows by parameter or read-out in words with symbol and unit.
+
+    :param heads: of columns, if other than their names
+    """
+    def cell(value: Any) -> str:
+        if isinstance(value, (bool, np.bool_)):
+            return "yes" if value else "no"
+        if isinstance(value, float):
+            return f"{value:.3g}".replace("-", "−") if np.isfinite(value) else ""
+        return named(str(value)) if _is_named(str(value)) else html.escape(str(value))
+
+    head = "".join(f"<th>{html.escape((heads or {}).get(str(name), str(name)))}</th>" for name in ["", *made.columns])
+    rows = "".join("<tr>" + "".join(f"<td>{cell(value)}</td>" for value in (name, *row)) + "</tr>"
+                   for name, row in zip(made.index, made.itertuples(index=False), strict=True))
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def named(name: str) -> str:
+    """A parameter or a read-out for HTML: words, symbol and unit."""
+    return _words.lettered(html.escape(_words.title(name)))
+
+
+def figure(draw: Callable[[], Any], caption: str) -> str:
+    """A figure as SVG in the page, with the page's colour of text, drawn without a display and without the state of pyplot."""
+    import matplotlib
+
+    options = _words.style | {"svg.fonttype": "none", "svg.hashsalt": "matrigrate", "text.color": _ink, "axes.labelcolor": _ink,
+                              "axes.edgecolor": _ink, "xtick.color": _ink, "ytick.color": _ink, "font.family": "sans-serif"}
+    image = io.StringIO()
+    with matplotlib.rc_context(options):
+        draw().savefig(image, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+    text = image.getvalue()
+    text = text[text.index("<svg"):].replace(_ink, "currentColor")
+    text = re.sub(r' id="(?:figure|axes|patch|text|matplotlib\.axis|line2d|xtick|ytick|PathCollection|QuadContourSet|LineCollection|legend)_\d+"', "", text)
+    text = re.sub(r' xmlns(?::xlink)?="[^"]*"', "", text).replace("xlink:href", "href")
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    return (f'<figure role="img" aria-label="{html.escape(caption)}">{text}<figcaption>{html.escape(caption)}</figcaption></figure>')
+
+
+def new(width: float, height: float) -> Any:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    made = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(made)
+    return made
+
+
+def wrapped(name: str, letters: int) -> str:
+    """Words, symbol and unit of a parameter or read-out, in lines, for a figure."""
+    return _words.typeset(textwrap.fill(_words.title(name), letters, break_long_words=False))
+
+
+def density(sample: Array, cells: int = 80) -> tuple[Array, Array]:
+    """The density of a sample in the unit cube, of one or two columns, on a grid of cells and their centres: kernels of Scott's width, mirrored
+    at the ends, so that a uniform sample has an even density up to them."""
+    from scipy.ndimage import gaussian_filter
+
+    n, columns = sample.shape
+    counts, _ = np.histogramdd(np.clip(sample, 0, 1), [np.linspace(0, 1, cells + 1)] * columns)
+    widths = np.maximum(sample.std(axis=0) * n ** (-1 / (columns + 4)) * cells, 0.7)
+    smooth = gaussian_filter(counts, widths, mode="reflect")
+    return (np.arange(cells) + 0.5) / cells, np.asarray(smooth / smooth.sum() * cells**columns)
+
+
+def level_of(share: float, values: Array) -> float:
+    """The density above which a share of the sample lies."""
+    falling = np.sort(values.ravel())[::-1]
+    return float(falling[np.searchsorted(np.cumsum(falling), share * falling.sum())])
+
+
+def ticks(prior: Prior, column: int) -> tuple[Array, list[str]]:
+    """Places in the unit cube, and words, of round values of a parameter: decades, or 1, 2, 5."""
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = float(prior.low[column]), float(prior.high[column])
+    if prior.is_log[column]:
+        steps = (1.0,) if high > 99 * low else (1.0, 2.0, 5.0)
+        decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
+        values = np.array([step * 10.0**k for k in decades for step in steps])
+    else:
+        values = MaxNLocator(3, steps=[1, 2, 5, 10]).tick_values(low, high)
+    values = values[(values >= low * (1 - 1e-9) - 1e-300) & (values <= high * (1 + 1e-9))]
+    values = values[:: max(1, int(np.ceil(len(values) / 4)))]
+    every = np.ones((len(values), len(prior.names))) * prior.low
+    every[:, column] = values
+    return prior.to_cube(every)[:, column], [f"{value:.4g}".replace("-", "−") for value in values]
+
+
+def corner(prior: Prior, samples: Sequence[tuple[Array, str]], best: Array | None = None) -> Any:
+    """Each parameter and each pair of them over the whole prior: densities of samples of the unit cube, with lines around 50 and 90 % of each, the
+    prior dashed, the best point in red.
+
+    :param samples: with their colours, the last one on top
+    """
+    names = prior.names
+    n = len(names)
+    made = new(min(2.2 * n + 0.9, 12.0), min(2.0 * n + 0.8, 11.4))
+    axes = made.subplots(n, n, squeeze=False)
+    letters = max(11, int(60 / max(n, 2)))
+    for row in range(n):
+        for column in range(n):
+            ax = axes[row][column]
+            if column > row:
+                ax.set_axis_off()
+                continue
+            for sample, colour in samples:
+                if len(sample) > 3:
+                    _shown_density(ax, sample[:, [column, row][: 1 if row == column else 2]], colour)
+            _finish(ax, prior, (row, column), letters, None if best is None else best)
+    return made
+
+
+def _shown_density(ax: Any, sample: Array, colour: str) -> None:
+    at, values = density(sample, 80 if sample.shape[1] == 1 else 60)
+    if sample.shape[1] == 1:
+        ax.fill_between(at, values, color=colour, alpha=0.35, linewidth=0)
+        ax.plot(at, values, color=colour)
+        return
+    levels = sorted({level_of(share, values) for share in (0.9, 0.5)})
+    ax.contourf(at, at, values.T, [*levels, np.inf], colors=[colour], alpha=0.3)
+    if len(levels) > 1:
+        ax.contourf(at, at, values.T, [levels[-1], np.inf], colors=[colour], alpha=0.4)
+    ax.contour(at, at, values.T, levels, colors=[colour], linewidths=0.9)
+
+
+def _finish(ax: Any, prior: Prior, place: tuple[int, int], letters: int, best: Array | None) -> None:
+    """Axes are those of the unit cube; what is written is the parameter."""
+    row, column = place
+    n = len(prior.names)
+    ax.set_xlim(0, 1)
+    if row == column:
+        ax.axhline(1, color=grey, linestyle="--", linewidth=1)  # the prior
+        ax.set_ylim(0, None)
+        ax.set_yticks([])
+    else:
+        ax.set_ylim(0, 1)
+        at, said = ticks(prior, row)
+        ax.set_yticks(at, said if column == 0 else [""] * len(at))
+    if best is not None:
+        ax.axvline(best[column], color=red, linewidth=1) if row == column else ax.plot(best[column], best[row], "o", color=red, markersize=4)
+    at, said = ticks(prior, column)
+    ax.set_xticks(at, said if row == n - 1 else [""] * len(at))
+    if row == n - 1:
+        ax.set_xlabel(wrapped(prior.names[column], letters), fontsize=8)
+    if column == 0 and row > 0:
+        ax.set_ylabel(wrapped(prior.names[row], letters), fontsize=8)
+
+
+def intervals(names: Sequence[str], measured: tuple[Array, Array], predicted: tuple[Array, Array], reach: float, title: str) -> Any:
+    """For each name two bars: measured (red, above) and predicted (blue, below), within -reach to reach."""
+    made = new(8.2, 0.9 + 0.42 * len(names))
+    ax = made.subplots()
+    at = np.arange(len(names))
+    for ends, shift, colour, said in ((measured, -0.12, red, "measured, with two standard errors"), (predicted, 0.14, blue, "predicted, 90 %")):
+        ax.hlines(at + shift, np.clip(ends[0], -reach, reach), np.clip(ends[1], -reach, reach), color=colour, linewidth=4, label=said)
+    ax.axvline(0, color=grey, linewidth=0.8)
+    ax.set_yticks(at, list(names))
+    ax.set_ylim(len(names) - 0.4, -0.6)
+    ax.set_xlabel(title)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
+    return made

@@ -1,0 +1,125 @@
+"""What stands on axes, in legends and in captions: words of the program's tables, the paper's symbol and the unit. The pages' ``words.ts`` says the
+same. And the one table of colours and sizes of figures.
+
+>>> title("tau_prot_min"), title("n_protrusions")
+('life of a mature adhesion, mean, tau_prot (min)', 'protrusions initiated')
+>>> title("ecm.youngs_modulus_Pa"), setting("protrusion.force_nN", 0.2)
+("Young's modulus of the intact matrix, E (Pa)", 'F_prot = 0.2 nN')
+"""
+from __future__ import annotations
+
+import functools
+import math
+import re
+import textwrap
+from typing import Any
+
+from . import _motility, _schema, results
+from ._files import unit_of
+
+colours = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#f0e442")  #: Okabe and Ito's, told apart by all eyes
+blue, red, grey = colours[0], colours[1], "#8a8f98"
+least_for_box = 5  #: runs that a box is drawn of; of fewer the runs alone
+style = {"font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,
+         "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8, "lines.linewidth": 1.4}  #: legible at a width of 85 mm
+
+_greek = {"eta": "η", "gamma": "γ", "zeta": "ζ", "kappa": "κ", "mu": "μ", "nu": "ν", "tau": "τ", "eps": "ε"}
+_symbol = re.compile(rf"(?<![\w.])(?!n_(?!prot\b))({'|'.join(_greek)}|[A-Za-z])_([A-Za-z0-9]+(?:[_,][A-Za-z0-9]+)*)(?![\w.])")
+_no_noun = re.compile(r"(The|With|Two|A|Whether|How|Which|What) ")
+_people = re.compile(r"Young|Poisson|Kelvin|[xy] ")
+
+
+def typeset(text: str) -> str:
+    """For matplotlib: symbols with their index below the line.
+
+    >>> typeset("f_mat, tau_prot")
+    '$f_{\\\\mathrm{mat}}$, $τ_{\\\\mathrm{prot}}$'
+    """
+    return _symbol.sub(lambda m: f"${_greek.get(m[1], m[1])}_{{\\mathrm{{{m[2].replace('_', ',')}}}}}$", text)
+
+
+def lettered(text: str) -> str:
+    """The same for HTML; the text has no other marks."""
+    return _symbol.sub(lambda m: f"{_greek.get(m[1], m[1])}<sub>{m[2].replace('_', ',')}</sub>", text)
+
+
+def shown_unit(unit: str) -> str:
+    """"µm²" of "um^2"; "" of a ratio."""
+    if unit in ("1", "-", ""):
+        return ""
+    return re.sub(r"\bum\b", "µm", unit).replace("^2", "²")
+
+
+@functools.cache
+def parameter_of(column: str) -> _schema.Parameter | None:
+    """The parameter whose column this is in tables of a study, "ecm.youngs_modulus_Pa"; None if there is none."""
+    known = _schema.parameters()
+    return max((p for path, p in known.items() if column == path or column.startswith(f"{path}_")), key=lambda p: len(p.path), default=None)
+
+
+def noun(parameter: _schema.Parameter) -> str:
+    """A noun for a parameter: the first clause of its meaning; of a rule the words of its name."""
+    clause = re.split(r"[;:,(]", parameter.meaning)[0].strip()
+    if clause and len(clause) <= 60 and not _no_noun.match(clause):
+        return clause if _people.match(clause) else clause[0].lower() + clause[1:]
+    section, key = parameter.path.rsplit(".", 1)
+    return f"{section}: {key}".replace("_", " ").replace(".", " ")
+
+
+@functools.cache
+def _labels() -> dict[str, dict[str, Any]]:
+    return {row["name"]: row for row in _schema.table("readouts.json")}
+
+
+def symbol(column: str) -> str:
+    """The paper's symbol of a read-out or parameter as it is typed; "" if it has none."""
+    if parameter := parameter_of(column):
+        return parameter.symbol
+    label = _labels().get(column, {}).get("label", "")
+    return label if _symbol.fullmatch(label) else ""
+
+
+def words(column: str) -> str:
+    """A read-out or a parameter in words."""
+    if parameter := parameter_of(column):
+        return noun(parameter)
+    if column in _labels():
+        return results.meaning(column)
+    return _motility.meanings.get(column, column.replace("_", " "))
+
+
+def unit(column: str) -> str:
+    return shown_unit(_labels()[column]["unit"] if column in _labels() else unit_of(column))
+
+
+def title(column: str) -> str:
+    """Words, symbol and unit of a read-out or parameter."""
+    parts = [words(column), *([symbol(column)] if symbol(column) else [])]
+    return ", ".join(parts) + (f" ({unit(column)})" if unit(column) else "")
+
+
+def axis_title(column: str, letters: int = 44) -> str:
+    """For an axis of matplotlib: broken into lines, symbols typeset."""
+    return typeset(textwrap.fill(title(column), letters, break_long_words=False))
+
+
+def setting(column: str, value: Any) -> str:
+    """A value of a parameter as a legend names it: by symbol, or by words if it has none."""
+    name = f"{symbol(column)} =" if symbol(column) else words(column)
+    return f"{name} {number(value)} {unit(column)}".strip()
+
+
+def number(value: Any) -> str:
+    """As people read it: "50", "0.2", "soft.csv"."""
+    if isinstance(value, (bool, str)):
+        return str(value)
+    return "" if not math.isfinite(value) else f"{value:.4g}"
+
+
+def plain_decades(axis: Any, low: float, high: float) -> None:
+    """Ticks of a logarithmic axis: decades where there are two, else 1, 2, 5, as plain numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_major_locator(LogLocator(subs=(1.0,) if high > 99 * low else (1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())
