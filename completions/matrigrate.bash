@@ -129,7 +129,7 @@ _matrigrate() {
   matrigrate_diff)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_export)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --openvt --times --simularium --ome-tiff --pixel --svg --png --panel --movie --fps --seconds --size --follow --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --openvt --times --simularium --ome-tiff --pixel --svg --png --panel --movie --fps --seconds --size --follow --whole --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_tracks)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --pixel --interval --time-unit --columns --layout --splits --jitter --recalibrate --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_validate)

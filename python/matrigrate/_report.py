@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from ._emulator import Array, Prior
 
 _ink = "#1a2b3d"  # of figures; the page replaces it by the colour of its text
-_style = """:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff;color-scheme:light dark}
-@media (prefers-color-scheme:dark){:root{--text:#e9edf1;--soft:#a3adb8;--line:#343b43;--ground:#14171a}}
-@media print{:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff}}
+_style = """:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff;--blue:#0072b2;--red:#d55e00;color-scheme:light dark}
+@media (prefers-color-scheme:dark){:root{--text:#e9edf1;--soft:#a3adb8;--line:#343b43;--ground:#14171a;--blue:#56b4e9;--red:#e8743b}}
+@media print{:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff;--blue:#0072b2;--red:#d55e00}}
 body{font:16px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1.5rem;color:var(--text);background:var(--ground)}
 table{border-collapse:collapse;font-size:.85rem;display:block;overflow-x:auto}td,th{padding:.2rem .5rem;text-align:right;border-bottom:1px solid var(--line)}
 th{font-weight:600;vertical-align:bottom}td:first-child,th:first-child{text-align:left}figure{margin:1rem 0}figure svg{max-width:100%;height:auto}
@@ -91,7 +91,7 @@ def figure(draw: Callable[[], Any], caption: str) -> str:
     with matplotlib.rc_context(options):
         draw().savefig(image, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     text = image.getvalue()
-    text = text[text.index("<svg"):].replace(_ink, "currentColor")
+    text = text[text.index("<svg"):].replace(_ink, "currentColor").replace(blue, "var(--blue)").replace(red, "var(--red)")
     text = re.sub(r' id="(?:figure|axes|patch|text|matplotlib\.axis|line2d|xtick|ytick|PathCollection|QuadContourSet|LineCollection|legend)_\d+"', "", text)
     text = re.sub(r' xmlns(?::xlink)?="[^"]*"', "", text).replace("xlink:href", "href")
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
@@ -145,7 +145,7 @@ def ticks(prior: Prior, column: int) -> tuple[Array, list[str]]:
     values = values[:: max(1, int(np.ceil(len(values) / 4)))]
     every = np.ones((len(values), len(prior.names))) * prior.low
     every[:, column] = values
-    return prior.to_cube(every)[:, column], [f"{value:.4g}".replace("-", "−") for value in values]
+    return prior.to_cube(every)[:, column], [f"{value:.6g}".replace("-", "−") for value in values]
 
 
 def corner(prior: Prior, samples: Sequence[tuple[Array, str]], best: Array | None = None) -> Any:

@@ -74,7 +74,7 @@ def _labels() -> dict[str, dict[str, Any]]:
 def symbol(column: str) -> str:
     """The paper's symbol of a read-out or parameter as it is typed; "" if it has none."""
     if parameter := parameter_of(column):
-        return parameter.symbol
+        return _greek.get(parameter.symbol, parameter.symbol)
     label = _labels().get(column, {}).get("label", "")
     return label if _symbol.fullmatch(label) else ""
 

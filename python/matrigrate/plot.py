@@ -35,6 +35,7 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
         _plane(axes)
         return axes
     runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
+    _pyplot()  # says what is missing before tables are read
     named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
     paths = [(named_by.get(name, name), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
     axes = axes or _new_axes(figsize=_shape([table for _, _, table in paths]))

@@ -44,9 +44,9 @@ export const lettered = (text: string): (string | HTMLElement)[] =>
 
 /** The paper's symbol as it is typed, "f_mat"; "" if there is none. */
 export function symbolOf({ name, label }: Named): string {
-  if (name.includes(".") && label.startsWith(name)) return /\((\S+)\)$/.exec(label)?.[1] ?? "";
+  if (name.includes(".") && label.startsWith(name)) return /\((\S+)\)$/.exec(label)?.[1].replace(/^[a-z]+$/, (name) => greek[name] ?? name) ?? "";
   if (new RegExp(`^${symbolPattern.source}$`).test(label)) return label;
-  return name.includes(".") && !name.endsWith(`.${label}`) ? label : "";
+  return name.includes(".") && !name.endsWith(`.${label}`) ? (greek[label] ?? label) : "";
 }
 
 /** A noun for a thing whose meaning is a sentence: its first clause; of a rule the words of its name. */

@@ -71,7 +71,7 @@ test("symbols are set as the paper does", () => {
 /** All that is written in and below the plots of a page, as lines of plain text. */
 const written = (page: Page) =>
   page.evaluate(() =>
-    [...document.querySelectorAll("figure svg text, figcaption, ul.series li, .plots text, .study-controls option, header")].map((one) => {
+    [...document.querySelectorAll("figure svg text, figcaption, ul.series li, .plots text, .study-controls option, header h1, header .status")].map((one) => {
       const copy = one.cloneNode(true) as Element;
       for (const below of copy.querySelectorAll("sub, tspan[style*='font-size']")) below.replaceWith(` ${below.textContent ?? ""}`);
       return copy.textContent ?? "";
