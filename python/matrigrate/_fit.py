@@ -13,15 +13,15 @@ import numpy as np
 from . import _arguments, _emulator
 from . import tracks as _tracks
 from ._emulator import Array, Emulator, Prior
-from ._files import _pandas, make_folder
+from ._files import _pandas, make_folder, unit_of
 from ._measurement import Means, Measurement, Points, differences, measurement, require_study, simulated, size_faults
-from ._posterior import at_bound, bound_note, constrained_width
 from .errors import ConfigurationError
 from .studies import Study
 
 if TYPE_CHECKING:
     import pandas
 
+constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
 _implausible = 3.0
 _draws = 12000  # from the prior
 _least_explained = 0.05  # of the variance of points, for a read-out that depends on parameters
@@ -64,10 +64,10 @@ class Fit:
         :param overwrite: whether to replace these files in a folder that is there already
         :return: report.html
         """
-        from ._fit_report import page
+        from ._report import page_of_fit
 
         path = _arguments.path("folder", folder)
-        text = page(self)
+        text = page_of_fit(self)
         make_folder(path, overwrite)
         for name, table in (("posterior", self.table), ("readouts", self.readouts)):
             table.to_csv(path / f"{name}.csv", index_label="parameter" if name == "posterior" else "readout")
@@ -348,3 +348,23 @@ def _untold(table: pandas.DataFrame, correlations: pandas.DataFrame, sensitivity
             "the read-outs depend on it, but their errors are too large" if not tied else "see the correlation"
         notes.append(f"the data cannot tell {name}: its 90 % interval is {row['width']:.0%} of the prior's; {reason}")
     return notes
+
+
+def at_bound(places: Any) -> str:
+    """"lower" or "upper", if the posterior is cut off by that bound of the prior; else "".
+
+    It is where its density in the last tenth of the prior is at least the prior's, and half of its largest: so there is no sign that it
+    falls towards the bound. A posterior like that at both ends is the prior itself.
+
+    :param places: from 0 to 1 in the prior
+    """
+    shares = np.histogram(np.clip(places, 0, 1), np.linspace(0, 1, 11))[0].astype(float)
+    shares /= shares.sum()
+    lower, upper = (bool(share >= max(0.1, 0.5 * shares.max())) for share in (shares[0], shares[-1]))
+    return "" if lower == upper else "lower" if lower else "upper"
+
+
+def bound_note(name: str, side: str, end: float) -> str:
+    unit = unit_of(name)
+    return (f"{name}: the posterior ends at the {side} bound of the prior, {end:.3g}{'' if unit == '1' else ' ' + unit}: "
+            "widen the range")
