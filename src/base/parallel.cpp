@@ -10,8 +10,8 @@
 
 // Of ThreadSanitizer; null where the program is built without it.
 extern "C" {
-[[gnu::weak]] void __tsan_acquire(void* address); // NOLINT(bugprone-reserved-identifier)
-[[gnu::weak]] void __tsan_release(void* address); // NOLINT(bugprone-reserved-identifier)
+[[gnu::weak]] void __tsan_acquire(void* address); // NOLINT: its name
+[[gnu::weak]] void __tsan_release(void* address); // NOLINT: its name
 }
 
 namespace matrigrate {

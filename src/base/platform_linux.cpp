@@ -27,7 +27,7 @@ std::string this_program() { return "/proc/self/exe"; }
 
 std::filesystem::path program_file() {
   std::error_code error;
-  const std::filesystem::path file = std::filesystem::read_symlink(this_program(), error);
+  std::filesystem::path file = std::filesystem::read_symlink(this_program(), error);
   if (error) throw InputOutputError(fmt::format("{}: cannot be read: {}", this_program(), error.message()));
   return file;
 }
