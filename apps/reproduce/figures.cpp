@@ -1,9 +1,9 @@
 #include "apps/reproduce/figures.hpp"
 
-#include "apps/reproduce/parts.hpp"
 #include "apps/study/verbs.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
+#include "claims/parts.hpp"
 #include "run/finished_run.hpp"
 #include "store/csv.hpp"
 #include "study_report/drawn_study.hpp"
@@ -37,13 +37,12 @@ std::filesystem::path case_table(std::string_view name, const ReproduceOptions& 
 
 /// The film of the first run with two protrusions among fibres that is done and in its folder; empty if there is none.
 observe::Film film_among_fibres(const study::Ensemble& ensemble, const ReproduceOptions& options) {
-  constexpr std::size_t two_protrusions = 1;
+  const auto drawn = [&](const study::Result& r) { return ensemble.study.points[r.run.point].label == fibre_point; };
   const auto folder = [&](const study::Result& r) {
     return study::run_folder(std::filesystem::path(options.folder) / fibre_study, r.run);
   };
-  const auto one = std::ranges::find_if(ensemble.results, [&](const study::Result& r) {
-    return r.run.point == two_protrusions && r.standing.done() && exists(folder(r));
-  });
+  const auto one = std::ranges::find_if(
+      ensemble.results, [&](const study::Result& r) { return drawn(r) && r.standing.done() && exists(folder(r)); });
   return one == ensemble.results.end() ? observe::Film{} : read_run(folder(*one)).film;
 }
 
@@ -73,7 +72,7 @@ ReproducedFigures reproduced_figures(const study::Evidence& evidence, const Repr
                                                              .shapes = table(place(name, "shapes", options)),
                                                              .msd = table(place(name, "msd", options)),
                                                              .adhesions = table(place(name, "adhesions", options))})}});
-  for (const PartRow& row : part_rows()) {
+  for (const study::PartRow& row : study::part_rows()) {
     if (row.verification.empty() || !options.chooses(row.id)) continue;
     const std::string csv = table(case_table(row.verification, options));
     const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);

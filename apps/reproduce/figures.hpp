@@ -12,8 +12,9 @@
 /// What the page of `matrigrate reproduce` draws. Test: tests/apps/reproduce_test.cpp, viewer/tests/kept_page.test.ts
 namespace matrigrate::apps {
 
-/// The study whose fibres are drawn.
+/// The study whose fibres are drawn, and the label of the point, with two protrusions.
 inline constexpr std::string_view fibre_study = "kept-protrusions-fibres";
+inline constexpr std::string_view fibre_point = "n_prot 2";
 
 struct ReproducedFigures {
   std::map<std::string, std::vector<report::Plot>> plots;           ///< by the id of the row that they belong to

@@ -1,22 +1,15 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
+#include "claims/evidence.hpp"
+
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace matrigrate::apps {
 
 /// What `matrigrate reproduce` was asked for.
-struct ReproduceOptions {
+struct ReproduceOptions : study::EvidenceOptions {
   std::string id;
-  std::string folder = "reproduce";
-  std::string from; ///< folder of kept tables to judge by; empty: run what is missing
-  std::string kept; ///< folder of kept tables whose runs are not made again; empty: none
-  std::optional<std::size_t> replicates;
-  std::string integrator = "adaptive";
-  std::vector<std::string> overrides;
   int jobs = 0;
   bool json = false;
   bool markdown = false;

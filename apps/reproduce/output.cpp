@@ -1,13 +1,12 @@
 #include "apps/reproduce/output.hpp"
 
-#include "apps/reproduce/evidence.hpp"
-#include "apps/reproduce/parts.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/study/files.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "claims/parts.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "study_report/study_data.hpp"
@@ -68,7 +67,7 @@ Colour colour_of(study::Verdict verdict) {
 std::vector<report::Fact> facts(const study::Evidence& evidence, const std::string& command) {
   std::vector<report::Fact> list{
       {"command", command}, {"date", minute_text(std::chrono::system_clock::now())}, {"program", version_line()}};
-  for (const auto& [name, ensemble] : evidence) list.push_back({name, ends_text(ensemble)});
+  for (const auto& [name, ensemble] : evidence) list.push_back({name, study::ends_text(ensemble)});
   return list;
 }
 
@@ -96,7 +95,7 @@ void require_own_files(const ReproduceOptions& options, const std::vector<study:
     if (std::filesystem::exists(file) && read_file(file, largest).find(own.mark) == std::string::npos)
       foreign.push_back(own.name);
   }
-  for (const PartRow& row : part_rows()) { // a folder of `validate` has its results.json
+  for (const study::PartRow& row : study::part_rows()) { // a folder of `validate` has its results.json
     const std::string name = fmt::format("validate-{}", row.verification);
     const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
     if (row.verification.empty() || !options.chooses(row.id) || !std::filesystem::exists(folder)) continue;
@@ -143,7 +142,7 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
 
 std::string reproduction_table(const std::vector<study::JudgedClaim>& rows, const study::Evidence& evidence) {
   std::string text;
-  for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, ends_text(ensemble));
+  for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, study::ends_text(ensemble));
   return text + "\n" + claims_text(rows);
 }
 

@@ -1,11 +1,12 @@
-#include "apps/reproduce/evidence.hpp"
 #include "apps/reproduce/figures.hpp"
 #include "apps/reproduce/output.hpp"
-#include "apps/reproduce/parts.hpp"
+#include "apps/reproduce/runs.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "base/process.hpp"
+#include "claims/parts.hpp"
 #include "claims/study_claims.hpp"
 #include "parameters/nearest.hpp"
 #include "run/run_record.hpp"
@@ -35,7 +36,7 @@ std::vector<study::Claim> chosen_claims(const ReproduceOptions& options) {
 void check_id(const std::string& id) {
   std::vector<std::string> ids{"A", "B", "C", "D", "E", "F", "V", "X", "all"};
   for (const study::Claim& claim : study::shipped_claims()) ids.push_back(claim.id);
-  for (const PartRow& row : part_rows()) ids.emplace_back(row.id);
+  for (const study::PartRow& row : study::part_rows()) ids.emplace_back(row.id);
   if (std::ranges::find(ids, id) != ids.end()) return;
   throw UsageError(fmt::format("there is no row \"{}\"{}\nThe rows are: {}", id, did_you_mean(nearest(id, ids)),
                                fmt::join(ids, ", ")));
@@ -57,7 +58,7 @@ std::string setting_text(const ReproduceOptions& options) {
 }
 
 /// Verdicts on the claims and on the parts of the model, in the order V, A to E, F.
-std::vector<study::JudgedClaim> judged_rows(const std::vector<study::Claim>& claims, const ClaimEvidence& all,
+std::vector<study::JudgedClaim> judged_rows(const std::vector<study::Claim>& claims, const study::ClaimEvidence& all,
                                             std::vector<study::JudgedClaim> rows, const ReproduceOptions& options) {
   for (const study::Claim& claim : claims) {
     rows.push_back(study::judged_claim(claim, all.evidence));
@@ -68,17 +69,21 @@ std::vector<study::JudgedClaim> judged_rows(const std::vector<study::Claim>& cla
     for (const std::string& name : rows.back().studies) larger.insert(*all.evidence.find(name));
     rows.back().in_larger_disc = study::judged(claim, larger);
   }
-  for (const PartRow& row : part_rows())
-    if (row.verification.empty() && options.chooses(row.id))
-      rows.push_back(judged_by_fields(row, all.evidence, options));
+  const std::filesystem::path folder = options.from.empty() ? options.folder : options.from;
+  for (const study::PartRow& row : study::part_rows()) {
+    if (!row.verification.empty() || !options.chooses(row.id)) continue;
+    if (const auto found = all.evidence.find(study::field_study); options.from.empty() && found != all.evidence.end())
+      write_file(folder / "fields.csv", fields_csv(found->second, folder / study::field_study));
+    rows.push_back(judged_by_fields(row, folder / "fields.csv", all.evidence));
+  }
   return rows;
 }
 
 int reproduce(const ReproduceOptions& options) {
   check_id(options.id);
   const std::vector<study::Claim> claims = chosen_claims(options);
-  for (const study::Claim& claim : claims) // faults of overrides before anything is written
-    for (const std::string& name : claim.studies()) shipped(name, options);
+  for (const std::string& name : study::studies_of(claims)) // faults of overrides before anything is written
+    study::shipped(name, options);
   for (const std::string& folder : {options.from, options.kept})
     if (!folder.empty() && !std::filesystem::is_directory(folder))
       throw InputOutputError(fmt::format("{}: is no folder", folder));
@@ -88,17 +93,19 @@ int reproduce(const ReproduceOptions& options) {
     first.id = "A1";
     needed.push_back(chosen_claims(first).front());
   }
-  require_own_study_folders(needed, options);
+  study::require_own_study_folders(needed, options);
   if (!options.markdown) require_own_files(options, needed);
   if (options.from.empty() || !options.markdown) make_output_folder(options.folder, true);
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json && !options.markdown) print_error(setting + "\n");
   std::vector<study::JudgedClaim> rows;
-  ClaimEvidence all;
+  study::ClaimEvidence all;
+  ReproducedRuns runs(options);
   try {
-    for (const PartRow& row : part_rows())
+    for (const study::PartRow& row : study::part_rows())
       if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
-    all = gather_evidence(needed, options);
+    all = study::gather_evidence(needed, options, [&](const auto&... given) { return runs.compute(given...); });
+    runs.write_reports();
   } catch (const Stopped& stopped) {
     print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;

@@ -1,0 +1,164 @@
+#include "claims/evidence.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "claims/shipped_studies.hpp"
+#include "run/provenance.hpp"
+#include "simulation/start_rules.hpp"
+#include "study/read_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace matrigrate::study {
+
+namespace {
+
+bool crossed_itself(const Result& r) { return r.standing.cause == FailureCause::crossing; }
+
+/// The results in the table NAME-results.csv of a folder; none if it is not there. They must be of the very runs of the
+/// study: the name of a run is a fingerprint of all parameters that decide on its results.
+std::vector<Result> kept_results(const StudyFolder& study, const std::string& folder, std::string_view name) {
+  constexpr std::size_t largest_table = std::size_t{1} << 28U;
+  const std::filesystem::path file = std::filesystem::path(folder) / fmt::format("{}-results.csv", name);
+  if (folder.empty() || !std::filesystem::exists(file)) return {};
+  auto results = read_results(study.study, read_file(file, largest_table), file.string());
+  for (const Result& r : results)
+    if (std::ranges::none_of(study.runs, [&](const Run& run) {
+          return run.hash == r.run.hash && run.seed == r.run.seed && run.point == r.run.point
+                 && run.replicate == r.run.replicate;
+        }))
+      throw InputOutputError(
+          fmt::format("{}: run {} does not belong to the study: its parameters are different, or it was named by a "
+                      "version of the program that names runs otherwise than this one, {}",
+                      file.string(), r.run.hash, run::version_text()));
+  return results;
+}
+
+/// Puts results that have ended in the place of those of the same runs that ended at the rim.
+void replace_at_rim(std::vector<Result>& results, const std::vector<Result>& by) {
+  for (const Result& r : by) {
+    if (!r.standing.ended()) continue;
+    for (Result& old : results)
+      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && ended_at_rim(old)) old = r;
+  }
+}
+
+/// The results of a study, after those of the wanted runs are computed that are neither in its folder nor kept.
+/// @param wanted  of a run
+template <class Wanted>
+std::vector<Result> computed(const StudyFolder& study, std::string_view name, const EvidenceOptions& options,
+                             const Compute& compute, const Wanted& wanted) {
+  const std::vector<Result> kept = kept_results(study, options.kept, name);
+  std::vector<std::size_t> runs;
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const auto same = [&](const Result& r) { return r.standing.ended() && r.run.hash == study.runs[k].hash; };
+    if (wanted(study.runs[k]) && std::ranges::none_of(kept, same)) runs.push_back(k);
+  }
+  return compute(study, runs, kept);
+}
+
+std::string larger_name(std::string_view name) { return fmt::format("{}-larger-disc", name); }
+
+/// The study in a larger disc, in its own folder.
+StudyFolder second_of(const StudyFolder& study, std::string_view name, const EvidenceOptions& options) {
+  EvidenceOptions larger = options;
+  larger.overrides.push_back(
+      fmt::format("ecm.radius={} um", larger_disc * study.study.base.ecm.radius)); // lengths are in um
+  return planned(shipped(name, larger), std::filesystem::path(options.folder) / larger_name(name));
+}
+
+/// Runs again, in a larger disc, those that ended at the rim, of points that decide on claims.
+/// @return all results, these replaced; none if there were none
+std::vector<Result> in_larger_disc(const StudyFolder& study, const std::vector<Result>& results,
+                                   const std::string& name, const std::vector<Claim>& claims,
+                                   const EvidenceOptions& options, const Compute& compute) {
+  const auto again = [&](const Result& r) {
+    const std::string& label = study.study.points[r.run.point].label;
+    return ended_at_rim(r) && std::ranges::any_of(claims, [&](const Claim& c) { return c.depends_on(name, label); });
+  };
+  if (std::ranges::none_of(results, again)) return {};
+  const std::vector<Result> second =
+      computed(second_of(study, name, options), larger_name(name), options, compute, [&](const Run& run) {
+        return std::ranges::any_of(results, [&](const Result& r) {
+          return again(r) && r.run.point == run.point && r.run.replicate == run.replicate;
+        });
+      });
+  std::vector<Result> all = results;
+  replace_at_rim(all, second);
+  return all;
+}
+
+/// Adds the kept results of a study, if there are any, and those in a larger disc.
+void add_kept(ClaimEvidence& all, const std::string& name, const EvidenceOptions& options) {
+  StudyFolder study = planned(shipped(name, options), {});
+  auto results = kept_results(study, options.from, name);
+  if (results.empty()) return;
+  const auto second = kept_results(second_of(study, name, options), options.from, larger_name(name));
+  if (!second.empty()) {
+    auto larger = results;
+    replace_at_rim(larger, second);
+    all.larger.emplace(name, Ensemble{study.study, std::move(larger)});
+  }
+  all.evidence.emplace(name, Ensemble{std::move(study.study), std::move(results)});
+}
+
+} // namespace
+
+std::vector<std::string> studies_of(const std::vector<Claim>& claims) {
+  std::vector<std::string> names;
+  for (const Claim& claim : claims)
+    for (const std::string& name : claim.studies())
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  return names;
+}
+
+void require_own_study_folders(const std::vector<Claim>& claims, const EvidenceOptions& options) {
+  if (!options.from.empty()) return;
+  for (const std::string& name : studies_of(claims)) {
+    const StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
+    require_own_folder(study);
+    require_own_folder(second_of(study, name, options));
+  }
+}
+
+Study shipped(std::string_view name, const EvidenceOptions& options) {
+  Changes changes{options.overrides, options.replicates, start_rules()};
+  changes.overrides.insert(changes.overrides.begin(), "run.integrator=" + options.integrator);
+  const std::filesystem::path kept = std::filesystem::path(options.from) / fmt::format("{}.toml", name);
+  if (!options.from.empty() && std::filesystem::exists(kept)) // kept runs of an earlier form of the study
+    return parse_study(read_file(kept, std::size_t{1} << 20U), kept.string(), options.from, changes);
+  return parse_study(shipped_file(name).text, fmt::format("studies/{}.toml", name), ".", changes);
+}
+
+ClaimEvidence gather_evidence(const std::vector<Claim>& claims, const EvidenceOptions& options,
+                              const Compute& compute) {
+  ClaimEvidence all;
+  for (const std::string& name : studies_of(claims)) {
+    if (!options.from.empty()) {
+      add_kept(all, name, options);
+      continue;
+    }
+    const StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
+    std::vector<Result> results = computed(study, name, options, compute, [](const Run&) { return true; });
+    if (auto larger = in_larger_disc(study, results, name, claims, options, compute); !larger.empty())
+      all.larger.emplace(name, Ensemble{study.study, std::move(larger)});
+    all.evidence.emplace(name, Ensemble{study.study, std::move(results)});
+  }
+  return all;
+}
+
+std::string ends_text(const Ensemble& ensemble) {
+  const auto count = [&](const auto& condition) { return std::ranges::count_if(ensemble.results, condition); };
+  const auto finished = count([](const Result& r) { return r.standing.done(); });
+  const auto rim = count(ended_at_rim);
+  const auto crossing = count(crossed_itself);
+  const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
+  return fmt::format("{} of {} runs done; {} ended at the rim, {} by crossing themselves, {} otherwise", finished, all,
+                     rim, crossing, all - finished - rim - crossing);
+}
+
+} // namespace matrigrate::study
