@@ -14,7 +14,7 @@ int main() {
   matrigrate::Vec2 centre;
   for (double t = 120.0; t <= 600.0; t += 120.0) {
     simulation.march(t);
-    centre = centre_of_mass(simulation.s.cells.front().cortex, p.cell.centre_of_mass);
+    centre = centre_of_mass(simulation.s.cells.front().cortex);
     fmt::print("{:4.0f} s: ({:.2f}, {:.2f}) um\n", simulation.s.t, centre.x(), centre.y());
   }
   return centre.norm() > 0.1 && centre.norm() < p.cell.radius ? 0 : 1;

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   const State& s = simulation.s;
   constexpr std::size_t centre = 15;
   Cell& cell = simulation.s.cells.front();
-  begin_protrusion(cell, centre, centre_of_mass(cell.cortex, p.cell.centre_of_mass), s.t, p.protrusion);
+  begin_protrusion(cell, centre, centre_of_mass(cell.cortex), s.t, p.protrusion);
 
   fmt::print("time [s]  length [um]\n");
   for (double t = 50.0; t < p.protrusion.growth_time; t += 50.0) {

@@ -113,6 +113,12 @@ def cell_parameters() -> dict[str, Parameter]:
     return {key: _parameter(f"cells.{key}", entry) for key, entry in entries.items()}
 
 
+def gone() -> dict[str, dict[str, Any]]:
+    """Parameters that earlier versions had, by their path: the value that is ``left``, and the ``fate`` of the others."""
+    found: dict[str, dict[str, Any]] = _document()["x-gone"]
+    return found
+
+
 def _section_entries() -> list[tuple[str, dict[str, Any]]]:
     """Sections and what the schema says of them, those inside of others ("ecm.fields") after these."""
     found: list[tuple[str, dict[str, Any]]] = []

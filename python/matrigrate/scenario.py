@@ -78,7 +78,12 @@ class Scenario(Sections, Mapping[str, Value]):
         flat = list(_flat(told))
         _schema.judge((path, _plain(value)) for path, value, _ in flat
                       if path in _schema.parameters())
+        gone = _schema.gone()
         for path, value, nested in flat:
+            if path in gone:  # earlier versions had it; one value is left
+                if _plain(value) != gone[path]["left"]:
+                    faults.append(Fault(path, _schema.toml_text(_plain(value)) + gone[path]["fate"]))
+                continue
             try:
                 if nested:
                     raise unknown(path, is_section=True)

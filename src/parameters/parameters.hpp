@@ -17,9 +17,6 @@ namespace matrigrate {
 /// Arrangement of the matrix particles at the start.
 enum class Lattice { square, hexagonal };
 
-/// Where the sums of the solid stress are taken: over reference neighbours, or over current ones.
-enum class Formulation { total_lagrangian, updated_lagrangian };
-
 /// How a step is taken: as it is, or halved where something moves far, with an elasticity that bears longer steps.
 enum class Integrator { reference, adaptive };
 
@@ -50,12 +47,11 @@ struct EcmParameters {
   double particle_spacing = 2.0; ///< dp [um]
   double smoothing_length = 2.6; ///< h [um]; the kernel's support is 2h
   Lattice lattice = Lattice::square;
-  double thickness = 1.0;       ///< t_z [um]
-  double youngs_modulus = 0.2;  ///< E [kPa]
-  double poissons_ratio = 0.45; ///< nu [-]
-  double viscosity = 1.0;       ///< mu [nN s/um^2]
-  bool cell_hole = true;        ///< the cell's disc and margin start as fluid
-  Formulation formulation = Formulation::total_lagrangian;
+  double thickness = 1.0;        ///< t_z [um]
+  double youngs_modulus = 0.2;   ///< E [kPa]
+  double poissons_ratio = 0.45;  ///< nu [-]
+  double viscosity = 1.0;        ///< mu [nN s/um^2]
+  bool cell_hole = true;         ///< the cell's disc and margin start as fluid
   double hourglass_weight = 0.5; ///< a_hg [-]
   double support_floor = 0.3;    ///< smallest eigenvalue of the support tensor that is inverted as it is [-]
   double orphan_support = 0.2;   ///< a solid particle with less of its intact support becomes fluid [-]
@@ -68,12 +64,6 @@ struct EcmParameters {
 
 /// Which reference neighbours are joined by fibres.
 enum class FibreArrangement { none, isotropic, uniaxial };
-
-/// How Eq. (5) is read: as the slope of the force over the strain, or as its secant.
-enum class FibreLaw { tangent, secant };
-
-/// Along which direction a fibre pulls: along itself, or along its change since the reference configuration.
-enum class FibreForce { axial, vectorial };
 
 /// Fields of the fibres over the plane, as EcmFieldParameters.
 struct FibreFieldParameters {
@@ -88,42 +78,19 @@ struct FibreParameters {
   double stiffness = 1.0;           ///< k_0 [kPa]
   double onset = 0.075;             ///< eps_s, strain at which stiffening begins [-]
   double stiffening_strain = 0.033; ///< d_s, strain in which the stiffness grows by e [-]
-  FibreLaw law = FibreLaw::tangent;
-  FibreForce pull = FibreForce::axial;
-  bool plane_to_space = false; ///< k_0 times 8/15, as if the plane network were one in space
   FibreFieldParameters field;
 };
 
 /// Profile of the curvature factor of the actomyosin tension.
-enum class CurvatureProfile { gaussian, half_gaussian, triangle };
-
-/// How the polarization turns towards the adhesions: at a speed proportional to the angle, or at a constant one.
-enum class Turning { proportional, constant };
-
-/// What holds the base of a protrusion while it grows: nothing, or a tie between its two ends.
-enum class GrowingBase { free, tied };
-
-/// How the pull of maturation gives way to the contraction of the cortex: at once, or as the load is taken over.
-enum class Handover { immediate, bundle };
-
-/// Which pressure is compared with the threshold of degradation: the larger of that of the solid and of the contact,
-/// that of the solid alone, or the sum of both.
-enum class DegradationPressure { larger, solid, sum };
-
-/// What an adhesion hangs on: the matrix that is near its anchor now, or the matrix that was there when it formed.
-enum class AdhesionHold { place, matter };
+enum class CurvatureProfile { gaussian, half_gaussian };
 
 /// How the drag system of a step is solved.
 enum class SolverMethod { multigrid, conjugate_gradient };
 
-/// What the centre of mass of a cell is: that of the area inside the cortex, or the mean of the cortex particles.
-enum class CentreOfMass { area, particles };
-
 struct CellParameters {
-  double radius = 15.0; ///< R [um]
-  double start_x = 0.0; ///< centre at the start [um]
-  double start_y = 0.0; ///< centre at the start [um]
-  CentreOfMass centre_of_mass = CentreOfMass::particles;
+  double radius = 15.0;             ///< R [um]
+  double start_x = 0.0;             ///< centre at the start [um]
+  double start_y = 0.0;             ///< centre at the start [um]
   int particles = 235;              ///< particles of the cortex
   double spring_stiffness = 2.8;    ///< k_s [nN/um]
   double crowding = 0.5;            ///< share of its initial length below which a segment resists compression [-]
@@ -191,14 +158,12 @@ struct ProtrusionParameters {
   double candidate_interval = 0.4; ///< with a kept number: one candidate is drawn in so much time [s]
   double rear_share = 0.01;  ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
   double least_facing = 0.8; ///< least mean of max(0, n . d_prot) of the pushing particles at initiation [-]
-  GrowingBase growing_base = GrowingBase::tied;
-  double area_limit = 2.0; ///< with a kept number: none is initiated beyond this area over A_0 [-]
+  double area_limit = 2.0;   ///< with a kept number: none is initiated beyond this area over A_0 [-]
 };
 
 struct AdhesionParameters {
-  double stiffness = 2.0;   ///< k_ad [nN/um]
-  double rest_length = 5.0; ///< l_0,adh [um]
-  AdhesionHold hold = AdhesionHold::matter;
+  double stiffness = 2.0;          ///< k_ad [nN/um]
+  double rest_length = 5.0;        ///< l_0,adh [um]
   double spread = 1.0;             ///< smoothing length of its kernel over that of the matrix [-]
   double least_support = 0.02;     ///< share of solid around the anchor below which the adhesion is lost [-]
   double maturation_time = 600.0;  ///< T_mat [s]
@@ -207,20 +172,17 @@ struct AdhesionParameters {
   double base_drag = 1000.0;       ///< drag of each pinned base particle while maturing [nN s/um]
   int pinned_particles = 3;        ///< of either end of a maturing protrusion
   double maturation_strands = 1.0; ///< strands of actomyosin whose full pull is the F_am of F_mat [-]
-  Handover handover = Handover::bundle;
-  double handover_time = 0.4;  ///< in which the bundle gives way [s]
-  double handover_share = 0.9; ///< of f_mat F_am that bundle and cortex together put on the adhesion [-]
-  double r_off_min = 2.78e-4;  ///< [1/s]
-  double r_off_0 = 0.2;        ///< [1/s]
-  double zeta_diss = 20.0;     ///< [1/nN]
-  bool rupture = false;        ///< whether an adhesion breaks at rupture_ratio
-  double rupture_ratio = 1.0;  ///< f_rupt [-]
-  int rupture_strands = 2;     ///< strands of actomyosin whose full pull is the F_am of rupture and f_adh_rel
+  double handover_time = 0.4;      ///< in which the bundle gives way [s]
+  double handover_share = 0.9;     ///< of f_mat F_am that bundle and cortex together put on the adhesion [-]
+  double r_off_min = 2.78e-4;      ///< [1/s]
+  double r_off_0 = 0.2;            ///< [1/s]
+  double zeta_diss = 20.0;         ///< [1/nN]
+  bool rupture = false;            ///< whether an adhesion breaks at rupture_ratio
+  double rupture_ratio = 1.0;      ///< f_rupt [-]
 };
 
 struct PolarizationParameters {
   double rate = 1.1e-3; ///< r_pol [1/s]
-  Turning turning = Turning::proportional;
 };
 
 struct DegradationParameters {
@@ -231,9 +193,8 @@ struct DegradationParameters {
   double body_rate = 0.033;         ///< [1/s]
   double body_distance = 1.9;       ///< reach of degradation around the cell's body [um]
   double rear_share = 1.0;          ///< rate around the rear half of the body over body_rate [-]
-  DegradationPressure pressure = DegradationPressure::sum;
-  double smaller_share = 1.0; ///< weight of the smaller pressure in the sum [-]
-  double threshold = 0.02;    ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
+  double smaller_share = 1.0;       ///< of the smaller of solid and contact pressure, added to the larger [-]
+  double threshold = 0.02;          ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
 };
 
 /// Cues that the paper does not have; all off.

@@ -7,6 +7,7 @@
 #include "parameters/document.hpp"
 #include "parameters/earlier.hpp"
 #include "parameters/fault_list.hpp"
+#include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
 #include "parameters/read_cells.hpp"
@@ -118,6 +119,11 @@ private:
   /// A resolved file without a key was written when there was no such key.
   void follow_earlier_version() {
     if (!m_resolved) return;
+    for (const Gone& parameter : gone()) // the key `version` came later than these
+      if (!parameter.before.empty() && m_version.empty() && !m_given.contains(parameter.path))
+        complain({m_faults.file()}, std::string(parameter.path),
+                 fmt::format("is not there, which means {0}; {1}", parameter.before,
+                             gone_text(parameter.before, parameter.fate)));
     for (const Row& row : schema())
       if (row.before && !m_given.contains(row.path))
         take(std::string(row.path), *toml::parse("value = " + before_text(row, m_parameters)).get("value"),
@@ -156,7 +162,7 @@ private:
       const std::string path = section.empty() ? key : fmt::format("{}.{}", section, key);
       const Place place = place_of(file, name.source());
       if (path == "version") continue; // taken before
-      if (find_row(path) != nullptr || path == "cells")
+      if (find_row(path) != nullptr || find_gone(path) != nullptr || path == "cells")
         take(path, node, place_of(file, node.source()));
       else if (nested != nullptr && is_section(path))
         visit(*nested, path, file);
@@ -191,8 +197,13 @@ private:
   void take(const std::string& path, const toml::node& node, const Place& place) {
     if (path == "cells") return take_cells(node, place);
     const Row* row = find_row(path);
-    if (row == nullptr) return unknown(path, false, place);
+    const Gone* has_gone = find_gone(path);
+    if (row == nullptr && has_gone == nullptr) return unknown(path, false, place);
     m_given.insert_or_assign(path, place);
+    if (has_gone != nullptr) {
+      if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty()) complain(place, path, std::move(fault));
+      return;
+    }
     std::string fault = assign(*row, given_by(node), m_parameters);
     if (fault.empty() && kind(*row) == Kind::field)
       fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),

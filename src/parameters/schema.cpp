@@ -35,17 +35,8 @@ constexpr Choice choice(Access, std::span<const std::string_view> names) {
 constexpr std::array<std::string_view, 2> integrators{"reference", "adaptive"};
 constexpr std::array<std::string_view, 2> lattices{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> fibre_arrangements{"none", "isotropic", "uniaxial"};
-constexpr std::array<std::string_view, 2> fibre_laws{"tangent", "secant"};
-constexpr std::array<std::string_view, 2> fibre_forces{"axial", "vectorial"};
-constexpr std::array<std::string_view, 3> curvature_profiles{"gaussian", "half_gaussian", "triangle"};
-constexpr std::array<std::string_view, 2> growing_bases{"free", "tied"};
-constexpr std::array<std::string_view, 2> handovers{"immediate", "bundle"};
-constexpr std::array<std::string_view, 3> degradation_pressures{"larger", "solid", "sum"};
-constexpr std::array<std::string_view, 2> centres_of_mass{"area", "particles"};
-constexpr std::array<std::string_view, 2> adhesion_holds{"place", "matter"};
-constexpr std::array<std::string_view, 2> turnings{"proportional", "constant"};
+constexpr std::array<std::string_view, 2> curvature_profiles{"gaussian", "half_gaussian"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
-constexpr std::array<std::string_view, 2> formulations{"total_lagrangian", "updated_lagrangian"};
 
 // clang-format off
 constexpr std::array rows{
@@ -79,9 +70,6 @@ constexpr std::array rows{
     Row{"ecm.thickness", [](Parameters& p) -> double& { return p.ecm.thickness; }, "um", above(0, 1000),
         "t_z", "MODEL.md, I1", "Thickness of the plane model; matrix forces per depth are multiplied by it",
         numerical},
-    Row{"ecm.formulation", choice([](Parameters& p) -> Formulation& { return p.ecm.formulation; },
-        formulations), "", none,
-        "", "MODEL.md, I4", "Whether the stress of the solid is summed over reference or over current neighbours", numerical},
     Row{"ecm.hourglass_weight", [](Parameters& p) -> double& { return p.ecm.hourglass_weight; }, "1", closed(0, 10),
         "a_hg", "MODEL.md, I5", "Weight of the penalty against zero-energy modes of the particles", numerical},
     Row{"ecm.support_floor", [](Parameters& p) -> double& { return p.ecm.support_floor; }, "1", above(0, 1),
@@ -122,12 +110,6 @@ constexpr std::array rows{
         "eps_s", table_1, "Strain at which a fibre begins to stiffen"},
     Row{"fibres.stiffening_strain", [](Parameters& p) -> double& { return p.fibres.stiffening_strain; }, "1", closed(0.005, 100),
         "d_s", table_1, "Further strain over which the stiffness of a fibre grows by the factor e"},
-    Row{"fibres.law", choice([](Parameters& p) -> FibreLaw& { return p.fibres.law; }, fibre_laws), "", none,
-        "", "MODEL.md, I24", "Whether Eq. 5 is the tangent stiffness of a fibre, d force/d strain, or its secant stiffness, force/strain", numerical},
-    Row{"fibres.pull", choice([](Parameters& p) -> FibreForce& { return p.fibres.pull; }, fibre_forces), "", none,
-        "", "MODEL.md, I23", "Direction of the force of a fibre: along the fibre, or along the change of the fibre vector since the start", numerical},
-    Row{"fibres.plane_to_space", [](Parameters& p) -> bool& { return p.fibres.plane_to_space; }, "", none,
-        "", "MODEL.md, I25", "Whether k_0 is multiplied by 8/15, the factor from orientations in the plane to orientations in space", numerical},
 
     Row{"fibres.field.direction_deg", [](Parameters& p) -> std::string& { return p.fibres.field.direction_deg; }, "deg", closed(-360, 360),
         "", "MODEL.md, I32", "Direction of uniaxial fibres as a function of position; replaces fibres.direction_deg", optional, ""},
@@ -136,8 +118,6 @@ constexpr std::array rows{
 
     Row{"cell.radius", [](Parameters& p) -> double& { return p.cell.radius; }, "um", above(0, 500),
         "R", table_1, "Radius of the cell at the start"},
-    Row{"cell.centre_of_mass", choice([](Parameters& p) -> CentreOfMass& { return p.cell.centre_of_mass; }, centres_of_mass), "", none,
-        "x_cm", "MODEL.md, I41", "Centre of mass: centroid of the area inside the cortex, or mean position of the cortex particles", usual, "area"},
     Row{"cell.start_x", [](Parameters& p) -> double& { return p.cell.start_x; }, "um", closed(-2000, 2000),
         "", chosen, "x of the cell's centre at the start"},
     Row{"cell.start_y", [](Parameters& p) -> double& { return p.cell.start_y; }, "um", closed(-2000, 2000),
@@ -181,7 +161,7 @@ constexpr std::array rows{
     Row{"actomyosin.curvature_width", [](Parameters& p) -> double& { return p.actomyosin.curvature_width; }, "1/um", above(0, 100),
         "kappa_w", table_1, "Width of the curvature factor"},
     Row{"actomyosin.curvature_profile", choice([](Parameters& p) -> CurvatureProfile& { return p.actomyosin.curvature_profile; }, curvature_profiles), "", none,
-        "", "MODEL.md, I14", "Curvature factor with q = (kappa - kappa_0)/kappa_w: exp(-q^2), exp(-q^2/2), or max(0, 1 - |q|)", numerical},
+        "", "MODEL.md, I14", "Curvature factor with q = (kappa - kappa_0)/kappa_w: gaussian exp(-q^2), half_gaussian exp(-q^2/2)", numerical},
 
     Row{"protrusion.initiation_rate", [](Parameters& p) -> double& { return p.protrusion.initiation_rate; }, "1/s", closed(0, 10),
         "r_prot", table_1, "Rate of initiation of protrusions at each particle of the front"},
@@ -205,8 +185,6 @@ constexpr std::array rows{
         "", methods, "With a target number: no protrusion is initiated in a cell of more than this many times A_0"},
     Row{"protrusion.least_facing", [](Parameters& p) -> double& { return p.protrusion.least_facing; }, "1", closed(0, 1),
         "", "MODEL.md, I16", "A protrusion is initiated only where its tip would feel at least this fraction of the growth force", numerical},
-    Row{"protrusion.growing_base", choice([](Parameters& p) -> GrowingBase& { return p.protrusion.growing_base; }, growing_bases), "", none,
-        "", "MODEL.md, I16", "Base of a growing protrusion: free, or with a tie between its two ends", numerical},
     Row{"protrusion.half_width", [](Parameters& p) -> int& { return p.protrusion.half_width; }, "1", closed(2, 5000),
         "w_prot", table_1, "Number of particles of a protrusion on each side of its centre", numerical},
     Row{"protrusion.tip_half_width", [](Parameters& p) -> int& { return p.protrusion.tip_half_width; }, "1", closed(0, 5000),
@@ -232,14 +210,10 @@ constexpr std::array rows{
         "", methods, "Whether adhesions rupture at rupture_ratio; off in the paper without fibres"},
     Row{"adhesion.rupture_ratio", [](Parameters& p) -> double& { return p.adhesion.rupture_ratio; }, "1", above(0, 1e6),
         "f_rupt", table_1, "Force at which an adhesion ruptures, relative to f_mat F_am"},
-    Row{"adhesion.rupture_strands", [](Parameters& p) -> int& { return p.adhesion.rupture_strands; }, "1", closed(1, 2),
-        "", "MODEL.md, I28", "Number of actomyosin strands whose force is the F_am in rupture and in f_adh_rel", numerical},
     Row{"adhesion.step_threshold", [](Parameters& p) -> double& { return p.adhesion.step_threshold; }, "1", above(0, 1),
         "", methods, "Fraction of the force of a maturation step that completes the step", numerical},
     Row{"adhesion.rest_speed", [](Parameters& p) -> double& { return p.adhesion.rest_speed; }, "nm/s", closed(0, 1000),
         "", "MODEL.md, I19", "Maturation steps count once the tip recoils more slowly than this towards its base; 0: at any speed", numerical, "0 nm/s"},
-    Row{"adhesion.handover", choice([](Parameters& p) -> Handover& { return p.adhesion.handover; }, handovers), "", none,
-        "", "MODEL.md, I20", "How contraction replaces the pull of maturation: at once, or as the cortex takes over the load", numerical},
     Row{"adhesion.handover_time", [](Parameters& p) -> double& { return p.adhesion.handover_time; }, "s", above(0, 1e4),
         "", "MODEL.md, I20", "Time constant with which the pull of maturation relaxes", numerical, "0.4 s"},
     Row{"adhesion.handover_share", [](Parameters& p) -> double& { return p.adhesion.handover_share; }, "1", closed(0, 1),
@@ -250,8 +224,6 @@ constexpr std::array rows{
         "", "MODEL.md, I19", "Number of pinned particles at either end of a maturing protrusion", numerical, "3"},
     Row{"adhesion.maturation_strands", [](Parameters& p) -> double& { return p.adhesion.maturation_strands; }, "1", closed(1, 2),
         "", "MODEL.md, I28", "Number of actomyosin strands whose force is the F_am in the pull of maturation", numerical, "1"},
-    Row{"adhesion.hold", choice([](Parameters& p) -> AdhesionHold& { return p.adhesion.hold; }, adhesion_holds), "", none,
-        "", "MODEL.md, I18", "What an adhesion is attached to: the matrix that is now near its anchor, or the matter that was there when it formed", numerical, "place"},
     Row{"adhesion.spread", [](Parameters& p) -> double& { return p.adhesion.spread; }, "1", closed(0.8, 4),
         "", "MODEL.md, I18", "Smoothing length of the kernel that spreads an adhesion over the matrix, relative to ecm.smoothing_length", numerical, "1"},
     Row{"adhesion.least_support", [](Parameters& p) -> double& { return p.adhesion.least_support; }, "1", open(0, 1),
@@ -259,8 +231,6 @@ constexpr std::array rows{
 
     Row{"polarization.rate", [](Parameters& p) -> double& { return p.polarization.rate; }, "1/s", closed(0, 10),
         "r_pol", table_1, "Rate at which the polarization turns towards mature adhesions"},
-    Row{"polarization.turning", choice([](Parameters& p) -> Turning& { return p.polarization.turning; }, turnings), "", none,
-        "", "MODEL.md, I21", "Whether the polarization turns in proportion to the angle or at constant speed", numerical},
 
     Row{"degradation.tip_rate", [](Parameters& p) -> double& { return p.degradation.tip_rate; }, "1/s", closed(0, 100),
         "", table_1, "Rate of degradation at the tip of a growing protrusion"},
@@ -279,10 +249,8 @@ constexpr std::array rows{
         "p_th,degr", table_1, "Pressure above which protrusion and body degrade the matrix"},
     Row{"degradation.body_rear_share", [](Parameters& p) -> double& { return p.degradation.rear_share; }, "1", closed(0, 1),
         "", "MODEL.md, I15", "Rate of degradation around the rear half of the body, relative to body_rate", numerical, "1"},
-    Row{"degradation.pressure", choice([](Parameters& p) -> DegradationPressure& { return p.degradation.pressure; }, degradation_pressures), "", none,
-        "", "MODEL.md, I15", "Pressure compared with the threshold: the larger of solid and contact pressure, the solid pressure, or their sum", numerical},
     Row{"degradation.smaller_share", [](Parameters& p) -> double& { return p.degradation.smaller_share; }, "1", closed(0, 1),
-        "", "MODEL.md, I15", "Weight of the smaller pressure in their sum; 1: the sum, 0: the larger pressure", numerical, "1"},
+        "", "MODEL.md, I15", "Part of the smaller of solid and contact pressure that is added to the larger before it is compared with the threshold; 1: their sum, 0: the larger alone", numerical, "1"},
 
     Row{"cues.chemotaxis", [](Parameters& p) -> double& { return p.cues.chemotaxis; }, "1", closed(-1000, 1000),
         "", "MODEL.md, I34", "The rate of initiation is proportional to exp(chemotaxis * occupancy of receptors); negative: away from attractant", usual, "0"},

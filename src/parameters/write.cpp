@@ -1,6 +1,7 @@
 #include "parameters/write.hpp"
 
 #include "parameters/earlier.hpp"
+#include "parameters/gone.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
@@ -159,12 +160,21 @@ std::string to_toml(const Parameters& p) {
 std::string values_text(const Parameters& p) {
   std::string text;
   Parameters q = p;
-  for (const Row& row : schema())
+  const auto add_gone = [&](auto& self, std::string_view behind) -> void {
+    for (const Gone& parameter : gone())
+      if (parameter.behind == behind) {
+        text += fmt::format("{} = {}\n", parameter.path, parameter.left);
+        self(self, parameter.path);
+      }
+  };
+  for (const Row& row : schema()) {
     if (counts(row, p))
       text += fmt::format("{} = {}\n", row.path,
                           row.unit == "rad" // as fingerprints have had it
                               ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
                               : value_text(row, p));
+    add_gone(add_gone, row.path);
+  }
   return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));
 }
 
@@ -206,6 +216,9 @@ std::string json_schema() {
       {"type", "string"},
       {"description", "In files that the program writes: its version. A parameter that such a file lacks has the value "
                       "that stands for what was done before there was such a parameter."}};
+  for (const Gone& parameter : gone())
+    file["x-gone"][std::string(parameter.path)] = {{"left", Json::parse(parameter.left)},
+                                                   {"fate", gone_text("", parameter.fate)}};
   return file.dump(2) + "\n";
 }
 

@@ -179,11 +179,7 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
                     "matrix will look like a fluid.",
                     p.run.duration, d.shear_time));
   for (const std::string& sentence : uneven_outputs(p)) found.push_back(sentence + ".");
-  if (p.ecm.formulation == Formulation::updated_lagrangian)
-    found.emplace_back(
-        "sums over current neighbours let a loaded gel tear without being degraded (numerical fracture); "
-        "meant for comparison only.");
-  if (p.ecm.formulation == Formulation::total_lagrangian && p.ecm.hourglass_weight == 0.0)
+  if (p.ecm.hourglass_weight == 0.0)
     found.emplace_back("without the hourglass penalty, particles pair up and drift in modes that cost no energy.");
   return found;
 }

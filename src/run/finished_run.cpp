@@ -86,7 +86,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   run.t = checkpoint.state.t;
   run.memory = store::parse_memory(checkpoint.memory, folder);
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
-    std::ranges::copy(track_rows(checkpoint.state, run.p.cell.centre_of_mass),
+    std::ranges::copy(track_rows(checkpoint.state),
                       std::back_inserter(run.memory.rows)); // as at the end of a run
   run.cells = cell_results(checkpoint.state, run.memory.rows, run.p);
   run.frame_times = run.memory.frames;

@@ -25,9 +25,20 @@ constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
 constexpr std::size_t max_replicates = 100'000;
 
 const std::vector<std::string>& known_keys() {
-  static const std::vector<std::string> keys{"title",  "in_place_of",           "scenario",   "preset",  "replicates",
-                                             "seed",   "common_random_numbers", "readouts",   "set",     "sweep",
-                                             "points", "latin_hypercube",       "conditions", "targets", "statistics",
+  static const std::vector<std::string> keys{"title",
+                                             "scenario",
+                                             "preset",
+                                             "replicates",
+                                             "seed",
+                                             "common_random_numbers",
+                                             "readouts",
+                                             "set",
+                                             "sweep",
+                                             "points",
+                                             "latin_hypercube",
+                                             "conditions",
+                                             "targets",
+                                             "statistics",
                                              "claims"};
   return keys;
 }
@@ -37,6 +48,8 @@ const char* replacement(std::string_view key) {
   if (key == "one_at_a_time")
     return "is no design any more; list the base and each value alone as [[points]], or draw ranges by "
            "[latin_hypercube], of which matrigrate.calibrate.fit tells how much each parameter matters";
+  if (key == "in_place_of")
+    return "has gone with the first set of closures; the version of the tag closures-2 has both";
   if (key == "morris")
     return "is no design any more; draw the ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells how "
            "much each parameter matters";

@@ -1,5 +1,6 @@
 #include "study/settings.hpp"
 
+#include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
 #include "parameters/read.hpp"
@@ -33,7 +34,10 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
       faults.add(place_of(name), shown, "a study takes its cells from its scenario or preset");
     else if (row != nullptr)
       found.push_back({row, &node});
-    else if (node.is_table() && is_section(path))
+    else if (const Gone* has_gone = find_gone(path); has_gone != nullptr) {
+      if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty())
+        faults.add(place_of(name), shown, std::move(fault));
+    } else if (node.is_table() && is_section(path))
       gather(*node.as_table(), path, section, own, faults, found);
     else
       faults.add(place_of(name), shown, "there is no such parameter", [path] { return parameter_hint(path); });

@@ -63,7 +63,7 @@ const std::vector<Case>& cases() {
       {"load", "Compliance and creep of a point that is loaded as an adhesion, against the continuum.", load},
       {"poiseuille", "Viscosity of the fluidized matrix from plane channel flow, fresh and after shearing.",
        poiseuille},
-      {"tearing", "A held adhesion-like load: the solid over reference and over current neighbours.", tearing},
+      {"tearing", "A held adhesion-like load: the gel comes to rest, and does not tear.", tearing},
       {"convergence", "Orders of convergence in particle spacing and in time step.", convergence},
       {"step-limit", "The largest stable explicit step, measured, against the analysis of the discrete operators.",
        step_limit},

@@ -71,19 +71,13 @@ Parameters without_rest(Parameters p) {
   return p;
 }
 
-/// Errors of the other readings of Eqs. 3 to 5.
-std::string other_readings(const Parameters& p, const CollagenGel& gel_of) {
-  Parameters q = gel(p, gel_of.k_0);
-  std::string text =
-      fmt::format("{} mg/ml, rms relative error of the infinite lattice to strain {:.2f}: tangent {:.2f},",
-                  gel_of.concentration, judged_up_to, law_error(q, Sides::held));
+/// Errors of other specimens.
+std::string of_other_specimens(const Parameters& p, const CollagenGel& gel_of) {
+  const Parameters q = gel(p, gel_of.k_0);
+  std::string text = fmt::format("{} mg/ml, rms relative error of the infinite lattice to strain {:.2f}: {:.2f},",
+                                 gel_of.concentration, judged_up_to, law_error(q, Sides::held));
   text += fmt::format(" with free sides of lattice and law {:.2f},", law_error(q, Sides::free));
-  text += fmt::format(" without the elastic rest {:.2f},", law_error(without_rest(q), Sides::held));
-  Parameters spatial = q;
-  spatial.fibres.plane_to_space = true;
-  text += fmt::format(" with 8/15 of k_0 {:.2f},", law_error(spatial, Sides::held));
-  q.fibres.law = FibreLaw::secant;
-  return text + fmt::format(" secant {:.2f}.", law_error(q, Sides::held));
+  return text + fmt::format(" without the elastic rest {:.2f}.", law_error(without_rest(q), Sides::held));
 }
 
 bool near(double a, double b) { return std::abs(a - b) < 1e-6 * b; }
@@ -128,7 +122,7 @@ Result fibres(const Parameters& p) {
           "{} is not judged: rms relative error {:.2f} against the law, and {:.2f} without the elastic rest of "
           "10 Pa, which the law does not have and which is a good part of so soft a gel's stress.",
           name, error, law_error(without_rest(q), Sides::held)));
-    result.remarks.push_back(other_readings(p, gel_of));
+    result.remarks.push_back(of_other_specimens(p, gel_of));
   }
   return result;
 }

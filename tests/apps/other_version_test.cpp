@@ -61,7 +61,7 @@ protected:
     change(path(other_name) + "/run.json", "\"configuration_hash\": \"" + name,
            "\"configuration_hash\": \"" + other_name);
     change(path(other_name) + "/scenario.resolved.toml", "\nspread = 1\n", "\n");
-    change(path(other_name) + "/scenario.resolved.toml", "version = \"0.2.0\"\n", "");
+    change(path(other_name) + "/scenario.resolved.toml", "version = \"0.2.0\"\n", "version = \"0.1.9\"\n");
   }
 };
 
@@ -76,6 +76,17 @@ TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_TRUE(contains(again.out, "2 of 2 runs done, 0 of them now")) << again.out;
   EXPECT_EQ(names("old").size(), 2U);
+}
+
+/// Nor are results of readings that have gone taken for others.
+TEST_F(OtherVersion, AStudyOfAReadingThatHasGoneIsRefused) {
+  fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
+           fs::copy_options::recursive);
+  change("old/scenario.resolved.toml", "\nhold = \"matter\"\n", "\nhold = \"place\"\n");
+  const Ended refused = run("study collect old");
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_TRUE(contains(refused.err, "adhesion.hold: \"place\" has gone: an adhesion holds the matter")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "the version of the tag closures-2")) << refused.err;
 }
 
 TEST_F(OtherVersion, RunsOfSeveralBuildsAreTold) {

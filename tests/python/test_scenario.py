@@ -112,9 +112,19 @@ class LikeTheProgram(common.InTemporaryFolder):
         self.assertEqual({str(f) for f in ours.exception.faults}, {str(f) for f in theirs.exception.faults})
 
     def test_a_file_of_the_program_means_what_was_done_before_by_a_key_that_it_lacks(self):
-        self.assertEqual(Scenario({"version": "0.2.0"}).adhesion.hold, "place")
-        self.assertEqual(Scenario({"version": "0.2.0", "adhesion.hold": "matter"}).adhesion.hold, "matter")
-        self.assertEqual(Scenario({"adhesion.spread": 2}).adhesion.hold, "matter", "written by hand: today's default")
+        self.assertEqual(Scenario({"version": "0.2.0"}).adhesion.rest_speed, 0)
+        self.assertEqual(Scenario({"version": "0.2.0", "adhesion.rest_speed": 3}).adhesion.rest_speed, 3)
+        self.assertEqual(Scenario({"adhesion.spread": 2}).adhesion.rest_speed, 4, "written by hand: today's default")
+
+    def test_a_parameter_that_has_gone_may_have_the_value_that_is_left(self):
+        self.assertEqual(Scenario({"adhesion": {"hold": "matter", "rupture_strands": 2}}), Scenario())
+        (self.folder / "gone.toml").write_text('[adhesion]\nhold = "place"\nrupture_strands = 1\n')
+        with self.assertRaises(matrigrate.ConfigurationError) as ours:
+            Scenario({"adhesion": {"hold": "place", "rupture_strands": 1}})
+        with self.assertRaises(matrigrate.ConfigurationError) as theirs:
+            matrigrate._program.check(self.folder / "gone.toml")
+        self.assertEqual({(f.key, f.message) for f in ours.exception.faults},
+                         {(f.key, f.message) for f in theirs.exception.faults})
 
     def test_defaults_and_units(self):
         resolved = matrigrate.load(common.runs / "run").scenario

@@ -46,7 +46,7 @@ std::string Followed::image() const { return image_of(state()); }
 
 void Followed::keep_track() {
   if (!m_rows.due(state().t)) return;
-  for (const TrackRow& row : track_rows(state(), parameters().cell.centre_of_mass)) m_tracks.push_back(row);
+  for (const TrackRow& row : track_rows(state())) m_tracks.push_back(row);
 }
 
 } // namespace matrigrate::live

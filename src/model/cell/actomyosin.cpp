@@ -11,15 +11,7 @@ namespace matrigrate {
 
 double curvature_factor(double kappa, const ActomyosinParameters& p) {
   const double q = (kappa - p.curvature_optimum) / p.curvature_width;
-  switch (p.curvature_profile) {
-  case CurvatureProfile::half_gaussian:
-    return std::exp(-0.5 * q * q);
-  case CurvatureProfile::triangle:
-    return std::max(0.0, 1.0 - std::abs(q));
-  case CurvatureProfile::gaussian:
-    break;
-  }
-  return std::exp(-q * q);
+  return p.curvature_profile == CurvatureProfile::half_gaussian ? std::exp(-0.5 * q * q) : std::exp(-q * q);
 }
 
 double F_am(double f_mat_i, double f_mat_j, double kappa, const ActomyosinParameters& p) {

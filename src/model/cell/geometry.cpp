@@ -48,8 +48,7 @@ Vec2 centroid(const CortexState& c) {
   return c.x[0] + sum / twice_area;
 }
 
-Vec2 centre_of_mass(const CortexState& c, CentreOfMass which) {
-  if (which == CentreOfMass::area) return centroid(c);
+Vec2 centre_of_mass(const CortexState& c) {
   return std::accumulate(c.x.begin(), c.x.end(), Vec2(0.0, 0.0)) / static_cast<double>(c.size());
 }
 

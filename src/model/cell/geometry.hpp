@@ -23,8 +23,8 @@ double perimeter(const CortexState& c);
 /// Centre of mass of the area inside the ring [um].
 Vec2 centroid(const CortexState& c);
 
-/// Centre of mass of the cell: the centroid of its area, or the mean of its cortex particles (MODEL.md, I41) [um].
-Vec2 centre_of_mass(const CortexState& c, CentreOfMass which);
+/// Centre of mass of the cell: the mean of its cortex particles (MODEL.md, I41) [um].
+Vec2 centre_of_mass(const CortexState& c);
 
 /// Outward unit normal at particle i, perpendicular to the chord of its neighbours.
 Vec2 normal(const CortexState& c, std::size_t i);

@@ -10,15 +10,7 @@ namespace matrigrate {
 
 double degradation_pressure(double distance, double solid_pressure, const Parameters& p, double stiffness) {
   const double of_contact = stiffness * contact_pressure(distance, p);
-  switch (p.degradation.pressure) {
-  case DegradationPressure::larger:
-    return std::max(solid_pressure, of_contact);
-  case DegradationPressure::sum:
-    return std::max(solid_pressure, of_contact) + p.degradation.smaller_share * std::min(solid_pressure, of_contact);
-  case DegradationPressure::solid:
-    break;
-  }
-  return solid_pressure;
+  return std::max(solid_pressure, of_contact) + p.degradation.smaller_share * std::min(solid_pressure, of_contact);
 }
 
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,

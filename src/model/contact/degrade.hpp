@@ -11,13 +11,12 @@
 /// Test: tests/unit/contact/degrade_test.cpp
 namespace matrigrate {
 
-/// The pressure that degradation.pressure names, which is compared with p_th [kPa]: that of the solid, the larger of it
-/// and the contact pressure, or their sum, in which the smaller one counts smaller_share.   @param distance  to the
-/// closest segment [um]
+/// The pressure that is compared with p_th [kPa]: the larger of those of solid and contact, and smaller_share of the
+/// smaller one.   @param distance  to the closest segment [um]
 double degradation_pressure(double distance, double solid_pressure, const Parameters& p, double stiffness = 1.0);
 
 /// Rate at which an encounter degrades its particle [1/s]: the protrusion's or the body's, where the particle is closer
-/// than its reach and the pressure that degradation.pressure names is above p_th, else 0.
+/// than its reach and degradation_pressure() is above p_th, else 0.
 /// @param on_protrusion  whether the closest segment belongs to a protrusion
 /// @param solid_pressure [kPa]   @param stiffness  of the particle, E_k/E, which scales the contact pressure [-]
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,

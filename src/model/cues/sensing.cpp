@@ -50,7 +50,7 @@ std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters
   const CueParameters& cues = p.cues;
   if (cues.chemotaxis == 0.0 && cues.haptotaxis == 0.0 && cues.guidance == 0.0) return {};
   const CortexState& c = cell.cortex;
-  const Vec2 centre = centre_of_mass(c, p.cell.centre_of_mass);
+  const Vec2 centre = centre_of_mass(c);
   const std::vector<Surroundings> around = surroundings(c, ecm, p);
   std::vector<double> felt(c.size(), 0.0);
   for (std::size_t i = 0; i < c.size(); ++i) {

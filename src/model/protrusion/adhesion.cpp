@@ -22,7 +22,8 @@ double disassembly_rate(double F, double f_mat, const AdhesionParameters& p) {
 }
 
 double mature_pull(double f_mat, const Parameters& p) {
-  return p.adhesion.rupture_strands * f_mat * p.actomyosin.force;
+  constexpr double strands = 2.0;
+  return strands * f_mat * p.actomyosin.force;
 }
 
 bool ruptures(double F, double f_mat, const Parameters& p) {
@@ -57,9 +58,7 @@ PointWeights hold_weights(const Vec2& point, const EcmState& ecm, const Paramete
 }
 
 PointWeights hold_weights(const Phase& phase, const EcmState& ecm, const Parameters& p) {
-  const Vec2* point = anchor(phase);
-  if (point == nullptr) return {};
-  if (p.adhesion.hold == AdhesionHold::place) return hold_weights(*point, ecm, p);
+  if (anchor(phase) == nullptr) return {};
   const auto* maturing = std::get_if<Maturing>(&phase);
   return material_weights(ecm, adhesion_kernel(p),
                           maturing != nullptr ? maturing->held : std::get<Contracting>(phase).held);

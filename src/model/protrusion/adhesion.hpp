@@ -25,7 +25,7 @@ double adhesion_force(double length, const AdhesionParameters& p);
 /// Limits: F -> 0 gives r_off_min + r_off_0; falls with F towards r_off_min.
 double disassembly_rate(double F, double f_mat, const AdhesionParameters& p);
 
-/// f_mat F_am of Eqs. (7) and (9): the full pull of as many strands as rupture_strands says (MODEL.md, I28) [nN].
+/// f_mat F_am of Eqs. (7) and (9): the full pull of both strands (MODEL.md, I28) [nN].
 double mature_pull(double f_mat, const Parameters& p);
 
 /// Whether the force breaks the adhesion, second case of Eq. (7): F >= f_rupt mature_pull(), where ruptures are on.

@@ -71,7 +71,6 @@ double base_width(const CortexState& c, std::size_t centre, const ProtrusionPara
 
 void add_base_ties(const Cell& cell, const ProtrusionParameters& p, double k_s, double dt, std::uint32_t first,
                    std::span<Vec2> force, DragSystem& A) {
-  if (p.growing_base != GrowingBase::tied) return;
   const double stiffness = k_s / (2.0 * p.half_width);
   for (const Protrusion& protrusion : cell.protrusions) {
     const auto* growing = std::get_if<Growing>(&protrusion.phase);

@@ -42,7 +42,7 @@ double protrusion_length(const CortexState& c, std::size_t centre, const Protrus
 /// Distance between the first and the last particle of a protrusion [um].
 double base_width(const CortexState& c, std::size_t centre, const ProtrusionParameters& p);
 
-/// The tie between both ends of each growing protrusion (protrusion.growing_base = tied): the cortex that was there
+/// The tie between both ends of each growing protrusion: the cortex that was there
 /// stays behind as an arc, so that the ring is not open at the base. Tension only, stiffness k_s over the number of
 /// segments, rest length the width at initiation; linearly implicit.
 /// @param k_s  stiffness of a segment [nN/um]   @param force  of all nodes [nN]

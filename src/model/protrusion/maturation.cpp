@@ -78,7 +78,6 @@ void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint3
 
 Contracting handover(const Maturing& maturing, double f_mat, double F, const Parameters& p) {
   Contracting next{.anchor = maturing.anchor, .f_mat = f_mat, .held = maturing.held};
-  if (p.adhesion.handover == Handover::immediate) return next;
   next.bundle = p.adhesion.handover_share * f_mat * p.actomyosin.force;
   next.falling = F;
   return next;

@@ -50,7 +50,7 @@ double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 /// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot, and the high drag of
 /// pinned_particles at either end of it that pins its base.
 /// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
-/// With handover = bundle also the pull that is left of F_mat in contracting protrusions, between the centre and both
+/// Also the pull that is left of F_mat in contracting protrusions, between the centre and both
 /// ends of the base.
 void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
                     DragSystem& A);

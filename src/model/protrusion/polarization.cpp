@@ -1,6 +1,5 @@
 #include "protrusion/polarization.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -19,10 +18,7 @@ std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre) {
 double turned(double angle, double target, double dt, const PolarizationParameters& p) {
   const double difference = std::remainder(target - angle, 2.0 * std::numbers::pi);
   const double share = -std::expm1(-p.rate * dt);
-  const double change = p.turning == Turning::proportional
-                            ? share * difference
-                            : std::copysign(std::min(std::abs(difference), p.rate * dt), difference);
-  return std::remainder(angle + change, 2.0 * std::numbers::pi);
+  return std::remainder(angle + share * difference, 2.0 * std::numbers::pi);
 }
 
 void polarize(Cell& cell, const PolarizationParameters& p, const Vec2& centre, double dt) {

@@ -13,8 +13,7 @@ namespace matrigrate {
 /// @param centre  centre of mass of the cell [um]
 std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre);
 
-/// The angle after dt of turning towards `target`, the shorter way: at r_pol times the angle between them, or at the
-/// constant speed r_pol [rad].
+/// The angle after dt of turning towards `target`, the shorter way: at r_pol times the angle between them [rad].
 double turned(double angle, double target, double dt, const PolarizationParameters& p);
 
 /// Turns d_pol for dt.

@@ -15,7 +15,6 @@
 #include "ecm/loop/fibres.hpp"
 #include "ecm/loop/fluid.hpp"
 #include "ecm/loop/stress.hpp"
-#include "ecm/loop/updated_lagrangian.hpp"
 #include "ecm/loop/viscosity.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"
@@ -116,14 +115,7 @@ void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& 
   const Adjacency& pairs = w.neighbours.pairs();
   w.force.assign(w.drag.size(), Vec2::Zero());
   w.outer_force = Vec2::Zero();
-  switch (p.ecm.formulation) {
-  case Formulation::total_lagrangian:
-    add_elastic_forces(s.ecm, p.ecm, w.reference, w.solid, w.force);
-    break;
-  case Formulation::updated_lagrangian:
-    add_current_elastic_forces(s.ecm, p.ecm, pairs, w.force);
-    break;
-  }
+  add_elastic_forces(s.ecm, p.ecm, w.reference, w.solid, w.force);
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
   for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);

@@ -22,7 +22,7 @@ void describe_cells(const State& s, const Parameters& p, Workspace& w);
 /// MODEL.md, I30), of the cells in the liquid, and between cells and matrix (contact/viscous).
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w);
 
-/// Eq. (2), right side: stress (ecm/loop/stress or ecm/loop/updated_lagrangian), fibres (ecm/loop/fibres) and pressure
+/// Eq. (2), right side: stress (ecm/loop/stress), fibres (ecm/loop/fibres) and pressure
 /// of the fluid (ecm/loop/fluid); Eq. (1), right side: springs, bending, area, repulsion and actomyosin (cell), contact
 /// (contact/elastic), growth, pull of maturation and adhesion (protrusion); nuclei (cell/nucleus, contact/nucleus);
 /// contact of cells (contact/cells); loads. Stiff forces are linearly implicit: they add dt times their stiffness to

@@ -63,7 +63,7 @@ void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w) 
 
 void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
                          std::span<const double> given) {
-  const Vec2 centre = centre_of_mass(cell.cortex, p.cell.centre_of_mass);
+  const Vec2 centre = centre_of_mass(cell.cortex);
   const std::vector<Vec2> n = normals(cell.cortex);
   deflect(cell, ecm, p, dt, n, [&](const Vec2& point) { return contains(cell.cortex, point); });
   update_protrusions(cell, ecm, now, p, dt);

@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "ecm/loop/stress.hpp"
-#include "ecm/loop/updated_lagrangian.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"
 
@@ -25,17 +24,8 @@ void advance_positions(State& s, const Parameters& p, double dt, const Workspace
 } // namespace
 
 void move(State& s, const Parameters& p, double dt, Workspace& w) {
-  DensityBounds bounds;
-  switch (p.ecm.formulation) {
-  case Formulation::total_lagrangian:
-    advance_positions(s, p, dt, w);
-    bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
-    break;
-  case Formulation::updated_lagrangian:
-    bounds = advance_current_stress(s.ecm, p.ecm, w.neighbours.pairs(), dt);
-    advance_positions(s, p, dt, w);
-    break;
-  }
+  advance_positions(s, p, dt, w);
+  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
   w.health.density_bounds = bounds.below + bounds.above;
 }
 

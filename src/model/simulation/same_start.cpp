@@ -17,10 +17,10 @@ bool of_the_start(const Row& row, const Parameters& before) {
   if (kind(row) == Kind::field) return true;
   if (row.path == "ecm.youngs_modulus") return !before.ecm.fields.youngs_modulus.empty(); // fields are kept as ratios
   if (row.path == "fibres.stiffness") return !before.fibres.field.stiffness.empty();
-  constexpr std::array<std::string_view, 12> fixed{"ecm.radius",   "ecm.particle_spacing", "ecm.smoothing_length",
-                                                   "ecm.lattice",  "ecm.cell_hole",        "ecm.formulation",
-                                                   "cell.radius",  "cell.particles",       "cell.start_x",
-                                                   "cell.start_y", "nucleus.radius",       "nucleus.particles"};
+  constexpr std::array<std::string_view, 11> fixed{"ecm.radius",     "ecm.particle_spacing", "ecm.smoothing_length",
+                                                   "ecm.lattice",    "ecm.cell_hole",        "cell.radius",
+                                                   "cell.particles", "cell.start_x",         "cell.start_y",
+                                                   "nucleus.radius", "nucleus.particles"};
   return std::ranges::find(fixed, row.path) != fixed.end();
 }
 

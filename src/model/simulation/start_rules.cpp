@@ -46,8 +46,8 @@ std::span<const Rule> start_rules() {
       {"the step is stable",
        {"run.time_step", "run.integrator", "ecm.youngs_modulus", "ecm.fields.youngs_modulus", "ecm.poissons_ratio",
         "ecm.viscosity", "fibres.stiffness", "fibres.field.stiffness", "fibres.arrangement", "fibres.direction_deg",
-        "fibres.half_angle_deg", "fibres.plane_to_space", "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice",
-        "ecm.hourglass_weight", "ecm.thickness"},
+        "fibres.half_angle_deg", "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice", "ecm.hourglass_weight",
+        "ecm.thickness"},
        [](const Parameters& p) {
          if (!fault_of_fields(p).empty()) return std::string(); // said below
          const Parameters stiffest = as_stiff_everywhere(p);

@@ -62,7 +62,7 @@ GroupRow group_row(const State& s, std::span<const TrackRow> earlier, const Para
   if (s.cells.empty()) return group;
   std::vector<Vec2> centres;
   for (const Cell& cell : s.cells) {
-    centres.push_back(centre_of_mass(cell.cortex, p.cell.centre_of_mass));
+    centres.push_back(centre_of_mass(cell.cortex));
     group.centre += centres.back();
   }
   group.centre /= static_cast<double>(centres.size());

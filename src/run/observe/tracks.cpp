@@ -11,11 +11,11 @@ namespace matrigrate {
 
 std::uint32_t TrackRow::alive() const { return std::accumulate(in_phase.begin(), in_phase.end(), 0U); }
 
-TrackRow track_row(const Cell& cell, const Instant& now, CentreOfMass which) {
+TrackRow track_row(const Cell& cell, const Instant& now) {
   TrackRow row{.t = now.t,
                .step = now.step,
                .cell = cell.id,
-               .centre = centre_of_mass(cell.cortex, which),
+               .centre = centre_of_mass(cell.cortex),
                .area = area(cell.cortex),
                .perimeter = perimeter(cell.cortex),
                .polarization = cell.polarization,
@@ -26,9 +26,9 @@ TrackRow track_row(const Cell& cell, const Instant& now, CentreOfMass which) {
   return row;
 }
 
-std::vector<TrackRow> track_rows(const State& s, CentreOfMass which) {
+std::vector<TrackRow> track_rows(const State& s) {
   std::vector<TrackRow> rows;
-  for (const Cell& cell : s.cells) rows.push_back(track_row(cell, s.now(), which));
+  for (const Cell& cell : s.cells) rows.push_back(track_row(cell, s.now()));
   return rows;
 }
 

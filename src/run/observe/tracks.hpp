@@ -38,10 +38,10 @@ struct TrackRow {
   std::uint32_t alive() const; ///< protrusions of all phases
 };
 
-TrackRow track_row(const Cell& cell, const Instant& now, CentreOfMass which);
+TrackRow track_row(const Cell& cell, const Instant& now);
 
 /// Rows of all cells, in their order.
-std::vector<TrackRow> track_rows(const State& s, CentreOfMass which);
+std::vector<TrackRow> track_rows(const State& s);
 
 /// The rows of one cell.
 std::vector<TrackRow> rows_of(std::span<const TrackRow> rows, std::uint32_t cell);

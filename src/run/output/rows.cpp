@@ -18,7 +18,7 @@ Output rows(RunSoFar& run, const State& start) {
     trajectory.add(s);
     memory.trajectory = trajectory.value();
     if (group) group->add(store::fields(group_row(s, memory.rows, run.p)));
-    for (const TrackRow& row : track_rows(s, run.p.cell.centre_of_mass)) {
+    for (const TrackRow& row : track_rows(s)) {
       tracks->add(store::fields(row));
       memory.rows.push_back(row);
     }

@@ -16,8 +16,7 @@ observe::CellScene scene_of(const RunSoFar& run, const State& s) {
     std::vector<Vec2>& path = paths.emplace_back();
     for (const TrackRow& row : rows)
       if (row.cell == cell.id) path.push_back(row.centre);
-    if (rows.empty() || rows.back().step != s.step)
-      path.push_back(centre_of_mass(cell.cortex, run.p.cell.centre_of_mass));
+    if (rows.empty() || rows.back().step != s.step) path.push_back(centre_of_mass(cell.cortex));
   }
   return observe::cell_scene(s, run.p, std::move(paths));
 }

@@ -7,8 +7,7 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr CurvatureProfile profiles[] = {CurvatureProfile::gaussian, CurvatureProfile::half_gaussian,
-                                         CurvatureProfile::triangle};
+constexpr CurvatureProfile profiles[] = {CurvatureProfile::gaussian, CurvatureProfile::half_gaussian};
 
 std::vector<double> uneven_maturation(const CortexState& c) {
   std::vector<double> f_mat;
@@ -51,9 +50,6 @@ TEST(CurvatureFactor, ProfilesDifferInTheirValueAtOneWidth) {
   EXPECT_NEAR(curvature_factor(-0.025, p), std::exp(-0.25), 1e-12);
   p.curvature_profile = CurvatureProfile::half_gaussian;
   EXPECT_NEAR(curvature_factor(0.10, p), std::exp(-0.5), 1e-12);
-  p.curvature_profile = CurvatureProfile::triangle;
-  EXPECT_NEAR(curvature_factor(0.10, p), 0.0, 1e-12);
-  EXPECT_NEAR(curvature_factor(-0.025, p), 0.5, 1e-12);
 }
 
 TEST(CurvatureFactor, OfTheRoundBodyIsSmallerThanOfAConcaveFlank) {
@@ -88,7 +84,6 @@ TEST(Actomyosin, LeavesProtrusionsThatGrowOrMatureAlone) {
     for (std::size_t i = 10; i <= 20; ++i) f_mat[i] = 0.0;
     return f_mat;
   };
-  // so convex a ring does not contract by the triangle
   const Assembled a = assemble(actomyosin(with_gap, CurvatureProfile::gaussian), c);
   for (std::size_t i = 10; i <= 20; ++i) EXPECT_EQ(a.force[i].norm(), 0.0);
   EXPECT_GT(a.force[9].dot(c.x[8] - c.x[9]), 0.0); // drawn away from it

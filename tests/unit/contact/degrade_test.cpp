@@ -26,7 +26,7 @@ TEST(DegradationRate, HasItsReachOnProtrusionAndBody) {
 
 TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContactWhereAsked) {
   Parameters p;
-  p.degradation.pressure = DegradationPressure::larger;
+  p.degradation.smaller_share = 0.0;
   EXPECT_EQ(degradation_rate(1.5, false, 0.0, p), 0.0);
   EXPECT_EQ(degradation_rate(1.5, false, p.degradation.threshold, p), 0.0);
   EXPECT_GT(degradation_rate(1.5, false, 1.001 * p.degradation.threshold, p), 0.0);
@@ -34,13 +34,6 @@ TEST(DegradationRate, NeedsPressureOfTheSolidOrOfTheContactWhereAsked) {
   const double d = p.contact.range * (1.0 - p.degradation.threshold / moduli(p.ecm).K);
   EXPECT_GT(degradation_rate(d - 1e-6, false, -1.0, p), 0.0);
   EXPECT_EQ(degradation_rate(d + 1e-6, false, -1.0, p), 0.0);
-}
-
-TEST(DegradationRate, ReadsTheSolidsOwnPressureWhereAsked) {
-  Parameters p;
-  p.degradation.pressure = DegradationPressure::solid;
-  EXPECT_EQ(degradation_rate(0.1, false, 0.0, p), 0.0); // however hard the contact presses
-  EXPECT_GT(degradation_rate(1.89, false, 1.001 * p.degradation.threshold, p), 0.0);
 }
 
 TEST(DegradationRate, AddsThePressuresOfSolidAndContact) {
@@ -57,15 +50,13 @@ TEST(DegradationRate, AddsThePressuresOfSolidAndContact) {
 
 TEST(DegradationRate, WeighsTheSmallerPressureBetweenTheSumAndTheLarger) {
   Parameters sum;
-  Parameters larger;
-  larger.degradation.pressure = DegradationPressure::larger;
   for (const double distance : {0.5, 1.36, 1.5})
     for (const double of_solid : {-0.01, 0.0, 0.015, 0.7}) {
       const double of_contact = contact_pressure(distance, sum);
       sum.degradation.smaller_share = 1.0;
       EXPECT_EQ(degradation_pressure(distance, of_solid, sum), of_solid + of_contact) << "in every bit";
       sum.degradation.smaller_share = 0.0;
-      EXPECT_EQ(degradation_pressure(distance, of_solid, sum), degradation_pressure(distance, of_solid, larger));
+      EXPECT_EQ(degradation_pressure(distance, of_solid, sum), std::max(of_solid, of_contact));
       sum.degradation.smaller_share = 0.25;
       EXPECT_DOUBLE_EQ(degradation_pressure(distance, of_solid, sum),
                        std::max(of_solid, of_contact) + 0.25 * std::min(of_solid, of_contact));
@@ -79,7 +70,7 @@ TEST(Degrade, FollowsTheRateOfEachNearbyParticleAndLeavesTheRestAlone) {
   std::vector<std::uint8_t> on_protrusion(s.c.size(), 0);
   for (std::size_t i = 0; i < 12; ++i) on_protrusion[i] = 1;
   s.p.degradation.protrusion_rate = 0.011;
-  s.p.degradation.pressure = DegradationPressure::larger; // the contact alone presses
+  s.p.degradation.smaller_share = 0.0; // the contact alone presses
   degrade(s.ecm, s.p, nearby, {on_protrusion}, {}, 0.4);
   std::vector<double> expected = before.f;
   for (const NearbyParticle& e : nearby)
@@ -149,7 +140,7 @@ TEST(Degrade, TakesTipsAndParticlesWhereTheyAreInTheMiddleOfTheStep) {
 TEST(Degrade, TurnsAParticleIntoFluidInThirtySecondsAtTheBody) {
   Scene s = touching_scene();
   for (double& f : s.ecm.f) f = 1.0;
-  s.p.degradation.pressure = DegradationPressure::larger;
+  s.p.degradation.smaller_share = 0.0;
   const std::vector<NearbyParticle> nearby = s.nearby();
   const auto close =
       std::ranges::find_if(nearby, [](const NearbyParticle& e) { return e.distance > 0.0 && e.distance < 1.0; });

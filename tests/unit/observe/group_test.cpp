@@ -52,7 +52,7 @@ TEST(Group, MovesAsItsCellsDo) {
   const std::vector<CellStart> starts{{0, 0}, {60, 0}};
   std::vector<TrackRow> rows;
   for (const double t : {0.0, 300.0, 600.0})
-    for (const TrackRow& row : track_rows(cells_at(p, t, starts), CentreOfMass::area)) rows.push_back(row);
+    for (const TrackRow& row : track_rows(cells_at(p, t, starts))) rows.push_back(row);
   const GroupRow together = group_row(cells_at(p, 900.0, {{3, 0}, {63, 0}}), rows, p);
   EXPECT_NEAR(together.speed, 3.0 * 6.0, 1e-9) << "since t = 300 s";
   EXPECT_NEAR(together.order, 1.0, 1e-9);

@@ -1,9 +1,11 @@
 #include "parameters/earlier.hpp"
 
+#include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,8 +50,8 @@ TEST(Earlier, EveryValueOfBeforeIsWrittenAsTheProgramWritesIt) {
 TEST(Earlier, ANewParameterSaysWhatWasDoneBefore) {
   const auto of_all_versions =
       std::ranges::count_if(schema(), [](const Row& row) { return !row.before && row.of_part == nullptr; });
-  EXPECT_EQ(of_all_versions, 103) << "a new row needs `before`, the value at which nothing changes: otherwise all "
-                                     "finished runs get other names, and files of earlier versions count as damaged";
+  EXPECT_EQ(of_all_versions, 94) << "a new row needs `before`, the value at which nothing changes: otherwise all "
+                                    "finished runs get other names, and files of earlier versions count as damaged";
 }
 
 TEST(Earlier, AResolvedFileWithoutALaterKeyMeansWhatWasDoneBefore) {
@@ -63,7 +65,7 @@ TEST(Earlier, AResolvedFileWithoutALaterKeyMeansWhatWasDoneBefore) {
 }
 
 TEST(Earlier, TheKeyVersionOrTheFirstLineOfEarlierFilesTellsThatAProgramWroteIt) {
-  const std::string body = "[adhesion]\nhold = \"place\"\n";
+  const std::string body = "[cell]\ncentre_of_mass = \"particles\"\n[adhesion]\nhold = \"matter\"\n";
   const auto rest_speed = [](const std::string& text) { return parse_parameters(text, "f.toml").adhesion.rest_speed; };
   EXPECT_GT(rest_speed(body), 0.0) << "a scenario that somebody wrote takes today's defaults";
   EXPECT_EQ(rest_speed("version = \"0.3.0\"\n" + body), 0.0);
@@ -89,6 +91,61 @@ TEST(Earlier, AKeyOfALaterVersionIsToldAsSuch) {
             std::string::npos);
   EXPECT_NE(fault("version = 2\n").find("version: is a number"), std::string::npos) << fault("version = 2\n");
   EXPECT_NE(fault("version = \"\"\n"), "");
+}
+
+std::string fault_in(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_parameters(text, "f.toml", overrides);
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// "adhesion.hold = value" as a file has it.
+std::string file_with(std::string_view path, std::string_view value) {
+  const std::size_t dot = path.rfind('.');
+  return fmt::format("[{}]\n{} = {}\n", path.substr(0, dot), path.substr(dot + 1), value);
+}
+
+TEST(Earlier, AParameterThatHasGoneMayHaveTheValueThatIsLeft) {
+  for (const Gone& parameter : gone()) {
+    EXPECT_EQ(find_row(parameter.path), nullptr) << parameter.path;
+    EXPECT_TRUE(find_row(parameter.behind) != nullptr || find_gone(parameter.behind) != nullptr) << parameter.behind;
+    const std::string line = fmt::format("\n{} = {}\n", parameter.path, parameter.left);
+    EXPECT_NE(values_text({}).find(line), std::string::npos) << "the fingerprint of earlier runs holds it";
+    const Parameters p = parse_parameters(file_with(parameter.path, parameter.left), "f.toml");
+    EXPECT_TRUE(same(p, {})) << parameter.path;
+    EXPECT_TRUE(same(apply_overrides({}, {fmt::format("{}={}", parameter.path, parameter.left)}), {}));
+  }
+}
+
+TEST(Earlier, AnotherValueOfAParameterThatHasGoneIsRefusedWithWhatBecameOfIt) {
+  for (const Gone& parameter : gone()) {
+    const std::string fault = fault_in(file_with(parameter.path, "\"else\""));
+    EXPECT_EQ(fault,
+              fmt::format("f.toml:2:{}: {}: \"else\" has gone: {}; the version of the tag closures-2 has the "
+                          "other readings",
+                          parameter.path.size() - parameter.path.rfind('.') + 3, parameter.path, parameter.fate));
+  }
+  EXPECT_EQ(fault_in("", {"adhesion.hold=place"}),
+            "--set: adhesion.hold: \"place\" has gone: an adhesion holds the matter that was there when it formed; the "
+            "version of the tag closures-2 has the other readings");
+  EXPECT_EQ(fault_in("[adhesion]\nrupture_strands = 1\n").find("f.toml:2:19: adhesion.rupture_strands: 1 has gone: "),
+            0U);
+  EXPECT_NE(fault_in("[fibres]\nplane_to_space = [3]\n").find("fibres.plane_to_space: [ 3 ] has gone"),
+            std::string::npos);
+  EXPECT_NE(fault_in("[actomyosin]\ncurvature_profile = \"triangle\"\n").find("\"triangle\" has gone: "),
+            std::string::npos);
+}
+
+/// Those that came before the key `version`, of the first closures.
+TEST(Earlier, AResolvedFileThatMeansAReadingThatHasGoneIsRefused) {
+  const std::string fault = fault_in(std::string(resolved_head) + "[cell]\ncentre_of_mass = \"particles\"\n");
+  EXPECT_NE(fault.find("adhesion.hold: is not there, which means \"place\"; \"place\" has gone: an adhesion"),
+            std::string::npos)
+      << fault;
+  EXPECT_EQ(fault.find("centre_of_mass"), std::string::npos) << fault;
 }
 
 TEST(Earlier, APartThatIsOffDecidesNothing) {

@@ -64,7 +64,7 @@ TEST(Rupture, HappensAtItsShareOfTheMatureForceWhereSwitchedOn) {
   p.adhesion.rupture = true;
   EXPECT_FALSE(ruptures(0.599, 0.5, p)); // 0.5 x 0.6 nN in each of two strands
   EXPECT_TRUE(ruptures(0.601, 0.5, p));
-  p.adhesion.rupture_strands = 1;
+  p.adhesion.rupture_ratio = 0.5; // at the force of one
   EXPECT_FALSE(ruptures(0.299, 0.5, p));
   EXPECT_TRUE(ruptures(0.301, 0.5, p));
 }
@@ -174,8 +174,7 @@ TEST(Anchors, BelongToMaturingAndContractingProtrusions) {
 
 // An adhesion that hangs on matter keeps its particles and their weights while the gel moves and strains under it.
 TEST(Hold, OnMatterKeepsItsWeightsAsTheGelMoves) {
-  Parameters p = small_matrix();
-  p.adhesion.hold = AdhesionHold::matter;
+  const Parameters p = small_matrix();
   Scene s = cell_in_matrix(p);
   const Vec2 point = s.cell.cortex.x[0] + Vec2(8.0, 0.3);
   const PointWeights fresh = hold_weights(point, s.ecm, p);
@@ -185,8 +184,7 @@ TEST(Hold, OnMatterKeepsItsWeightsAsTheGelMoves) {
   const PointWeights by_matter = hold_weights(s.cell.protrusions[0].phase, s.ecm, p);
   EXPECT_EQ(by_matter.index, fresh.index);
   EXPECT_EQ(by_matter.weight, fresh.weight);
-  p.adhesion.hold = AdhesionHold::place;
-  EXPECT_NE(hold_weights(s.cell.protrusions[0].phase, s.ecm, p).index, fresh.index);
+  EXPECT_NE(hold_weights(point, s.ecm, p).index, fresh.index) << "those that are there now";
 }
 
 TEST(Hold, ReferencePositionUndoesALinearDisplacement) {

@@ -91,13 +91,11 @@ TEST(Transition, TheSpeedOfRecoilIsThatOfTheTipTowardsItsBase) {
 }
 
 TEST(Transition, MaturationEndsAfterTMatWithItsFMat) {
-  Parameters p;
-  p.adhesion.handover = Handover::immediate;
+  const Parameters p;
   Circumstances now = quiet(600.0);
   now.force = 0.27;
   const auto next = expect_to<Contracting>(transition(Maturing{d, site, 4, 500.0}, now, p, time_step)); // 125 s a step
   EXPECT_DOUBLE_EQ(next.f_mat, 0.48);
-  EXPECT_EQ(next.bundle, 0.0);
   EXPECT_EQ(next.anchor, site);
 }
 

@@ -48,14 +48,6 @@ TEST(Turned, TakesTheShorterWayRound) {
   EXPECT_LE(std::abs(turned(3.1, -2.0, 1000.0, p)), pi);
 }
 
-TEST(Turned, AtAConstantSpeedStopsAtTheTarget) {
-  PolarizationParameters p;
-  p.turning = Turning::constant;
-  EXPECT_NEAR(turned(0.0, 1.0, 100.0, p), 0.11, 1e-12);
-  EXPECT_NEAR(turned(0.0, -1.0, 100.0, p), -0.11, 1e-12);
-  EXPECT_NEAR(turned(0.0, 0.05, 100.0, p), 0.05, 1e-12);
-}
-
 TEST(Polarize, WaitsForTheFirstProtrusionAndForAdhesions) {
   const Parameters p = small_matrix();
   Scene s = cell_in_matrix(p);

@@ -154,8 +154,7 @@ TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
   const observe::Floats& x = film.frames[0].outline.x;
   CortexState read;
   for (std::size_t i = 0; i < x.size(); i += 2) read.x.emplace_back(x[i], x[i + 1]);
-  EXPECT_LT((centroid(read) - track_row(run.s.cells[0], run.s.now(), CentreOfMass::area).centre).norm(), 1e-5)
-      << "32 bits";
+  EXPECT_LT((centre_of_mass(read) - track_row(run.s.cells[0], run.s.now()).centre).norm(), 1e-5) << "32 bits";
 }
 
 TEST(FieldFile, SaysWhatItIsOf) {

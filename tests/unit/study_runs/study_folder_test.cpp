@@ -54,7 +54,7 @@ TEST(RunsOfStudies, KeepTheirNames) {
       {"baseline", "nucleus.radius = \"5 um\"", "c1d8f5a21bda4811"},
       {"two-cells", "contact.cells.adhesion=\"20 Pa\"", "47e356ad519ec9af"},
       {"baseline", "protrusion.deflection_cone = \"37 deg\"", "3dfe7833d82c1979"},
-      {"baseline", "adhesion.hold=\"place\"", "b3b3776b9b8be0f4"},
+      {"baseline", "adhesion.hold=\"matter\"", "d436f2c98f0bb7fc"},
   };
   for (const Named& one : named) {
     const std::string text = fmt::format("preset = \"{}\"\nreplicates = 1\n[set]\n{}\n", one.preset, one.set);

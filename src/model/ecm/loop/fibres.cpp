@@ -99,9 +99,9 @@ void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibrePa
       const double length = network.length(k);
       if (x_ij.squaredNorm() <= length * length || ecm.f[j] <= 0.0) continue; // slack
       const Stretched s{x_ij.norm() / length - 1.0, x_ij};
-      sum += ecm.f[j] * fibre_pull(s.strain, s.x_ij, network.X_ij(k), network.weight(k), fibres);
+      sum += ecm.f[j] * fibre_pull(s.strain, s.x_ij, network.weight(k), fibres);
       if (s.strain <= fibres.onset || ecm.clamped[i]) continue;
-      const double excess = fibre_slope(s.strain, fibres) - k_0(fibres);
+      const double excess = fibre_stiffness(s.strain, fibres) - fibres.stiffness;
       add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
     }
     force[i] += p.thickness * ecm.f[i] * sum;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "parameters/schema.hpp"
+
+#include <toml++/toml.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// Parameters that earlier versions had: readings of the paper that lost the choice of closures. Of each one value is
+/// left, which is what the program does. Files that have it are read, and it stays in the fingerprints of
+/// configurations, so that finished runs keep their names; another value is refused. Test:
+/// tests/unit/parameters/earlier_test.cpp
+namespace matrigrate {
+
+struct Gone {
+  std::string_view path;
+  std::string_view behind; ///< the row behind which it stood in the schema, or the one that has gone there as well
+  std::string_view left;   ///< the value that is left, as it stands in a scenario file
+  std::string_view before; ///< as Row::before; empty if all versions had it
+  std::string_view fate;   ///< what the program does now
+};
+
+std::span<const Gone> gone();
+
+/// Null if no version had a parameter of this path, or if it is still there.
+const Gone* find_gone(std::string_view path);
+
+/// What is wrong with a value that a parameter which has gone is given; empty if it is the one that is left.
+std::string fault_of_gone(const Gone& parameter, const toml::node& value);
+
+/// What became of a value that a parameter has no more; empty if it never had it.
+std::string gone_value(std::string_view path, std::string_view value);
+
+/// "\"place\" has gone: an adhesion holds matter; ..."
+std::string gone_text(std::string_view value, std::string_view fate);
+
+} // namespace matrigrate
