@@ -125,6 +125,7 @@ TEST(GradedStress, GrowsWithTheModulusOfTheParticle) {
 TEST(GradedForces, OfTheFluidTakeTheModulusOfTheParticle) {
   const EcmParameters p;
   const auto half_fluid = [](EcmState body) {
+    for (Vec2& x : body.x) x *= 0.7; // fluid under tension has no pressure
     for (std::size_t i = 0; i < body.size(); i += 2) body.f[i] = 0.0;
     return body;
   };
