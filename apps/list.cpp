@@ -2,8 +2,8 @@
 #include "apps/verbs.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/write.hpp"
+#include "store/run_files.hpp"
 #include "study/read_study.hpp"
-#include "study/table_readouts.hpp"
 #include "validation/case.hpp"
 
 #include <CLI/CLI.hpp>
@@ -41,7 +41,7 @@ std::string title_of(const study::ShippedStudy& s) {
 int print_list(const ListArguments& options) {
   if (options.parameters) print(parameters_markdown());
   if (options.schema) print(json_schema());
-  if (options.readouts) print(study::readouts_json());
+  if (options.readouts) print(store::readouts_json());
   if (options.parameters || options.schema || options.readouts) return done;
   Entries entries;
   for (const Preset& preset : presets()) entries.emplace_back(preset.name, preset.description);

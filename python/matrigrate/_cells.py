@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -81,31 +80,3 @@ class CellsOfRun(Mapping[int, CellOfRun]):
 
     def __repr__(self) -> str:
         return f"CellsOfRun({len(self)}: {', '.join(map(str, self._cells))})"
-
-
-def group_readouts(cells: CellsOfRun, group: pandas.DataFrame) -> dict[str, float]:
-    """What cells do together, as in results.csv of a study.
-
-    :param group: group.csv
-    """
-    paths = [cell.tracks[["x_um", "y_um"]].to_numpy(float) for cell in cells.values()]
-    contacts, nearest = group["n_contacts"].dropna(), group["nearest_um"]
-    return {"parting_index": _mean_of_defined([_parting(paths, k) for k in range(len(paths))]),
-            "share_in_contact": _mean_of_defined(contacts > 0),
-            "nearest_um": float(nearest.iloc[-1]) if len(nearest) else math.nan,
-            "order": _mean_of_defined(group["order"])}
-
-
-def _parting(paths: list[np.ndarray[Any, Any]], own: int) -> float:
-    """Cosine between the displacement of a cell and the direction away from the cell that was nearest at the start."""
-    away = [paths[own][0] - path[0] for k, path in enumerate(paths) if k != own]
-    from_nearest = min(away, key=lambda way: float(np.hypot(*way)))
-    way = paths[own][-1] - paths[own][0]
-    length = float(np.hypot(*way))
-    return float(from_nearest @ way) / float(np.hypot(*from_nearest)) / length if length > 0 else math.nan
-
-
-def _mean_of_defined(values: Any) -> float:
-    numbers = np.asarray(values, dtype=float)
-    numbers = numbers[np.isfinite(numbers)]
-    return float(numbers.mean()) if len(numbers) else math.nan

@@ -17,7 +17,7 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
-_means = ("speed_um_per_h", "net_speed_um_per_h", "straightness", "directionality_ratio", "turning_angle_deg",
+_means = ("speed_um_per_h", "v_migr_abs_um_per_h", "straightness", "directionality_ratio", "turning_angle_deg",
           "turning_cosine")  # of tracks: their expectation does not depend on the number of tracks
 
 
@@ -179,7 +179,7 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
     """The read-outs of all points with runs that are done: those of tracks from all tracks of a point, others as the mean
     of its runs.
 
-    :param interval: [s] between positions of the measured tracks
+    :param interval: [s] between positions of the measured tracks; none: a read-out that the runs have themselves is theirs
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     """
     require_study(study)
@@ -188,7 +188,7 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
     results = study.results
     own = list(results.columns)
     known = own[own.index("trajectory_hash") + 1:]
-    of_tracks = [name for name in names if name in _motility.meanings]
+    of_tracks = [name for name in names if name in _motility.meanings and (interval is not None or name not in known)]
     of_runs = [name for name in names if name not in of_tracks]
     texts = [name for name in study.parameters if results[name].dtype == object]
     faults = [f"{name}: only numbers can be fitted" for name in texts]

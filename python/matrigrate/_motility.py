@@ -17,7 +17,7 @@ meanings = {
     "speed_median_um_per_h": "the same, median over tracks",
     "speed_q25_um_per_h": "the same, lower quartile over tracks",
     "speed_q75_um_per_h": "the same, upper quartile over tracks",
-    "net_speed_um_per_h": "speed from start to end, mean over tracks",
+    "v_migr_abs_um_per_h": "speed from start to end, mean over tracks",
     "straightness": "distance from start to end over the length of the path, mean over tracks",
     "directionality_ratio": "the same over all windows of ten intervals, mean over tracks",
     "directionality_time_min": "time from the start at which the mean of the ratio falls below one half",
@@ -61,7 +61,7 @@ class Parts:
             self.ratios[k, :len(path)] = np.divide(net, path, out=np.full(len(path), np.nan), where=path > 0)
         self.lengths = np.array([len(track) - 1 for track in tracks])
         self.speed = np.array([_mean(_lengths(track)) for track in tracks]) * 3600.0 / interval
-        self.net_speed = np.array([_net(track, interval) for track in tracks])
+        self.v_migr_abs = np.array([_net(track, interval) for track in tracks])
         self.straightness = np.array([_straightness(track) for track in tracks])
         self.windowed = np.array([_windowed(track, 10) for track in tracks])
         self.anisotropy = np.array([_anisotropy(track) for track in tracks])
@@ -96,7 +96,7 @@ class Parts:
         return {
             "speed_um_per_h": _mean(speeds), "speed_median_um_per_h": float(quartiles[1]),
             "speed_q25_um_per_h": float(quartiles[0]), "speed_q75_um_per_h": float(quartiles[2]),
-            "net_speed_um_per_h": _mean(self.net_speed[which]), "straightness": _mean(self.straightness[which]),
+            "v_migr_abs_um_per_h": _mean(self.v_migr_abs[which]), "straightness": _mean(self.straightness[which]),
             "directionality_ratio": _mean(self.windowed[which]),
             "directionality_time_min": _directionality_time(self.ratios[which]) * self.interval / 60.0,
             "persistence_min": persistence(square[:max(3, longest // 3)], self.interval) / 60.0,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _arguments
-from ._cells import CellsOfRun, group_readouts
+from ._cells import CellsOfRun
 from ._schema import table
 from ._files import read_json, read_table, read_text, unit_of
 from .errors import InputOutputError
@@ -34,8 +34,9 @@ def _known() -> dict[str, dict[str, Any]]:
 
 
 def _is_shown(name: str, values: Iterable[float]) -> bool:
-    """True if a read-out is printed: read-outs of uniaxial fibres are printed only if a cell has a value."""
-    return not _known().get(name, {}).get("of_uniaxial_fibres") or not all(math.isnan(value) for value in values)
+    """True if a read-out is printed: those of uniaxial fibres and of several cells are printed only if a cell has a value."""
+    known = _known().get(name, {})
+    return not (known.get("of_uniaxial_fibres") or known.get("of_several_cells")) or not all(math.isnan(value) for value in values)
 
 
 def meaning(readout: str) -> str:
@@ -258,11 +259,18 @@ class Run:
     @property
     def group_readouts(self) -> Readouts:
         """What several cells do together, with the names and values of ``results.csv`` of a study: ``parting_index``,
-        ``share_in_contact``, ``nearest_um``, ``order``.
+        ``share_in_contact``, ``nearest_um``, ``order``. Written when the run ends.
 
-        :raises InputOutputError: of a run of one cell, which has none
+        :raises InputOutputError: of a run of one cell, which has none; of a run by version 0.2.0, whose summary.json lacks them
         """
-        return Readouts(group_readouts(self.cells, self.group))
+        readouts = self.readouts
+        if not isinstance(readouts, ReadoutsOfCells):
+            raise InputOutputError(f"{self.folder}: has no read-outs of several cells: it is a run of one", self.folder)
+        names = [name for name, entry in _known().items() if entry["of_several_cells"]]
+        if not set(names) <= set(readouts.names):
+            raise InputOutputError(f"{self.folder}: summary.json has no {', '.join(names)}; results.csv of a study has them", self.folder)
+        defined = {name: [value for value in readouts[name] if not math.isnan(value)] for name in names}
+        return Readouts({name: sum(values) / len(values) if values else None for name, values in defined.items()})
 
     @functools.cached_property
     def readouts(self) -> Readouts | ReadoutsOfCells:

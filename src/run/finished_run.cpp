@@ -88,7 +88,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
     std::ranges::copy(track_rows(checkpoint.state),
                       std::back_inserter(run.memory.rows)); // as at the end of a run
-  run.cells = cell_results(checkpoint.state, run.memory.rows, run.p);
+  run.cells = cell_results(checkpoint.state, run.memory.rows, run.memory.group, run.p);
   run.frame_times = run.memory.frames;
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))
     run.frame_times.push_back(run.t);

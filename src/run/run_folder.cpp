@@ -94,7 +94,7 @@ void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
 }
 
 std::vector<CellResult> RunFolder::finish(RunFinish end) {
-  end.cells = cell_results(end.s, m_run.memory.rows, m_run.p);
+  end.cells = cell_results(end.s, m_run.memory.rows, m_run.memory.group, m_run.p);
   for (const auto& [output, cadence] : m_outputs)
     if (output.finish) output.finish(end);
   return std::move(end.cells);

@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "observe/readouts.hpp"
+#include "observe/readout_table.hpp"
 #include "parameters/scan.hpp"
 #include "store/csv.hpp"
 #include "store/naming.hpp"
@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <variant>
 
 namespace matrigrate::study {
 
@@ -75,10 +75,7 @@ double readout_of(const CellTrack& track, std::string_view readout) {
     rows.emplace_back().t = track.t[i];
     rows.back().centre = Vec2(track.x[i], track.y[i]);
   }
-  const ReadOuts all = readouts(rows, {}, Parameters());
-  const std::array<double, 4> values{all.v_migr_abs, all.v_migr_path_60s, all.v_migr_path_600s, all.msd_slope};
-  const auto found = std::ranges::find(readouts_of_tracks(), readout);
-  return values.at(static_cast<std::size_t>(found - readouts_of_tracks().begin()));
+  return std::get<double>(find_readout(readout)->value(readouts(rows, {}, Parameters())));
 }
 
 std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder) {

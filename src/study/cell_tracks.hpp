@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// The paths of the cells of a run, and those of measured cells. Test: tests/unit/study/table_readouts_test.cpp,
-/// tests/unit/study/targets_test.cpp
+/// The paths of the cells of a run, and those of measured cells. Test: tests/unit/study/targets_test.cpp
 namespace matrigrate::study {
 
 /// The rows of tracks.csv that belong to one cell, in the order of time.

@@ -1,13 +1,12 @@
 #include "study/read_results.hpp"
 
 #include "base/failure.hpp"
+#include "observe/readout_table.hpp"
 #include "store/csv.hpp"
-#include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -24,33 +23,6 @@ std::optional<RunState> state_of(const std::string& word) {
     if (word == to_string(state)) return state;
   return std::nullopt;
 }
-
-/// Read-outs of the first tables that were kept. Tables without one that came later are whole: this list never grows.
-constexpr auto first_readouts = std::to_array<std::string_view>({"duration_s",
-                                                                 "v_migr_abs_um_per_h",
-                                                                 "v_migr_path_60s_um_per_h",
-                                                                 "v_migr_path_600s_um_per_h",
-                                                                 "n_protrusions",
-                                                                 "n_unadhered",
-                                                                 "tau_prot_min",
-                                                                 "n_tau_prot",
-                                                                 "n_censored",
-                                                                 "l_prot_um",
-                                                                 "f_mat",
-                                                                 "force_nN",
-                                                                 "f_adh_rel",
-                                                                 "n_simultaneous_mean",
-                                                                 "n_simultaneous_max",
-                                                                 "msd_slope",
-                                                                 "path_angle_deg",
-                                                                 "f_mat_along",
-                                                                 "f_mat_across",
-                                                                 "share_ruptured_along",
-                                                                 "share_ruptured_across",
-                                                                 "share_f_adh_rel_low",
-                                                                 "share_2_or_3_protrusions"});
-
-bool came_later(std::string_view name) { return std::ranges::find(first_readouts, name) == first_readouts.end(); }
 
 /// A table of results, and all that is wrong with it.
 class Kept {
@@ -81,11 +53,10 @@ private:
 
   /// What else is wrong cannot be told without the columns.
   void check_columns() {
-    const std::vector<std::string> readouts = all_readouts();
     std::vector<std::string> wanted{"run", "label", "replicate", "seed", "status", "reason", "trajectory_hash"};
     wanted.insert(wanted.end(), m_swept.begin(), m_swept.end());
     std::vector<std::string> known{"cause"}; // version 0.1.0 has none
-    for (const std::string& name : readouts) (came_later(name) ? known : wanted).push_back(name);
+    for (const ReadOutSpec& spec : readout_table()) (spec.is_late ? known : wanted).emplace_back(spec.name);
     known.insert(known.end(), wanted.begin(), wanted.end());
     for (const std::string& name : wanted)
       if (!m_table.column(name)) m_faults.push_back(fmt::format("has no column {}", name));

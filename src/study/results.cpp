@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
+#include "run/readouts_of_tables.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
 #include "statistics/sample.hpp"
@@ -11,7 +12,6 @@
 #include "store/row_file.hpp"
 #include "store/run_memory.hpp"
 #include "store/state_json.hpp"
-#include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -120,9 +120,10 @@ void read(Result& result, const std::filesystem::path& folder) {
   }
 }
 
-/// Read-outs of groups only where a point has several cells.
+/// Read-outs of groups, which are last, only where a point has several cells.
 std::size_t columns_of(const Study& study) {
-  return all_readouts().size() - (has_several_cells(study) ? 0 : group_readout_table().size());
+  const auto of_groups = std::ranges::count_if(readout_table(), &ReadOutSpec::of_groups);
+  return readout_table().size() - (has_several_cells(study) ? 0 : static_cast<std::size_t>(of_groups));
 }
 
 } // namespace
@@ -132,9 +133,10 @@ std::vector<double> readouts_of(const std::filesystem::path& folder) {
   const json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
   if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
   std::vector<double> values;
+  const json& cell = summary.contains("cells") && !summary["cells"].empty() ? summary["cells"].front() : summary;
+  const bool whole = cell.contains(readout_table().back().name);
   for (const ReadOutSpec& spec : readout_table()) values.push_back(summary_readout(summary, spec.name.data()));
-  const std::vector<double> more = table_readouts(folder);
-  values.insert(values.end(), more.begin(), more.end());
+  if (!whole) run::add_from_tables(folder, values);
   return values;
 }
 

@@ -1,7 +1,6 @@
 #include "study/study.hpp"
 
 #include "observe/readout_table.hpp"
-#include "study/table_readouts.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +22,6 @@ const std::vector<std::string>& default_readouts() {
 std::vector<std::string> all_readouts() {
   std::vector<std::string> names;
   for (const ReadOutSpec& spec : readout_table()) names.emplace_back(spec.name);
-  for (const TableReadOut& readout : table_readout_table()) names.emplace_back(readout.name);
   return names;
 }
 

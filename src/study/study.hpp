@@ -91,7 +91,7 @@ struct Study {
 /// The paper's read-outs, which a study compares if it names none.
 const std::vector<std::string>& default_readouts();
 
-/// Every read-out that a run has: those of summary.json and those of table_readouts.hpp.
+/// The names of readout_table().
 std::vector<std::string> all_readouts();
 
 /// Column of a read-out in all_readouts().

@@ -21,7 +21,7 @@ from matrigrate import calibrate, tracks  # noqa: E402
 
 ranges = {"ecm.youngs_modulus": (50.0, 400.0, "Pa"), "protrusion.force": (0.16, 0.64, "nN"),
           "polarization.rate": (3e-4, 4e-3, "1/s")}  # the last acts only on cells that run for longer
-readouts = ["speed_um_per_h", "net_speed_um_per_h", "straightness", "l_prot_um"]  # the last is measured beside the tracks
+readouts = ["speed_um_per_h", "v_migr_abs_um_per_h", "straightness", "l_prot_um"]  # the last is measured beside the tracks
 interval = 60.0
 small_disc = """preset = "baseline"
 

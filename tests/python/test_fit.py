@@ -13,7 +13,7 @@ common.skip_without("sklearn", "matplotlib")
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
-from matrigrate import _fit, calibrate, tracks  # noqa: E402
+from matrigrate import _fit, _measurement, calibrate, tracks  # noqa: E402
 from matrigrate._measurement import Points  # noqa: E402
 
 cells = 12
@@ -265,6 +265,11 @@ class OfAStudy(unittest.TestCase):
         self.refused("interval: that of the measured tracks is needed", measured={"speed_um_per_h": (5, 1)})
         self.refused("one read-out is needed, such as readouts=", measured=tracks.of(self.study))
         self.refused("sped: has no measured value; tracks have speed_um_per_h", measured=tracks.of(self.study), readouts=["sped"])
+
+    def test_a_read_out_of_runs_and_tracks_needs_no_interval(self):
+        of_runs = _measurement.simulated(self.study, ["v_migr_abs_um_per_h"], None).values
+        of_tracks = _measurement.simulated(self.study, ["v_migr_abs_um_per_h"], 60.0).values
+        np.testing.assert_allclose(of_runs, of_tracks)
 
     def test_what_people_write(self):
         with self.assertRaisesRegex(TypeError, r"study is the text 'design'; a study is expected, as matrigrate.load_study\('design'\)"):

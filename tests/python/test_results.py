@@ -94,6 +94,8 @@ class Runs(unittest.TestCase):
             for name, value in readouts.items():
                 np.testing.assert_allclose(value, row[name], rtol=1e-9, err_msg=name)
         self.assertIn("cosine", readouts.meaning("parting_index"))
+        with self.assertRaisesRegex(matrigrate.InputOutputError, "it is a run of one"):
+            self.run_.group_readouts
 
     def test_group(self):
         group = matrigrate.load(common.runs / "pair").group

@@ -186,11 +186,16 @@ class Readouts(unittest.TestCase):
     def of(self, walks, dt=60.0, **options):
         return tracks.Tracks({str(k): walk for k, walk in enumerate(walks)}, dt, []).readouts(**options)["value"]
 
+    def test_the_speed_from_start_to_end_is_the_read_out_of_the_run(self):
+        run = matrigrate.load(common.runs / "run")
+        of_tracks = tracks.of(run).readouts(resamples=0)["value"]
+        self.assertAlmostEqual(of_tracks.v_migr_abs_um_per_h, run.readouts.v_migr_abs_um_per_h, places=9)
+
     def test_straight_and_right_angled(self):
         line = np.column_stack([np.arange(41.0), np.zeros(41)])
         straight = self.of([line])
         self.assertAlmostEqual(straight.speed_um_per_h, 60)
-        self.assertAlmostEqual(straight.net_speed_um_per_h, 60)
+        self.assertAlmostEqual(straight.v_migr_abs_um_per_h, 60)
         self.assertAlmostEqual(straight.straightness, 1)
         self.assertAlmostEqual(straight.msd_slope_long, 2)
         self.assertAlmostEqual(straight.turning_cosine, 1)

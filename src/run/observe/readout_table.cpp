@@ -14,7 +14,7 @@ std::string ReadOutSpec::meaning_with_unit() const {
 std::span<const ReadOutSpec> readout_table() {
   using Value = ReadOutValue;
   // clang-format off
-  static constexpr std::array<ReadOutSpec, 21> table{{
+  static constexpr std::array<ReadOutSpec, 28> table{{
       {.name = "duration_s", .label = "duration", .unit = "s", .meaning = "duration",
        .value = [](const ReadOuts& r) -> Value { return r.duration; }},
       {.name = "v_migr_abs_um_per_h", .label = "v_migr_abs", .unit = "um/h", .meaning = "speed, start to end",
@@ -68,6 +68,30 @@ std::span<const ReadOutSpec> readout_table() {
       {.name = "share_ruptured_across", .label = "share_ruptured_across", .unit = "",
        .meaning = "share of adhesions across uniaxial fibres that ended by rupture",
        .value = [](const ReadOuts& r) -> Value { return r.across.ruptured.value; }, .of_fibres = true},
+      {.name = "share_f_adh_rel_low", .label = "share_f_adh_rel_low", .unit = "",
+       .meaning = "share of mature adhesions that ended below f_adh_rel = 0.5",
+       .value = [](const ReadOuts& r) -> Value { return r.share_low_force; }, .of_claims = true},
+      {.name = "share_2_or_3_protrusions", .label = "share_2_or_3_protrusions", .unit = "",
+       .meaning = "share of times with two or three protrusions",
+       .value = [](const ReadOuts& r) -> Value { return r.share_2_or_3; }, .of_claims = true},
+      {.name = "migration_index_x", .label = "migration_index_x", .unit = "",
+       .meaning = "way along x over the length of the path, sampled every 600 s",
+       .value = [](const ReadOuts& r) -> Value { return r.migration_index; }, .of_claims = true, .is_late = true},
+      {.name = "parting_index", .label = "parting_index", .unit = "",
+       .meaning = "cosine between displacement and the direction away from the nearest cell at the start",
+       .value = [](const ReadOuts& r) -> Value { return r.parting_index; },
+       .of_claims = true, .of_groups = true, .is_late = true},
+      {.name = "share_in_contact", .label = "share_in_contact", .unit = "",
+       .meaning = "share of times with a contact between cells",
+       .value = [](const ReadOuts& r) -> Value { return r.share_in_contact; },
+       .of_claims = true, .of_groups = true, .is_late = true},
+      {.name = "nearest_um", .label = "nearest", .unit = "um", .meaning = "distance of the nearest other cell at the end",
+       .value = [](const ReadOuts& r) -> Value { return r.nearest; },
+       .of_claims = true, .of_groups = true, .is_late = true},
+      {.name = "order", .label = "order", .unit = "",
+       .meaning = "length of the mean unit vector of displacements over 10 min, mean over time",
+       .value = [](const ReadOuts& r) -> Value { return r.order; },
+       .of_claims = true, .of_groups = true, .is_late = true},
   }};
   // clang-format on
   return table;

@@ -23,12 +23,15 @@ struct ReadOutSpec {
   ReadOutValue (*value)(const ReadOuts&);
   bool usual = false;     ///< one of the paper's, which a study compares if it names none
   bool of_fibres = false; ///< defined among uniaxial fibres only
+  bool of_claims = false; ///< needed by claims alone: not among what people are shown of a run
+  bool of_groups = false; ///< of several cells only
+  bool is_late = false;   ///< tables of results of version 0.1.0 lack it
 
   /// "speed, start to end [um/h]"
   std::string meaning_with_unit() const;
 };
 
-/// All read-outs of a run, in the order of its files.
+/// All read-outs of a run, in the order of its files; those of groups last.
 std::span<const ReadOutSpec> readout_table();
 
 /// @return nullptr if there is no read-out of that name

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace matrigrate {
@@ -46,7 +47,10 @@ void add_protrusions(ReadOuts& out, std::span<const ProtrusionRecord> records, c
   out.l_prot = mean_of(records, [](const auto& r) { return std::isnan(r.t_adhesion) ? undefined : r.length; });
   out.f_mat = mean_of(records, [](const auto& r) { return r.f_mat; });
   out.force = mean_of(records, [](const auto& r) { return matured(r) ? r.force : undefined; });
+  std::vector<double> forces;
+  for (const ProtrusionRecord& r : records) forces.push_back(relative_force(r, p));
   out.f_adh_rel = mean_of(records, [&](const auto& r) { return relative_force(r, p); });
+  out.share_low_force = share_of_low_forces(forces);
 }
 
 /// @param fibres  their direction from the x axis [rad]   @param across  which of the two is wanted
@@ -61,7 +65,52 @@ OrientedProtrusions oriented(std::span<const ProtrusionRecord> records, double f
           })};
 }
 
+/// NaN where nothing moved.
+double migration_index(std::span<const TrackRow> rows) {
+  double length = 0.0;
+  const TrackRow* last = &rows.front();
+  for (const TrackRow& row : rows.subspan(1)) {
+    if (std::abs(std::remainder(row.t, 600.0)) > 1e-6) continue;
+    length += std::hypot(row.centre.x() - last->centre.x(), row.centre.y() - last->centre.y());
+    last = &row;
+  }
+  return length > 0.0 ? (last->centre.x() - rows.front().centre.x()) / length : undefined;
+}
+
+/// Cosine between the way of a cell and the direction away from its nearest neighbour at the start.
+double parting_index(std::span<const CellResult> cells, const CellResult& own) {
+  double least = std::numeric_limits<double>::infinity();
+  double away_x = 0.0;
+  double away_y = 0.0;
+  const Vec2 start = own.rows.front().centre;
+  for (const CellResult& other : cells) {
+    if (&other == &own || other.rows.empty()) continue;
+    const double dx = start.x() - other.rows.front().centre.x();
+    const double dy = start.y() - other.rows.front().centre.y();
+    const double distance = std::hypot(dx, dy);
+    if (distance >= least) continue;
+    least = distance;
+    away_x = dx / distance;
+    away_y = dy / distance;
+  }
+  const double dx = own.rows.back().centre.x() - start.x();
+  const double dy = own.rows.back().centre.y() - start.y();
+  const double way = std::hypot(dx, dy);
+  return way > 0.0 ? (away_x * dx + away_y * dy) / way : undefined;
+}
+
 } // namespace
+
+double share_of_low_forces(std::span<const double> relative_forces) {
+  double low = 0.0;
+  double all = 0.0;
+  for (const double force : relative_forces) {
+    if (!std::isfinite(force)) continue;
+    low += force < low_relative_force ? 1.0 : 0.0;
+    all += 1.0;
+  }
+  return all > 0.0 ? low / all : undefined;
+}
 
 double relative_force(const ProtrusionRecord& r, const Parameters& p) { return r.force / mature_pull(r.f_mat, p); }
 
@@ -92,11 +141,15 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   }
   if (rows.empty()) return out;
   double alive = 0.0;
+  double two_or_three = 0.0;
   for (const TrackRow& row : rows) {
     alive += row.alive();
+    two_or_three += row.alive() == 2 || row.alive() == 3 ? 1.0 : 0.0;
     out.max_simultaneous = std::max<std::size_t>(out.max_simultaneous, row.alive());
   }
   out.mean_simultaneous = alive / static_cast<double>(rows.size());
+  out.share_2_or_3 = two_or_three / static_cast<double>(rows.size());
+  out.migration_index = migration_index(rows);
   out.duration = rows.back().t - rows.front().t;
   if (!(out.duration > 0.0)) return out;
   const double hours = out.duration / seconds_an_hour;
@@ -108,13 +161,36 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   return out;
 }
 
-std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, const Parameters& p) {
+void add_group(std::span<CellResult> cells, std::span<const GroupRow> group) {
+  if (cells.size() < 2) return;
+  double contact = 0.0;
+  double orders = 0.0;
+  double ordered = 0.0;
+  for (const GroupRow& row : group) {
+    contact += row.contacts > 0 ? 1.0 : 0.0;
+    if (!std::isfinite(row.order)) continue;
+    orders += row.order;
+    ordered += 1.0;
+  }
+  for (CellResult& cell : cells) {
+    ReadOuts& out = cell.readouts;
+    if (!cell.rows.empty()) out.parting_index = parting_index(cells, cell);
+    if (group.empty()) continue;
+    out.share_in_contact = contact / static_cast<double>(group.size());
+    out.nearest = group.back().nearest;
+    out.order = ordered > 0.0 ? orders / ordered : undefined;
+  }
+}
+
+std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, std::span<const GroupRow> group,
+                                     const Parameters& p) {
   std::vector<CellResult> all;
   for (const Cell& cell : s.cells) {
     CellResult& result = all.emplace_back(
         CellResult{.cell = cell.id, .rows = rows_of(rows, cell.id), .records = protrusion_records(cell)});
     result.readouts = readouts(result.rows, result.records, p);
   }
+  add_group(all, group);
   return all;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "observe/group.hpp"
 #include "observe/tracks.hpp"
 #include "parameters/parameters.hpp"
 
@@ -44,7 +45,24 @@ struct ReadOuts {
   double path_angle = undefined; ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
   OrientedProtrusions along;     ///< uniaxial fibres
   OrientedProtrusions across;    ///< uniaxial fibres
+
+  // Needed by claims.
+  double share_low_force = undefined; ///< of mature adhesions that ended, those with f_adh_rel < low_relative_force [-]
+  double share_2_or_3 = undefined;    ///< of the rows, those with 2 or 3 protrusions alive [-]
+  double migration_index = undefined; ///< way along x over the path sampled every 600 s, from -1 to 1 [-]
+
+  // Of several cells; all but the first are those of the group, the same for each cell.
+  double parting_index = undefined; ///< cosine between displacement and the way off the nearest cell at the start [-]
+  double share_in_contact = undefined; ///< of the rows of the group, those with a contact between cells [-]
+  double nearest = undefined;          ///< mean distance of a cell from the nearest other one, at the end [um]
+  double order = undefined;            ///< mean of GroupRow::order over time [-]
 };
+
+/// An adhesion counts as ended "at a low force" below this f_adh_rel (Eq. 9): half of what its maturation stands for.
+inline constexpr double low_relative_force = 0.5;
+
+/// Of the values that are defined, the share below low_relative_force; NaN where there are none.
+double share_of_low_forces(std::span<const double> relative_forces);
 
 /// f_adh_rel of one protrusion, Eq. (9): its force over mature_pull(); NaN if its adhesion has not matured or not ended
 /// [-].
@@ -67,7 +85,13 @@ struct CellResult {
   ReadOuts readouts{};
 };
 
-/// Results of all cells, in their order.   @param rows  of all cells, in the order of time
-std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, const Parameters& p);
+/// Adds to the read-outs of several cells what they do together. @param group  in the order of time
+void add_group(std::span<CellResult> cells, std::span<const GroupRow> group);
+
+/// Results of all cells, in their order.
+/// @param rows   of all cells, in the order of time
+/// @param group  of several cells, in the order of time
+std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> rows, std::span<const GroupRow> group,
+                                     const Parameters& p);
 
 } // namespace matrigrate

@@ -17,7 +17,10 @@ Output rows(RunSoFar& run, const State& start) {
     store::TrajectoryHash trajectory(memory.trajectory);
     trajectory.add(s);
     memory.trajectory = trajectory.value();
-    if (group) group->add(store::fields(group_row(s, memory.rows, run.p)));
+    if (group) {
+      memory.group.push_back(group_row(s, memory.rows, run.p));
+      group->add(store::fields(memory.group.back()));
+    }
     for (const TrackRow& row : track_rows(s)) {
       tracks->add(store::fields(row));
       memory.rows.push_back(row);

@@ -71,38 +71,43 @@ Json readouts_json(const RunReport& report) {
   return list;
 }
 
+double off_one(double ratio) { return std::abs(ratio - 1.0); }
+
 /// A column of health.csv of which a page shows the largest value.
 struct Sign {
   const char* column;
   const char* meaning;
-  bool from_one = false; ///< the largest deviation from 1
+  double (*value)(const HealthRow&);
 };
 constexpr std::array<Sign, 9> signs{{
-    {"solver_iterations_max", "iterations of the solver in a step, largest number"},
-    {"solver_residual_max", "relative residual of the solver, largest [-]"},
-    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]"},
-    {"n_orphans", "particles made fluid since too few neighbours were left"},
-    {"n_torn", "particles made fluid since their density left its allowed range"},
-    {"n_engulfed", "solid particles made fluid inside the cell"},
-    {"n_solid_inside", "solid particles inside the cell, largest number"},
-    {"area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]", true},
-    {"density_max", "density of the solid over that of the start, largest deviation from 1 [-]", true},
+    {"solver_iterations_max", "iterations of the solver in a step, largest number",
+     [](const HealthRow& row) { return static_cast<double>(row.max_iterations); }},
+    {"solver_residual_max", "relative residual of the solver, largest [-]",
+     [](const HealthRow& row) { return row.largest_residual; }},
+    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]",
+     [](const HealthRow& row) { return row.force_imbalance; }},
+    {"n_orphans", "particles made fluid since too few neighbours were left",
+     [](const HealthRow& row) { return static_cast<double>(row.orphans); }},
+    {"n_torn", "particles made fluid since their density left its allowed range",
+     [](const HealthRow& row) { return static_cast<double>(row.torn); }},
+    {"n_engulfed", "solid particles made fluid inside the cell",
+     [](const HealthRow& row) { return static_cast<double>(row.engulfed); }},
+    {"n_solid_inside", "solid particles inside the cell, largest number",
+     [](const HealthRow& row) { return static_cast<double>(row.solid_inside); }},
+    {"area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]",
+     [](const HealthRow& row) { return off_one(row.area_ratio); }},
+    {"density_max", "density of the solid over that of the start, largest deviation from 1 [-]",
+     [](const HealthRow& row) { return std::fmax(off_one(row.density_max), off_one(row.density_min)); }},
 }};
 
-/// NaN without values.
-double worst(std::string_view health, const Sign& sign) {
-  std::vector<double> values = store::csv_column(health, sign.column);
-  if (sign.column == std::string_view("density_max"))
-    std::ranges::copy(store::csv_column(health, "density_min"), std::back_inserter(values));
-  double most = undefined;
-  for (const double value : values) most = std::fmax(most, sign.from_one ? std::abs(value - 1.0) : value);
-  return most;
-}
-
-Json health_json(std::string_view health) {
+Json health_json(std::string_view text) {
   Json list = Json::array();
-  for (const Sign& sign : signs)
-    list.push_back({{"name", sign.column}, {"meaning", sign.meaning}, {"value", worst(health, sign)}});
+  const std::vector<HealthRow> rows = text.empty() ? std::vector<HealthRow>() : store::health_rows_of(text);
+  for (const Sign& sign : signs) {
+    double worst = undefined;
+    for (const HealthRow& row : rows) worst = std::fmax(worst, sign.value(row));
+    list.push_back({{"name", sign.column}, {"meaning", sign.meaning}, {"value", worst}});
+  }
   return list;
 }
 

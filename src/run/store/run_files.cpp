@@ -1,156 +1,155 @@
 #include "store/run_files.hpp"
 
-#include "base/failure.hpp"
 #include "observe/readout_table.hpp"
+#include "store/columns.hpp"
 #include "store/csv.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace matrigrate::store {
 
-std::vector<std::string_view> track_columns(bool nucleus) {
-  std::vector<std::string_view> columns{
-      "track",          "t_s",       "x_um",       "y_um",          "area_um2",    "perimeter_um", "polarization_rad",
-      "n_simultaneous", "n_growing", "n_maturing", "n_contracting", "n_finishing", "n_initiated",  "step"};
-  if (nucleus)
-    columns.insert(columns.end(), {"nucleus_x_um", "nucleus_y_um", "nucleus_area_um2", "nucleus_aspect_ratio"});
-  return columns;
-}
-
-std::vector<Field> fields(const TrackRow& row) {
-  std::vector<Field> all{count(number_of(row.cell)),
-                         row.t,
-                         row.centre.x(),
-                         row.centre.y(),
-                         row.area,
-                         row.perimeter,
-                         row.polarization.value_or(undefined),
-                         count(row.alive()),
-                         count(row.in_phase[0]),
-                         count(row.in_phase[1]),
-                         count(row.in_phase[2]),
-                         count(row.in_phase[3]),
-                         count(row.initiated),
-                         row.step};
-  if (row.nucleus)
-    all.insert(all.end(), {row.nucleus->centre.x(), row.nucleus->centre.y(), row.nucleus->area, row.nucleus->aspect});
-  return all;
-}
-
 namespace {
 
-/// A field that counts. @throws InputOutputError if it is no number of things
-template <class T>
-T counted(double field) {
-  if (!(field >= 0.0 && field < static_cast<double>(std::numeric_limits<T>::max())))
-    throw InputOutputError("a row has no number where things are counted");
-  return static_cast<T>(field);
+NucleusRow& nucleus_of(TrackRow& row) { return row.nucleus ? *row.nucleus : row.nucleus.emplace(); }
+
+template <std::size_t k>
+constexpr TableColumn<TrackRow> in_phase(std::string_view name) {
+  return {name, [](const TrackRow& row) { return count(row.in_phase[k]); },
+          [](TrackRow& row, double value) { row.in_phase[k] = counted<std::uint32_t>(value); }};
 }
+
+template <double NucleusRow::*member>
+constexpr TableColumn<TrackRow> of_nucleus(std::string_view name) {
+  return {name, [](const TrackRow& row) -> Field { return (*row.nucleus).*member; },
+          [](TrackRow& row, double value) { nucleus_of(row).*member = value; }};
+}
+
+constexpr std::size_t nucleus_columns = 4; // the last
+
+constexpr std::array<TableColumn<TrackRow>, 18> track_table{{
+    {"track", [](const TrackRow& row) { return count(number_of(row.cell)); },
+     [](TrackRow& row, double value) { row.cell = counted<std::uint32_t>(value - 1.0); }},
+    column<&TrackRow::t>("t_s"),
+    {"x_um", [](const TrackRow& row) -> Field { return row.centre.x(); },
+     [](TrackRow& row, double value) { row.centre.x() = value; }},
+    {"y_um", [](const TrackRow& row) -> Field { return row.centre.y(); },
+     [](TrackRow& row, double value) { row.centre.y() = value; }},
+    column<&TrackRow::area>("area_um2"),
+    column<&TrackRow::perimeter>("perimeter_um"),
+    {"polarization_rad", [](const TrackRow& row) -> Field { return row.polarization.value_or(undefined); },
+     [](TrackRow& row, double value) { row.polarization = std::isnan(value) ? std::nullopt : std::optional(value); }},
+    {"n_simultaneous", [](const TrackRow& row) { return count(row.alive()); }},
+    in_phase<0>("n_growing"),
+    in_phase<1>("n_maturing"),
+    in_phase<2>("n_contracting"),
+    in_phase<3>("n_finishing"),
+    column<&TrackRow::initiated>("n_initiated"),
+    column<&TrackRow::step>("step"),
+    {"nucleus_x_um", [](const TrackRow& row) -> Field { return row.nucleus->centre.x(); },
+     [](TrackRow& row, double value) { nucleus_of(row).centre.x() = value; }},
+    {"nucleus_y_um", [](const TrackRow& row) -> Field { return row.nucleus->centre.y(); },
+     [](TrackRow& row, double value) { nucleus_of(row).centre.y() = value; }},
+    of_nucleus<&NucleusRow::area>("nucleus_area_um2"),
+    of_nucleus<&NucleusRow::aspect>("nucleus_aspect_ratio"),
+}};
+
+std::span<const TableColumn<TrackRow>> track_table_of(bool nucleus) {
+  return std::span(track_table).first(track_table.size() - (nucleus ? 0 : nucleus_columns));
+}
+
+constexpr std::array<TableColumn<HealthRow>, 18> health_table{{
+    column<&HealthRow::t>("t_s"),
+    column<&HealthRow::step>("step"),
+    column<&HealthRow::iterations>("solver_iterations"),
+    column<&HealthRow::max_iterations>("solver_iterations_max"),
+    column<&HealthRow::residual>("solver_residual"),
+    column<&HealthRow::largest_residual>("solver_residual_max"),
+    column<&HealthRow::area_ratio>("area_ratio"),
+    column<&HealthRow::density_min>("density_min"),
+    column<&HealthRow::density_max>("density_max"),
+    column<&HealthRow::density_bounds>("n_density_bounds"),
+    column<&HealthRow::orphans>("n_orphans"),
+    column<&HealthRow::torn>("n_torn"),
+    column<&HealthRow::engulfed>("n_engulfed"),
+    column<&HealthRow::solid_inside>("n_solid_inside"),
+    column<&HealthRow::deepest_solid>("deepest_solid_um"),
+    column<&HealthRow::crosses_itself>("crosses_itself"),
+    column<&HealthRow::fastest>("fastest_um_per_s"),
+    column<&HealthRow::force_imbalance>("force_imbalance"),
+}};
+
+constexpr std::array<TableColumn<GroupRow>, 11> group_table{{
+    column<&GroupRow::t>("t_s"),
+    {"x_um", [](const GroupRow& row) -> Field { return row.centre.x(); },
+     [](GroupRow& row, double value) { row.centre.x() = value; }},
+    {"y_um", [](const GroupRow& row) -> Field { return row.centre.y(); },
+     [](GroupRow& row, double value) { row.centre.y() = value; }},
+    column<&GroupRow::spread>("spread_um"),
+    column<&GroupRow::speed>("speed_um_per_h"),
+    column<&GroupRow::order>("order"),
+    {"direction_deg", [](const GroupRow& row) -> Field { return row.direction * 180.0 / std::numbers::pi; },
+     [](GroupRow& row, double value) { row.direction = value * std::numbers::pi / 180.0; }},
+    column<&GroupRow::nearest>("nearest_um"),
+    column<&GroupRow::gap>("gap_um"),
+    column<&GroupRow::contacts>("n_contacts"),
+    column<&GroupRow::step>("step"),
+}};
+
+/// A protrusion, and the parameters without which its relative force is not known.
+struct ProtrusionRow {
+  const ProtrusionRecord& r;
+  const Parameters& p;
+};
+
+template <auto member>
+constexpr TableColumn<ProtrusionRow> of_record(std::string_view name) {
+  return {name, [](const ProtrusionRow& row) { return column<member>("").get(row.r); }};
+}
+
+constexpr std::array<TableColumn<ProtrusionRow>, 13> protrusion_table{{
+    of_record<&ProtrusionRecord::id>("id"),
+    of_record<&ProtrusionRecord::centre>("centre_particle"),
+    of_record<&ProtrusionRecord::t_initiation>("t_initiation_s"),
+    of_record<&ProtrusionRecord::t_adhesion>("t_adhesion_s"),
+    of_record<&ProtrusionRecord::t_mature>("t_mature_s"),
+    of_record<&ProtrusionRecord::t_disassembly>("t_disassembly_s"),
+    of_record<&ProtrusionRecord::t_end>("t_end_s"),
+    of_record<&ProtrusionRecord::length>("length_um"),
+    {"direction_deg", [](const ProtrusionRow& row) -> Field { return row.r.direction * 180.0 / std::numbers::pi; }},
+    of_record<&ProtrusionRecord::f_mat>("f_mat"),
+    of_record<&ProtrusionRecord::force>("force_nN"),
+    {"f_adh_rel", [](const ProtrusionRow& row) -> Field { return relative_force(row.r, row.p); }},
+    {"cause", [](const ProtrusionRow& row) -> Field { return name(row.r.cause); }},
+}};
 
 } // namespace
 
+std::vector<std::string_view> track_columns(bool nucleus) { return names_of(track_table_of(nucleus)); }
+std::vector<Field> fields(const TrackRow& row) { return fields_of(track_table_of(row.nucleus.has_value()), row); }
+
 std::vector<TrackRow> track_rows_of(std::string_view text) {
   const Table table = read_table(text);
-  const bool nucleus = table.columns.size() > track_columns().size();
-  if (!std::ranges::equal(table.columns, track_columns(nucleus)))
-    throw InputOutputError("has columns of another table");
-  std::vector<TrackRow> rows;
-  rows.reserve(table.rows.size());
-  for (const std::vector<double>& field : table.rows) {
-    TrackRow& row = rows.emplace_back();
-    row = {.t = field[1],
-           .step = counted<std::uint64_t>(field[13]),
-           .cell = counted<std::uint32_t>(field[0] - 1.0),
-           .centre = {field[2], field[3]},
-           .area = field[4],
-           .perimeter = field[5],
-           .polarization = std::isnan(field[6]) ? std::nullopt : std::optional(field[6]),
-           .initiated = counted<std::uint32_t>(field[12])};
-    for (std::size_t k = 0; k < row.in_phase.size(); ++k) row.in_phase[k] = counted<std::uint32_t>(field[8 + k]);
-    if (nucleus) row.nucleus = {.centre = {field[14], field[15]}, .area = field[16], .aspect = field[17]};
-  }
-  return rows;
+  return rows_in(table, track_table_of(table.columns.size() > track_columns().size()));
 }
 
-std::vector<std::string_view> health_columns() {
-  return {"t_s",
-          "step",
-          "solver_iterations",
-          "solver_iterations_max",
-          "solver_residual",
-          "solver_residual_max",
-          "area_ratio",
-          "density_min",
-          "density_max",
-          "n_density_bounds",
-          "n_orphans",
-          "n_torn",
-          "n_engulfed",
-          "n_solid_inside",
-          "deepest_solid_um",
-          "crosses_itself",
-          "fastest_um_per_s",
-          "force_imbalance"};
-}
+std::vector<std::string_view> health_columns() { return names_of(health_table); }
+std::vector<Field> fields(const HealthRow& row) { return fields_of(health_table, row); }
+std::vector<HealthRow> health_rows_of(std::string_view text) { return rows_in(read_table(text), health_table); }
 
-std::vector<Field> fields(const HealthRow& row) {
-  return {row.t,
-          row.step,
-          count(static_cast<std::size_t>(row.iterations)),
-          count(static_cast<std::size_t>(row.max_iterations)),
-          row.residual,
-          row.largest_residual,
-          row.area_ratio,
-          row.density_min,
-          row.density_max,
-          count(row.density_bounds),
-          count(row.orphans),
-          count(row.torn),
-          count(row.engulfed),
-          count(row.solid_inside),
-          row.deepest_solid,
-          count(row.crosses_itself ? 1 : 0),
-          row.fastest,
-          row.force_imbalance};
-}
+std::vector<std::string_view> group_columns() { return names_of(group_table); }
+std::vector<Field> fields(const GroupRow& row) { return fields_of(group_table, row); }
+std::vector<GroupRow> group_rows_of(std::string_view text) { return rows_in(read_table(text), group_table); }
 
-std::vector<std::string_view> group_columns() {
-  return {"t_s",        "x_um",   "y_um",       "spread_um", "speed_um_per_h", "order", "direction_deg",
-          "nearest_um", "gap_um", "n_contacts", "step"};
-}
-
-std::vector<Field> fields(const GroupRow& row) {
-  return {row.t,
-          row.centre.x(),
-          row.centre.y(),
-          row.spread,
-          row.speed,
-          row.order,
-          row.direction * 180.0 / std::numbers::pi,
-          row.nearest,
-          row.gap,
-          count(row.contacts),
-          row.step};
-}
-
-std::vector<std::string_view> protrusion_columns() {
-  return {"id",      "centre_particle", "t_initiation_s", "t_adhesion_s", "t_mature_s", "t_disassembly_s",
-          "t_end_s", "length_um",       "direction_deg",  "f_mat",        "force_nN",   "f_adh_rel",
-          "cause"};
-}
-
+std::vector<std::string_view> protrusion_columns() { return names_of(protrusion_table); }
 std::vector<Field> fields(const ProtrusionRecord& r, const Parameters& p) {
-  return {count(r.id),  count(r.centre), r.t_initiation,
-          r.t_adhesion, r.t_mature,      r.t_disassembly,
-          r.t_end,      r.length,        r.direction * 180.0 / std::numbers::pi,
-          r.f_mat,      r.force,         relative_force(r, p),
-          name(r.cause)};
+  return fields_of(protrusion_table, ProtrusionRow{r, p});
 }
 
 std::vector<Field> with_cell(std::uint32_t cell, std::vector<Field> fields) {
@@ -207,10 +206,25 @@ std::vector<NamedValue> named_values(const ReadOuts& r) {
   return values;
 }
 
+std::string readouts_json() {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const ReadOutSpec& r : readout_table())
+    all.push_back({{"name", r.name},
+                   {"label", r.label},
+                   {"unit", r.unit},
+                   {"meaning", r.meaning},
+                   {"of_uniaxial_fibres", r.of_fibres},
+                   {"of_several_cells", r.of_groups}});
+  return all.dump(1) + "\n";
+}
+
 std::vector<NamedValue> shown_values(const ReadOuts& r, const Parameters& p) {
+  const bool fibres = p.fibres.arrangement == FibreArrangement::uniaxial;
   std::vector<NamedValue> values = named_values(r);
-  if (p.fibres.arrangement == FibreArrangement::uniaxial) return values;
-  std::erase_if(values, [](const NamedValue& v) { return find_readout(v.name)->of_fibres; });
+  std::erase_if(values, [&](const NamedValue& v) {
+    const ReadOutSpec& spec = *find_readout(v.name);
+    return spec.of_claims || (spec.of_fibres && !fibres);
+  });
   return values;
 }
 

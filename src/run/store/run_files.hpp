@@ -26,13 +26,17 @@ std::vector<Field> fields(const TrackRow& row);
 /// @throws InputOutputError if it is none
 std::vector<TrackRow> track_rows_of(std::string_view text);
 
-/// health.csv.
+/// health.csv, and its rows.
+/// @throws InputOutputError if it is none
 std::vector<std::string_view> health_columns();
 std::vector<Field> fields(const HealthRow& row);
+std::vector<HealthRow> health_rows_of(std::string_view text);
 
-/// group.csv, of several cells.
+/// group.csv, of several cells, and its rows; the direction is rounded.
+/// @throws InputOutputError if it is none
 std::vector<std::string_view> group_columns();
 std::vector<Field> fields(const GroupRow& row);
+std::vector<GroupRow> group_rows_of(std::string_view text);
 
 /// protrusions.csv of a single cell. That of several has the column `cell`, its number, before the others; so have
 /// msd.csv and summary.csv.
@@ -57,7 +61,12 @@ struct NamedValue {
 };
 std::vector<NamedValue> named_values(const ReadOuts& r);
 
-/// The read-outs that a run can have, for people: those of uniaxial fibres only if there are such fibres.
+/// What docs/readouts.json holds, for readers in other languages: all read-outs as a list of objects {name, label,
+/// unit, meaning, of_uniaxial_fibres, of_several_cells}.
+std::string readouts_json();
+
+/// The read-outs that a run can have, for people: those of uniaxial fibres only if there are such fibres, and none that
+/// claims alone need.
 std::vector<NamedValue> shown_values(const ReadOuts& r, const Parameters& p);
 
 /// "12.7 um/h from start to end, persistent (MSD slope 1.42), 21 protrusions.": persistent above a slope of 1.2,

@@ -157,6 +157,8 @@ RunMemory parse_memory(const std::string& text, const std::filesystem::path& fol
     for (const auto& [name, mark] : json.at("tables").items())
       memory.tables[name] = table_at(folder / name, integer<std::size_t>(mark.at(0)), mark.at(1));
     memory.rows = naming(folder / "tracks.csv", [&] { return track_rows_of(memory.tables.at("tracks.csv")); });
+    if (const auto group = memory.tables.find("group.csv"); group != memory.tables.end())
+      memory.group = naming(folder / "group.csv", [&] { return group_rows_of(group->second); });
     return memory;
   } catch (const Json::exception& error) {
     throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));

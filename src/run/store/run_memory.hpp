@@ -1,6 +1,7 @@
 #pragma once
 
 #include "observe/cell_scene.hpp"
+#include "observe/group.hpp"
 #include "observe/health.hpp"
 #include "observe/tracks.hpp"
 
@@ -18,6 +19,7 @@ namespace matrigrate::store {
 struct RunMemory {
   std::map<std::string, std::string> tables; ///< text of each table so far, by the name of its file
   std::vector<TrackRow> rows;                ///< those of tracks.csv
+  std::vector<GroupRow> group;               ///< those of group.csv
   HealthWatch watch;                         ///< since the last row of health.csv
   StepHealth counts;                         ///< since the start
   std::uint64_t step = 0;                    ///< of the checkpoint

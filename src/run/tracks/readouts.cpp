@@ -179,7 +179,7 @@ TrackParts::Part TrackParts::part(const Track& track, double interval) {
     part.ratios.push_back(path > 0.0 ? at.distance(0, k) / path : nan);
   }
   part.speed = mean_of_defined(lengths) * per_hour;
-  part.net_speed = std::hypot(track.x.back() - track.x.front(), track.y.back() - track.y.front()) / span * per_hour;
+  part.v_migr_abs = std::hypot(track.x.back() - track.x.front(), track.y.back() - track.y.front()) / span * per_hour;
   part.straightness = whole_ratio(track);
   part.windowed = windowed_ratio(at, lengths);
   part.anisotropy = anisotropy_of(at);
@@ -229,7 +229,7 @@ ReadoutValues TrackParts::readouts(std::span<const std::size_t> which, double er
           statistics::quantile(speeds, 0.5),
           statistics::quantile(speeds, 0.25),
           statistics::quantile(speeds, 0.75),
-          mean(&Part::net_speed),
+          mean(&Part::v_migr_abs),
           mean(&Part::straightness),
           mean(&Part::windowed),
           half_time(sums) * m_interval / 60.0,

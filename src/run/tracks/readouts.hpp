@@ -24,7 +24,7 @@ inline constexpr std::array<ReadoutMeaning, 14> track_readouts{{
     {"speed_median_um_per_h", "um/h", "the same, median over tracks"},
     {"speed_q25_um_per_h", "um/h", "the same, lower quartile over tracks"},
     {"speed_q75_um_per_h", "um/h", "the same, upper quartile over tracks"},
-    {"net_speed_um_per_h", "um/h", "speed from start to end, mean over tracks"},
+    {"v_migr_abs_um_per_h", "um/h", "speed from start to end, mean over tracks"},
     {"straightness", "", "distance from start to end over the length of the path, mean over tracks"},
     {"directionality_ratio", "", "the same over all windows of ten intervals, mean over tracks"},
     {"directionality_time_min", "min", "time from the start at which the mean of the ratio falls below one half"},
@@ -65,7 +65,7 @@ private:
     std::vector<double> squares; ///< sum of square displacements by lag
     std::vector<double> pairs;   ///< that it has
     std::vector<double> ratios;  ///< distance from the start over path, by time; NaN from a gap on
-    double speed, net_speed, straightness, windowed, anisotropy, angle, cosine;
+    double speed, v_migr_abs, straightness, windowed, anisotropy, angle, cosine;
   };
   static Part part(const Track& track, double interval);
 

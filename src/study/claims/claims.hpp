@@ -15,7 +15,7 @@
 /// How sentences are read: "rises" and "falls" compare the lowest with the highest value of the parameter,
 /// significantly; "unaffected" and "no significant change" mean no significant difference there; "slightly" asks for
 /// the sign only; a published mean agrees if it could be the mean of as many more runs of ours (published_mean_test);
-/// "a low f_adh_rel" is one below table_readouts.hpp's low_relative_force; "near 1" is within 0.25. Speeds along the
+/// "a low f_adh_rel" is one below readouts.hpp's low_relative_force; "near 1" is within 0.25. Speeds along the
 /// path are sampled every 60 s, since the paper names no interval.
 /// Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {

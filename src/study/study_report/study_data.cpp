@@ -7,7 +7,6 @@
 #include "study/design/axes.hpp"
 #include "study/design/range.hpp"
 #include "study/names.hpp"
-#include "study/table_readouts.hpp"
 #include "study_report/discrepancy_json.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"

@@ -2,6 +2,7 @@
 
 #include "observe/readout_table.hpp"
 #include "parameters/nearest.hpp"
+#include "protrusion/adhesion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -183,4 +184,63 @@ TEST(ReadOutTable, ReadsItsMember) {
   EXPECT_EQ(std::get<std::uint64_t>(find_readout("n_protrusions")->value(r)), 7U);
   EXPECT_EQ(find_readout("v_migr_abs_um_per_h")->meaning_with_unit(), "speed, start to end [um/h]");
   EXPECT_EQ(find_readout("n_protrusions")->meaning_with_unit(), "protrusions initiated");
+}
+
+TEST(ReadOutTable, HasThoseOfGroupsLast) {
+  const auto specs = readout_table();
+  EXPECT_TRUE(std::ranges::is_partitioned(specs, [](const ReadOutSpec& spec) { return !spec.of_groups; }));
+  EXPECT_EQ(std::ranges::count_if(specs, &ReadOutSpec::of_groups), 4);
+}
+
+TEST(ReadOuts, HaveSharesOfAdhesionsAndTimes) {
+  const Parameters p;
+  const double pull = mature_pull(0.5, p);
+  const std::vector<ProtrusionRecord> records{ended(mature(1, 9.0, 0.5), EndCause::disassembly, 2000.0, 0.2 * pull),
+                                              ended(mature(2, 9.0, 0.5), EndCause::disassembly, 2000.0, 0.9 * pull),
+                                              mature(3, 9.0, 0.5)};
+  std::vector<TrackRow> rows = zigzag(600.0, 3);
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].in_phase = {static_cast<std::uint32_t>(k), 0, 1, 0};
+  const ReadOuts r = readouts(rows, records, p);
+  EXPECT_DOUBLE_EQ(r.share_low_force, 0.5) << "of those that ended";
+  EXPECT_DOUBLE_EQ(r.share_2_or_3, 0.5) << "1, 2, 3 and 4 at a time";
+  EXPECT_TRUE(std::isnan(readouts(rows, {}, p).share_low_force));
+}
+
+TEST(ReadOuts, TheMigrationIndexIsTheWayAlongXOverThePath) {
+  // 5 um to (3, 4), 4 um down to (3, 0); the point at 300 s is left out.
+  const std::vector<TrackRow> rows{{.t = 0.0, .centre = {0.0, 0.0}, .polarization = {}},
+                                   {.t = 300.0, .centre = {-9.0, 9.0}, .polarization = {}},
+                                   {.t = 600.0, .centre = {3.0, 4.0}, .polarization = {}},
+                                   {.t = 1200.0, .centre = {3.0, 0.0}, .polarization = {}}};
+  EXPECT_DOUBLE_EQ(readouts(rows, {}, Parameters{}).migration_index, 3.0 / 9.0);
+  EXPECT_TRUE(std::isnan(readouts(std::span(rows).first(1), {}, Parameters{}).migration_index)) << "nothing moved";
+}
+
+TEST(ReadOuts, OfSeveralCellsTellWhatTheyDoTogether) {
+  // The first cell goes straight away from the second, which goes at a right angle; the third, far off, goes towards
+  // them.
+  const auto path = [](Vec2 from, Vec2 to) {
+    return std::vector<TrackRow>{{.t = 0.0, .centre = from, .polarization = {}},
+                                 {.t = 600.0, .centre = to, .polarization = {}}};
+  };
+  std::vector<CellResult> cells{{.cell = 0, .rows = path({0.0, 0.0}, {-5.0, 0.0})},
+                                {.cell = 1, .rows = path({30.0, 0.0}, {30.0, 5.0})},
+                                {.cell = 2, .rows = path({200.0, 0.0}, {190.0, 0.0})}};
+  const std::vector<GroupRow> group{{.nearest = 30.0, .contacts = 1},
+                                    {.order = 0.25, .nearest = 31.0, .contacts = 1},
+                                    {.order = 0.75, .nearest = 32.0},
+                                    {.order = 0.5, .nearest = 33.0}};
+  add_group(cells, group);
+  EXPECT_DOUBLE_EQ(cells[0].readouts.parting_index, 1.0);
+  EXPECT_DOUBLE_EQ(cells[1].readouts.parting_index, 0.0);
+  EXPECT_DOUBLE_EQ(cells[2].readouts.parting_index, -1.0);
+  for (const CellResult& cell : cells) {
+    EXPECT_DOUBLE_EQ(cell.readouts.share_in_contact, 0.5);
+    EXPECT_DOUBLE_EQ(cell.readouts.nearest, 33.0) << "at the end";
+    EXPECT_DOUBLE_EQ(cell.readouts.order, 0.5) << "mean of those that are defined";
+  }
+  std::vector<CellResult> alone{{.rows = path({0.0, 0.0}, {1.0, 0.0})}};
+  add_group(alone, group);
+  EXPECT_TRUE(std::isnan(alone[0].readouts.parting_index)) << "a single cell has no group";
+  EXPECT_TRUE(std::isnan(alone[0].readouts.nearest));
 }

@@ -3,6 +3,7 @@
 #include "ecm/bonds.hpp"
 #include "ecm/loop/fibres.hpp"
 #include "report/film_json.hpp"
+#include "store/run_files.hpp"
 #include "unit/draw/markup.hpp"
 #include "unit/observe/frames.hpp"
 
@@ -23,8 +24,17 @@ TEST(RunPage, HoldsTheRun) {
   const SmallRun run;
   const observe::Film film = run.film();
   const std::vector<TrackRow> rows{{.t = 0.0, .polarization = {}}, {.t = 60.0, .polarization = 0.5}};
-  const std::string health = "t_s,solver_iterations_max,area_ratio,density_min,density_max,force_imbalance\n"
-                             "0,3,1,1,1,\n60,7,0.75,0.5,1.25,0.125\n";
+  const std::vector<std::string_view> columns = store::health_columns();
+  std::string health = store::csv_line({columns.begin(), columns.end()});
+  for (const HealthRow& row :
+       {HealthRow{.max_iterations = 3, .area_ratio = 1.0, .density_min = 1.0, .density_max = 1.0},
+        HealthRow{.max_iterations = 7,
+        .area_ratio = 0.75,
+        .density_min = 0.5,
+        .density_max = 1.25,
+        .orphans = 2,
+        .force_imbalance = 0.125}})
+    health += store::csv_line(store::fields(row));
   const std::vector<ProtrusionRecord> records{{.id = 1, .t_initiation = 4.0}};
   std::vector<CellResult> cells{{.rows = rows, .records = records}};
   cells[0].readouts.v_migr_abs = 4.5;
@@ -50,12 +60,12 @@ TEST(RunPage, HoldsTheRun) {
   EXPECT_EQ(data.at("protrusions").at(0).at("t_end_s").dump(), "null");
   const ordered_json& signs = data.at("health");
   const std::vector<std::pair<std::string, std::string>> expected{{"solver_iterations_max", "7.0"},
-                                                                  {"solver_residual_max", "null"},
+                                                                  {"solver_residual_max", "0.0"},
                                                                   {"force_imbalance", "0.125"},
-                                                                  {"n_orphans", "null"},
-                                                                  {"n_torn", "null"},
-                                                                  {"n_engulfed", "null"},
-                                                                  {"n_solid_inside", "null"},
+                                                                  {"n_orphans", "2.0"},
+                                                                  {"n_torn", "0.0"},
+                                                                  {"n_engulfed", "0.0"},
+                                                                  {"n_solid_inside", "0.0"},
                                                                   {"area_ratio", "0.25"},
                                                                   {"density_max", "0.5"}};
   ASSERT_EQ(signs.size(), expected.size());

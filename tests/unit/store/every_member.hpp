@@ -80,6 +80,10 @@ inline auto members(TrackRow& s) {
   auto& [t, step, cell, centre, area, perimeter, polarization, in_phase, initiated, nucleus] = s;
   return std::tie(t, step, cell, centre, area, perimeter, polarization, in_phase, initiated, nucleus);
 }
+inline auto members(GroupRow& s) {
+  auto& [t, step, centre, spread, speed, order, direction, nearest, gap, contacts] = s;
+  return std::tie(t, step, centre, spread, speed, order, direction, nearest, gap, contacts);
+}
 inline auto members(HealthWatch& s) {
   auto& [max_iterations, largest_residual] = s;
   return std::tie(max_iterations, largest_residual);
@@ -105,8 +109,9 @@ inline auto members(observe::CellScene& s) {
   return std::tie(t, radius, spacing, matrix, obstacles, cells, protrusions);
 }
 inline auto members(store::RunMemory& s) {
-  auto& [tables, rows, watch, counts, step, force_imbalance, scenes, frames, trajectory, march_wall_time] = s;
-  return std::tie(tables, rows, watch, counts, step, force_imbalance, scenes, frames, trajectory, march_wall_time);
+  auto& [tables, rows, group, watch, counts, step, force_imbalance, scenes, frames, trajectory, march_wall_time] = s;
+  return std::tie(tables, rows, group, watch, counts, step, force_imbalance, scenes, frames, trajectory,
+                  march_wall_time);
 }
 
 inline constexpr std::size_t list_length = 4; ///< as many as there are phases: each occurs

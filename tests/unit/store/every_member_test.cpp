@@ -47,7 +47,12 @@ RunMemory full_memory() {
   std::string& tracks = memory.tables["tracks.csv"] = store::csv_line({columns.begin(), columns.end()});
   for (const TrackRow& row : memory.rows) tracks += store::csv_line(store::fields(row));
   memory.tables["health.csv"] = "t_s\n0\n";
-  memory.tables["group.csv"] = "t_s\n";
+  const std::vector<std::string_view> group_columns = store::group_columns();
+  std::string& group = memory.tables["group.csv"] = store::csv_line({group_columns.begin(), group_columns.end()});
+  for (GroupRow& row : memory.group) {
+    row.direction = 0.0; // is rounded in degrees
+    group += store::csv_line(store::fields(row));
+  }
   return memory;
 }
 

@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <stdexcept>
@@ -117,6 +118,19 @@ TEST(Tracks, AreReadBackToTheLastBit) {
   }
 }
 
+TEST(Health, IsReadBackToTheLastBit) {
+  const HealthRow written{
+      .t = 1.0 / 3.0, .step = 7, .iterations = 4, .residual = 1e-300, .torn = 3, .crosses_itself = true};
+  const std::vector<std::string_view> columns = health_columns();
+  const std::string text = csv_line({columns.begin(), columns.end()}) + csv_line(fields(written));
+  const std::vector<HealthRow> rows = health_rows_of(text);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(csv_line(fields(rows[0])), csv_line(fields(written)));
+  EXPECT_TRUE(rows[0].crosses_itself);
+  EXPECT_TRUE(std::isnan(rows[0].area_ratio));
+  EXPECT_THROW(group_rows_of(text), InputOutputError) << "another table";
+}
+
 TEST(Tracks, AreNoOtherTable) {
   const std::vector<std::string_view> columns = track_columns();
   const std::string header = csv_line({columns.begin(), columns.end()});
@@ -194,10 +208,11 @@ TEST(Msd, HasTheNumberOfTheCellWhereThereAreSeveral) {
 
 TEST(Summary, LeavesOutForPeopleWhatARunCannotHave) {
   Parameters p;
-  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + 5);
+  constexpr std::size_t of_claims = 7;
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + 5 + of_claims);
   for (const NamedValue& v : shown_values({}, p)) EXPECT_EQ(v.meaning.find("fibres"), std::string_view::npos) << v.name;
   p.fibres.arrangement = FibreArrangement::uniaxial;
-  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size());
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + of_claims);
 }
 
 TEST(Summary, SaysInASentenceWhatCameOut) {

@@ -2,7 +2,6 @@
 
 #include "store/csv.hpp"
 #include "study/comparison.hpp"
-#include "study/table_readouts.hpp"
 
 #include <gtest/gtest.h>
 

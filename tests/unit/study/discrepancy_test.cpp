@@ -1,7 +1,6 @@
 #include "study/discrepancy.hpp"
 
 #include "statistics/bootstrap.hpp"
-#include "study/table_readouts.hpp"
 #include "unit/study/studies.hpp"
 
 #include <gtest/gtest.h>

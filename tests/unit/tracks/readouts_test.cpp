@@ -43,7 +43,7 @@ TEST(TrackReadouts, OfAStraightTrack) {
   std::vector<double> x;
   for (int k = 0; k <= 20; ++k) x.push_back(0.5 * k);
   const Tracks straight = one(x, std::vector<double>(21, 0.0));
-  for (const char* name : {"speed_um_per_h", "speed_median_um_per_h", "net_speed_um_per_h"})
+  for (const char* name : {"speed_um_per_h", "speed_median_um_per_h", "v_migr_abs_um_per_h"})
     EXPECT_DOUBLE_EQ(readout(straight, name), 30.0) << name;
   for (const char* name : {"straightness", "directionality_ratio", "turning_cosine"})
     EXPECT_DOUBLE_EQ(readout(straight, name), 1.0) << name;
@@ -56,7 +56,7 @@ TEST(TrackReadouts, OfAStraightTrack) {
 
 TEST(TrackReadouts, OfASquare) {
   const Tracks square = one({0, 1, 1, 0, 0}, {0, 0, 1, 1, 0});
-  EXPECT_EQ(readout(square, "net_speed_um_per_h"), 0.0);
+  EXPECT_EQ(readout(square, "v_migr_abs_um_per_h"), 0.0);
   EXPECT_DOUBLE_EQ(readout(square, "speed_um_per_h"), 60.0);
   EXPECT_DOUBLE_EQ(readout(square, "turning_angle_deg"), 90.0);
   EXPECT_NEAR(readout(square, "turning_cosine"), 0.0, 1e-15);
@@ -73,7 +73,7 @@ TEST(TrackReadouts, PairsAcrossAGapOnly) {
   Tracks gap = one({0, 1, 3}, {0, 0, 0});
   gap.tracks[0].k = {0, 1, 3};
   EXPECT_DOUBLE_EQ(readout(gap, "speed_um_per_h"), 60.0) << "the step over the gap is none";
-  EXPECT_DOUBLE_EQ(readout(gap, "net_speed_um_per_h"), 60.0);
+  EXPECT_DOUBLE_EQ(readout(gap, "v_migr_abs_um_per_h"), 60.0);
   const std::vector<std::size_t> all{0};
   EXPECT_EQ(TrackParts(gap).msd(all), (std::vector<double>{1, 4, 9}));
 }
