@@ -62,12 +62,12 @@ Typed typed_string(const Row& row, const std::string& text) {
     quantity = units::parse_quantity(text);
     typed = {quantity.number, units::parse_unit(quantity.unit), quoted_excerpt(text)};
   } catch (const std::invalid_argument& error) {
-    const std::string_view what = error.what();
-    if (what.starts_with("has a comma")) throw std::invalid_argument(fmt::format("{} {}", quoted_excerpt(text), what));
-    const bool names_itself = what.starts_with('"') || what.starts_with("the ");
-    const std::string advice = what.ends_with('?') ? std::string() : "; " + such; // it has its own
+    const auto* more = dynamic_cast<const units::Unreadable*>(&error);
+    const char* link = more != nullptr && more->names_part ? ": " : " ";
+    if (more != nullptr && more->advises)
+      throw std::invalid_argument(fmt::format("{}{}{}", quoted_excerpt(text), link, error.what()));
     throw std::invalid_argument(
-        fmt::format("{}{}{}{}", quoted_excerpt(text), names_itself ? ": " : " ", excerpt(what, 120), advice));
+        fmt::format("{}{}{}; {}", quoted_excerpt(text), link, excerpt(error.what(), 120), such));
   }
   if (quantity.unit.empty())
     throw std::invalid_argument(

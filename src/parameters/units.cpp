@@ -252,13 +252,17 @@ Unit parse_unit(std::string_view text) {
   bool first = !divide;
   while (!first || !scan.at_end()) {
     const std::string_view symbol = scan.symbol();
-    if (symbol.empty()) throw std::invalid_argument(fmt::format("\"{}\" is not a unit", text));
+    if (symbol.empty()) throw Unreadable(fmt::format("\"{}\" is not a unit", text), true, false);
     const auto factor = find_symbol(symbol);
-    if (!factor) throw std::invalid_argument(fmt::format("\"{}\" is not a unit{}", symbol, unit_meant(symbol)));
+    if (!factor) {
+      const std::string meant = unit_meant(symbol);
+      throw Unreadable(fmt::format("\"{}\" is not a unit{}", symbol, meant), true, !meant.empty());
+    }
     int exponent = one;
     if (scan.take("^")) {
       const auto given = scan.exponent();
-      if (!given) throw std::invalid_argument(fmt::format("the exponent of {} in \"{}\" cannot be read", symbol, text));
+      if (!given)
+        throw Unreadable(fmt::format("the exponent of {} in \"{}\" cannot be read", symbol, text), true, false);
       exponent = *given;
     }
     multiply(unit, *factor, divide ? -exponent : exponent);
@@ -284,8 +288,8 @@ Quantity parse_quantity(std::string_view text) {
   if (end == 0) throw std::invalid_argument("is not a number with a unit");
   std::string_view unit = text.substr(end);
   if (unit.size() > 1 && unit[0] == ',' && is_digit(unit[1]))
-    throw std::invalid_argument(
-        fmt::format("has a comma; did you mean \"{}.{}\"?", text.substr(0, end), unit.substr(1)));
+    throw Unreadable(fmt::format("has a comma; did you mean \"{}.{}\"?", text.substr(0, end), unit.substr(1)), false,
+                     true);
   if (auto sum = sum_of_times(text)) return *std::move(sum);
   while (!unit.empty() && is_space(unit.front())) unit.remove_prefix(1);
   return {std::string(text.substr(0, end)), std::string(unit)};

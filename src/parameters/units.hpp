@@ -36,10 +36,19 @@ struct Unit {
   bool decimal() const { return two == 0 && three == 0 && pi == 0 && ten % 1000 == 0; }
 };
 
+/// Why a text is no number with a unit.
+struct Unreadable : std::invalid_argument {
+  Unreadable(const std::string& why, bool part, bool advice)
+      : std::invalid_argument(why), names_part(part), advises(advice) {}
+
+  bool names_part; ///< it begins with the part of the text that it is about
+  bool advises;    ///< it ends with what may be meant
+};
+
 /// Reads a product of powers, left to right: "Pa", "nN s/um^2", "N/m^1.5", "1/s", "kg/m^3"; "1" or nothing is a ratio.
 /// Symbols: m, g, s, N, Pa with the SI prefixes p n u (or µ) m k M G, cm; times also in words ("min", "minutes", "h",
 /// "hours", "d", "days"); angles: rad, deg, °, degrees.
-/// @throws std::invalid_argument saying what cannot be read
+/// @throws std::invalid_argument saying what cannot be read, Unreadable where there is more to say of it
 Unit parse_unit(std::string_view text);
 
 /// a/b.
@@ -52,7 +61,7 @@ struct Quantity {
 };
 
 /// Splits "1e-3 N/m" into its number and its unit. Times may be added up: "6 h 30 min" is 23400 s.
-/// @throws std::invalid_argument if it does not start with a number, or has a decimal comma
+/// @throws std::invalid_argument if it does not start with a number; Unreadable if it has a decimal comma
 Quantity parse_quantity(std::string_view text);
 
 /// @param number  text of a decimal, as in Quantity

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/scan.hpp"
+#include "store/columns.hpp"
 #include "store/csv.hpp"
 #include "store/naming.hpp"
 #include "tracks/read_tracks.hpp"
@@ -48,8 +49,8 @@ std::vector<CellTrack> measured_tracks(const std::filesystem::path& file, tracks
   notes.insert(notes.end(), found.notes.begin(), found.notes.end());
   std::vector<CellTrack> all;
   for (const tracks::Track& track : found.tracks) {
-    CellTrack& own =
-        all.emplace_back(CellTrack{.cell = static_cast<double>(all.size() + 1), .t = {}, .x = track.x, .y = track.y});
+    CellTrack& own = all.emplace_back(
+        CellTrack{.cell = static_cast<std::uint32_t>(all.size() + 1), .t = {}, .x = track.x, .y = track.y});
     for (const std::size_t k : track.k) own.t.push_back(static_cast<double>(k) * found.interval);
   }
   return all;
@@ -86,7 +87,7 @@ std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder) {
   const std::vector<double>&t = columns[0], &x = columns[1], &y = columns[2];
   std::vector<CellTrack> tracks;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    const double number = cell.empty() ? 1.0 : cell[i];
+    const auto number = cell.empty() ? 1 : store::naming(file, [&] { return store::counted<std::uint32_t>(cell[i]); });
     auto own = std::ranges::find(tracks, number, &CellTrack::cell);
     if (own == tracks.end()) own = tracks.insert(own, CellTrack{.cell = number, .t = {}, .x = {}, .y = {}});
     own->t.push_back(t[i]);

@@ -2,6 +2,7 @@
 
 #include "tracks/options.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,9 +13,9 @@ namespace matrigrate::study {
 
 /// The rows of tracks.csv that belong to one cell, in the order of time.
 struct CellTrack {
-  double cell = 1.0;     ///< number of the cell
-  std::vector<double> t; ///< [s]
-  std::vector<double> x; ///< centre of mass [um]
+  std::uint32_t cell = 1; ///< number of the cell
+  std::vector<double> t;  ///< [s]
+  std::vector<double> x;  ///< centre of mass [um]
   std::vector<double> y;
 };
 

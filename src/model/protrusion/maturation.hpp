@@ -24,8 +24,8 @@ double longest_maturation(const Parameters& p);
 /// f_mat while maturing, after a number of steps done: 0.1 (steps + 1), at most 1 [-].
 double maturing_f_mat(int steps);
 
-/// Force of the adhesion at which the running step is done: (f_mat - 0.1) F_am + 0.98 x 0.1 F_am, with the F_am of
-/// maturation_force() [nN].
+/// Force of the adhesion at which the running step is done: (f_mat - 0.1) F_am + step_threshold x 0.1 F_am, with the
+/// F_am of maturation_force() [nN].
 double step_force(int steps, const Parameters& p);
 
 /// Whether the running step is done: the adhesion bears its force, and, if it is the first one, the recoil of growth is
@@ -48,10 +48,9 @@ double time_since_done(int steps, double F, double loading, const Parameters& p,
 double final_f_mat(int steps, double last_step, double F, const Parameters& p);
 
 /// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot, and the high drag of
-/// pinned_particles at either end of it that pins its base.
+/// pinned_particles at either end of it that pins its base; also the pull that is left of F_mat in contracting
+/// protrusions, between the centre and both ends of the base.
 /// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
-/// Also the pull that is left of F_mat in contracting protrusions, between the centre and both
-/// ends of the base.
 void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
                     DragSystem& A);
 

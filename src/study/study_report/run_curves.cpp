@@ -83,9 +83,8 @@ std::string paths_csv(const Study& study, const std::vector<Result>& results,
     for (const auto& [cell, t, x, y] : cell_tracks(folder))
       for (std::size_t k = 0; k < t.size(); ++k) {
         if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
-        csv +=
-            fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
-                        several ? fmt::format("{:.0f},", cell) : "", store::csv_text(study.points[r.run.point].label));
+        csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
+                           several ? fmt::format("{},", cell) : "", store::csv_text(study.points[r.run.point].label));
       }
   });
   return csv;

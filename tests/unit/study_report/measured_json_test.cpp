@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-CellTrack straight(double cell, double x, std::size_t positions) {
+CellTrack straight(std::uint32_t cell, double x, std::size_t positions) {
   CellTrack track{.cell = cell, .t = {}, .x = {}, .y = {}};
   for (std::size_t i = 0; i < positions; ++i) {
     track.t.push_back(60.0 * static_cast<double>(i));
