@@ -4,7 +4,6 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/scan.hpp"
-#include "store/columns.hpp"
 #include "store/csv.hpp"
 #include "store/naming.hpp"
 #include "tracks/read_tracks.hpp"
@@ -13,11 +12,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace matrigrate::study {
 
 namespace {
+
+/// @throws InputOutputError if it is no number of a cell
+std::uint32_t cell_number(double field) {
+  if (field >= 1.0 && field < 4294967296.0 && field == std::floor(field)) return static_cast<std::uint32_t>(field);
+  throw InputOutputError(fmt::format("has {} in the column track, where cells are numbered from 1", field));
+}
 
 /// @throws ConfigurationError if tracks have gaps
 void require_no_gaps(const tracks::Tracks& found, const std::string& file) {
@@ -87,7 +93,7 @@ std::vector<CellTrack> cell_tracks(const std::filesystem::path& run_folder) {
   const std::vector<double>&t = columns[0], &x = columns[1], &y = columns[2];
   std::vector<CellTrack> tracks;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    const auto number = cell.empty() ? 1 : store::naming(file, [&] { return store::counted<std::uint32_t>(cell[i]); });
+    const std::uint32_t number = cell.empty() ? 1 : store::naming(file, [&] { return cell_number(cell[i]); });
     auto own = std::ranges::find(tracks, number, &CellTrack::cell);
     if (own == tracks.end()) own = tracks.insert(own, CellTrack{.cell = number, .t = {}, .x = {}, .y = {}});
     own->t.push_back(t[i]);

@@ -61,7 +61,7 @@ TEST_F(ReadOutsOfTables, NeedWholeTables) {
   write_file(folder / "tracks.csv", track_header + "1,0,0,0,1,1,,1,1,0,0,0,0,0\n1,600,3,4,1,1,,1,1,0,0,0,0,9\n");
   EXPECT_DOUBLE_EQ(value("migration_index_x"), 0.6);
   EXPECT_TRUE(std::isnan(value("order"))) << "a single cell has no group";
-  write_file(folder / "protrusions.csv", "id\n");
+  write_file(folder / "protrusions.csv", "id\n1\n");
   EXPECT_THROW(value("order"), InputOutputError) << "no f_adh_rel";
 }
 

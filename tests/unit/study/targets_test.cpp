@@ -1,5 +1,6 @@
 #include "study/conditions.hpp"
 
+#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "unit/study/studies.hpp"
 
@@ -254,6 +255,20 @@ TEST_F(MeasuredTracks, EachFaultHasItsLine) {
             "f.toml:9:12: targets.interval: tells how tracks are read; there are none: write tracks = \"FILE\"");
   const std::string missing = faults(head + good, speed + "tracks = \"d.csv\"\n");
   EXPECT_EQ(missing.find("f.toml:7:10: targets.tracks: d.csv: "), 0U) << missing;
+}
+
+TEST_F(MeasuredTracks, ThoseOfARunAreTheRowsOfItsCells) {
+  const std::filesystem::path table = folder / "tracks.csv";
+  write_file(table, "track,t_s,x_um,y_um\n1,0,0,1\n2,0,5,6\n1,60,2,3\n");
+  const std::vector<CellTrack> tracks = cell_tracks(folder);
+  ASSERT_EQ(tracks.size(), 2U);
+  EXPECT_EQ(tracks[0].x, (std::vector<double>{0.0, 2.0}));
+  EXPECT_EQ(tracks[1].cell, 2U);
+  for (const char* wrong : {"track,t_s,x_um,y_um\n1.5,0,0,1\n", "track,t_s,x_um,y_um\n0,0,0,1\n",
+                            "track,t_s,x_um,y_um\n,0,0,1\n", "t_s,x_um\n0,0\n", "x_um,y_um\n0,0\n"}) {
+    write_file(table, wrong);
+    EXPECT_THROW(cell_tracks(folder), InputOutputError) << wrong;
+  }
 }
 
 } // namespace
