@@ -16,7 +16,7 @@ Vec2 outward(const CortexState& c, std::size_t i) { return -perpendicular(c.x[c.
 
 /// Outward direction at the closest point: of the segment, or of both segments that meet at its end.
 Vec2 outward_at(const CortexState& c, std::size_t i, double s) {
-  const Vec2 own = outward(c, i).normalized();
+  Vec2 own = outward(c, i).normalized();
   if (s <= 0.0) return own + outward(c, c.previous(i)).normalized();
   if (s >= 1.0) return own + outward(c, c.next(i)).normalized();
   return own;
