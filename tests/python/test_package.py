@@ -55,7 +55,7 @@ class Package(common.InTemporaryFolder):
         self.assertEqual((version, modulus, status, page), (matrigrate.__version__, 200.0, "done", "<p>a cell"))
 
     def test_a_package_without_the_live_page_asks_the_program_and_says_where_to_get_it(self):
-        for program, words in (("/no/such/program", "no program that has it"), (str(self.program_without_page()), "web/build.sh builds it")):
+        for program, words in (("/no/such/program", "no program that has it"), (str(self.program_without_page()), "A clone has it in live/")):
             with unittest.mock.patch.dict(os.environ, {"MATRIGRATE": program}), self.assertRaisesRegex(matrigrate.InputOutputError, words):
                 matrigrate.live(show=False)
 
