@@ -19,7 +19,7 @@ def live(*, show: bool = True) -> Path:
     if not page.is_file():
         if _program.find() is None:
             raise InputOutputError(f"the live page is not here: there is no {page}, and no program that has it. The wheel, the Debian "
-                                   "package and the folder of a release have the page; in a clone web/build.sh builds it")
+                                   "package and the folder of a release have the page; a clone has it in live/")
         outcome = _program.call(["live", "--print"])
         _program.raise_for(outcome, None)
         page = Path(outcome.out.strip())
