@@ -29,9 +29,8 @@ struct LiveArguments {
 std::vector<std::string> places() {
   const fs::path folder = platform::program_file().parent_path();
   std::vector<std::string> all;
-  for (const char* place :
-       {"../share/matrigrate/live.html", "../live.html", "../../web/live/index.html", "../../../pages/live.html",
-        "../../../live/index.html"})
+  for (const char* place : {"../share/matrigrate/live.html", "../live.html", "../../web/live/index.html",
+                            "../../../pages/live.html", "../../../live/index.html"})
     all.push_back((folder / place).lexically_normal().string());
   return all;
 }
@@ -40,10 +39,10 @@ fs::path live_page() {
   std::error_code error;
   for (const std::string& place : places())
     if (fs::is_regular_file(place, error)) return place;
-  throw InputOutputError(fmt::format(
-      "the live page is not here: there is none of {}. A clone has it in live/; so have the Debian package, the wheel and "
-      "the folder of a release",
-      fmt::join(places(), ", ")));
+  throw InputOutputError(fmt::format("the live page is not here: there is none of {}. A clone has it in live/; so have "
+                                     "the Debian package, the wheel and "
+                                     "the folder of a release",
+                                     fmt::join(places(), ", ")));
 }
 
 int copy_page(const fs::path& page, const fs::path& file) {
