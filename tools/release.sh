@@ -99,7 +99,7 @@ sources() {
     cp "$pages/$page.html" "$work/$name/pages/" || die "there are no built pages in $pages"
   done
   live=$(live_page)
-  if [ -n "$live" ]; then cp "$live" "$work/$name/pages/live.html"; fi
+  if [ "$live" = build/web/live/index.html ]; then cp "$live" "$work/$name/pages/live.html"; fi # else it is in live/
   echo "$commit" >"$work/$name/COMMIT"
 }
 
