@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # One of the checks that ./test leaves out. Installs what is missing for it.
 #   tools/check.sh dev|asan|tsan     builds with this preset, each source alone, and runs the tests of ./test
-#   tools/check.sh tidy              clang-tidy on every source
+#   tools/check.sh tidy              clang-tidy on every source, in large units
 #   tools/check.sh fuzz [SECONDS]    each fuzzer from its corpus, for 300 s unless told otherwise
 #   tools/check.sh coverage          which lines the tests run
 #   tools/check.sh alone             does each source compile alone, with g++ and with clang?
@@ -16,6 +16,16 @@ clang: the other compiler
 built() {
   cmake --preset "$check" -DMATRIGRATE_TESTS=ON >/dev/null || die "the build could not be configured"
   cmake --build --preset "$check" -j "$(job_count)" || die "the build failed"
+}
+
+# tidied: clang-tidy on each unit of sources; it looks into all files of src, apps, tests and benchmarks (.clang-tidy). Each unit includes
+# sources, which is suspicious elsewhere.
+tidied() {
+  cmake --preset tidy -DMATRIGRATE_TESTS=ON >/dev/null || die "the build could not be configured"
+  cmake --build --preset tidy --target matrigrate_build_info >/dev/null
+  python3 -c 'import json; print(*sorted({one["file"] for one in json.load(open("build/tidy/compile_commands.json")) if "header_sets" not in one["file"]}), sep="\0", end="")' |
+    xargs -0 -n 1 -P "$(job_count)" clang-tidy --quiet --warnings-as-errors='*' --checks=-bugprone-suspicious-include -p build/tidy ||
+    die "clang-tidy found something"
 }
 
 # fuzzed SECONDS: new inputs are kept below build/fuzz/found, inputs that fail in build/fuzz/failed-*.
@@ -35,13 +45,15 @@ case $check in
 dev | asan | tsan)
   install_packages "$packages_to_build$packages_to_test"
   built
+  export TSAN_OPTIONS=suppressions=$PWD/tools/tsan.supp LSAN_OPTIONS=suppressions=$PWD/tools/lsan.supp
+  export ASAN_OPTIONS=allocator_may_return_null=1 # HDF5 asks for memory of any size where a file says so
   ctest --preset "$check" -j "$(nproc)"
   ;;
 tidy)
   install_packages "$packages_to_build$packages_to_test$clang
 clang-tidy: the check
 "
-  built
+  tidied
   ;;
 fuzz)
   install_packages "$packages_to_build$packages_to_test$clang"

@@ -144,9 +144,6 @@ private:
 
   void read_head() {
     if (const auto* node = get("title")) m_study.title = m_faults.text(*node, "title");
-    if (const auto* node = get("in_place_of"))
-      m_faults.add(place_of(*node), "in_place_of",
-                   "has gone with the first set of closures; the version of the tag closures-2 has both");
     if (const auto* node = get("seed")) m_study.seed = m_faults.whole(*node, "seed", 0, largest_seed);
     if (const auto* node = get("common_random_numbers"))
       m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");

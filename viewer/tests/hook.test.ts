@@ -52,7 +52,7 @@ test("pictures of the hook are those of the player", async () => {
   for (const time of ["0 min", "10 min", "1 h 05 min", "1 h 50 min", "2 h 00 min"])
     assert.equal(drawn.several.split(`>${time}</text>`).length, 2, time);
   assert.equal(drawn.several.match(/<image /g)?.length, 5);
-  assert.equal(drawn.several.match(/>Pressure \[/g)?.length, 1, "one colour bar");
+  assert.equal(drawn.several.match(/>Pressure \(/g)?.length, 1, "one colour bar");
   for (const sign of ["front", "maturing", "path of the centre"]) assert.ok(drawn.several.includes(`>${sign}</text>`), sign);
   const names = [...drawn.several.matchAll(/ id="([^"]*)"/g)].map(([, name]) => name);
   assert.equal(new Set(names).size, names.length, "a name stands twice");

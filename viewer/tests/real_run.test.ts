@@ -136,7 +136,7 @@ test("a movie of the program shows what the player shows", { skip: program === u
 test("the program draws pictures of frames and a panel", { skip: program === undefined }, () =>
   within(async (folder, browser) => {
     execFileSync(program!, ["run", "s.toml", "-o", "run", "--quiet"], { cwd: folder });
-    const options = ["--png", "--size", "640x480", "--panel", "0 s, 24 s, 55 s", "--layer", "pressure", "-o", "out"];
+    const options = ["--png", "--whole", "--size", "640x480", "--panel", "0 s, 24 s, 55 s", "--layer", "pressure", "-o", "out"];
     const said = spawnSync(program!, ["export", "run", ...options], { cwd: folder, encoding: "utf8" });
     assert.equal(said.stderr, "matrigrate: --panel: there is no frame at 55 s; the nearest is taken, at 1 min\n");
     const frames = [0, 1, 2, 3, 4, 5].flatMap((k) => [`frame_000${k}.png`, `frame_000${k}.svg`]);

@@ -77,7 +77,7 @@ TEST(ReadClaims, OfEarlierVersionsAreThoseOfTheRulesOfToday) {
                   .ends_with("claims.closures: has gone with the first set of closures; the version of the tag "
                              "closures-2 has both"));
   EXPECT_EQ(fault_of("in_place_of = \"stiffness\"\n"),
-            "f.toml:3:15: in_place_of: has gone with the first set of closures; the version of the tag closures-2 has "
+            "f.toml:3:1: in_place_of: has gone with the first set of closures; the version of the tag closures-2 has "
             "both");
 }
 
