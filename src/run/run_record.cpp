@@ -150,7 +150,7 @@ void require_unchanged(const fs::path& folder, const Json& record) {
 }
 
 std::string scenario_name(const Json& record, const fs::path& folder) {
-  if (const std::string name = text_of(record, "scenario"); !name.empty()) return name;
+  if (std::string name = text_of(record, "scenario"); !name.empty()) return name;
   for (const fs::path file : words_of(value_of(record, "command_line"))) {
     if (file.extension() != ".toml") continue;
     if (file.filename() != "scenario.resolved.toml") return file.stem().string();

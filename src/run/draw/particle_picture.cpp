@@ -85,14 +85,15 @@ std::string dots(const ParticlePicture& p, const ColourScale& scale, const Proje
   for (std::size_t i = 0; i < p.position.size(); ++i) {
     if (!finite(p.position[i])) continue;
     const Vec2 a = projection.at(p.position[i]);
-    path[static_cast<std::size_t>(scale.level(p.value[i]) + 1)] += 'M' + svg::point(a.x(), a.y()) + "h0";
+    const int level = scale.level(p.value[i]);
+    path[level < 0 ? 0 : 1 + static_cast<std::size_t>(level)] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
   std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"square\" stroke-width=\"{:.2f}\">\n",
                                 overlap * p.particle_size * projection.scale);
-  for (int level = -1; level < colour_levels; ++level) {
-    const auto& data = path[static_cast<std::size_t>(level + 1)];
+  for (int level = -1; const std::string& data : path) {
     const std::string c = level < 0 ? std::string(missing) : level_colour(level);
     if (!data.empty()) out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", c, data);
+    ++level;
   }
   return out + "</g>\n";
 }
