@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <random>
 #include <system_error>
@@ -47,14 +46,7 @@ struct SampleArguments {
 /// A folder of the system's, removed with its contents by the destructor.
 struct TemporaryFolder {
   TemporaryFolder() {
-    std::error_code error;
-    const std::filesystem::path above = std::filesystem::temp_directory_path(error);
-    if (error) {
-      const char* named = std::getenv("TMPDIR");
-      throw InputOutputError(fmt::format("{}: is no folder to work in: {}; TMPDIR names another one",
-                                         named == nullptr ? "/tmp" : named, error.message()));
-    }
-    std::string name = (above / "matrigrate.XXXXXX").string();
+    std::string name = (temporary_folder() / "matrigrate.XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
       throw InputOutputError(fmt::format("{}: cannot be written: {}; TMPDIR names another folder to work in", name,
                                          std::generic_category().message(errno)));

@@ -162,6 +162,7 @@ void require_drawable(const run::FinishedRun& run, const DrawnOptions& options) 
 }
 
 void require_drawing_tools(const DrawnKinds& kinds) {
+  temporary_folder(); // the browser works there
   std::vector<std::string> missing;
   std::vector<std::string> packages;
   const auto need = [&](bool there, const std::string& program, const std::string& package) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -204,6 +205,14 @@ void make_output_folder(const std::filesystem::path& path, bool force) {
   }
   std::filesystem::create_directories(path, error);
   if (error) fail(path, "cannot be made: " + error.message());
+}
+
+std::filesystem::path temporary_folder() {
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (!error) return folder;
+  const char* named = std::getenv("TMPDIR");
+  fail(named == nullptr ? "/tmp" : named, "is no folder to work in: " + error.message() + "; TMPDIR names another one");
 }
 
 } // namespace matrigrate

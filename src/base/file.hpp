@@ -58,4 +58,8 @@ std::string read_start(const std::filesystem::path& path, std::size_t bytes);
 /// @throws InputOutputError naming the path and the reason
 void make_output_folder(const std::filesystem::path& path, bool force);
 
+/// The folder for what is not to be kept: TMPDIR, or the system's.
+/// @throws InputOutputError if there is no such folder
+std::filesystem::path temporary_folder();
+
 } // namespace matrigrate

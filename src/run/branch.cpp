@@ -122,21 +122,27 @@ double begin_of(const BranchOptions& how, const Origin& origin, const Parameters
                   wanted, after.run.duration));
 }
 
-/// Whether a folder holds the same branch, which was killed before it had a checkpoint.
-bool holds_its_beginning(const fs::path& folder, const Parameters& p, const Json& event) {
+/// Whether a folder holds the same branch.
+bool holds_the_branch(const fs::path& folder, const Parameters& p, const Json& event) {
   const Json record = record_of(folder);
   const std::vector<Json> lineage = lineage_of(record);
-  if (has_checkpoint(folder) || lineage.empty() || text_of(record, "configuration_hash") != configuration_hash(p))
-    return false;
+  if (lineage.empty() || text_of(record, "configuration_hash") != configuration_hash(p)) return false;
   const auto agrees = [&](const char* key) { return lineage.back().value(key, Json()) == event.value(key, Json()); };
   return agrees("event") && agrees("from") && agrees("at_s") && agrees("configuration_hash");
 }
 
-/// @throws InputOutputError if the folder holds anything else than a beginning of the branch, which is removed
+/// @throws InputOutputError if the folder holds anything else than a beginning of the branch, which was killed before
+/// it
+///         had a checkpoint and is removed
 void require_free_for(const fs::path& folder, const Parameters& p, const Json& event) {
   if (is_free(folder)) return;
-  if (!holds_its_beginning(folder, p, event))
-    throw InputOutputError(folder.string() + ": exists and is not empty; choose another folder with -o");
+  const bool begun = holds_the_branch(folder, p, event);
+  if (!begun || has_checkpoint(folder))
+    throw InputOutputError(fmt::format("{}: exists and is not empty{}; choose another folder with -o", folder.string(),
+                                       begun ? fmt::format(": it holds this branch, which goes on with: matrigrate "
+                                                           "resume {}",
+                                                           folder.string())
+                                             : ""));
   const FolderLock lock(folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)); // nobody computes it
   remove_run_files(folder);
 }

@@ -38,7 +38,8 @@ State initial(const Parameters& p, const std::function<bool(const Vec2&)>& fluid
 
 } // namespace
 
-PlacedProtrusions::PlacedProtrusions(Parameters p, const Vec2& start, const std::function<bool(const Vec2&)>& fluid)
+PlacedProtrusions::PlacedProtrusions(const Parameters& p, const Vec2& start,
+                                     const std::function<bool(const Vec2&)>& fluid)
     : m_simulation(lasting(p, start), initial(lasting(p, start), fluid)) {}
 
 void PlacedProtrusions::begin(double angle, double tilt) {
@@ -73,8 +74,8 @@ double PlacedProtrusions::slack(std::size_t k) const {
   return contour / ((c.x[c.along(centre, -half)] - tip).norm() + (c.x[c.along(centre, half)] - tip).norm());
 }
 
-SingleProtrusion::SingleProtrusion(Parameters p, double angle)
-    : PlacedProtrusions(std::move(p), -offset * Vec2(std::cos(angle), std::sin(angle))) {
+SingleProtrusion::SingleProtrusion(const Parameters& p, double angle)
+    : PlacedProtrusions(p, -offset * Vec2(std::cos(angle), std::sin(angle))) {
   begin(angle);
 }
 

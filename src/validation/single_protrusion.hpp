@@ -14,7 +14,7 @@ public:
   /// @param p      material and numerics; the radius of the disc is set here
   /// @param start  place of the cell [um]
   /// @param fluid  whether the matrix at a point is fluid from the beginning; nowhere, if none is given
-  PlacedProtrusions(Parameters p, const Vec2& start, const std::function<bool(const Vec2&)>& fluid = {});
+  PlacedProtrusions(const Parameters& p, const Vec2& start, const std::function<bool(const Vec2&)>& fluid = {});
 
   /// Begins a protrusion around the particle that stood at `angle` when the cell was round [rad].
   /// @param tilt  of its direction against the line from the centre of mass through that particle [rad]
@@ -40,7 +40,7 @@ private:
 class SingleProtrusion : public PlacedProtrusions {
 public:
   /// @param angle  direction of growth [rad]
-  SingleProtrusion(Parameters p, double angle);
+  SingleProtrusion(const Parameters& p, double angle);
 
   using PlacedProtrusions::length;
   double length() const { return length(0); } ///< l_prot now [um]

@@ -133,6 +133,11 @@ TEST_F(Fields, NeedsToolsForPixels) {
   EXPECT_EQ(browser.code, 5);
   EXPECT_TRUE(contains(browser.err, "CHROMIUM is /nope, which is not a program")) << browser.err;
   ::unsetenv("CHROMIUM");
+  ASSERT_EQ(::setenv("TMPDIR", "/nowhere", 1), 0);
+  const Ended homeless = run("export here --png -o no");
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(homeless.code, 5);
+  EXPECT_TRUE(contains(homeless.err, "/nowhere: is no folder to work in: ")) << homeless.err;
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   const Ended ended = run("export here --movie");
   const Ended pixels = run("export here --png");

@@ -368,7 +368,9 @@ TEST_F(Resume, ABranchThatWasKilledBeforeItsFirstCheckpointBeginsAgain) {
   EXPECT_EQ(run("resume trunk --at '40 s' --seed 3 -o b --quiet").code, 5) << "another branch";
   EXPECT_EQ(run(command).code, 0);
   expect_same_files("b", "whole");
-  EXPECT_EQ(run(command).code, 5) << "it is there now";
+  const Ended again = run(command);
+  EXPECT_EQ(again.code, 5) << "it is there now";
+  EXPECT_TRUE(contains(again.err, "it holds this branch, which goes on with: matrigrate resume b;")) << again.err;
 }
 
 TEST_F(Resume, WorksAloneInItsFolder) {

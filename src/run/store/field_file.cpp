@@ -220,7 +220,7 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
     FrameReader reader(stream);
     std::optional<FieldWriter> writer;
     std::optional<observe::Frame> frame;
-    while (times.size() < frames && (frame = reader.next())) {
+    while (times.size() < frames && (frame = reader.next())) { // NOLINT(bugprone-use-after-move): a new frame
       if (!writer) writer.emplace(file, reader.head(), *frame, frames);
       writer->add(*frame);
       times.push_back(frame->t);

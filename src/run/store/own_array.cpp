@@ -77,7 +77,7 @@ std::string frame_bytes(const Handle& frames, const std::string& name, std::size
       refuse_array(fmt::format("{} is compressed in another way", name));
     used = true;
   }
-  const std::string numbers = deflated ? inflated(stored, bytes) : stored;
+  std::string numbers = deflated ? inflated(stored, bytes) : stored;
   if (numbers.size() != bytes) refuse_array(fmt::format("{} is shorter than its stated length", name));
   if (!shuffled) return numbers;
   std::string ordered(bytes, '\0');

@@ -67,8 +67,8 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
   film.head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"))};
   if (file.has("/matrix/obstacle")) film.head.obstacle = file.bytes("/matrix/obstacle");
   for (std::size_t k = 0; k < film.head.layers.size(); ++k)
-    if (const std::string name = fmt::format("/matrix/{}", observe::matrix_layers()[k].layer); file.has(name.c_str()))
-      film.head.layers[k] = file.floats(name.c_str());
+    if (const std::string name = fmt::format("/matrix/{}", observe::matrix_layers()[k].layer); file.has(name))
+      film.head.layers[k] = file.floats(name);
   if (!film.head.consistent()) throw InputOutputError("its arrays do not match");
   for (const double t : times) film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
   if (whole != nullptr) whole->assign(times.size(), true);

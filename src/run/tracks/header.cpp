@@ -71,7 +71,7 @@ private:
     table.x = find(own.x, layout.x, object);
     table.y = find(own.y, layout.y, object);
     table.z = find(own.z, layout.z, object);
-    if (own.measured.size() > 0) table.measured = find(own.measured, {});
+    if (!own.measured.empty()) table.measured = find(own.measured, {});
     if (!all || !table.track || !table.x || !table.y || (!table.t && !table.frame)) return std::nullopt;
     const bool named = !own.track.empty() && !own.x.empty() && !own.y.empty() && !(own.t.empty() && own.frame.empty());
     table.layout = named ? "named" : layout.name;

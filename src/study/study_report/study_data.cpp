@@ -159,7 +159,7 @@ Json players_json(const std::vector<PlayedRun>& played) {
 
 /// "Speed, start to end (v_migr_abs)"; the label alone of a read-out without words.
 std::string named(const Json& readout) {
-  const std::string label = readout.at("label");
+  std::string label = readout.at("label");
   std::string meaning = readout.at("meaning");
   if (meaning == label || meaning == readout.at("name")) return label;
   meaning.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning.front())));
