@@ -3,9 +3,9 @@
 
   tools/wave.py PROGRAM K FOLDER [--jobs N] [--next POINTS] [--allowed ROWS] [--match-only]
 
-Runs docs/validation/wave-K.toml in FOLDER/wave-K (it goes on from runs that are there), keeps its results as docs/validation/wave-K.csv,
-matches the runs of waves 1 to K with docs/validation/outcomes.toml, and writes the tables of the match to docs/validation/wave-K/, with the
-checks of the emulators; its page goes to FOLDER/match-K. --next writes wave-(K+1).toml with so many points where all is plausible.
+Runs docs/validation/wave-K.toml in FOLDER/wave-K (it goes on from runs that are there, and leaves out points that docs/validation/wave-K.csv
+has), adds its results to that table, matches the runs of waves 1 to K with docs/validation/outcomes.toml, and writes the tables of the match
+to docs/validation/wave-K/, with the checks of the emulators; its page goes to FOLDER/match-K. --next writes wave-(K+1).toml with so many points where all is plausible.
 --match-only runs nothing: the match of kept tables alone. Needs the Python package, scikit-learn and matplotlib.
 """
 
@@ -13,6 +13,7 @@ import argparse
 import shutil
 import subprocess
 import sys
+import tempfile
 import tomllib
 from pathlib import Path
 
@@ -26,17 +27,48 @@ TABLES = ("outcomes.csv", "rows.csv", "exclusions.csv", "ranges.csv")
 
 
 def runs(wave, program, folder, jobs):
-    """Runs what is missing of a wave, and keeps the runs that are done, those at points that all conditions have."""
+    """Runs the points of a wave that the kept table lacks, in FOLDER/wave-K, which may hold some of their runs; keeps all that are done."""
     study = folder / f"wave-{wave}"
-    subprocess.run([program, "study", "run", KEPT / f"wave-{wave}.toml", "-o", study, "--jobs", str(jobs), "--quiet"], check=False)
+    left = study_of_missing_points(wave, program, folder)
+    if left is None:
+        return
+    subprocess.run([program, "study", "run", left, "-o", study, "--jobs", str(jobs), "--quiet"], check=False)
     keep(wave, study / "results.csv")
 
 
+def study_of_missing_points(wave, program, folder):
+    """The study with the points of which the kept table lacks a condition, each written out; none if it has all."""
+    with tempfile.TemporaryDirectory(dir=folder) as plan:
+        # `submit` writes all points out, and fails for want of Slurm afterwards
+        subprocess.run([program, "study", "submit", KEPT / f"wave-{wave}.toml", "-o", plan], check=False, capture_output=True)
+        text = (Path(plan) / "study.resolved.toml").read_text(encoding="utf-8")
+        scenario = (Path(plan) / "scenario.resolved.toml").read_text(encoding="utf-8")
+    conditions = [one["label"] for one in tomllib.loads(text).get("conditions", [])]
+    head, *points = text.split("[[points]]")
+    done = set(pandas.read_csv(KEPT / f"wave-{wave}.csv")["label"]) if (KEPT / f"wave-{wave}.csv").exists() else set()
+    names = [tomllib.loads(point)["label"] for point in points]
+    left = [point for name, point in zip(names, points) if not done.issuperset(f"{one}: {name}" for one in conditions)]
+    print(f"wave {wave}: {len(points) - len(left)} of {len(points)} points are kept, {len(left)} are left")
+    if not left:
+        return None
+    (folder / "scenario.resolved.toml").write_text(scenario, encoding="utf-8")
+    file = folder / f"wave-{wave}-left.toml"
+    file.write_text("[[points]]".join([head, *left]), encoding="utf-8")
+    return file
+
+
 def keep(wave, results):
+    """Adds the runs that are done to the kept table; a run that is there already stays as it is."""
     table = pandas.read_csv(results)
     table = table[table["status"].isin(["done", "failed"])]
-    drop = ["run", "status", "reason", "duration_s", *(name for name in table if table[name].isna().all() and name != "cause")]
-    table.drop(columns=drop).to_csv(KEPT / f"wave-{wave}.csv", index=False, float_format="%.6g")
+    table = table.drop(columns=["run", "status", "reason", "duration_s"])
+    file = KEPT / f"wave-{wave}.csv"
+    if file.exists():
+        table = pandas.concat([pandas.read_csv(file), table]).drop_duplicates(["label", "replicate"])
+    number = table["label"].str.extract(r"(\d+)$")[0].astype(int)
+    table = table.iloc[number.argsort(kind="stable")]
+    table = table.drop(columns=[name for name in table if table[name].isna().all() and name != "cause"])
+    table.to_csv(file, index=False, float_format="%.6g")
 
 
 def kept(wave):
