@@ -10,17 +10,85 @@ import { Browser } from "../viewer/drive.mjs";
 const [file, folder] = process.argv.slice(2);
 if (!file || !folder) throw new Error("node tools/figures.mjs PAGE FOLDER");
 
-/** A smaller document that looks the same: each style stands once, points of no size and names that nothing uses are gone. */
+/** A number of pixels with one decimal, as short as it can be. */
+const tenth = (n) => String(Number(Number(n).toFixed(1))).replace(/^(-?)0\./, "$1.");
+
+/** Lines of a path, "M1,2L3,4L5,6", as steps of tenths of a pixel: "M1,2l2 2 2 2". */
+function steps(path) {
+  return path.replace(/M(-?[\d.]+),(-?[\d.]+)((?:L-?[\d.]+,-?[\d.]+){2,})/g, (_, x0, y0, lines) => {
+    let [x, y] = [Math.round(10 * x0), Math.round(10 * y0)];
+    const found = [...lines.matchAll(/L(-?[\d.]+),(-?[\d.]+)/g)].map((pair) => {
+      const [u, v] = [Math.round(10 * pair[1]), Math.round(10 * pair[2])];
+      const step = `${tenth((u - x) / 10)} ${tenth((v - y) / 10)}`;
+      [x, y] = [u, v];
+      return step;
+    });
+    return `M${tenth(Math.round(10 * x0) / 10)},${tenth(Math.round(10 * y0) / 10)}l${found.join(" ")}`.replaceAll(" -", "-");
+  });
+}
+
+/** Dots of one look in a group as one path: a line of no length with round ends is a dot. */
+function dotsTogether(svg) {
+  const dot = /<path transform="translate\(([^,]+),([^)]+)\)" d="M([\d.]+),0A[^"]*" style="([^"]*)"\/>/g;
+  return svg.replace(/<g>((?:<path transform="[^"]*" d="M[\d.]+,0A[^"]*" style="[^"]*"\/>){3,})<\/g>/g, (group, row) => {
+    const dots = [...row.matchAll(dot)];
+    const [, , , radius, style] = dots[0];
+    if (dots.some((one) => one[3] !== radius || one[4] !== style) || !style.includes("stroke-width: 0px")) return group;
+    const line = style.replace("stroke-width: 0px", `stroke-width: ${2 * radius}px; stroke-linecap: round`).replace(/fill(-opacity)?:/g, "stroke$1:");
+    return `<path d="${dots.map(([, x, y]) => `M${tenth(x)},${tenth(y)}h0`).join("")}" style="${line}"/>`;
+  });
+}
+
+/** Places of paths, dots and texts without a translation of their own. */
+function moved(svg) {
+  const by = / transform="translate\((-?[\d.]+),(-?[\d.]+)\)"/;
+  return svg.replace(/<(path|text)[^>]*>/g, (element) => {
+    const [found, dx, dy] = by.exec(element) ?? [];
+    const from = / d="M(-?[\d.]+),(-?[\d.]+)([^"A-Z]*|[^"]*L[^"]*)"/.exec(element);
+    if (found === undefined || (element.startsWith("<path") && (!from || /[A-KN-Y]/.test(from[3])))) return element;
+    const rest = element.replace(found, "");
+    const sum = (a, b) => tenth(Number(a) + Number(b));
+    if (element.startsWith("<text")) return rest.replace(/ x="([^"]*)"/, (_, x) => ` x="${sum(x, dx)}"`).replace(/ y="([^"]*)"/, (_, y) => ` y="${sum(y, dy)}"`);
+    return rest.replace(/([ML])(-?[\d.]+),(-?[\d.]+)/g, (_, to, x, y) => `${to}${sum(x, dx)},${sum(y, dy)}`);
+  });
+}
+
+/** A document without elements that draw nothing. */
+function withoutEmpty(svg) {
+  const fewer = svg.replace(/<(g|defs)[^>]*\/>|<path(?: style="[^"]*")?\/>|<path d="M0,0Z"[^>]*\/>|<g(?: style="[^"]*")?>\s*<\/g>|<defs[^>]*><\/defs>/g, "");
+  return fewer.length < svg.length ? withoutEmpty(fewer) : svg;
+}
+
+/** A document without groups that only group. */
+function withoutGroups(svg) {
+  const kept = [];
+  return svg.replace(/ transform="rotate\(0,[^"]*"| style="opacity: 1;"/g, "").replace(/<g(\s[^>]*)?>|<\/g>/g, (tag, attributes) => {
+    if (tag !== "</g>") kept.push(attributes !== undefined);
+    return (tag === "</g>" ? kept.pop() : kept.at(-1)) ? tag : "";
+  });
+}
+
+/**
+ * A smaller document that looks the same: each style stands once, places have a tenth of a pixel; points of no size, what is
+ * transparent, elements that draw nothing and names that nothing uses are gone.
+ */
 function smaller(svg) {
-  const styles = new Map();
-  const styled = svg
+  const plain = svg
     .replace(/<path(?=[^>]* d="M0,0A0,0 )[^>]*\/>/g, "")
     .replace(/ (class|data-[\w-]+)="[^"]*"/g, "")
-    .replace(/ style="([^"]*)"/g, (_, style) => {
-      if (style === "") return "";
-      if (!styles.has(style)) styles.set(style, `s${styles.size}`);
-      return ` class="${styles.get(style)}"`;
-    });
+    .replace(/ style=""/g, "")
+    .replace(/(<svg x=[^>]*?) xmlns="[^"]*" xmlns:xlink="[^"]*"/g, "$1")
+    .replace(/<rect[^>]* style="[^"]*fill: rgb\(0, 0, 0\); fill-opacity: 0;[^"]*"\/>/g, "");
+  const short = moved(withoutGroups(dotsTogether(withoutEmpty(plain))))
+    .replace(/<path(?: transform="translate\(([^,]+),([^)]+)\)")? d="M([\d.]+),0A\3,\3 0 1,1 0,-\3A\3,\3 0 0,1 \3,0Z"/g, '<circle cx="$1" cy="$2" r="$3"')
+    .replace(/<polygon points="([^"]*)"/g, (_, points) => `<path d="M${points.trim().split(/\s+/).join("L")}Z"`)
+    .replace(/<\/polygon>/g, "</path>")
+    .replace(/ (x|y|cx|cy|d|transform|width|height)="([^"]*)"/g, (_, name, value) => ` ${name}="${(name === "d" ? steps(value) : value).replace(/-?\d*\.\d{2,}/g, tenth)}"`);
+  const styles = new Map();
+  const styled = short.replace(/ style="([^"]*)"/g, (_, style) => {
+    if (!styles.has(style)) styles.set(style, `s${styles.size}`);
+    return ` class="${styles.get(style)}"`;
+  });
   const rules = [...styles].map(([style, name]) => `.${name}{${style.replaceAll("&quot;", '"')}}`).join("\n");
   return styled.replace(">\n", `>\n<style>\n${rules.replaceAll("&", "&amp;").replaceAll("<", "&lt;")}\n</style>\n`);
 }

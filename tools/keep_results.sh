@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, judges these copies, saves
 # the figures of the pages made of them (tools/figures.mjs, which needs chromium), and writes the pages of verdicts anew.
+# Numbers of tables are kept with six digits, places of paths, shapes and pictures to a tenth of a micrometre.
 # Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
 #   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
 # --part: copies the results so far to docs/validation/part, and judges nothing. To go on from them, on any
@@ -13,6 +14,8 @@ part=
 from=$(realpath "$2")
 cd "$(dirname "$0")/.."
 to=docs/validation
+rounded() { perl -pe 's/(?<![\w.])-?\d+\.\d{5,}(?:e[-+]?\d+)?(?![\w.])/sprintf("%.6g", $&)/ge' "$1"; }
+tenths() { perl -pe 's/(?<=,)-?\d+\.\d{2}(?=,)/sprintf("%.1f", $&) =~ s{^-?0\.0$}{0}r =~ s{\.0$}{}r/ge' "$1"; }
 for folder in "$from"/*/; do
   study=$(basename "$folder")
   [ -e "studies/${study%-larger-disc}.toml" ] || continue
@@ -37,7 +40,9 @@ for folder in "$from"/*/; do
   sensitive-adhesions | insensitive-adhesions) tables="results adhesions" ;;
   esac
   for table in $tables; do
-    [ ! -e "$folder/$table.csv" ] || cp "$folder/$table.csv" "$to/$study-$table.csv"
+    short=rounded
+    case $table in paths | shapes | centres) short=tenths ;; esac
+    [ ! -e "$folder/$table.csv" ] || $short "$folder/$table.csv" >"$to/$study-$table.csv"
   done
   rm -f "$to/part/$study-results.csv"
 done
@@ -45,11 +50,10 @@ done
 for case in fibres fibres-uniaxial disassembly; do
   [ -e "$from/validate-$case/results.json" ] || continue
   sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"
-  cp "$from/validate-$case/$case.csv" "$to/validate-$case.csv"
+  rounded "$from/validate-$case/$case.csv" >"$to/validate-$case.csv"
 done
-for table in fields fibre-stress; do
-  [ ! -e "$from/$table.csv" ] || cp "$from/$table.csv" "$to/$table.csv"
-done
+[ ! -e "$from/fields.csv" ] || cp "$from/fields.csv" "$to/fields.csv"
+[ ! -e "$from/fibre-stress.csv" ] || tenths "$from/fibre-stress.csv" >"$to/fibre-stress.csv"
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
 # judge ROWS: the verdicts of the kept tables, and their page; some claims do not hold
@@ -72,5 +76,8 @@ for study in stiffness kept-protrusions kept-protrusions-fibres; do # the paper'
 done
 for study in stiffness sensitive-adhesions insensitive-adhesions; do # Fig 9
   [ ! -e "$drawn/figures/$study-adhesions.svg" ] || cp "$drawn/figures/$study-adhesions.svg" "$to/"
+done
+for case in fibres fibres-uniaxial disassembly; do # Figs 2 and 4
+  [ ! -e "$drawn/figures/validate-$case.svg" ] || cp "$drawn/figures/validate-$case.svg" "$to/"
 done
 tools/validation_page.py
