@@ -122,7 +122,10 @@ def shortened(text: str, parts: int = 2) -> str:
 
 
 def plain(text: str) -> str:
-    return re.sub(r"\bstiffness: |\bcontraction: |\bkept-protrusions: ", "", text).replace("|", "\\|")
+    """Points without the name of their study, where the claim leaves no doubt of it."""
+    text = re.sub(r"\b(stiffness|contraction|kept-protrusions|(initiation|disassembly)-rate|growth-time|durotaxis|microtracks|contact-guidance|channel-width"
+                  r"|two-cells): ", "", text.replace("kept-protrusions-fibres: ", "fibres, "))
+    return text.replace("|", "\\|")
 
 
 def verdict(row: dict[str, str]) -> str:
@@ -148,8 +151,8 @@ def claims(_page: str) -> str:
 def with_reasons(name: str) -> str:
     """Claims, our values and what is not met, and in a column of its own the verdict of the set of closures before the default, where it is kept."""
     before = {row["id"]: [row["verdict"]] for row in rows_of(BEFORE / name)}
-    return table(["row", "kind", "claim", "published", "ours: mean [95 % interval]", "verdict", *(["set before"] if before else []), "not met"],
-                 [[row["id"], row["kind"], row["claim"], row.get("published", ""), plain(shortened(row["ours"], 5)), verdict(row),
+    return table(["row", "claim", "published", "ours: mean [95 % interval]", "verdict", *(["set before"] if before else []), "not met"],
+                 [[row["id"], row["claim"], row.get("published", ""), plain(shortened(row["ours"], 5)), verdict(row),
                    *before.get(row["id"], [""] if before else []), plain(shortened(row["why_not"].removeprefix("not met: ")))]
                   for row in rows_of(KEPT / name)])
 
@@ -199,7 +202,7 @@ def study_means(_page: str) -> str:
         again = ", made again in a larger disc for the claims" if (KEPT / f"{name}-larger-disc-results.csv").exists() else ""
         parts.append(f"**{varies}**, {runs} runs a point; of {len(rows)} runs {len(ended)} ended early"
                      + (f": {by_cause}{again}" if ended else "") + ".\n\n"
-                     + means(rows, [(label, label.replace("youngs_modulus ", "").replace("force ", "")) for label in labels]))
+                     + means(rows, [(label, re.sub(r"^(youngs_modulus|force|rate|r_prot|r_off_min|growth_time) ", "", label)) for label in labels]))
         figures = [(f"{name}{kind}.svg", what) for kind, what in
                    (("", "box plots"), ("-paths", "paths"), ("-shapes", "shapes"), ("-msd", "mean square displacements"),
                     ("-adhesions", "forces at which adhesions ended")) if (KEPT / f"{name}{kind}.svg").exists()]

@@ -141,6 +141,14 @@ std::string cell_tables(const Parameters& p) {
   return text;
 }
 
+/// A source as the page of parameters has it: a table or section of the paper without the paper's name, nothing for
+/// what was chosen for this program.
+std::string_view short_source(std::string_view source) {
+  constexpr std::string_view paper = "Heck et al. 2020, ";
+  if (source == "this program") return {};
+  return source.starts_with(paper) ? source.substr(paper.size()) : source;
+}
+
 /// Text of a cell of a table in Markdown.
 std::string cell(std::string_view text) {
   std::string escaped;
@@ -240,7 +248,9 @@ std::string parameters_markdown() {
       "The first line of a scenario, `#:schema PATH`, names a JSON schema. Editors that know the line (Even Better "
       "TOML, taplo) complete and check the scenario with it. `matrigrate new FILE` names `scenario.schema.json` and "
       "writes it beside the file; `matrigrate new FILE --schema PATH` names another one and writes none. "
-      "`scenarios/baseline.toml` names `docs/scenario.schema.json`. The line changes no result.\n";
+      "`scenarios/baseline.toml` names `docs/scenario.schema.json`. The line changes no result.\n\n"
+      "*Table 1* and *Methods* are those of Heck et al. 2020; a default without a source was chosen for this "
+      "program.\n";
   for_each_section(
       [&](const Section& s) {
         text += fmt::format("\n## [{}] {}\n\n| key | default | allowed | symbol | meaning | source of the default |\n"
@@ -249,7 +259,8 @@ std::string parameters_markdown() {
       },
       [&](const Row& row) {
         text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} |\n", key_of(row), value_text(row, {}),
-                            cell(allowed_text(row)), cell(row.symbol), cell(row.description), cell(row.source));
+                            cell(allowed_text(row)), cell(row.symbol), cell(row.description),
+                            cell(short_source(row.source)));
       });
   text += fmt::format("\n## [[cells]] {}\n\n"
                       "1 to {} tables. Their order numbers the cells, from 1. No key may be left out.\n\n"
