@@ -6,7 +6,7 @@
 # compared, of checkpoints every array and text but for the time that the steps took, the number of threads and how
 # often neighbour lists were made, of report.html and of checkpoint_prev.h5, which may be of another time, that they are
 # there.
-# Needs Debian's python3-h5py.
+# SCENARIOS="cues all" in the environment: these alone. Needs Debian's python3-h5py.
 set -euo pipefail
 program=$(realpath "$1")
 times=${2:-4}
@@ -95,7 +95,7 @@ scenario all "$fields" "$stiffness" "$obstacle" "$attractant" "$fibres" "$cues" 
 sed -i 's/^radius = "60 um"/radius = "75 um"/' cells.toml all.toml # else one of the cells reaches the rim
 
 failed=0 runs=0 broken_off=0 compared=0
-for scenario in plain fibres obstacle formula file cues cells nucleus all; do
+for scenario in ${SCENARIOS:-plain fibres obstacle formula file cues cells nucleus all}; do
   begin=$(date +%s%N)
   "$program" run $scenario.toml -o whole --quiet >/dev/null
   wall=$((($(date +%s%N) - begin) / 1000000)) # [ms]

@@ -32,7 +32,7 @@ std::shared_ptr<fields::Field> numbers_of(const Parameters& p, std::string_view 
   const std::string& text = text_of(p, row);
   if (text.empty()) return nullptr;
   try {
-    const auto field = std::make_shared<fields::Field>(text, "", p.grids.get());
+    auto field = std::make_shared<fields::Field>(text, "", p.grids.get());
     if (!unit_is_free(row)) field->scale(units::factor_of_column(field->column(), row.unit));
     return field;
   } catch (const std::invalid_argument& error) {

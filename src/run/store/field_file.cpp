@@ -220,12 +220,12 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
     FrameReader reader(stream);
     std::optional<FieldWriter> writer;
     std::optional<observe::Frame> frame;
-    while (times.size() < frames && (frame = reader.next())) { // NOLINT(bugprone-use-after-move): a new frame
+    while (times.size() < frames && (frame = reader.next())) {
       if (!writer) writer.emplace(file, reader.head(), *frame, frames);
       writer->add(*frame);
       times.push_back(frame->t);
       adhesions.push_back(anchors(*frame).size());
-      if (!first) first = std::move(frame);
+      if (!first) first = *frame;
     }
     if (times.size() != frames || reader.next())
       throw InputOutputError(fmt::format("does not hold the {} whole frames of the run", frames));

@@ -81,7 +81,7 @@ observe::Film saved_film(const std::filesystem::path& folder, const FrameShape& 
   std::map<double, observe::Frame> saved;
   for_each_whole(
       folder, shape,
-      [&](observe::Frame frame) {
+      [&](observe::Frame&& frame) {
         const double t = frame.t;
         saved.try_emplace(t, std::move(frame));
       },

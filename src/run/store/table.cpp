@@ -36,7 +36,7 @@ bool is_formula(std::string_view field) { return field.find_first_of("=+-@\t\r\n
 } // namespace
 
 std::string csv_text(std::string_view field) {
-  const std::string shown = (is_formula(field) ? "'" : "") + std::string(field);
+  std::string shown = (is_formula(field) ? "'" : "") + std::string(field);
   if (shown.find_first_of(",\"\r\n") == std::string::npos) return shown;
   std::string out = "\"";
   for (const char c : shown) {
