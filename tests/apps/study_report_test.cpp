@@ -171,7 +171,7 @@ TEST_F(StudyReport, JudgesTheClaimsOfThePaper) {
   const std::string note = page.at("claims_note");
   for (const char* part : {"replicates 2 (published: 12)", "run.integrator", "no verdicts on the paper"})
     EXPECT_TRUE(contains(note, part)) << note;
-  const json before = page.at("claims");
+  const json& before = page.at("claims");
   ASSERT_EQ(run("report reproduce/contraction").code, 0);
   EXPECT_EQ(data("reproduce/contraction/report.html").at("claims"), before) << "from the folder alone";
 }

@@ -413,7 +413,7 @@ TEST_F(Study, CollectPrintsNoPOfTwoRuns) {
   const auto row = [&](int replicates) { // of the only pair: difference, interval, p, Holm's p and more
     write_study("\"50 Pa\", \"100 Pa\"", replicates);
     EXPECT_EQ(run("study run e.toml --quiet").code, 0);
-    const std::string text = run("study collect e-study").out;
+    std::string text = run("study collect e-study").out;
     const std::string pair = "  youngs_modulus 50 Pa  youngs_modulus 100 Pa ";
     EXPECT_EQ(contains(text, "A p needs at least 3 runs at each point"), replicates < 3) << text;
     std::istringstream remarks(text.substr(std::min(text.find("Holm's p is corrected"), text.size())));

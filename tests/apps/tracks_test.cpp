@@ -44,7 +44,7 @@ TEST_F(TracksVerb, WritesThePlainFormAndKeepsWhatIsThere) {
   const std::string options = "tracks files/celltrackscolab.csv --pixel 1 --interval 120 -o plain.csv";
   ASSERT_EQ(run(options).code, 0);
   const std::string plain = text_of(folder / "plain.csv");
-  EXPECT_EQ(plain.substr(0, plain.find("\n", 25) + 1), "track,t_s,x_um,y_um\ngelA_movie1_0,0,230.865,70.367\n");
+  EXPECT_EQ(plain.substr(0, plain.find('\n', 25) + 1), "track,t_s,x_um,y_um\ngelA_movie1_0,0,230.865,70.367\n");
   const Ended again = run(options);
   EXPECT_EQ(again.code, 5);
   EXPECT_EQ(again.err, "matrigrate: plain.csv: exists; --force replaces it\n");
