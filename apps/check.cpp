@@ -7,7 +7,7 @@
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "simulation/start_rules.hpp"
-#include "study/read_study.hpp"
+#include "study_plan/read_study.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

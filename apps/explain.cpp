@@ -18,7 +18,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,29 +43,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600.0);
 }
 
-/// The mean axis of the fibres, in [0, 180) degrees: that of the field of directions over the particles, where there is
-/// one, else that of the bonds; none if there is no preferred axis.
-std::optional<double> mean_direction(const Parameters& p, const Derived& d) {
-  if (p.fibres.field.direction_deg.empty()) return d.bonds.mean_deg;
-  double x = 0.0, y = 0.0; // of axes: angles count twice
-  std::size_t count = 0;
-  for (const FieldSummary& field : field_summaries(p).fields)
-    if (field.row->path == "fibres.field.direction_deg")
-      for (const double degrees : field.values) {
-        x += std::cos(degrees * std::numbers::pi / 90.0);
-        y += std::sin(degrees * std::numbers::pi / 90.0);
-        ++count;
-      }
-  if (std::hypot(x, y) <= 1e-2 * static_cast<double>(count)) return std::nullopt;
-  const double mean = std::atan2(y, x) * 90.0 / std::numbers::pi;
-  return mean < 0.0 ? mean + 180.0 : mean;
-}
-
 void add_fibres(const std::function<void(std::string_view, const std::string&, const std::string&)>& add,
                 const Parameters& p, const Derived& d) {
   if (p.fibres.arrangement == FibreArrangement::none) return;
   const bool by_field = !p.fibres.field.direction_deg.empty();
-  const auto mean = mean_direction(p, d);
+  const auto mean = mean_fibre_direction(p, d);
   const std::string direction = mean ? fmt::format("mean direction {:.3g} degrees", *mean) : "no mean direction";
   if (by_field)
     add("fibres", "along a field", direction + " over the particles");
@@ -137,7 +118,7 @@ Json fields_json(const Parameters& p) {
 Json to_json(const ExplainArguments& options, const Parameters& p, const Derived& d,
              const std::vector<std::string>& found) {
   const auto quicker = with_longer_steps(p, d);
-  const auto direction = mean_direction(p, d);
+  const auto direction = mean_fibre_direction(p, d);
   return {{"file", options.file},
           {"cells", cell_starts(p).size()},
           {"bulk_modulus_Pa", 1e3 * d.K},

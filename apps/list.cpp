@@ -2,8 +2,8 @@
 #include "apps/verbs.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/write.hpp"
-#include "store/run_files.hpp"
-#include "study/read_study.hpp"
+#include "study_plan/read_study.hpp"
+#include "tables/run_files.hpp"
 #include "validation/case.hpp"
 
 #include <CLI/CLI.hpp>

@@ -7,8 +7,8 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "report/run_page.hpp"
-#include "study/cell_tracks.hpp"
 #include "study_report/measured_json.hpp"
+#include "tracks/cell_tracks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,11 +28,11 @@ struct ReportArguments {
 };
 
 /// The measured tracks that are to be drawn; none if no file is named.
-std::vector<study::CellTrack> tracks_to_draw(const ReportArguments& options) {
+std::vector<tracks::CellTrack> tracks_to_draw(const ReportArguments& options) {
   if (options.tracks.empty()) return {};
   std::vector<std::string> notes;
   auto tracks =
-      study::measured_tracks(options.tracks, track_options(options.reading), study::TracksFor::drawing, notes);
+      tracks::measured_tracks(options.tracks, track_options(options.reading), tracks::TracksFor::drawing, notes);
   for (const std::string& note : notes) print(fmt::format("{}: {}\n", options.tracks, note));
   return tracks;
 }
@@ -40,7 +40,7 @@ std::vector<study::CellTrack> tracks_to_draw(const ReportArguments& options) {
 int report(const ReportArguments& options) {
   const std::filesystem::path folder = options.folder;
   std::error_code error;
-  const std::vector<study::CellTrack> tracks = tracks_to_draw(options);
+  const std::vector<tracks::CellTrack> tracks = tracks_to_draw(options);
   if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
     const StudyFolder study = study::open_study(folder);
     Collected collected = gathered(study);

@@ -3,8 +3,8 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
-#include "store/run_files.hpp"
-#include "store/state_json.hpp"
+#include "tables/run_files.hpp"
+#include "tables/state_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

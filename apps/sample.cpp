@@ -9,9 +9,9 @@
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
-#include "study/conditions.hpp"
-#include "study/discrepancy.hpp"
-#include "study/results.hpp"
+#include "study_plan/conditions.hpp"
+#include "study_results/discrepancy.hpp"
+#include "study_results/results.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -144,13 +144,11 @@ Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : 
 /// How far the read-outs are from targets, in their errors; the distance is null if one of them is not defined.
 void add_distance(Json& json, const std::vector<study::Target>& targets, const std::vector<double>& readouts) {
   Json list = Json::array();
-  double squares = 0.0;
-  double weights = 0.0;
+  std::vector<double> all;
   for (const study::Target& target : targets) {
     const double value = readouts[study::readout_column(target.readout)];
     const double z = study::distance(target, value, 0.0);
-    squares += target.weight * z * z;
-    weights += target.weight;
+    all.push_back(z);
     list.push_back({{"readout", target.readout},
                     {"low", target.low},
                     {"high", target.high},
@@ -159,7 +157,7 @@ void add_distance(Json& json, const std::vector<study::Target>& targets, const s
                     {"z", number_or_null(z)}});
   }
   json["targets"] = list;
-  json["distance"] = number_or_null(std::sqrt(squares / weights));
+  json["distance"] = number_or_null(study::distance_of_run(targets, all));
 }
 
 RunOutcome run_in(const TemporaryFolder& folder, const Parameters& p, const SampleArguments& options) {

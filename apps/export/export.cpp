@@ -10,6 +10,7 @@
 #include "draw/particle_picture.hpp"
 #include "exchange/ome_tiff.hpp"
 #include "exchange/simularium.hpp"
+#include "exchange/vtk_files.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/finished_run.hpp"
@@ -17,8 +18,7 @@
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/field_file.hpp"
-#include "store/vtk_files.hpp"
-#include "study/tracks_csv.hpp"
+#include "study_results/tracks_csv.hpp"
 #include "study_runs/study_folder.hpp"
 
 #include <CLI/CLI.hpp>
@@ -201,7 +201,7 @@ int export_run(ExportArguments options) {
   const std::string title = run_title(run.p, scenario_name(run.record, run.folder));
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
-  if (wanted["--vtk"]) store::write_vtk(to, run.film);
+  if (wanted["--vtk"]) exchange::write_vtk(to, run.film);
   if (wanted["--fields"]) export_fields(run, to);
   if (wanted["--tracks"]) write_tracks(run, to);
   if (wanted["--openvt"]) write_openvt(tracks, openvt_model(run), to);

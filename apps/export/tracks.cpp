@@ -4,10 +4,10 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
+#include "exchange/track_files.hpp"
 #include "observe/even_times.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
-#include "store/track_files.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ std::vector<exchange::RunTracks> at_times(std::vector<exchange::RunTracks> runs,
 }
 
 void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to) {
-  write_file(to / "tracks_celltrackr.csv", store::celltrackr_csv(run.memory.rows));
+  write_file(to / "tracks_celltrackr.csv", exchange::celltrackr_csv(run.memory.rows));
   std::vector<TrackRow> rows = run.memory.rows;
   const observe::EvenTimes times = observe::even_times(observe::times_of(rows));
   if (times.but_the_last()) {
@@ -79,9 +79,9 @@ void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to) 
                               rows.back().t, times.interval));
     rows = without_last(rows);
   }
-  write_file(to / "tracks_trackmate.csv", store::trackmate_csv(rows));
+  write_file(to / "tracks_trackmate.csv", exchange::trackmate_csv(rows));
   if (times.is_even() || times.but_the_last())
-    return write_file(to / "tracks_trackmate.xml", store::trackmate_xml(rows));
+    return write_file(to / "tracks_trackmate.xml", exchange::trackmate_xml(rows));
   print_warning(fmt::format("tracks_trackmate.xml is not written, and tracks_trackmate.csv has no FRAME: the positions "
                             "are {}, and TrackMate counts frames of one interval; {}",
                             times.text(), even_if("output.track_interval", run.p)));

@@ -2,8 +2,8 @@
 
 #include "exchange/openvt.hpp"
 #include "run/finished_run.hpp"
-#include "study/results.hpp"
-#include "study/study.hpp"
+#include "study_plan/study.hpp"
+#include "study_results/results.hpp"
 
 #include <filesystem>
 #include <string>

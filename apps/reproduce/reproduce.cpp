@@ -1,16 +1,16 @@
-#include "apps/reproduce/figures.hpp"
 #include "apps/reproduce/output.hpp"
 #include "apps/reproduce/runs.hpp"
+#include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "base/file.hpp"
 #include "base/process.hpp"
 #include "claims/parts.hpp"
 #include "claims/study_claims.hpp"
 #include "parameters/nearest.hpp"
 #include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
+#include "study_report/claim_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <csignal>
 #include <memory>
+#include <utility>
 
 namespace matrigrate::apps {
 
@@ -57,28 +58,6 @@ std::string setting_text(const ReproduceOptions& options) {
   return text;
 }
 
-/// Verdicts on the claims and on the parts of the model, in the order V, A to E, F.
-std::vector<study::JudgedClaim> judged_rows(const std::vector<study::Claim>& claims, const study::ClaimEvidence& all,
-                                            std::vector<study::JudgedClaim> rows, const ReproduceOptions& options) {
-  for (const study::Claim& claim : claims) {
-    rows.push_back(study::judged_claim(claim, all.evidence));
-    study::Evidence larger;
-    for (const std::string& name : claim.studies())
-      if (const auto found = all.larger.find(name); found != all.larger.end()) larger.insert(*found);
-    if (larger.empty()) continue;
-    for (const std::string& name : rows.back().studies) larger.insert(*all.evidence.find(name));
-    rows.back().in_larger_disc = study::judged(claim, larger);
-  }
-  const std::filesystem::path folder = options.from.empty() ? options.folder : options.from;
-  for (const study::PartRow& row : study::part_rows()) {
-    if (!row.verification.empty() || !options.chooses(row.id)) continue;
-    if (const auto found = all.evidence.find(study::field_study); options.from.empty() && found != all.evidence.end())
-      write_file(folder / "fields.csv", fields_csv(found->second, folder / study::field_study));
-    rows.push_back(judged_by_fields(row, folder / "fields.csv", all.evidence));
-  }
-  return rows;
-}
-
 int reproduce(const ReproduceOptions& options) {
   check_id(options.id);
   const std::vector<study::Claim> claims = chosen_claims(options);
@@ -94,7 +73,7 @@ int reproduce(const ReproduceOptions& options) {
     needed.push_back(chosen_claims(first).front());
   }
   study::require_own_study_folders(needed, options);
-  if (!options.markdown) require_own_files(options, needed);
+  if (!options.markdown) study::require_own_claim_report(needed, options);
   if (options.from.empty() || !options.markdown) make_output_folder(options.folder, true);
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json && !options.markdown) print_error(setting + "\n");
@@ -110,12 +89,14 @@ int reproduce(const ReproduceOptions& options) {
     print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
-  rows = judged_rows(claims, all, std::move(rows), options);
+  for (study::JudgedClaim& row : study::judged_claims(claims, all)) rows.push_back(std::move(row));
+  for (study::JudgedClaim& row : study::rows_by_fields(all.evidence, options)) rows.push_back(std::move(row));
   if (options.markdown) {
     print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n");
   } else {
-    write_reproduction(options.folder, options.id, rows, all.evidence, reproduced_figures(all.evidence, options),
-                       setting, options.command);
+    study::write_claim_report(
+        rows, all.evidence, options,
+        {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
     if (options.json)
       print(reproduction_json(rows, setting, as_published(options)));
     else

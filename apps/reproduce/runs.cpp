@@ -8,7 +8,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "run/folder_lock.hpp"
-#include "study/read_results.hpp"
+#include "study_results/read_results.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "apps/study/discrepancy_text.hpp"
 
 #include "apps/terminal/text_table.hpp"
-#include "study/comparison.hpp"
-#include "study/names.hpp"
+#include "study_plan/names.hpp"
+#include "study_results/comparison.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/discrepancy.hpp"
+#include "study_results/discrepancy.hpp"
 
 #include <string>
 

@@ -92,7 +92,7 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
 } // namespace
 
 void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played,
-                        const std::vector<study::CellTrack>& tracks) {
+                        const std::vector<tracks::CellTrack>& tracks) {
   if (const std::string fault = study::fault_of_wanted(collected.results, played); !fault.empty())
     throw UsageError(fault);
   study::write_study_report(study, collected,

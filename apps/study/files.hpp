@@ -18,7 +18,7 @@ using study::StudyFolder;
 /// @param tracks  measured, to be drawn besides those of the targets
 /// @throws UsageError if one of them is none of the study, or is not done
 void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {},
-                        const std::vector<study::CellTrack>& tracks = {});
+                        const std::vector<tracks::CellTrack>& tracks = {});
 
 /// Writes all files of results of the study.
 Collected collect(const StudyFolder& study);

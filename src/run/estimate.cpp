@@ -113,6 +113,22 @@ Derived derived(const Parameters& p) {
           .cost = run_cost(as_run, ecm.size())};
 }
 
+std::optional<double> mean_fibre_direction(const Parameters& p, const Derived& d) {
+  if (p.fibres.field.direction_deg.empty()) return d.bonds.mean_deg;
+  double x = 0.0, y = 0.0; // of axes: angles count twice
+  std::size_t count = 0;
+  for (const FieldSummary& field : field_summaries(p).fields)
+    if (field.row->path == "fibres.field.direction_deg")
+      for (const double degrees : field.values) {
+        x += std::cos(degrees * std::numbers::pi / 90.0);
+        y += std::sin(degrees * std::numbers::pi / 90.0);
+        ++count;
+      }
+  if (std::hypot(x, y) <= 1e-2 * static_cast<double>(count)) return std::nullopt;
+  const double mean = std::atan2(y, x) * 90.0 / std::numbers::pi;
+  return mean < 0.0 ? mean + 180.0 : mean;
+}
+
 std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) {
   if (p.run.integrator == Integrator::adaptive) return std::nullopt;
   Parameters q = p;

@@ -49,6 +49,10 @@ struct Derived {
 
 Derived derived(const Parameters& p);
 
+/// The mean axis of the fibres, in [0, 180) degrees: that of the field of directions over the particles, where there is
+/// one, else that of the bonds; none if there is no preferred axis.
+std::optional<double> mean_fibre_direction(const Parameters& p, const Derived& d);
+
 /// Step and wall time of the adaptive integrator.
 struct Quicker {
   double time_step; ///< [s]

@@ -2,9 +2,9 @@
 
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
-#include "store/csv.hpp"
-#include "store/naming.hpp"
-#include "store/run_files.hpp"
+#include "tables/csv.hpp"
+#include "tables/naming.hpp"
+#include "tables/run_files.hpp"
 
 #include <algorithm>
 #include <cmath>

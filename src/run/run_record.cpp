@@ -5,9 +5,9 @@
 #include "base/time_text.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
-#include "store/naming.hpp"
-#include "store/state_json.hpp"
 #include "store/trajectory_hash.hpp"
+#include "tables/naming.hpp"
+#include "tables/state_json.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

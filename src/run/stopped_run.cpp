@@ -10,7 +10,7 @@
 #include "run/provenance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/step_limits.hpp"
-#include "store/state_json.hpp"
+#include "tables/state_json.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "draw/particle_picture.hpp"
 #include "parameters/parameters.hpp"
 #include "report/plot.hpp"
-#include "store/table.hpp"
+#include "tables/table.hpp"
 
 #include <functional>
 #include <string>

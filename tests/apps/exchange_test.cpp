@@ -1,6 +1,6 @@
 #include "program.hpp"
 
-#include "store/csv.hpp"
+#include "tables/csv.hpp"
 
 namespace matrigrate {
 namespace {

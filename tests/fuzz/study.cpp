@@ -1,7 +1,7 @@
 #include "target.hpp"
 
 #include "base/failure.hpp"
-#include "study/read_study.hpp"
+#include "study_plan/read_study.hpp"
 
 #include <cstdlib>
 #include <string>

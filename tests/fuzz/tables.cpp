@@ -1,7 +1,7 @@
 #include "target.hpp"
 
 #include "base/failure.hpp"
-#include "store/csv.hpp"
+#include "tables/csv.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -39,13 +39,13 @@ src/run/store/checkpoint.cpp|else if (!value.empty())|else if (!value.empty() &&
 src/model/state/image.cpp|put(value.value_or(0.0));|put(0.0);|store|the polarization is left out of the image
 src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
 src/run/store/run_memory.cpp|text_hash(text) != hash|false|store|a table that was edited is taken
-src/run/store/track_files.cpp|own[1].t - own[0].t|own.back().t - own[0].t|store|the interval of TrackMate is the whole time
+src/run/exchange/track_files.cpp|own[1].t - own[0].t|own.back().t - own[0].t|exchange|the interval of TrackMate is the whole time
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
 src/run/run_record.cpp|q.run.threads = RunParameters{}.threads|q.run.threads = p.run.threads|run|the configuration hash depends on the number of threads
-src/study/plan.cpp|without_folder(value) + value.substr(hash)|value|study|seeds depend on the folder of a file
-src/study/discrepancy.cpp|values, m.sd / std::sqrt(static_cast<double>(m.n)),|values, m.sd,|study|the draws of a discrepancy take the deviation for the standard error
-src/study/comparison.cpp|how.test != TestKind::welch|how.test == TestKind::welch|study|the interval of a difference pools variances with the wrong test
+src/study/study_plan/plan.cpp|without_folder(value) + value.substr(hash)|value|study_plan|seeds depend on the folder of a file
+src/study/study_results/discrepancy.cpp|values, m.sd / std::sqrt(static_cast<double>(m.n)),|values, m.sd,|study_results|the draws of a discrepancy take the deviation for the standard error
+src/study/study_results/comparison.cpp|how.test != TestKind::welch|how.test == TestKind::welch|study_results|the interval of a difference pools variances with the wrong test
 src/fields/grids.cpp|kept.version == version|kept.version.has_value() == version.has_value()|fields|a file that has changed is not read again
 src/fields/samples.cpp|relative_slack = 1e-6|relative_slack = 1e-1|fields|nodes off the grid are moved onto it
 src/fields/tiff.cpp|orientation == ORIENTATION_TOPRIGHT|orientation == ORIENTATION_LEFTTOP|fields|a picture stored from right to left is mirrored

@@ -62,6 +62,26 @@ TEST(Structure, WingsAreFewAndDependOneWay) {
       }
 }
 
+TEST(Structure, RoomsAreFew) {
+  const std::filesystem::path root = src.parent_path();
+  std::set<std::string> top; // folders with C++; of src/ its wings
+  for (const auto& entry : std::filesystem::directory_iterator(root)) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_directory() || name.starts_with(".") || name.starts_with("build")) continue;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(entry))
+      if (file.path().extension() == ".cpp")
+        top.insert(name == "src" ? file.path().lexically_relative(src).begin()->string() : name);
+  }
+  EXPECT_LE(top.size(), 14U);
+  std::map<std::string, int> rooms; // libraries of each wing
+  for (const auto& [library, folder] : libraries(src)) ++rooms[folder.lexically_relative(src).begin()->string()];
+  for (const auto& [wing, count] : rooms) EXPECT_LE(count, wing == "model" ? 9 : 8) << "libraries in src/" << wing;
+  for (const auto& entry : std::filesystem::directory_iterator(src)) {
+    if (!entry.is_directory() || std::filesystem::exists(entry.path() / "CMakeLists.txt")) continue;
+    ADD_FAILURE() << entry.path() << " is no wing";
+  }
+}
+
 TEST(Structure, IncludesFollowTheDeclaredEdges) {
   const Graph allowed = closure(declared_edges(src));
   expect_none([&](const Source& file) { return forbidden_includes(file, allowed); });
@@ -214,7 +234,7 @@ TEST(StructureRules, FindsForbiddenIncludes) {
   const Graph allowed{{"sph", {"base"}}};
   const Source file{"sph/kernel.cpp",
                     "#include \"sph/kernel.hpp\"\n#include \"base/vector.hpp\"\n#include <cmath>\n"
-                    "#include \"draw/svg.hpp\"\n// #include \"store/table.hpp\"\n#include \"kernel.hpp\"\n"};
+                    "#include \"draw/svg.hpp\"\n// #include \"store/hdf5.hpp\"\n#include \"kernel.hpp\"\n"};
   const Findings findings = forbidden_includes(file, allowed);
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0], "sph/kernel.cpp:4: sph may not include draw");

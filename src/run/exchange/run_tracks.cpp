@@ -1,7 +1,7 @@
 #include "exchange/run_tracks.hpp"
 
 #include "observe/even_times.hpp"
-#include "store/row_file.hpp"
+#include "tables/row_file.hpp"
 
 #include <fmt/format.h>
 

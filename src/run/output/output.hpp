@@ -5,8 +5,8 @@
 #include "run/run_record.hpp"
 #include "simulation/workspace.hpp"
 #include "state/state.hpp"
-#include "store/row_file.hpp"
 #include "store/run_memory.hpp"
+#include "tables/row_file.hpp"
 
 #include <filesystem>
 #include <functional>

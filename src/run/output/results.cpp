@@ -1,6 +1,6 @@
 #include "base/file.hpp"
 #include "run/output/output.hpp"
-#include "store/run_files.hpp"
+#include "tables/run_files.hpp"
 
 namespace matrigrate::run {
 

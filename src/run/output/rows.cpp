@@ -1,7 +1,7 @@
 #include "cell/nucleus.hpp"
 #include "run/output/output.hpp"
-#include "store/run_files.hpp"
 #include "store/trajectory_hash.hpp"
+#include "tables/run_files.hpp"
 
 namespace matrigrate::run {
 

@@ -2,7 +2,7 @@
 
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
-#include "store/csv.hpp"
+#include "tables/csv.hpp"
 
 #include <nlohmann/json.hpp>
 

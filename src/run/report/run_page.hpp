@@ -1,7 +1,7 @@
 #pragma once
 
 #include "observe/frame.hpp"
-#include "store/run_files.hpp"
+#include "tables/run_files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -7,7 +7,7 @@ namespace matrigrate::store {
 
 namespace {
 
-constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 } // namespace
 
@@ -19,7 +19,7 @@ std::string base64(std::string_view bytes) {
       return i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U;
     };
     const std::uint32_t three = byte(0) << 16U | byte(1) << 8U | byte(2);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[three >> (18U - 6U * k) & 63U] : '=';
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? alphabet[three >> (18U - 6U * k) & 63U] : '=';
   }
   return text;
 }

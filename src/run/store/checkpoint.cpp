@@ -5,8 +5,8 @@
 #include "state/dof.hpp"
 #include "state/members.hpp"
 #include "store/hdf5.hpp"
-#include "store/naming.hpp"
-#include "store/state_json.hpp"
+#include "tables/naming.hpp"
+#include "tables/state_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "store/anchors.hpp"
 #include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
-#include "store/naming.hpp"
+#include "tables/naming.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "store/field_file.hpp"
 #include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
-#include "store/naming.hpp"
+#include "tables/naming.hpp"
 
 #include <fmt/format.h>
 

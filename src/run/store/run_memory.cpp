@@ -3,10 +3,10 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "state/members.hpp"
-#include "store/naming.hpp"
-#include "store/run_files.hpp"
-#include "store/state_json.hpp"
 #include "store/trajectory_hash.hpp"
+#include "tables/naming.hpp"
+#include "tables/run_files.hpp"
+#include "tables/state_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

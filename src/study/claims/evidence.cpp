@@ -5,7 +5,7 @@
 #include "claims/shipped_studies.hpp"
 #include "run/provenance.hpp"
 #include "simulation/start_rules.hpp"
-#include "study/read_results.hpp"
+#include "study_results/read_results.hpp"
 
 #include <fmt/format.h>
 
@@ -149,6 +149,20 @@ ClaimEvidence gather_evidence(const std::vector<Claim>& claims, const EvidenceOp
     all.evidence.emplace(name, Ensemble{study.study, std::move(results)});
   }
   return all;
+}
+
+std::vector<JudgedClaim> judged_claims(const std::vector<Claim>& claims, const ClaimEvidence& all) {
+  std::vector<JudgedClaim> rows;
+  for (const Claim& claim : claims) {
+    JudgedClaim& row = rows.emplace_back(judged_claim(claim, all.evidence));
+    Evidence larger;
+    for (const std::string& name : claim.studies())
+      if (const auto found = all.larger.find(name); found != all.larger.end()) larger.insert(*found);
+    if (larger.empty()) continue;
+    for (const std::string& name : row.studies) larger.insert(*all.evidence.find(name));
+    row.in_larger_disc = judged(claim, larger);
+  }
+  return rows;
 }
 
 std::string ends_text(const Ensemble& ensemble) {

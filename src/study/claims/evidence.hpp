@@ -4,6 +4,7 @@
 #include "study_runs/study_folder.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,14 +14,20 @@
 /// The results of the shipped studies behind claims. Test: tests/apps/reproduce_test.cpp
 namespace matrigrate::study {
 
-/// Where results are, and how the studies are to be run.
+/// Which rows are asked for, where results are, and how the studies are to be run.
 struct EvidenceOptions {
+  std::string id = "all";           ///< of a row, "A2", or its beginning, "A"
   std::string folder = "reproduce"; ///< of the studies, each in its own
   std::string from;                 ///< folder of kept tables to judge by; empty: run what is missing
   std::string kept;                 ///< folder of kept tables whose runs are not made again; empty: none
   std::optional<std::size_t> replicates;
   std::string integrator = "adaptive";
   std::vector<std::string> overrides;
+
+  /// Whether a row, by its id, was asked for.
+  bool chooses(std::string_view row) const { return id == "all" || row.starts_with(id); }
+  /// The folder of the tables that are judged by.
+  std::filesystem::path tables() const { return from.empty() ? folder : from; }
 };
 
 /// The evidence, and a second one in which each run that ended at the rim, of a point that decides on a claim, is
@@ -54,6 +61,9 @@ void require_own_study_folders(const std::vector<Claim>& claims, const EvidenceO
 /// in place of it, where they are there.
 /// @throws InputOutputError if a table cannot be read or is of other runs; what `compute` throws
 ClaimEvidence gather_evidence(const std::vector<Claim>& claims, const EvidenceOptions& options, const Compute& compute);
+
+/// Verdicts on claims, each with that in a larger disc where runs ended at the rim.
+std::vector<JudgedClaim> judged_claims(const std::vector<Claim>& claims, const ClaimEvidence& all);
 
 /// "60 of 60 runs done; 0 ended at the rim, 0 by crossing themselves, 0 otherwise"
 std::string ends_text(const Ensemble& ensemble);

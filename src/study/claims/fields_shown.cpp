@@ -1,8 +1,8 @@
 #include "claims/fields_shown.hpp"
 
 #include "base/failure.hpp"
-#include "store/csv.hpp"
-#include "store/table.hpp"
+#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 

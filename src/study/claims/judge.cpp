@@ -1,7 +1,7 @@
 #include "claims/judge.hpp"
 
 #include "statistics/compare.hpp"
-#include "study/names.hpp"
+#include "study_plan/names.hpp"
 
 #include <fmt/format.h>
 

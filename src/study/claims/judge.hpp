@@ -1,8 +1,8 @@
 #pragma once
 
 #include "report/verdict.hpp"
-#include "study/results.hpp"
-#include "study/study.hpp"
+#include "study_plan/study.hpp"
+#include "study_results/results.hpp"
 
 #include <map>
 #include <optional>

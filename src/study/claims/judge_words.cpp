@@ -2,7 +2,7 @@
 
 #include "observe/readout_table.hpp"
 #include "statistics/compare.hpp"
-#include "study/names.hpp"
+#include "study_plan/names.hpp"
 
 #include <fmt/format.h>
 

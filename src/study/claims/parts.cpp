@@ -133,4 +133,16 @@ JudgedClaim judged_by_fields(const PartRow& row, const std::filesystem::path& fi
   return claim;
 }
 
+std::vector<JudgedClaim> rows_by_fields(const Evidence& evidence, const EvidenceOptions& options) {
+  std::vector<JudgedClaim> rows;
+  const std::filesystem::path folder = options.tables();
+  for (const PartRow& row : part_rows()) {
+    if (!row.verification.empty() || !options.chooses(row.id)) continue;
+    if (const auto found = evidence.find(field_study); options.from.empty() && found != evidence.end())
+      write_file(folder / "fields.csv", fields_csv(found->second, folder / field_study));
+    rows.push_back(judged_by_fields(row, folder / "fields.csv", evidence));
+  }
+  return rows;
+}
+
 } // namespace matrigrate::study

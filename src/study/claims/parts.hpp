@@ -1,11 +1,12 @@
 #pragma once
 
-#include "claims/claims.hpp"
+#include "claims/evidence.hpp"
 #include "validation/case.hpp"
 
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 /// Rows of the table that are judged on parts of the model and not on ensembles: V1 to V3 by verification cases, F1 by
 /// the fields of two runs. Test: tests/unit/claims/parts_test.cpp, tests/apps/reproduce_test.cpp
@@ -41,5 +42,9 @@ std::string fields_csv(const Ensemble& study, const std::filesystem::path& folde
 /// @param file  fields.csv; undecided if it is not there
 /// @throws InputOutputError if it cannot be read
 JudgedClaim judged_by_fields(const PartRow& row, const std::filesystem::path& file, const Evidence& evidence);
+
+/// The rows that were asked for and are judged by fields; from runs it first writes fields.csv into their folder.
+/// @throws InputOutputError if frames or the table cannot be read
+std::vector<JudgedClaim> rows_by_fields(const Evidence& evidence, const EvidenceOptions& options);
 
 } // namespace matrigrate::study

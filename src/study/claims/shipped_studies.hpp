@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/read_study.hpp"
+#include "study_plan/read_study.hpp"
 
 #include <filesystem>
 #include <span>

@@ -1,7 +1,7 @@
 #include "study_report/discrepancy_json.hpp"
 
-#include "study/comparison.hpp"
-#include "study/names.hpp"
+#include "study_plan/names.hpp"
+#include "study_results/comparison.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,9 +3,9 @@
 #include "base/failure.hpp"
 #include "observe/displacement_statistics.hpp"
 #include "observe/readout_table.hpp"
-#include "store/csv.hpp"
-#include "study/design/axes.hpp"
+#include "study_plan/axes.hpp"
 #include "study_report/run_json.hpp"
+#include "tables/csv.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "study/comparison.hpp"
 #include "study_report/run_curves.hpp"
+#include "study_results/comparison.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

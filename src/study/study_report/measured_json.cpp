@@ -20,7 +20,7 @@ std::size_t evenly(std::size_t k, std::size_t chosen, std::size_t n) {
 
 double rounded(double um) { return std::round(100.0 * um) / 100.0; }
 
-void add_track(const CellTrack& track, Json& json) {
+void add_track(const tracks::CellTrack& track, Json& json) {
   if (!json["t_s"].empty())
     for (const char* column : {"t_s", "x_um", "y_um"}) json[column].push_back(nullptr);
   const std::size_t n = std::min(track.t.size(), most_positions);
@@ -33,7 +33,7 @@ void add_track(const CellTrack& track, Json& json) {
 }
 
 /// True if a target with these tracks holds at a condition.
-bool hold_at(const Study& study, const std::vector<CellTrack>* tracks, std::size_t condition) {
+bool hold_at(const Study& study, const std::vector<tracks::CellTrack>* tracks, std::size_t condition) {
   return std::ranges::any_of(study.targets, [&](const Target& t) {
     return t.tracks.get() == tracks && (t.at.empty() || std::ranges::find(t.at, condition) != t.at.end());
   });
@@ -41,7 +41,7 @@ bool hold_at(const Study& study, const std::vector<CellTrack>* tracks, std::size
 
 } // namespace
 
-Json measured_json(const std::vector<CellTrack>& tracks) {
+Json measured_json(const std::vector<tracks::CellTrack>& tracks) {
   if (tracks.empty()) return {};
   Json json{{"total", tracks.size()}, {"t_s", Json::array()}, {"x_um", Json::array()}, {"y_um", Json::array()}};
   const std::size_t n = std::min(tracks.size(), most_tracks);
@@ -49,14 +49,15 @@ Json measured_json(const std::vector<CellTrack>& tracks) {
   return json;
 }
 
-std::vector<CellTrack> tracks_at(const Study& study, const std::vector<CellTrack>& further, std::size_t point) {
-  std::vector<CellTrack> all = further;
+std::vector<tracks::CellTrack> tracks_at(const Study& study, const std::vector<tracks::CellTrack>& further,
+                                         std::size_t point) {
+  std::vector<tracks::CellTrack> all = further;
   for (const auto& set : measured_sets(study))
     if (hold_at(study, set.get(), study.points[point].condition)) std::ranges::copy(*set, std::back_inserter(all));
   return all;
 }
 
-Json measured_json(const Study& study, const std::vector<CellTrack>& further, const std::vector<Json>& places) {
+Json measured_json(const Study& study, const std::vector<tracks::CellTrack>& further, const std::vector<Json>& places) {
   Json list = Json::array();
   if (!further.empty()) {
     list.push_back(measured_json(further));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/study.hpp"
+#include "study_plan/study.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,14 +13,15 @@ namespace matrigrate::study {
 
 /// Tracks from a common origin and from time 0: of more than 200 as many, of each at most 100 positions, evenly chosen.
 /// @return null without tracks
-nlohmann::ordered_json measured_json(const std::vector<CellTrack>& tracks);
+nlohmann::ordered_json measured_json(const std::vector<tracks::CellTrack>& tracks);
 
 /// The tracks of the targets that hold at a point, and further ones.
-std::vector<CellTrack> tracks_at(const Study& study, const std::vector<CellTrack>& further, std::size_t point);
+std::vector<tracks::CellTrack> tracks_at(const Study& study, const std::vector<tracks::CellTrack>& further,
+                                         std::size_t point);
 
 /// The tracks of each file that targets name, and further ones, with the places of the points that they belong to.
 /// @param places  of the points in the grid of the page
-nlohmann::ordered_json measured_json(const Study& study, const std::vector<CellTrack>& further,
+nlohmann::ordered_json measured_json(const Study& study, const std::vector<tracks::CellTrack>& further,
                                      const std::vector<nlohmann::ordered_json>& places);
 
 } // namespace matrigrate::study

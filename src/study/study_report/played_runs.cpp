@@ -87,7 +87,8 @@ std::string fault_of_wanted(const std::vector<Result>& results, const std::vecto
 }
 
 std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
-                                   const std::vector<std::string>& wanted, const std::vector<CellTrack>& tracks) {
+                                   const std::vector<std::string>& wanted,
+                                   const std::vector<tracks::CellTrack>& tracks) {
   const std::vector<Choice> chosen = wanted.empty() ? typical_ones(study, results) : asked_for(results, wanted);
   std::vector<PlayedRun> played;
   std::size_t stride = 1;

@@ -19,6 +19,7 @@ std::string fault_of_wanted(const std::vector<Result>& results, const std::vecto
 /// @throws InputOutputError if a wanted run cannot be read; other unreadable runs are left out
 /// Test: tests/apps/study_test.cpp
 std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
-                                   const std::vector<std::string>& wanted, const std::vector<CellTrack>& tracks = {});
+                                   const std::vector<std::string>& wanted,
+                                   const std::vector<tracks::CellTrack>& tracks = {});
 
 } // namespace matrigrate::study

@@ -2,10 +2,10 @@
 
 #include "base/file.hpp"
 #include "statistics/sample.hpp"
-#include "store/csv.hpp"
-#include "store/naming.hpp"
-#include "store/table.hpp"
-#include "study/cell_tracks.hpp"
+#include "tables/csv.hpp"
+#include "tables/naming.hpp"
+#include "tables/table.hpp"
+#include "tracks/cell_tracks.hpp"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ std::string paths_csv(const Study& study, const std::vector<Result>& results,
   const bool several = has_several_cells(study);
   std::string csv = fmt::format("replicate,t_s,x_um,y_um,{}point\n", several ? "cell," : "");
   each_done(study, results, study_folder, [&](const Result& r, const std::filesystem::path& folder) {
-    for (const auto& [cell, t, x, y] : cell_tracks(folder))
+    for (const auto& [cell, t, x, y] : tracks::cell_tracks(folder))
       for (std::size_t k = 0; k < t.size(); ++k) {
         if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
         csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "study/results.hpp"
-#include "study/study.hpp"
+#include "study_plan/study.hpp"
+#include "study_results/results.hpp"
 
 #include <filesystem>
 #include <string>

@@ -3,8 +3,8 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "store/checkpoint.hpp"
-#include "store/csv.hpp"
-#include "study/cell_tracks.hpp"
+#include "tables/csv.hpp"
+#include "tracks/cell_tracks.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -33,10 +33,10 @@ void begin_line(Json& lines) {
 
 /// At most path_points of each cell's path, the last one among them.
 Json path_json(const std::filesystem::path& folder) {
-  const std::vector<CellTrack> tracks = cell_tracks(folder);
+  const std::vector<tracks::CellTrack> tracks = tracks::cell_tracks(folder);
   if (tracks.empty()) return {};
   Json path{{"x_um", Json::array()}, {"y_um", Json::array()}};
-  for (const CellTrack& track : tracks) {
+  for (const tracks::CellTrack& track : tracks) {
     begin_line(path);
     const std::size_t n = std::min(track.x.size(), path_points);
     for (std::size_t k = 0; k < n; ++k) {

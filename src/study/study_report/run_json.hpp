@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/results.hpp"
+#include "study_results/results.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -5,10 +5,10 @@
 #include "cell/geometry.hpp"
 #include "draw/particle_picture.hpp"
 #include "store/checkpoint.hpp"
-#include "store/csv.hpp"
 #include "store/field_file.hpp"
 #include "store/hdf5.hpp"
-#include "store/table.hpp"
+#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 

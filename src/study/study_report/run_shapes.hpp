@@ -1,8 +1,8 @@
 #pragma once
 
 #include "observe/frame.hpp"
-#include "study/results.hpp"
-#include "study/study.hpp"
+#include "study_plan/study.hpp"
+#include "study_results/results.hpp"
 
 #include <filesystem>
 #include <string>

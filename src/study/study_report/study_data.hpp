@@ -1,8 +1,8 @@
 #pragma once
 
 #include "claims/claims.hpp"
-#include "study/comparison.hpp"
-#include "study/discrepancy.hpp"
+#include "study_results/comparison.hpp"
+#include "study_results/discrepancy.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ struct StudyReport {
   std::vector<PlayedRun> played{};
   std::string command{}; ///< that computes the study again
   std::vector<Discrepancy> discrepancies{};
-  std::vector<CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
+  std::vector<tracks::CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
 };
 
 /// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any

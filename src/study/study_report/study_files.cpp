@@ -8,9 +8,9 @@
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
-#include "store/csv.hpp"
 #include "study_report/played_runs.hpp"
 #include "study_report/run_curves.hpp"
+#include "tables/csv.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "study/comparison.hpp"
-#include "study/discrepancy.hpp"
 #include "study_report/study_data.hpp"
+#include "study_results/comparison.hpp"
+#include "study_results/discrepancy.hpp"
 #include "study_runs/study_folder.hpp"
 
 #include <string>
@@ -38,9 +38,9 @@ void require_no_loss(const StudyFolder& study, const std::vector<Result>& now);
 
 /// What the page of a study is made of besides its results.
 struct StudyPage {
-  std::string_view page_template;    ///< of report/run_page.hpp
-  std::vector<std::string> played{}; ///< names of the runs that it plays; none: typical ones
-  std::vector<CellTrack> tracks{};   ///< measured, to be drawn besides those of the targets
+  std::string_view page_template;          ///< of report/run_page.hpp
+  std::vector<std::string> played{};       ///< names of the runs that it plays; none: typical ones
+  std::vector<tracks::CellTrack> tracks{}; ///< measured, to be drawn besides those of the targets
 };
 
 /// Judges the claims about the study, by it and by the studies beside its folder; writes claims.csv, if there are any,

@@ -7,7 +7,7 @@
 #include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
-#include "study/names.hpp"
+#include "study_plan/names.hpp"
 
 #include <fmt/format.h>
 
@@ -185,7 +185,7 @@ void require_own_folder(const StudyFolder& study) {
     std::erase(there, scenario_file);
   const auto sets = measured_sets(study.study);
   for (std::size_t k = 0; k < sets.size(); ++k)
-    if (is_text(folder / measured_file(k), measured_csv(*sets[k]))) std::erase(there, measured_file(k));
+    if (is_text(folder / measured_file(k), tracks::measured_csv(*sets[k]))) std::erase(there, measured_file(k));
   std::erase(there, "runs");
   if (!there.empty())
     throw InputOutputError(fmt::format("{}: holds other files, and no study: {}; choose another folder with -o",
@@ -202,7 +202,8 @@ void write_study(const StudyFolder& study) {
   require_own_folder(study);
   write_if_new(study.folder / scenario_file, base_text(study));
   const auto sets = measured_sets(study.study);
-  for (std::size_t k = 0; k < sets.size(); ++k) write_if_new(study.folder / measured_file(k), measured_csv(*sets[k]));
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    write_if_new(study.folder / measured_file(k), tracks::measured_csv(*sets[k]));
   write_if_new(study.folder / study_file, to_toml(study.study, scenario_file));
 }
 

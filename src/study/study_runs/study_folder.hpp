@@ -1,9 +1,9 @@
 #pragma once
 
-#include "study/plan.hpp"
-#include "study/read_study.hpp"
-#include "study/results.hpp"
-#include "study/study.hpp"
+#include "study_plan/plan.hpp"
+#include "study_plan/read_study.hpp"
+#include "study_plan/study.hpp"
+#include "study_results/results.hpp"
 
 #include <filesystem>
 #include <string>

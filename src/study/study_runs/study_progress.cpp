@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "base/platform.hpp"
 #include "run/run_record.hpp"
-#include "store/csv.hpp"
+#include "tables/csv.hpp"
 
 #include <nlohmann/json.hpp>
 

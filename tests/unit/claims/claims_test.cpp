@@ -1,4 +1,4 @@
-#include "unit/study/studies.hpp"
+#include "unit/study_plan/studies.hpp"
 
 #include "claims/claims.hpp"
 #include "claims/shipped_studies.hpp"

@@ -3,7 +3,7 @@
 #include "ecm/bonds.hpp"
 #include "ecm/loop/fibres.hpp"
 #include "report/film_json.hpp"
-#include "store/run_files.hpp"
+#include "tables/run_files.hpp"
 #include "unit/draw/markup.hpp"
 #include "unit/observe/frames.hpp"
 

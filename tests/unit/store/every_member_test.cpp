@@ -6,7 +6,7 @@
 #include "state/dof.hpp"
 #include "state/image.hpp"
 #include "state/members.hpp"
-#include "store/run_files.hpp"
+#include "tables/run_files.hpp"
 
 #include <gtest/gtest.h>
 

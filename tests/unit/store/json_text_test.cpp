@@ -1,4 +1,4 @@
-#include "store/state_json.hpp"
+#include "tables/state_json.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"

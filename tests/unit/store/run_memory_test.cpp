@@ -1,7 +1,7 @@
 #include "store/run_memory.hpp"
 
 #include "base/failure.hpp"
-#include "store/run_files.hpp"
+#include "tables/run_files.hpp"
 #include "unit/store/folder_of_tables.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "study_report/drawn_study.hpp"
 
 #include "base/failure.hpp"
-#include "unit/study/studies.hpp"
+#include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

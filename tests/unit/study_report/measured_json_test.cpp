@@ -9,8 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-CellTrack straight(std::uint32_t cell, double x, std::size_t positions) {
-  CellTrack track{.cell = cell, .t = {}, .x = {}, .y = {}};
+tracks::CellTrack straight(std::uint32_t cell, double x, std::size_t positions) {
+  tracks::CellTrack track{.cell = cell, .t = {}, .x = {}, .y = {}};
   for (std::size_t i = 0; i < positions; ++i) {
     track.t.push_back(60.0 * static_cast<double>(i));
     track.x.push_back(x + static_cast<double>(i));
@@ -23,11 +23,11 @@ TEST(MeasuredJson, TracksBeginAtTheOriginWithNullBetweenThem) {
   EXPECT_EQ(measured_json({straight(1, 10.0, 3), straight(2, -4.0, 2)}).dump(),
             R"({"total":2,"t_s":[0.0,60.0,120.0,null,0.0,60.0],"x_um":[0.0,1.0,2.0,null,0.0,1.0],)"
             R"("y_um":[0.0,0.0,0.0,null,0.0,0.0]})");
-  EXPECT_TRUE(measured_json(std::vector<CellTrack>()).is_null());
+  EXPECT_TRUE(measured_json(std::vector<tracks::CellTrack>()).is_null());
 }
 
 TEST(MeasuredJson, ManyAreThinnedEvenly) {
-  std::vector<CellTrack> many;
+  std::vector<tracks::CellTrack> many;
   for (int k = 0; k < 401; ++k) many.push_back(straight(k, 0.0, 1000));
   const Json json = measured_json(many);
   EXPECT_EQ(json.at("total"), 401);
@@ -41,8 +41,8 @@ TEST(MeasuredJson, TargetsTellWhichPointsTheyBelongTo) {
   study.conditions = {{"soft", {}}, {"stiff", {}}};
   study.points.resize(2);
   study.points[1].condition = 1;
-  const auto soft = std::make_shared<const std::vector<CellTrack>>(2, straight(1, 0.0, 2));
-  const auto both = std::make_shared<const std::vector<CellTrack>>(3, straight(1, 0.0, 2));
+  const auto soft = std::make_shared<const std::vector<tracks::CellTrack>>(2, straight(1, 0.0, 2));
+  const auto both = std::make_shared<const std::vector<tracks::CellTrack>>(3, straight(1, 0.0, 2));
   study.targets = {{.readout = "a", .at = {0}, .tracks = soft},
                    {.readout = "b", .at = {0}, .tracks = soft},
                    {.readout = "c", .at = {}, .tracks = both},

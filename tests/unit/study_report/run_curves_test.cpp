@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "unit/study/studies.hpp"
+#include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
 

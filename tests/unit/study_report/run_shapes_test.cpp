@@ -3,9 +3,9 @@
 #include "base/file.hpp"
 #include "simulation/start.hpp"
 #include "store/checkpoint.hpp"
-#include "store/csv.hpp"
 #include "store/field_file.hpp"
-#include "unit/study/studies.hpp"
+#include "tables/csv.hpp"
+#include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "study_report/study_data.hpp"
 
 #include "parameters/schema.hpp"
-#include "store/csv.hpp"
-#include "study/design/axes.hpp"
+#include "study_plan/axes.hpp"
 #include "study_report/discrepancy_json.hpp"
-#include "unit/study/studies.hpp"
+#include "tables/csv.hpp"
+#include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "study_runs/pool.hpp"
 #include "study_runs/study_cost.hpp"
-#include "unit/study/studies.hpp"
+#include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

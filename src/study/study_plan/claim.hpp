@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// Claims: sentences, each with the conditions on the read-outs of studies that it must meet. They stand as [[claims]]
+/// in study files (read_comparisons.hpp); claims/judge.hpp judges them. Test:
+/// tests/unit/study_plan/read_claims_test.cpp
+namespace matrigrate::study {
+
+/// What a claim is for: closures were chosen on calibration rows, no predicted row was looked at before they were
+/// frozen (docs/closures.md), verification rows test parts of the model, and experiment rows go
+/// beyond the paper.
+enum class ClaimKind { calibration, predicted, verification, experiment };
+
+enum class Sign { up, down };
+
+/// What a condition asks for. In the names of the keys: `to` against `from`, each a point; or the runs `at` a point; or
+/// all runs of the study.
+enum class ClaimRule {
+  differs,        ///< `to` is significantly above (or below) `from`
+  same,           ///< `to` does not differ significantly from `from`
+  leans,          ///< the mean of `to` is above (or below) that of `from`, significantly or not: "slightly"
+  not_beyond,     ///< `to` is not significantly above (or below) `from`
+  ratio_below,    ///< the means of `to` and `from` are in a ratio below a bound
+  exceeds,        ///< in the runs the read-out is above another: the 95 % interval of their difference is above 0
+  agrees,         ///< the published mean of so many runs could be one of our population: published_mean_test, p >= 0.05
+  lowest_agrees,  ///< the lowest of the means of all points agrees with a published one
+  highest_agrees, ///< the highest
+  within,         ///< the mean lies between two bounds
+  below,          ///< the 95 % interval of the mean lies below a bound
+  above,          ///< the 95 % interval of the mean lies above a bound
+  correlates,     ///< Pearson's r with another read-out over all runs is significant and has this sign
+  uncorrelated,   ///< it is not significant
+  mean_above,     ///< the mean over all runs is above a bound
+  none_above,     ///< no run is above a bound
+  mostly_up_to    ///< at least a share of the runs is not above a bound
+};
+
+/// A point by its label.
+struct PointName {
+  std::string study; ///< empty: that of the claim
+  std::string label;
+};
+
+struct ClaimCondition {
+  ClaimRule rule = ClaimRule::differs;
+  std::string study{}; ///< all of whose runs are meant; empty: that of the claim
+  PointName from{};
+  PointName to{}; ///< or `at`
+  std::string readout{};
+  std::string other{}; ///< the second read-out: `over`, `with`
+  Sign sign = Sign::up;
+  double value = 0.0; ///< or `bound`, `low`
+  double high = 0.0;
+  double runs = 0.0; ///< that a published value is the mean of
+  double share = 0.0;
+};
+
+struct Claim {
+  std::string id;      ///< "A1"
+  std::string study{}; ///< whose file it stands in
+  ClaimKind kind = ClaimKind::predicted;
+  std::string sentence{};  ///< what is claimed
+  std::string published{}; ///< the numbers that were published
+  std::vector<ClaimCondition> conditions{};
+  std::string text{}; ///< the [[claims]] table of a file, to be read again
+
+  /// Names of the studies that it is judged by, its own first.
+  std::vector<std::string> studies() const;
+  /// Whether the runs at a point of a study decide on it: a condition names the point, or all runs of the study.
+  bool depends_on(const std::string& of_study, const std::string& label) const;
+};
+
+/// "calibration", "predicted", ...
+std::string kind_name(ClaimKind kind);
+
+} // namespace matrigrate::study

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "study_plan/study.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// How the parameters of a study are called in labels, sentences and figures. Test:
+/// tests/unit/study_plan/names_test.cpp
+namespace matrigrate::study {
+
+/// The parameters that a study varies, each by a name that no other of them has.
+class Names {
+public:
+  /// @param keys  their paths
+  explicit Names(const std::vector<std::string>& keys);
+  explicit Names(const Study& study) : Names(swept_keys(study)) {}
+
+  /// "youngs_modulus"; "n_prot", since "number" says of what too little; the whole path where another parameter of the
+  /// study ends alike: "protrusion.force" beside "actomyosin.force".
+  std::string of(const std::string& key) const;
+  /// "polarization.rate (r_pol)": where there is room, as along an axis.
+  static std::string whole(const std::string& key);
+
+private:
+  std::map<std::string, std::string> m_names; ///< by path
+};
+
+/// "youngs_modulus 50 Pa, force 0.6 nN"; "all" without settings. A field from a file is called by the name of the file
+/// ("youngs_modulus stiff.csv").
+/// @param whole  with the folder and the fingerprint of files
+std::string label_of(const std::vector<Setting>& settings, const Names& names, bool whole = false);
+
+/// A factor set, or a point, as people read it: its label; of a sample of a Latin hypercube, whose label only counts,
+/// the values of its factors to three digits: "youngs_modulus 138 Pa, viscosity 705 Pa s".
+std::string set_text(const Study& study, std::size_t set);
+std::string point_text(const Study& study, std::size_t point);
+
+} // namespace matrigrate::study

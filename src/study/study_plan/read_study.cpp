@@ -1,0 +1,335 @@
+#include "study_plan/read_study.hpp"
+
+#include "fields/grids.hpp"
+#include "parameters/document.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/presets.hpp"
+#include "parameters/read.hpp"
+#include "parameters/scan.hpp"
+#include "study_plan/conditions.hpp"
+#include "study_plan/read_comparisons.hpp"
+#include "study_plan/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 25; // the resolved form of 100,000 points
+constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
+constexpr std::size_t max_replicates = 100'000;
+
+const std::vector<std::string>& known_keys() {
+  static const std::vector<std::string> keys{"title",
+                                             "scenario",
+                                             "preset",
+                                             "replicates",
+                                             "seed",
+                                             "common_random_numbers",
+                                             "readouts",
+                                             "set",
+                                             "sweep",
+                                             "points",
+                                             "latin_hypercube",
+                                             "conditions",
+                                             "targets",
+                                             "statistics",
+                                             "claims"};
+  return keys;
+}
+
+/// What replaces a section of earlier versions; null for another.
+const char* replacement(std::string_view key) {
+  if (key == "one_at_a_time")
+    return "is no design any more; list the base and each value alone as [[points]], or draw ranges by "
+           "[latin_hypercube], of which matrigrate.calibrate.fit tells how much each parameter matters";
+  if (key == "in_place_of")
+    return "has gone with the first set of closures; the version of the tag closures-2 has both";
+  if (key == "morris")
+    return "is no design any more; draw the ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells how "
+           "much each parameter matters";
+  if (key == "steps")
+    return "belong to a design that is no more; leave them out: the points and their runs stay. A [latin_hypercube] "
+           "and matrigrate.calibrate.fit tell how much each parameter matters";
+  return nullptr;
+}
+
+class Reader {
+public:
+  Reader(std::string name, std::filesystem::path folder, const Changes& changes)
+      : m_faults(std::move(name)), m_folder(std::move(folder)), m_changes(changes) {}
+
+  Study read(std::string_view text) {
+    auto document = parse_document(text, m_faults.file());
+    if (auto* fault = std::get_if<Fault>(&document)) {
+      m_faults.add({std::move(*fault)});
+      m_faults.raise();
+    }
+    m_table = std::move(std::get<toml::table>(document));
+    refuse_scenario();
+    check_keys();
+    read_head();
+    read_base();
+    read_points();
+    read_targets();
+    read_statistics();
+    require_room();
+    m_faults.raise();
+    return std::move(m_study);
+  }
+
+  FaultList& faults() { return m_faults; }
+
+private:
+  const toml::node* get(std::string_view key) const { return m_table.get(key); }
+
+  /// The table of that name; null, and a fault if something else stands there.
+  const toml::table* section(std::string_view key) {
+    const toml::node* node = get(key);
+    if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+    m_faults.add(place_of(*node), key, fmt::format("is {}, but a section [{}] is expected", type_of(*node), key));
+    return nullptr;
+  }
+
+  /// The array of tables of that name; null, and a fault if something else stands there.
+  const toml::array* list(std::string_view key, std::string_view what) {
+    const toml::node* node = get(key);
+    if (node == nullptr || node->is_array()) return node == nullptr ? nullptr : node->as_array();
+    m_faults.add(place_of(*node), key, fmt::format("is no list of {0}; write [[{0}]] and {1} below", key, what));
+    return nullptr;
+  }
+
+  /// One fault for a file that is a scenario, in place of one for each of its sections.
+  void refuse_scenario() {
+    const auto of_scenario = [](const auto& entry) {
+      return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == entry.first.str(); });
+    };
+    if (is_study(m_table) || get("scenario") || get("preset") || std::ranges::none_of(m_table, of_scenario)) return;
+    m_faults.add({Fault{m_faults.file(), 0, 0, "",
+                        fmt::format("is a scenario of one run, and not a study; matrigrate run {0} computes it. A "
+                                    "study names it, scenario = \"{0}\", and what varies: docs/studies.md",
+                                    m_faults.file())}});
+    m_faults.raise();
+  }
+
+  void check_keys() {
+    for (const auto& [name, node] : m_table) {
+      const std::string key(name.str());
+      if (std::ranges::find(known_keys(), key) != known_keys().end()) continue;
+      if (const char* instead = replacement(key)) {
+        m_faults.add(place_of(name), key, instead);
+        continue;
+      }
+      m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
+                   [key] { return did_you_mean(nearest(key, known_keys())); });
+    }
+  }
+
+  /// Of the base and of all points, with what was read of their files.
+  void complete_fields_of_sections() {
+    if (!m_study.base.grids) m_study.base.grids = std::make_shared<fields::Grids>();
+    const auto complete = [&](toml::table& table) { complete_fields(table, m_folder, *m_study.base.grids, m_faults); };
+    for (const char* key : {"set", "sweep"})
+      if (toml::table* table = m_table[key].as_table()) complete(*table);
+    for (const char* key : {"points", "conditions"})
+      if (toml::array* list = m_table[key].as_array())
+        for (toml::node& node : *list)
+          if (toml::table* table = node.as_table()) complete(*table);
+  }
+
+  void read_head() {
+    if (const auto* node = get("title")) m_study.title = m_faults.text(*node, "title");
+    if (const auto* node = get("seed")) m_study.seed = m_faults.whole(*node, "seed", 0, largest_seed);
+    if (const auto* node = get("common_random_numbers"))
+      m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");
+    if (const auto* node = get("replicates"))
+      m_study.replicates = m_faults.whole(*node, "replicates", 1, max_replicates);
+    else
+      m_faults.add({}, "replicates", "is missing; write replicates = 12, the runs at each point");
+    if (m_changes.replicates) m_study.replicates = *m_changes.replicates;
+    read_readouts();
+  }
+
+  void read_readouts() {
+    const toml::node* node = get("readouts");
+    m_study.readouts = default_readouts();
+    if (node == nullptr) return;
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->empty())
+      return m_faults.add(place_of(*node), "readouts", "is no list of names, such as [\"n_protrusions\"]");
+    m_study.readouts.clear();
+    const std::vector<std::string> names = all_readouts();
+    if (list->size() > names.size())
+      return m_faults.add(place_of(*node), "readouts",
+                          fmt::format("has {} names, but there are {} read-outs", list->size(), names.size()));
+    for (const toml::node& entry : *list) m_study.readouts.push_back(names[m_faults.choice(entry, "readouts", names)]);
+  }
+
+  void read_base() {
+    const toml::node* scenario = get("scenario");
+    const toml::node* preset = get("preset");
+    if ((scenario == nullptr) == (preset == nullptr))
+      m_faults.add(preset == nullptr ? Place{} : place_of(*preset), "scenario",
+                   fmt::format("{}; a study has one of scenario = \"FILE.toml\" and preset = \"NAME\"",
+                               preset == nullptr ? "is missing" : "is given together with a preset"));
+    if (preset != nullptr) read_preset(*preset);
+    try {
+      if (scenario != nullptr && preset == nullptr) read_scenario(*scenario);
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    }
+    complete_fields_of_sections();
+    fix_parameters();
+    try {
+      if (m_faults.empty() && !m_changes.overrides.empty())
+        m_study.base = apply_overrides(m_study.base, m_changes.overrides);
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    }
+  }
+
+  void read_scenario(const toml::node& node) {
+    const std::string name = m_faults.text(node, "scenario");
+    if (name.empty()) return;
+    const std::filesystem::path file(name);
+    try {
+      m_study.base = read_parameters(file.is_absolute() ? file : m_folder / file);
+    } catch (const InputOutputError& error) {
+      throw InputOutputError(
+          to_string(Fault{m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
+    }
+  }
+
+  void read_preset(const toml::node& node) {
+    std::vector<std::string> names;
+    for (const Preset& preset : presets()) names.emplace_back(preset.name);
+    m_study.base = parameters_of(presets()[m_faults.choice(node, "preset", names)]);
+  }
+
+  void fix_parameters() {
+    const toml::table* fixed = section("set");
+    if (fixed == nullptr) return;
+    for (const Named& named : named_parameters(*fixed, "set", {}, m_faults)) {
+      assigned(*named.row, *named.node, m_study.base, m_faults);
+      m_fixed.emplace_back(named.row->path, place_of(*named.node));
+    }
+  }
+
+  void read_points() {
+    std::vector<ConditionDraft> conditions;
+    if (const auto* tables = list("conditions", "a label and parameters"))
+      conditions = read_conditions(*tables, m_study.base, m_faults);
+    Allowance allowance(m_study.replicates, conditions.size());
+    std::vector<Draft> sets = read_sets(allowance);
+    for (const ConditionDraft& draft : conditions) m_study.conditions.push_back(draft.condition);
+    name_sets(sets, m_study.conditions);
+    check_overlaps(m_table, conditions, m_faults);
+    for (const Draft& draft : sets) m_study.sets.push_back({draft.point.label, draft.point.settings});
+    std::vector<Draft> points = crossed(std::move(sets), conditions);
+    check_points(points);
+    for (Draft& draft : points) m_study.points.push_back(std::move(draft.point));
+  }
+
+  std::vector<Draft> read_sets(Allowance& allowance) {
+    std::vector<Draft> drafts;
+    const auto take = [&](std::vector<Draft> more) { std::ranges::move(more, std::back_inserter(drafts)); };
+    if (const auto* sweep = section("sweep")) take(grid_points(*sweep, m_study.base, allowance, m_faults));
+    if (const auto* points = list("points", "its parameters"))
+      take(listed_points(*points, m_study.base, allowance, m_faults));
+    if (const auto* hypercube = section("latin_hypercube"))
+      take(hypercube_points(*hypercube, m_study.base, m_study.seed, allowance, m_faults));
+    if (drafts.empty()) drafts.push_back({{.label = {}, .settings = {}, .parameters = m_study.base}, {}, {}});
+    return drafts;
+  }
+
+  void read_targets() {
+    if (const auto* tables = list("targets", "a readout, its value and error"))
+      m_study.targets = study::read_targets(*tables, m_study.conditions, m_folder, m_faults);
+  }
+
+  void check_points(const std::vector<Draft>& drafts) {
+    if (!m_faults.empty()) return; // a rule would judge a default that nobody chose
+    RuleCheck rule_check(m_changes.more);
+    std::vector<std::pair<std::string, std::string>> seen; // settings and labels
+    for (const Draft& draft : drafts) {
+      std::string settings = sorted_text(draft.point.settings);
+      seen.emplace_back(std::move(settings), draft.point.label);
+      auto places = draft.settings;
+      places.insert(places.end(), m_fixed.begin(), m_fixed.end());
+      rule_check.check(draft.point.parameters, places, m_faults);
+    }
+    const auto twice = [&](auto part, std::string_view what) {
+      std::vector<std::size_t> order(seen.size());
+      for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+      std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen[i].*part; });
+      std::map<std::pair<int, int>, std::vector<std::size_t>>
+          found; // by their line and column: a design has one for all
+      for (std::size_t k = 1; k < order.size(); ++k)
+        if (seen[order[k]].*part == seen[order[k - 1]].*part) {
+          const Place& place = drafts[order[k]].place;
+          found[{place.line, place.column}].push_back(order[k]);
+        }
+      for (const auto& [place, same] : found)
+        m_faults.add(drafts[same.front()].place, "points",
+                     fmt::format("\"{}\": {}{}", excerpt(seen[same.front()].second), what,
+                                 same.size() == 1 ? "" : fmt::format(", and so are {} more", same.size() - 1)));
+    };
+    twice(&std::pair<std::string, std::string>::first, "is the same as another point");
+    if (m_faults.empty()) twice(&std::pair<std::string, std::string>::second, "is the label of two points");
+  }
+
+  static std::string sorted_text(std::vector<Setting> settings) {
+    std::ranges::sort(settings, {}, &Setting::key);
+    std::string text;
+    for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, s.value);
+    return text;
+  }
+
+  /// The file with all points written out must be one that can be read again.
+  void require_room() {
+    if (!m_faults.empty()) return;
+    const std::size_t size = to_toml(m_study, "scenario.resolved.toml").size();
+    if (size > largest_file)
+      m_faults.add({}, "",
+                   fmt::format("takes {} bytes with its {} points written out; allowed are {}", size,
+                               m_study.points.size(), largest_file));
+  }
+
+  void read_statistics() {
+    if (const toml::table* table = section("statistics"))
+      m_study.comparisons = read_comparisons(*table, m_study.comparisons, m_study.points, m_faults);
+    if (const auto* tables = list("claims", "an id, a sentence and conditions"))
+      m_study.claims = read_claims(*tables, m_study.points, m_changes.labels_of, m_faults);
+  }
+
+  FaultList m_faults;
+  std::filesystem::path m_folder;
+  Changes m_changes;
+  toml::table m_table;
+  Study m_study;
+  std::vector<std::pair<std::string, Place>> m_fixed; ///< parameters of [set]
+};
+
+} // namespace
+
+Study parse_study(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                  const Changes& changes) {
+  return Reader(name, folder, changes).read(text);
+}
+
+Study read_study(const std::filesystem::path& file, const Changes& changes) {
+  return parse_study(read_document(file, largest_file), file.string(), file.parent_path(), changes);
+}
+
+bool is_study_file(const std::filesystem::path& file) {
+  const auto document = parse_document(read_document(file, largest_file), file.string());
+  if (const auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({*fault});
+  return is_study(std::get<toml::table>(document));
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "base/failure.hpp"
+#include "parameters/rules.hpp"
+#include "study_plan/read_comparisons.hpp"
+#include "study_plan/study.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// From a study file to a study. A file that is not TOML has one fault; otherwise every fault is reported at once,
+/// sorted by line, as for scenarios; the values are checked by the same table of parameters. At most 100,000 runs are
+/// allowed. Test: tests/unit/study_plan/read_study_test.cpp
+namespace matrigrate::study {
+
+/// What the command line changes, and what is checked besides.
+struct Changes {
+  std::vector<std::string> overrides; ///< "key=value" each, over what the study fixes
+  std::optional<std::size_t> replicates;
+  std::span<const Rule> more = {}; ///< rules that each point must fulfil besides rules()
+  LabelsOf labels_of = {};         ///< other studies, which claims may name
+};
+
+/// @throws InputOutputError if the file, or its scenario, cannot be read or has more than 32 MiB
+/// @throws ConfigurationError with all faults, those of the scenario among them
+/// @throws InputOutputError if the file, or the scenario that it names, cannot be read
+Study read_study(const std::filesystem::path& file, const Changes& changes = {});
+
+/// Whether a file is a study rather than a scenario, whatever faults its values have.
+/// @throws InputOutputError if it cannot be read or has more than 32 MiB
+/// @throws ConfigurationError with one fault if it is not TOML
+bool is_study_file(const std::filesystem::path& file);
+
+/// @param name    stands for the file in faults
+/// @param folder  where the scenario is looked for
+/// @throws InputOutputError if its scenario cannot be read
+/// @throws ConfigurationError with all faults
+/// @throws InputOutputError if the scenario that it names cannot be read
+Study parse_study(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                  const Changes& changes = {});
+
+/// The study with all its factor sets written out as points, to be read back to the same runs.
+/// @param scenario  file name of the base, which stands beside it
+std::string to_toml(const Study& study, const std::string& scenario);
+
+} // namespace matrigrate::study

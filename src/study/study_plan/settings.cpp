@@ -1,0 +1,134 @@
+#include "study_plan/settings.hpp"
+
+#include "parameters/gone.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/read.hpp"
+#include "parameters/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace matrigrate::study {
+
+namespace {
+
+bool is_section(std::string_view path) {
+  return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == path; });
+}
+
+void gather(const toml::table& table, const std::string& prefix, std::string_view section,
+            const std::vector<std::string>& own, FaultList& faults, std::vector<Named>& found) {
+  for (const auto& [name, node] : table) {
+    const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
+    if (prefix.empty() && std::ranges::find(own, path) != own.end()) continue;
+    const std::string shown = fmt::format("{}.{}", section, path);
+    const Row* row = find_row(path);
+    if (path == "run.seed" || path == "run.threads")
+      faults.add(place_of(name), shown,
+                 path == "run.seed" ? "the seeds of the runs follow from the study's own `seed`"
+                                    : "the runs of a study take one thread each, or what Slurm gives them");
+    else if (path == "cells")
+      faults.add(place_of(name), shown, "a study takes its cells from its scenario or preset");
+    else if (row != nullptr)
+      found.push_back({row, &node});
+    else if (const Gone* has_gone = find_gone(path); has_gone != nullptr) {
+      if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty())
+        faults.add(place_of(name), shown, std::move(fault));
+    } else if (node.is_table() && is_section(path))
+      gather(*node.as_table(), path, section, own, faults, found);
+    else
+      faults.add(place_of(name), shown, "there is no such parameter", [path] { return parameter_hint(path); });
+  }
+}
+
+void complete_fields_in(toml::table& table, const std::string& prefix, const std::filesystem::path& folder,
+                        fields::Grids& grids, FaultList& faults) {
+  for (auto&& [name, node] : table) {
+    const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
+    const auto complete = [&](toml::node& one) {
+      if (toml::value<std::string>* text = one.as_string())
+        if (std::string fault = complete_field(text->get(), folder, grids); !fault.empty())
+          faults.add(place_of(one), path, std::move(fault));
+    };
+    const Row* row = find_row(path);
+    if (row == nullptr && node.is_table() && is_section(path))
+      complete_fields_in(*node.as_table(), path, folder, grids, faults);
+    if (row == nullptr || kind(*row) != Kind::field) continue;
+    complete(node);
+    if (toml::array* list = node.as_array())
+      for (toml::node& one : *list) complete(one);
+  }
+}
+
+} // namespace
+
+void complete_fields(toml::table& table, const std::filesystem::path& folder, fields::Grids& grids, FaultList& faults) {
+  complete_fields_in(table, "", folder, grids, faults);
+}
+
+std::string without_folder(const std::string& value) {
+  const std::size_t hash = value.find(" hash=");
+  if (hash == std::string::npos) return value;
+  std::string text = value.substr(0, hash);
+  std::string lower = text;
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::size_t ending = 0;
+  for (const char* known : {".csv", ".png", ".tif"})
+    if (const std::size_t at = lower.rfind(known); at != std::string::npos) ending = std::max(ending, at);
+  text = text.substr(text.rfind('/', ending) + 1); // npos + 1 is 0
+  std::erase_if(text, [](char c) { return c == '"' || c == '\\'; });
+  return text;
+}
+
+std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
+                                    const std::vector<std::string>& own, FaultList& faults) {
+  std::vector<Named> found;
+  gather(table, "", section, own, faults, found);
+  std::ranges::sort(found, {}, [](const Named& n) {
+    const Place place = place_of(*n.node);
+    return std::pair(place.line, place.column);
+  });
+  return found;
+}
+
+std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
+  const std::string fault = assign(row, given_by(node), p);
+  if (!fault.empty()) {
+    faults.add(place_of(node), row.path, fault);
+    return std::nullopt;
+  }
+  return Setting{std::string(row.path), value_text(row, p)};
+}
+
+void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
+                      FaultList& faults) {
+  for (const Rule& rule : rules()) blame(rule, rule.broken(p), places, faults);
+  for (const Rule& rule : m_more) blame(rule, found(rule, p), places, faults);
+}
+
+const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
+  static const std::string unknown;
+  std::string given(rule.name);
+  for (const std::string_view key : rule.keys) given += fmt::format("\n{}", value_text(*find_row(key), p));
+  const auto known = m_found.find(given);
+  if (known != m_found.end()) return known->second;
+  if (m_found.size() >= max_found) return unknown;
+  return m_found.emplace(std::move(given), rule.broken(p)).first->second;
+}
+
+void RuleCheck::blame(const Rule& rule, const std::string& broken,
+                      const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
+  if (broken.empty()) return;
+  const auto blamed = std::ranges::find_if(
+      places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
+  if (blamed == places.end())
+    faults.add({}, rule.keys.front(), broken);
+  else
+    faults.add(blamed->second, blamed->first, broken);
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,244 @@
+#include "parameters/document.hpp"
+#include "parameters/nearest.hpp"
+#include "parameters/node.hpp"
+#include "parameters/scan.hpp"
+#include "statistics/sample.hpp"
+#include "study_plan/conditions.hpp"
+#include "study_plan/track_keys.hpp"
+#include "tracks/cell_tracks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace matrigrate::study {
+
+namespace {
+
+const std::vector<std::string>& target_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all{"readout", "value", "low", "high", "error", "weight", "at", "tracks"};
+    all.insert(all.end(), track_keys().begin(), track_keys().end());
+    return all;
+  }();
+  return keys;
+}
+
+class TargetReader {
+public:
+  TargetReader(const std::vector<Condition>& conditions, std::filesystem::path folder, FaultList& faults)
+      : m_faults(faults), m_folder(std::move(folder)), m_readouts(all_readouts()) {
+    for (const Condition& c : conditions) m_labels.push_back(c.label);
+  }
+
+  Target read(const toml::table& table) {
+    m_faults.check_keys(table, "targets", target_keys());
+    Target target;
+    if (const auto* node = m_faults.wanted(table, "targets", "readout", "; write readout = \"v_migr_abs_um_per_h\""))
+      target.readout = readout(*node);
+    if (const auto* node = table.get("tracks"))
+      read_tracks(*node, table, target);
+    else
+      read_value(table, target);
+    if (const auto* node = table.get("weight")) target.weight = positive(*node, "targets.weight");
+    if (const auto* node = table.get("at")) target.at = conditions(*node);
+    check_twins(target, place_of(table));
+    return target;
+  }
+
+private:
+  std::string readout(const toml::node& node) {
+    const auto* typed = node.as_string();
+    const std::size_t found = m_faults.choice(node, "targets.readout", m_readouts);
+    return typed != nullptr && typed->get() == m_readouts[found] ? typed->get() : std::string();
+  }
+
+  void read_value(const toml::table& table, Target& target) {
+    for (const std::string& key : track_keys())
+      if (const auto* node = table.get(key))
+        m_faults.add(place_of(*node), fmt::format("targets.{}", key),
+                     "tells how tracks are read; there are none: write tracks = \"FILE\"");
+    read_range(table, target);
+    if (const auto* node =
+            m_faults.wanted(table, "targets", "error", "; write error = 1.0, the standard error of what was measured"))
+      target.error = positive(*node, "targets.error");
+  }
+
+  /// Mean and standard error over measured tracks.
+  void read_tracks(const toml::node& node, const toml::table& table, Target& target) {
+    for (const char* key : {"value", "low", "high", "error"})
+      if (const auto* other = table.get(key))
+        m_faults.add(place_of(*other), fmt::format("targets.{}", key), "stands beside tracks, which tell it");
+    const std::string name = m_faults.text(node, "targets.tracks");
+    if (name.empty() || target.readout.empty()) return;
+    if (std::ranges::find(tracks::readouts_of_tracks(), target.readout) == tracks::readouts_of_tracks().end())
+      return m_faults.add(
+          place_of(node), "targets.tracks",
+          fmt::format("tell no {}; they tell {}", target.readout, fmt::join(tracks::readouts_of_tracks(), ", ")));
+    const auto tracks = tracks_of(m_folder / name, node, table, target);
+    if (tracks == nullptr) return;
+    target.tracks = tracks;
+    std::vector<double> values;
+    for (const tracks::CellTrack& track : *tracks) values.push_back(tracks::readout_of(track, target.readout));
+    const statistics::Moments m = statistics::moments(statistics::finite(values));
+    target.low = target.high = m.mean;
+    target.error = m.sd / std::sqrt(static_cast<double>(m.n));
+    if (m.n < 2)
+      m_faults.add(place_of(node), "targets.tracks",
+                   fmt::format("{} of {} tracks of \"{}\" have a {}: it may need longer tracks or a shorter interval",
+                               m.n, values.size(), excerpt(name), target.readout));
+    else if (!(target.error > 1e-9 * std::abs(m.mean))) // rounding is no scatter
+      m_faults.add(place_of(node), "targets.tracks",
+                   fmt::format("all tracks of \"{}\" have the same {}", excerpt(name), target.readout));
+  }
+
+  /// The tracks of a file, read once for each way in which it is to be read; null, and faults, if it cannot be.
+  std::shared_ptr<const std::vector<tracks::CellTrack>>
+  tracks_of(const std::filesystem::path& file, const toml::node& node, const toml::table& table, Target& target) {
+    std::ostringstream keys; // that tell how it is to be read
+    for (const std::string& key : track_keys())
+      if (const auto* given = table.get(key))
+        given->visit([&](const auto& value) { keys << key << " = " << value << '\n'; });
+    auto& tracks = m_tracks[{file, keys.str()}];
+    if (tracks != nullptr) return tracks;
+    try {
+      FaultList wrong_keys(m_faults.file());
+      const tracks::TrackOptions options = read_track_keys(table, "targets", wrong_keys);
+      wrong_keys.raise();
+      tracks = std::make_shared<const std::vector<tracks::CellTrack>>(
+          tracks::measured_tracks(file, options, tracks::TracksFor::readouts, target.notes));
+    } catch (const ConfigurationError& error) {
+      m_faults.add(error.faults());
+    } catch (const InputOutputError& error) {
+      m_faults.add(place_of(node), "targets.tracks", error.what());
+    }
+    return tracks;
+  }
+
+  void read_range(const toml::table& table, Target& target) {
+    const toml::node* value = table.get("value");
+    const toml::node* low = table.get("low");
+    const toml::node* high = table.get("high");
+    if (value != nullptr && (low != nullptr || high != nullptr))
+      return m_faults.add(place_of(*value), "targets.value",
+                          "is given together with a range; a target is either a value or a range");
+    if (value != nullptr) {
+      target.low = target.high = m_faults.number(*value, "targets.value").value_or(0.0);
+      return;
+    }
+    if (low == nullptr && high == nullptr)
+      return m_faults.add(place_of(table), "targets.value",
+                          "is missing; write value = 12.1, or low and high of a range");
+    if (low == nullptr || high == nullptr)
+      return m_faults.add(place_of(table), low == nullptr ? "targets.low" : "targets.high",
+                          "is missing; a range has low and high");
+    const auto from = m_faults.number(*low, "targets.low");
+    const auto to = m_faults.number(*high, "targets.high");
+    if (!from || !to) return;
+    if (!(*from < *to))
+      m_faults.add(place_of(*low), "targets.low", fmt::format("{} is not below high, {}", *from, *to));
+    target.low = *from;
+    target.high = *to;
+  }
+
+  double positive(const toml::node& node, std::string_view key) {
+    const auto value = m_faults.number(node, key);
+    if (value && !(*value > 0.0))
+      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed is > 0", *value));
+    return value && *value > 0.0 ? *value : 1.0;
+  }
+
+  std::vector<std::size_t> conditions(const toml::node& node) {
+    std::vector<std::size_t> at;
+    const toml::array* list = node.as_array();
+    if (list == nullptr) {
+      if (const auto c = condition(node)) at.push_back(*c);
+      return at;
+    }
+    if (list->empty()) m_faults.add(place_of(node), "targets.at", "is empty; leave it out for all conditions");
+    for (const toml::node& label : *list) {
+      const auto c = condition(label);
+      const bool twice = c && std::ranges::find(at, *c) != at.end();
+      if (twice)
+        m_faults.add(place_of(label), "targets.at", fmt::format("\"{}\" is listed twice", excerpt(m_labels[*c])));
+      if (c && !twice) at.push_back(*c);
+    }
+    return at;
+  }
+
+  std::optional<std::size_t> condition(const toml::node& node) {
+    const auto* label = node.as_string();
+    if (label == nullptr) {
+      m_faults.add(place_of(node), "targets.at",
+                   fmt::format("is {}, but the label of a condition, or a list of them, is expected", type_of(node)));
+      return std::nullopt;
+    }
+    const auto found = std::ranges::find(m_labels, label->get());
+    if (found != m_labels.end()) return static_cast<std::size_t>(found - m_labels.begin());
+    const std::string known =
+        m_labels.empty() ? "the study has no [[conditions]]" : fmt::format("the labels are {}", quoted_list(m_labels));
+    m_faults.add(place_of(node), "targets.at",
+                 fmt::format("\"{}\" is not the label of a condition; {}", excerpt(label->get()), known),
+                 [typed = label->get(), labels = m_labels] { return did_you_mean(nearest(typed, labels)); });
+    return std::nullopt;
+  }
+
+  /// A read-out has one target at a condition.
+  void check_twins(const Target& target, Place place) {
+    if (target.readout.empty()) return;
+    std::vector<std::size_t> at = target.at;
+    if (at.empty())
+      for (std::size_t c = 0; c < std::max<std::size_t>(1, m_labels.size()); ++c) at.push_back(c);
+    bool twice = false;
+    for (const std::size_t c : at) twice = !m_seen.emplace(target.readout, c).second || twice;
+    if (twice) m_faults.add(place, "targets", fmt::format("{} has two targets at the same condition", target.readout));
+  }
+
+  FaultList& m_faults;
+  std::filesystem::path m_folder;
+  /// By their files, and by the keys that tell how these are read.
+  std::map<std::pair<std::filesystem::path, std::string>, std::shared_ptr<const std::vector<tracks::CellTrack>>>
+      m_tracks;
+  std::vector<std::string> m_readouts;
+  std::vector<std::string> m_labels;
+  std::set<std::pair<std::string, std::size_t>> m_seen;
+};
+
+} // namespace
+
+std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions,
+                                 const std::filesystem::path& folder, FaultList& faults) {
+  std::vector<Target> all;
+  TargetReader reader(conditions, folder, faults);
+  for (const toml::node& node : list) {
+    if (const toml::table* table = node.as_table())
+      all.push_back(reader.read(*table));
+    else
+      faults.add(place_of(node), "targets", fmt::format("is {}, but a table is expected", type_of(node)));
+  }
+  return all;
+}
+
+std::vector<Target> read_target_file(const std::filesystem::path& file) {
+  constexpr std::size_t largest_file = std::size_t{1} << 25;
+  auto document = parse_document(read_document(file, largest_file), file.string());
+  if (auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({std::move(*fault)});
+  FaultList faults(file.string());
+  const toml::node* node = std::get<toml::table>(document).get("targets");
+  std::vector<Target> all;
+  if (node == nullptr || node->as_array() == nullptr || node->as_array()->empty())
+    faults.add({}, "targets", "there are none; write [[targets]], and readout, value and error below");
+  else
+    all = read_targets(*node->as_array(), {}, file.parent_path(), faults);
+  faults.raise();
+  return all;
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,154 @@
+#include "study_results/read_results.hpp"
+
+#include "base/failure.hpp"
+#include "observe/readout_table.hpp"
+#include "tables/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace matrigrate::study {
+
+namespace {
+
+std::optional<RunState> state_of(const std::string& word) {
+  for (const RunState state : {RunState::missing, RunState::unfinished, RunState::running, RunState::done,
+                               RunState::failed, RunState::interrupted, RunState::damaged})
+    if (word == to_string(state)) return state;
+  return std::nullopt;
+}
+
+/// A table of results, and all that is wrong with it.
+class Kept {
+public:
+  Kept(const Study& study, const store::CsvTable& table)
+      : m_study(study), m_table(table), m_swept(swept_columns(study)) {
+    check_columns();
+  }
+
+  std::vector<Result> results() {
+    for (m_row = 0; m_row < m_table.rows.size(); ++m_row) m_results.push_back(result());
+    if (m_results.size() != m_study.runs())
+      m_faults.push_back(fmt::format("holds {} runs; the study has {}", m_results.size(), m_study.runs()));
+    raise();
+    std::ranges::stable_sort(m_results, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
+    return std::move(m_results);
+  }
+
+private:
+  void raise() const {
+    constexpr std::size_t most = 20;
+    if (m_faults.empty()) return;
+    const auto shown = std::span(m_faults).first(std::min(most, m_faults.size()));
+    throw InputOutputError(
+        fmt::format("{}{}", fmt::join(shown, "\n  "),
+                    m_faults.size() > most ? fmt::format("\n  and {} more", m_faults.size() - most) : ""));
+  }
+
+  /// What else is wrong cannot be told without the columns.
+  void check_columns() {
+    std::vector<std::string> wanted{"run", "label", "replicate", "seed", "status", "reason", "trajectory_hash"};
+    wanted.insert(wanted.end(), m_swept.begin(), m_swept.end());
+    std::vector<std::string> known{"cause"}; // version 0.1.0 has none
+    for (const ReadOutSpec& spec : readout_table()) (spec.is_late ? known : wanted).emplace_back(spec.name);
+    known.insert(known.end(), wanted.begin(), wanted.end());
+    for (const std::string& name : wanted)
+      if (!m_table.column(name)) m_faults.push_back(fmt::format("has no column {}", name));
+    for (std::size_t k = 0; k < m_table.header.size(); ++k) {
+      const std::string& name = m_table.header[k];
+      const auto place = fmt::format("line 1, column {}", k + 1);
+      if (std::ranges::find(known, name) == known.end())
+        m_faults.push_back(fmt::format("{}: the results of this study have no column \"{}\"", place, name));
+      else if (*m_table.column(name) != k)
+        m_faults.push_back(fmt::format("{}: {} is there twice", place, name));
+    }
+    raise();
+  }
+
+  const std::string& field(std::string_view column) const { return m_table.rows[m_row][*m_table.column(column)]; }
+
+  void complain(std::string_view column, std::string_view what) {
+    m_faults.push_back(
+        fmt::format("line {}, column {} ({}): {}", m_row + 2, *m_table.column(column) + 1, column, what));
+  }
+
+  std::uint64_t whole_number(std::string_view column) {
+    const std::string& text = field(column);
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end) complain(column, fmt::format("\"{}\" is no whole number", text));
+    return value;
+  }
+
+  double number(std::string_view column) {
+    try {
+      return store::csv_number(field(column));
+    } catch (const InputOutputError& error) {
+      complain(column, error.what());
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  /// The run has the name of its parameters, but people read the columns.
+  void check_parameters(const Point& point) {
+    const std::vector<std::string> values = swept_values(m_study, point);
+    for (std::size_t k = 0; k < m_swept.size(); ++k)
+      if (field(m_swept[k]) != values[k])
+        complain(m_swept[k],
+                 fmt::format("is \"{}\"; the point \"{}\" has {}", field(m_swept[k]), point.label, values[k]));
+  }
+
+  void check_duration(const RunParameters& run, RunState status) {
+    const double t = number("duration_s");
+    if (status == RunState::done && std::isfinite(t) && std::abs(t - run.duration) > 1.001 * run.time_step)
+      complain("duration_s", fmt::format("is {:g}; runs of the study take {:g} s", t, run.duration));
+  }
+
+  Result result() {
+    Result r;
+    r.run = {.point = 0, .replicate = whole_number("replicate"), .seed = whole_number("seed"), .hash = field("run")};
+    const auto status = state_of(field("status"));
+    if (!status) complain("status", fmt::format("\"{}\" is no status of a run", field("status")));
+    r.standing.status = status.value_or(RunState::missing);
+    r.standing.reason = field("reason");
+    if (m_table.column("cause")) r.standing.cause = parse_failure_cause(field("cause"));
+    r.standing.trajectory_hash = field("trajectory_hash");
+    const auto point = std::ranges::find(m_study.points, field("label"), &Point::label);
+    if (point == m_study.points.end()) {
+      complain("label", fmt::format("\"{}\" is no point of the study", field("label")));
+    } else {
+      r.run.point = static_cast<std::size_t>(point - m_study.points.begin());
+      check_parameters(*point);
+      check_duration(point->parameters.run, r.standing.status);
+    }
+    for (const std::string& name : all_readouts())
+      r.readouts.push_back(m_table.column(name) ? number(name) : std::numeric_limits<double>::quiet_NaN());
+    return r;
+  }
+
+  const Study& m_study;
+  const store::CsvTable& m_table;
+  std::vector<std::string> m_swept;
+  std::size_t m_row = 0;
+  std::vector<Result> m_results;
+  std::vector<std::string> m_faults;
+};
+
+} // namespace
+
+std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name) {
+  try {
+    return Kept(study, store::read_csv(csv)).results();
+  } catch (const InputOutputError& error) {
+    throw InputOutputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+} // namespace matrigrate::study

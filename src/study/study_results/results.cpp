@@ -1,0 +1,335 @@
+#include "study_results/results.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "observe/readout_table.hpp"
+#include "parameters/schema.hpp"
+#include "run/readouts_of_tables.hpp"
+#include "run/run_record.hpp"
+#include "run/stopped_run.hpp"
+#include "statistics/distributions.hpp"
+#include "statistics/sample.hpp"
+#include "store/checkpoint.hpp"
+#include "store/run_memory.hpp"
+#include "tables/row_file.hpp"
+#include "tables/state_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace matrigrate::study {
+
+namespace {
+
+using nlohmann::json;
+using statistics::undefined;
+
+constexpr std::size_t largest_json = std::size_t{1} << 24;
+
+template <class T>
+T value_or(const json& object, const char* key, T otherwise) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return otherwise;
+  try {
+    return found->get<T>();
+  } catch (const json::exception&) {
+    return otherwise;
+  }
+}
+
+/// The last line of a text that says something.
+std::string last_line(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  const std::size_t start = text.rfind('\n');
+  return start == std::string::npos ? text : text.substr(start + 1);
+}
+
+/// The state that run.json tells of.
+RunState state_of(const std::optional<run::RunStatus>& status) {
+  if (status == run::RunStatus::done) return RunState::done;
+  if (status == run::RunStatus::failed) return RunState::failed;
+  return status == run::RunStatus::interrupted ? RunState::interrupted : RunState::unfinished;
+}
+
+Standing from_log(const std::filesystem::path& log) {
+  Standing s;
+  if (!std::filesystem::exists(log)) return s;
+  s.status = RunState::failed;
+  s.reason = last_line(read_file(log, largest_json));
+  if (s.reason.empty()) s.status = RunState::unfinished;
+  return s;
+}
+
+/// The number of a swept parameter in the unit of its row, or the word of a choice.
+std::string swept_text(const Point& point, const std::string& key) {
+  const Row& row = *find_row(key);
+  std::string text = value_text(row, point.parameters);
+  std::erase(text, '"');
+  if (kind(row) != Kind::quantity) return text;
+  const auto quantity = units::parse_quantity(text);
+  if (quantity.unit == row.unit) return quantity.number;
+  const double internal = units::to_internal(quantity.number, units::parse_unit(quantity.unit));
+  return units::from_internal(internal, units::parse_unit(row.unit));
+}
+
+/// A read-out of summary.json; of several cells its mean over those for which it is defined.
+double summary_readout(const json& summary, const char* name) {
+  const auto cells = summary.find("cells");
+  if (cells == summary.end() || !cells->is_array()) return value_or(summary, name, undefined);
+  std::vector<double> values;
+  for (const json& cell : *cells) values.push_back(value_or(cell, name, undefined));
+  return statistics::mean_of_defined(values);
+}
+
+/// Compares the tables of a run with what its record, or that of version 0.2.0 its checkpoint, says of them.
+/// @throws InputOutputError naming the table
+void require_whole(const std::filesystem::path& folder) {
+  const nlohmann::ordered_json record = run::record_of(folder);
+  if (record.is_object() && record.contains("files")) return run::require_unchanged(folder, record);
+  const std::filesystem::path file = folder / store::checkpoint_name;
+  if (!std::filesystem::exists(file)) return;
+  std::string memory;
+  try {
+    memory = store::read_checkpoint_memory(file);
+  } catch (const InputOutputError&) { // the tables are all that is left
+    return;
+  }
+  store::require_whole_tables(memory, folder);
+  if (!std::filesystem::exists(folder / "msd.csv")) // which it does not name
+    throw InputOutputError(fmt::format("{}: is gone", (folder / "msd.csv").string()));
+}
+
+/// Reads the read-outs of a run that is done; notes it as damaged if they cannot be had.
+void read(Result& result, const std::filesystem::path& folder) {
+  try {
+    result.readouts = readouts_of(folder);
+  } catch (const InputOutputError& trouble) {
+    std::string reason = trouble.what();
+    const std::string path = folder.string() + "/"; // results.csv is the same wherever the study lies
+    if (reason.starts_with(path)) reason.erase(0, path.size());
+    result.standing.status = RunState::damaged;
+    result.standing.reason =
+        fmt::format("{}; remove runs/{}, and `study run` computes it again", reason, result.run.hash);
+  }
+}
+
+/// Read-outs of groups, which are last, only where a point has several cells.
+std::size_t columns_of(const Study& study) {
+  const auto of_groups = std::ranges::count_if(readout_table(), &ReadOutSpec::of_groups);
+  return readout_table().size() - (has_several_cells(study) ? 0 : static_cast<std::size_t>(of_groups));
+}
+
+} // namespace
+
+std::vector<double> readouts_of(const std::filesystem::path& folder) {
+  require_whole(folder);
+  const json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
+  if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
+  std::vector<double> values;
+  const json& cell = summary.contains("cells") && !summary["cells"].empty() ? summary["cells"].front() : summary;
+  const bool whole = cell.contains(readout_table().back().name);
+  for (const ReadOutSpec& spec : readout_table()) values.push_back(summary_readout(summary, spec.name.data()));
+  if (!whole) run::add_from_tables(folder, values);
+  return values;
+}
+
+std::string_view to_string(RunState state) {
+  switch (state) {
+  case RunState::missing:
+    return "missing";
+  case RunState::unfinished:
+    return "unfinished";
+  case RunState::running:
+    return "running";
+  case RunState::done:
+    return "done";
+  case RunState::failed:
+    return "failed";
+  case RunState::damaged:
+    return "damaged";
+  default:
+    return "interrupted";
+  }
+}
+
+std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run) {
+  return study_folder / "runs" / run.hash;
+}
+
+std::filesystem::path run_log(const std::filesystem::path& study_folder, const Run& run) {
+  return study_folder / "runs" / (run.hash + ".log");
+}
+
+Standing standing(const std::filesystem::path& study_folder, const Run& run) {
+  const std::filesystem::path file = run_folder(study_folder, run) / "run.json";
+  Standing s;
+  if (!std::filesystem::exists(file)) {
+    if (!run::has_checkpoint(file.parent_path())) return from_log(run_log(study_folder, run));
+    s.status = RunState::unfinished;
+    s.reason = "run.json is missing";
+    return s;
+  }
+  const json record = store::parse_json(read_file(file, largest_json));
+  if (record.is_discarded() || !record.is_object()) {
+    s.status = RunState::unfinished;
+    s.reason = "run.json is no JSON";
+    return s;
+  }
+  s.status = state_of(run::parse_run_status(value_or(record, "status", std::string())));
+  if (const int code = value_or(record, "exit_code", -1); code >= 0) s.exit_code = code;
+  s.reason = value_or(record, "reason", std::string());
+  s.cause = parse_failure_cause(value_or(record, "cause", std::string()));
+  s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
+  s.end = value_or(record, "end", std::string());
+  if (const std::string version = value_or(record, "version", std::string()); !version.empty())
+    s.program = fmt::format("{} ({}{})", version, value_or(record, "git_hash", std::string()).substr(0, 8),
+                            value_or(record, "git_dirty", false) ? "+" : "");
+  s.wall_time = value_or(record, "wall_time_s", 0.0);
+  s.steps_done = value_or(record, "steps", 0.0);
+  if (s.done() && !run::has_summary(file.parent_path())) {
+    s.status = RunState::unfinished;
+    s.reason = "summary.json is missing or damaged";
+  }
+  return s;
+}
+
+std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
+                            const std::filesystem::path& study_folder) {
+  std::vector<Result> all;
+  all.reserve(study.runs());
+  const std::size_t columns = all_readouts().size();
+  for (const Run& run : runs) {
+    Result result{run, standing(study_folder, run), std::vector<double>(columns, undefined)};
+    Standing& now = result.standing;
+    if (now.done())
+      read(result, run_folder(study_folder, run));
+    else if (now.status == RunState::unfinished && !now.reason.empty()) { // its last files are not whole
+      now.status = RunState::damaged;
+      now.reason += "; `study run` makes it again";
+    }
+    all.push_back(std::move(result));
+  }
+  std::ranges::stable_sort(all, {}, [](const Result& r) { return std::pair(r.run.point, r.run.replicate); });
+  return all;
+}
+
+bool ended_at_rim(const Result& r) { return r.standing.cause == FailureCause::rim; }
+
+std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Result>& results) {
+  std::vector<std::size_t> lost(study.points.size(), 0);
+  for (const Result& r : results)
+    if (ended_at_rim(r)) ++lost[r.run.point];
+  return lost;
+}
+
+std::vector<std::string> programs_of(const std::vector<Result>& results) {
+  std::set<std::string> programs;
+  for (const Result& r : results)
+    if (r.standing.done() && !r.standing.program.empty()) programs.insert(r.standing.program);
+  return {programs.begin(), programs.end()};
+}
+
+std::string programs_text(const std::vector<Result>& results) {
+  const std::vector<std::string> programs = programs_of(results);
+  if (programs.size() < 2) return {};
+  return fmt::format(
+      "these runs were made by {} builds of matrigrate: {}. If the model changed between them, which the "
+      "changelog tells, they do not belong together: run the study anew into another folder (-o).",
+      programs.size(), fmt::join(programs, ", "));
+}
+
+std::string rim_text(const Study& study, const std::vector<Result>& results) {
+  constexpr std::size_t most_named = 6;
+  const std::vector<std::size_t> lost = lost_at_rim(study, results);
+  const std::size_t all = std::accumulate(lost.begin(), lost.end(), std::size_t{0});
+  if (all == 0) return {};
+  std::vector<std::string> points;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    if (lost[i] > 0) points.push_back(fmt::format("{}: {} of {}", study.points[i].label, lost[i], study.replicates));
+  if (points.size() > most_named) points = {fmt::format("at {} of {} points", points.size(), study.points.size())};
+  double radius = 0.0; // [um]
+  for (const Point& point : study.points) radius = std::max(radius, point.parameters.ecm.radius);
+  return fmt::format(
+      "{} of {} runs ended at the rim of the matrix ({}): means are those of the slower cells; take a larger "
+      "ecm.radius. With ecm.radius = \"{:.4g} um\" under [set] and another folder (-o) the same seeds run in a "
+      "disc {} times as large.",
+      all, results.size(), fmt::join(points, "; "), larger_disc * radius, larger_disc);
+}
+
+std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept) {
+  for (const Result& r : kept) {
+    if (!r.standing.ended()) continue;
+    for (Result& old : results)
+      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && !old.standing.ended()) old = r;
+  }
+  return results;
+}
+
+std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {
+  const std::size_t column = readout_column(readout);
+  std::vector<double> values;
+  for (const Result& r : results)
+    if (r.run.point == point && std::isfinite(r.readouts[column])) values.push_back(r.readouts[column]);
+  return values;
+}
+
+std::string unit_suffix(std::string_view unit) {
+  if (unit.empty() || unit == "1") return {};
+  std::string text(unit.starts_with("1/") ? unit.substr(1) : unit);
+  std::string suffix = "_";
+  for (const char c : text) {
+    if (c == '/')
+      suffix += suffix == "_" ? "per_" : "_per_";
+    else if (c != '^')
+      suffix += c == ' ' ? '_' : c;
+  }
+  return suffix;
+}
+
+std::vector<std::string> swept_columns(const Study& study) {
+  std::vector<std::string> names;
+  for (const std::string& key : swept_keys(study)) {
+    const Row& row = *find_row(key);
+    names.push_back(key + (kind(row) == Kind::quantity ? unit_suffix(row.unit) : ""));
+  }
+  return names;
+}
+
+std::vector<std::string> swept_values(const Study& study, const Point& point) {
+  std::vector<std::string> values;
+  for (const std::string& key : swept_keys(study)) values.push_back(swept_text(point, key));
+  return values;
+}
+
+std::string results_csv(const Study& study, const std::vector<Result>& results) {
+  std::vector<std::string> names{"run", "label"};
+  for (const std::string& name : swept_columns(study)) names.push_back(name);
+  for (const char* name : {"replicate", "seed", "status", "reason", "cause", "trajectory_hash"})
+    names.emplace_back(name);
+  std::vector<std::string> columns = all_readouts();
+  columns.resize(columns_of(study));
+  names.insert(names.end(), columns.begin(), columns.end());
+  std::string text = store::csv_line({names.begin(), names.end()});
+  for (const Result& r : results) {
+    const Point& point = study.points[r.run.point];
+    const std::vector<std::string> swept = swept_values(study, point);
+    std::vector<store::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
+    for (const std::string& value : swept) row.emplace_back(std::string_view(value));
+    row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, to_string(r.standing.status),
+                           std::string_view(r.standing.reason),
+                           r.standing.cause ? to_string(*r.standing.cause) : std::string_view(),
+                           std::string_view(r.standing.trajectory_hash)});
+    for (std::size_t k = 0; k < columns.size(); ++k) row.emplace_back(r.readouts[k]);
+    text += store::csv_line(row);
+  }
+  return text;
+}
+
+} // namespace matrigrate::study

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "base/failure.hpp"
+#include "run/status.hpp"
+#include "study_plan/plan.hpp"
+#include "study_plan/study.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The results of the runs of a study, from the files of a study folder. They may be read at any time.
+/// Test: tests/unit/study_results/comparison_test.cpp, tests/apps/study_test.cpp
+namespace matrigrate::study {
+
+/// The folder of a run, and the file that its output goes to while it is computed.
+std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run);
+std::filesystem::path run_log(const std::filesystem::path& study_folder, const Run& run);
+
+/// How far a run of a study is: unfinished if it has begun and has not ended, running if a process is computing it.
+/// A damaged one was done, but its files are no longer what they were: results() tells.
+enum class RunState { missing, unfinished, running, done, failed, interrupted, damaged };
+
+/// "missing", "unfinished", ...
+std::string_view to_string(RunState state);
+
+/// How a run stands.
+struct Standing {
+  RunState status = RunState::missing; ///< running is for those who know of processes
+  std::optional<int> exit_code;
+  std::string reason;                ///< why it is not done
+  std::optional<FailureCause> cause; ///< of a numerical failure; none in records of version 0.1.0
+  std::string trajectory_hash;
+  std::string program;    ///< that computed it: "0.1.0 (1234abcd)"
+  std::string end;        ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not
+  double wall_time = 0.0; ///< [s]
+  double steps_done = 0.0;
+
+  bool done() const { return status == RunState::done; }
+  /// True if the run would fail again: a numerical failure is the same on every machine. A run without a recorded
+  /// cause is computed again.
+  bool failed_for_good() const { return status == RunState::failed && cause.has_value(); }
+  /// Whether the run has come to its end: computing it again would change nothing.
+  bool ended() const { return done() || failed_for_good(); }
+};
+
+/// A run whose record or summary is missing or no JSON counts as unfinished, with the reason.
+Standing standing(const std::filesystem::path& study_folder, const Run& run);
+
+/// A run with its read-outs.
+struct Result {
+  Run run;
+  Standing standing;
+  std::vector<double> readouts; ///< in the order of all_readouts(); NaN where not defined or the run is not done
+};
+
+/// Whether a run ended early because a cell came to the clamped rim of the matrix: those cells were the fast ones.
+bool ended_at_rim(const Result& r);
+
+/// Runs of each point that ended at the rim.
+std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Result>& results);
+
+/// By how much reproduce, and the advice of rim_text, makes the disc larger.
+inline constexpr double larger_disc = 1.5;
+
+/// "9 of 12 runs ended at the rim of the matrix (50 Pa: 3 of 6; 200 Pa: 6 of 6): means are those of the slower cells.
+/// ...": what that means, and what to do; empty if none did.
+std::string rim_text(const Study& study, const std::vector<Result>& results);
+
+/// The builds of the program that made the runs that are done, "0.2.0 (9a32bbbb)", in alphabetical order.
+std::vector<std::string> programs_of(const std::vector<Result>& results);
+
+/// That runs of several builds are compared, and what it means; empty if one build made all.
+std::string programs_text(const std::vector<Result>& results);
+
+/// The read-outs in the folder of a run that is done, in the order of all_readouts(); NaN where not defined.
+/// @throws InputOutputError if a table cannot be read, or is not what the record or the checkpoint of the run says
+std::vector<double> readouts_of(const std::filesystem::path& run_folder);
+
+/// All runs, point by point. A run that is done but has a damaged table is `damaged`, with the reason and what helps.
+std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
+                            const std::filesystem::path& study_folder);
+
+/// Results, with those that were kept elsewhere in the place of those that have not ended.
+std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept);
+
+/// The defined values of a read-out over the runs of a point that are done.
+/// @throws std::invalid_argument if there is no such read-out
+std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout);
+
+/// The columns that tables of a study have for its swept parameters, with the unit at their end, and what stands in
+/// them at a point: the number in that unit, or the word of a choice.
+std::vector<std::string> swept_columns(const Study& study);
+std::vector<std::string> swept_values(const Study& study, const Point& point);
+
+/// results.csv: a row a run. Swept parameters in the unit that ends their column's name; nothing that depends on the
+/// machine, so that two computations of a study can be compared byte by byte.
+std::string results_csv(const Study& study, const std::vector<Result>& results);
+
+/// "Pa" -> "_Pa", "1/s" -> "_per_s", "nN s/um" -> "_nN_s_per_um"; nothing for a ratio.
+std::string unit_suffix(std::string_view unit);
+
+} // namespace matrigrate::study

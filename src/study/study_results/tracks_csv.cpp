@@ -1,0 +1,124 @@
+#include "study_results/tracks_csv.hpp"
+
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "tables/csv.hpp"
+#include "tables/row_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace matrigrate::study {
+
+namespace {
+
+constexpr std::size_t largest_tracks = std::size_t{1} << 28;
+
+/// tracks.csv of a run, whole.
+std::string tracks_of(const std::filesystem::path& file) {
+  std::string text = read_file(file, largest_tracks);
+  if (!text.ends_with('\n')) throw InputOutputError(fmt::format("{}: is damaged: it is cut short", file.string()));
+  try {
+    store::read_csv(text);
+  } catch (const InputOutputError& error) {
+    throw InputOutputError(fmt::format("{}: is damaged: {}", file.string(), error.what()));
+  }
+  return text;
+}
+
+/// A line without its end.
+std::string line_of(const std::vector<store::Field>& fields) {
+  std::string line = store::csv_line(fields);
+  line.pop_back();
+  return line;
+}
+
+/// The columns before those of tracks.csv.
+std::string front_names(const Study& study) {
+  std::vector<std::string> names{"run", "label"};
+  for (const std::string& name : swept_columns(study)) names.push_back(name);
+  for (const char* name : {"replicate", "seed"}) names.emplace_back(name);
+  return line_of({names.begin(), names.end()});
+}
+
+std::string front_values(const Study& study, const Run& run) {
+  const Point& point = study.points[run.point];
+  const std::vector<std::string> swept = swept_values(study, point);
+  std::vector<store::Field> row{std::string_view(run.hash), std::string_view(point.label)};
+  for (const std::string& value : swept) row.emplace_back(std::string_view(value));
+  row.insert(row.end(), {std::uint64_t{run.replicate}, run.seed});
+  return line_of(row);
+}
+
+/// The columns of all runs that are done: runs with a nucleus have further ones behind those of the others.
+/// @throws InputOutputError if the columns of a run do not begin those of another
+std::string widest_columns(const std::vector<Result>& results, const std::filesystem::path& study_folder) {
+  std::string widest;
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
+    const std::string tracks = tracks_of(file);
+    const std::string own = tracks.substr(0, tracks.find('\n'));
+    if (!(own + ",").starts_with(widest.empty() ? "" : widest + ",") && !(widest + ",").starts_with(own + ","))
+      throw InputOutputError(fmt::format("{}: has other columns than those of earlier runs", file.string()));
+    if (own.size() > widest.size()) widest = own;
+  }
+  return widest;
+}
+
+} // namespace
+
+std::string tracks_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder) {
+  const std::string columns = widest_columns(results, study_folder);
+  const auto commas = [](std::string_view line) { return static_cast<std::size_t>(std::ranges::count(line, ',')); };
+  std::string text;
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::string tracks = tracks_of(run_folder(study_folder, r.run) / "tracks.csv");
+    std::size_t at = tracks.find('\n') + 1;
+    const std::string missing(commas(columns) - commas(tracks.substr(0, at)), ',');
+    const std::string front = front_values(study, r.run);
+    while (at < tracks.size()) {
+      const std::size_t end = tracks.find('\n', at);
+      text.append(front).append(1, ',').append(tracks, at, end - at).append(missing).append(1, '\n');
+      at = end + 1;
+    }
+  }
+  return columns.empty() ? std::string() : front_names(study) + "," + columns + "\n" + text;
+}
+
+std::vector<exchange::RunTracks> run_tracks(const Study& study, const std::vector<Result>& results,
+                                            const std::filesystem::path& study_folder) {
+  std::vector<exchange::RunTracks> all;
+  for (const Result& r : results) {
+    if (!r.standing.done()) continue;
+    const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
+    const store::CsvTable table = store::read_csv(tracks_of(file));
+    const auto column = [&](const char* name) {
+      if (const auto at = table.column(name)) return *at;
+      throw InputOutputError(fmt::format("{}: is damaged: it has no column {}", file.string(), name));
+    };
+    const std::size_t cell = column("track"), t = column("t_s"), x = column("x_um"), y = column("y_um"),
+                      area = column("area_um2");
+    const Point& point = study.points[r.run.point];
+    exchange::RunTracks run{
+        .name = r.run.hash, .condition = point.label, .replicate = r.run.replicate, .seed = r.run.seed, .rows = {}};
+    for (const Setting& setting : point.settings) run.settings.emplace_back(setting.key, setting.value);
+    for (const std::vector<std::string>& row : table.rows) {
+      const auto number = [&](std::size_t at) { return store::csv_number(row[at]); };
+      run.rows.push_back({.t = number(t),
+                          .cell = static_cast<std::uint32_t>(std::max(1.0, number(cell))) - 1,
+                          .centre = {number(x), number(y)},
+                          .area = number(area),
+                          .polarization = {}});
+    }
+    all.push_back(std::move(run));
+  }
+  return all;
+}
+
+} // namespace matrigrate::study
