@@ -1,6 +1,7 @@
 #include "claims/judge.hpp"
 
 #include "statistics/compare.hpp"
+#include "statistics/sample.hpp"
 #include "study_plan/names.hpp"
 
 #include <fmt/format.h>
@@ -65,55 +66,63 @@ std::vector<double> Judge::column(const ClaimCondition& c, std::string_view read
   return x;
 }
 
-void Judge::condition(Words wanted, const std::string& measured, bool defined, bool met, Reading reading) {
-  m_conditions.push_back({std::move(wanted), {measured, measured}, defined, met, reading});
+/// The point with the lowest, or highest, mean: the first of them.
+Judge::Group Judge::extreme(const ClaimCondition& c) {
+  const double sign = c.rule->points == ClaimPoints::lowest ? -1.0 : 1.0;
+  const Ensemble* known = ensemble(c.study);
+  Group found = group({c.study, ""});
+  double best = std::nan("");
+  if (known != nullptr)
+    for (std::size_t i = 0; i < known->study.points.size(); ++i) {
+      Group g = group({c.study, known->study.points[i].label});
+      const double mean = statistics::moments(values(g, c.readout)).mean;
+      if (i > 0 && !(sign * (mean - best) > 0.0)) continue;
+      best = mean;
+      found = std::move(g);
+    }
+  return found;
+}
+
+/// By how much the read-out is above the other one, in each run at a point that has both.
+std::vector<double> Judge::excess(const Group& g, const ClaimCondition& c) {
+  std::vector<double> differences;
+  if (g.ensemble == nullptr) return differences;
+  values(g, c.other); // tells it
+  for (const Result& r : g.ensemble->results)
+    if (r.run.point == g.point)
+      differences.push_back(r.readouts.at(readout_column(c.readout)) - r.readouts.at(readout_column(c.other)));
+  return statistics::finite(differences);
 }
 
 Judge& Judge::add(const ClaimCondition& c) {
-  switch (c.rule) {
-  case ClaimRule::differs:
-  case ClaimRule::same:
-  case ClaimRule::leans:
-  case ClaimRule::not_beyond:
-    compare(c);
-    break;
-  case ClaimRule::ratio_below:
-    ratio_below(c);
-    break;
-  case ClaimRule::exceeds:
-    exceeds(c);
-    break;
-  case ClaimRule::agrees:
-    agrees(c);
-    break;
-  case ClaimRule::lowest_agrees:
-  case ClaimRule::highest_agrees:
-    extreme_agrees(c);
-    break;
-  case ClaimRule::within:
-    within(c);
-    break;
-  case ClaimRule::below:
-  case ClaimRule::above:
-    beyond(c);
-    break;
-  case ClaimRule::correlates:
-  case ClaimRule::uncorrelated:
-    correlate(c);
-    break;
-  case ClaimRule::mean_above:
-  case ClaimRule::none_above:
-  case ClaimRule::mostly_up_to:
-    over_all_runs(c);
-    break;
+  const ClaimPoints points = c.rule->points;
+  ClaimRuns runs;
+  Group from, to;
+  if (points == ClaimPoints::all) {
+    runs.all = column(c, c.readout);
+    if (!c.other.empty()) runs.other = column(c, c.other);
+  } else {
+    if (points == ClaimPoints::from_to) runs.from = values(from = group(c.from), c.readout);
+    to = points == ClaimPoints::lowest || points == ClaimPoints::highest ? extreme(c) : group(c.to);
+    if (!c.other.empty()) runs.excess = excess(to, c);
+    runs.to = values(to, c.readout);
   }
+  const ClaimReading reading = c.rule->judge(c, runs);
+  if (!reading.all_runs.empty()) {
+    const Words text = filled(reading.all_runs, c, from, to);
+    m_ours.push_back(text.whole);
+    m_others.push_back(text.brief);
+  }
+  m_conditions.push_back({filled(reading.wanted, c, from, to),
+                          {reading.in_full.empty() ? reading.measured : reading.in_full, reading.measured},
+                          reading});
   return *this;
 }
 
 /// The conditions, of which those of a family are met or not by their corrected p.
 std::vector<Judge::Condition> Judge::corrected() const {
   std::vector<Condition> all = m_conditions;
-  for (const Family family : {Family::no_difference, Family::agreement}) {
+  for (const ClaimFamily family : {ClaimFamily::no_difference, ClaimFamily::agreement}) {
     std::vector<double> p;
     for (const Condition& c : all)
       if (c.reading.family == family) p.push_back(c.reading.p);
@@ -122,10 +131,10 @@ std::vector<Judge::Condition> Judge::corrected() const {
     for (Condition& c : all) {
       if (c.reading.family != family) continue;
       const double corrected = adjusted[next++];
-      c.met = c.reading.close || !(corrected < alpha);
+      c.reading.met = c.reading.close || !(corrected < claim_alpha);
       std::string more;
       if (corrected != c.reading.p && std::isfinite(corrected)) more = fmt::format(", corrected {:.2g}", corrected);
-      if (c.reading.close && corrected < alpha) more += ", within a tenth";
+      if (c.reading.close && corrected < claim_alpha) more += ", within a tenth";
       c.measured.whole += more;
       c.measured.brief += more;
     }
@@ -138,23 +147,23 @@ Finding Judge::finding() const {
   Finding finding{.ours = m_ours, .conditions = {}, .brief = brief()};
   bool defined = !m_conditions.empty(), met = true, states_direction = false, direction = true, vague = false;
   for (const Condition& c : corrected()) {
-    const bool untold = c.met && c.reading.vague;
-    defined = defined && c.defined;
-    met = met && c.met;
+    const bool untold = c.reading.met && c.reading.vague;
+    defined = defined && c.reading.defined;
+    met = met && c.reading.met;
     vague = vague || untold;
     states_direction = states_direction || c.reading.direction.has_value();
     direction = direction && c.reading.direction.value_or(true);
-    finding.conditions.push_back(c.defined ? fmt::format("{} ({}): {}", c.wanted.whole, c.measured.whole,
-                                                         untold  ? "too few runs to tell"
-                                                         : c.met ? "met"
-                                                                 : "not met")
-                                           : fmt::format("{}: {}", c.wanted.whole, too_few));
+    finding.conditions.push_back(c.reading.defined ? fmt::format("{} ({}): {}", c.wanted.whole, c.measured.whole,
+                                                                 untold          ? "too few runs to tell"
+                                                                 : c.reading.met ? "met"
+                                                                                 : "not met")
+                                                   : fmt::format("{}: {}", c.wanted.whole, too_few));
     const std::string brief = fmt::format("{} ({})", c.wanted.brief, c.measured.brief);
-    if (c.defined && !c.met)
+    if (c.reading.defined && !c.reading.met)
       finding.unmet.push_back(brief);
-    else if ((!c.defined || untold) && std::ranges::find(finding.unmet, too_few) == finding.unmet.end())
+    else if ((!c.reading.defined || untold) && std::ranges::find(finding.unmet, too_few) == finding.unmet.end())
       finding.unmet.emplace_back(too_few);
-    if (c.defined && c.reading.against) finding.against.push_back(brief);
+    if (c.reading.defined && c.reading.against) finding.against.push_back(brief);
   }
   finding.verdict = !defined || (met && vague)      ? Verdict::undecided
                     : met                           ? Verdict::holds

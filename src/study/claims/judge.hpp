@@ -1,11 +1,11 @@
 #pragma once
 
 #include "report/verdict.hpp"
+#include "study_plan/claim_rules.hpp"
 #include "study_plan/study.hpp"
 #include "study_results/results.hpp"
 
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,8 +59,6 @@ public:
   Finding finding() const;
 
 private:
-  static constexpr double alpha = 0.05; ///< level of tests and of intervals
-
   /// A text for whoever reads all of it, and for a table.
   struct Words {
     std::string whole, brief;
@@ -72,22 +70,10 @@ private:
     const Ensemble* ensemble = nullptr; ///< null where there is no such study, or no such point of it
     std::size_t point = 0;
   };
-  /// Conditions of a claim whose p-values are corrected together.
-  enum class Family { none, no_difference, agreement };
-  struct Reading {
-    std::optional<bool> direction{}; ///< whether the stated direction comes out; none where the claim states none
-    Family family = Family::none;
-    double p = 1.0;       ///< of the condition's family
-    bool close = false;   ///< agrees whatever its p-value
-    bool against = false; ///< the 95 % interval lies wholly on the other side of the stated direction
-    bool vague = false;   ///< the interval is too wide for a p above 0.05 to meet the condition
-  };
   struct Condition {
     Words wanted;
     Words measured;
-    bool defined = false;
-    bool met = false; ///< of a family its corrected p decides
-    Reading reading;
+    ClaimReading reading;
   };
   /// A mean that a condition is about.
   struct Mean {
@@ -101,28 +87,12 @@ private:
   std::vector<double> values(const Group& g, std::string_view readout);
   std::vector<double> column(const ClaimCondition& c, std::string_view readout) const;
   void tell(const Group& g, std::string_view readout, const std::vector<double>& x);
-  void tell_all(const Words& text);
-  void condition(Words wanted, const std::string& measured, bool defined, bool met, Reading reading);
+  Group extreme(const ClaimCondition& c);
+  std::vector<double> excess(const Group& g, const ClaimCondition& c);
+  Words filled(std::string_view sentence, const ClaimCondition& c, const Group& from, const Group& to) const;
   std::string brief() const;
-  void compare(const ClaimCondition& c);
-  void ratio_below(const ClaimCondition& c);
-  void exceeds(const ClaimCondition& c);
-  void agrees_at(const Group& g, const ClaimCondition& c);
-  void agrees(const ClaimCondition& c);
-  void extreme_agrees(const ClaimCondition& c);
-  void within(const ClaimCondition& c);
-  void beyond(const ClaimCondition& c);
-  void correlate(const ClaimCondition& c);
-  void over_all_runs(const ClaimCondition& c);
   std::vector<Condition> corrected() const;
 
-  /// sentence(name of a read-out, label of a group) in both forms.
-  template <class Sentence>
-  static Words words(const Sentence& sentence) {
-    return {sentence([](std::string_view readout) { return std::string(readout); },
-                     [](const Group& g) { return g.label.whole; }),
-            sentence(readout_label, [](const Group& g) { return g.label.brief; })};
-  }
   static std::string readout_label(std::string_view readout);
 
   const Evidence& m_evidence;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 // What a judge says of the evidence, in words.
@@ -18,7 +19,7 @@ std::string Judge::readout_label(std::string_view readout) {
 }
 
 void Judge::tell(const Group& g, std::string_view readout, const std::vector<double>& x) {
-  const statistics::Interval mean = statistics::mean_interval(x, alpha);
+  const statistics::Interval mean = statistics::mean_interval(x, claim_alpha);
   const std::string value = x.size() < 2 ? fmt::format("{:.3g}", mean.value)
                                          : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
   const std::string text = x.empty() ? fmt::format("{} at {}: no runs", readout, g.label.whole)
@@ -28,10 +29,27 @@ void Judge::tell(const Group& g, std::string_view readout, const std::vector<dou
   if (!x.empty()) m_means.push_back({g, std::string(readout), value});
 }
 
-/// A number over all runs of a study.
-void Judge::tell_all(const Words& text) {
-  m_ours.push_back(text.whole);
-  m_others.push_back(text.brief);
+/// A sentence of a rule with the names of what it is about.
+Judge::Words Judge::filled(std::string_view sentence, const ClaimCondition& c, const Group& from,
+                           const Group& to) const {
+  const std::string study = c.study.empty() ? m_study : c.study;
+  const auto with = [&](const auto& named, const auto& labelled) {
+    const std::pair<std::string_view, std::string> names[] = {{"$readout", named(c.readout)},
+                                                              {"$other", named(c.other)},
+                                                              {"$from", labelled(from)},
+                                                              {"$to", labelled(to)},
+                                                              {"$study", study}};
+    std::string text;
+    for (std::string_view rest = sentence; !rest.empty();) {
+      const auto name = std::ranges::find_if(names, [&](const auto& one) { return rest.starts_with(one.first); });
+      text += name == std::end(names) ? std::string(1, rest.front()) : name->second;
+      rest.remove_prefix(name == std::end(names) ? 1 : name->first.size());
+    }
+    return text;
+  };
+  return {with([](const std::string& readout) { return readout; }, [](const Group& g) { return g.label.whole; }),
+          with([](const std::string& readout) { return readout_label(readout); },
+               [](const Group& g) { return g.label.brief; })};
 }
 
 /// All means if they are few, else the first and the last of each read-out, in the order of its points.

@@ -15,27 +15,7 @@ enum class ClaimKind { calibration, predicted, verification, experiment };
 
 enum class Sign { up, down };
 
-/// What a condition asks for. In the names of the keys: `to` against `from`, each a point; or the runs `at` a point; or
-/// all runs of the study.
-enum class ClaimRule {
-  differs,        ///< `to` is significantly above (or below) `from`
-  same,           ///< `to` does not differ significantly from `from`
-  leans,          ///< the mean of `to` is above (or below) that of `from`, significantly or not: "slightly"
-  not_beyond,     ///< `to` is not significantly above (or below) `from`
-  ratio_below,    ///< the means of `to` and `from` are in a ratio below a bound
-  exceeds,        ///< in the runs the read-out is above another: the 95 % interval of their difference is above 0
-  agrees,         ///< the published mean of so many runs could be one of our population: published_mean_test, p >= 0.05
-  lowest_agrees,  ///< the lowest of the means of all points agrees with a published one
-  highest_agrees, ///< the highest
-  within,         ///< the mean lies between two bounds
-  below,          ///< the 95 % interval of the mean lies below a bound
-  above,          ///< the 95 % interval of the mean lies above a bound
-  correlates,     ///< Pearson's r with another read-out over all runs is significant and has this sign
-  uncorrelated,   ///< it is not significant
-  mean_above,     ///< the mean over all runs is above a bound
-  none_above,     ///< no run is above a bound
-  mostly_up_to    ///< at least a share of the runs is not above a bound
-};
+struct ClaimRule; // claim_rules.hpp
 
 /// A point by its label.
 struct PointName {
@@ -43,8 +23,9 @@ struct PointName {
   std::string label;
 };
 
+/// In the names of the keys: `to` against `from`, each a point; or the runs `at` a point; or all runs of the study.
 struct ClaimCondition {
-  ClaimRule rule = ClaimRule::differs;
+  const ClaimRule* rule = nullptr;
   std::string study{}; ///< all of whose runs are meant; empty: that of the claim
   PointName from{};
   PointName to{}; ///< or `at`

@@ -1,6 +1,7 @@
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
 #include "parameters/scan.hpp"
+#include "study_plan/claim_rules.hpp"
 #include "study_plan/read_comparisons.hpp"
 
 #include <fmt/format.h>
@@ -16,32 +17,6 @@ namespace {
 
 const std::vector<std::string> kind_names{"calibration", "predicted", "verification", "experiment"};
 constexpr std::string_view gone = "has gone with the first set of closures; the version of the tag closures-2 has both";
-
-/// A rule, as it stands in files, and the keys that it must have.
-struct RuleSpec {
-  ClaimRule rule;
-  std::string name;
-  std::vector<std::string> keys;
-};
-const std::vector<RuleSpec> claim_rules{
-    {ClaimRule::differs, "differs", {"readout", "from", "to", "sign"}},
-    {ClaimRule::same, "same", {"readout", "from", "to"}},
-    {ClaimRule::leans, "leans", {"readout", "from", "to", "sign"}},
-    {ClaimRule::not_beyond, "not_beyond", {"readout", "from", "to", "sign"}},
-    {ClaimRule::ratio_below, "ratio_below", {"readout", "from", "to", "bound"}},
-    {ClaimRule::exceeds, "exceeds", {"readout", "over", "at"}},
-    {ClaimRule::agrees, "agrees", {"readout", "at", "value", "runs"}},
-    {ClaimRule::lowest_agrees, "lowest_agrees", {"readout", "value", "runs"}},
-    {ClaimRule::highest_agrees, "highest_agrees", {"readout", "value", "runs"}},
-    {ClaimRule::within, "within", {"readout", "at", "low", "high"}},
-    {ClaimRule::below, "below", {"readout", "at", "bound"}},
-    {ClaimRule::above, "above", {"readout", "at", "bound"}},
-    {ClaimRule::correlates, "correlates", {"readout", "with", "sign"}},
-    {ClaimRule::uncorrelated, "uncorrelated", {"readout", "with"}},
-    {ClaimRule::mean_above, "mean_above", {"readout", "bound"}},
-    {ClaimRule::none_above, "none_above", {"readout", "bound"}},
-    {ClaimRule::mostly_up_to, "mostly_up_to", {"readout", "bound", "share"}},
-};
 
 bool has(const std::vector<std::string>& list, const std::string& one) {
   return std::ranges::find(list, one) != list.end();
@@ -61,7 +36,7 @@ public:
   ClaimReader(const std::vector<Point>& points, const LabelsOf& labels_of, FaultList& faults)
       : m_labels_of(labels_of), m_faults(faults), m_readouts(all_readouts()) {
     for (const Point& point : points) m_labels.push_back(point.label);
-    for (const RuleSpec& rule : claim_rules) m_rules.push_back(rule.name);
+    for (const ClaimRule& rule : claim_rules()) m_rules.push_back(rule.name);
   }
 
   Claim read(const toml::table& table) {
@@ -121,7 +96,7 @@ private:
     if (typed == nullptr) return {};
     const std::size_t index = m_faults.choice(*typed, full("rule"), m_rules);
     if (typed->value<std::string>() != m_rules[index]) return {};
-    const std::vector<std::string>& needed = claim_rules[index].keys;
+    const std::vector<std::string>& needed = claim_rules()[index].keys;
     std::vector<std::string> keys = needed;
     keys.emplace_back("rule");
     if (!has(keys, "to") && !has(keys, "at")) keys.emplace_back("study");
@@ -132,7 +107,7 @@ private:
     for (const std::string& key : needed)
       m_faults.wanted(table, "claims.conditions", key,
                       fmt::format("; \"{}\" needs {}", m_rules[index], fmt::join(needed, ", ")));
-    ClaimCondition c{.rule = claim_rules[index].rule};
+    ClaimCondition c{.rule = &claim_rules()[index]};
     for (const std::string& key : keys)
       if (const toml::node* node = table.get(key)) take(key, *node, c);
     if (has(keys, "low") && table.contains("low") && table.contains("high") && !(c.value < c.high))

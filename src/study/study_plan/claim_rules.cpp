@@ -1,0 +1,265 @@
+#include "study_plan/claim_rules.hpp"
+
+#include "statistics/compare.hpp"
+#include "statistics/correlation.hpp"
+#include "statistics/sample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace matrigrate::study {
+
+namespace {
+
+using statistics::Interval;
+
+constexpr double alpha = claim_alpha;
+constexpr double tenth = 0.1; // of a published mean: as near as it is read off a figure, whatever the scatter
+
+std::string_view word(Sign sign) { return sign == Sign::up ? "above" : "below"; }
+bool has(Sign sign, double value) { return sign == Sign::up ? value > 0.0 : value < 0.0; }
+
+/// Whether an interval reaches further to either side than half of what it is about: a difference of that size could
+/// not have been told.
+bool vague(const Interval& interval, double about) {
+  return 0.5 * (interval.high - interval.low) > 0.5 * std::abs(about);
+}
+
+/// Whether an interval lies wholly on the other side of a limit than stated.
+bool opposes(Sign stated, const Interval& interval, double limit = 0.0) {
+  return stated == Sign::up ? interval.high < limit : interval.low > limit;
+}
+
+/// Two points by a t-test.
+struct Compared {
+  Interval d;    ///< of the means, `to` minus `from`
+  double larger; ///< of the magnitudes of the two means
+  double p;
+  bool signed_so;
+  bool significant;
+  ClaimReading reading;
+};
+
+Compared compared(const ClaimCondition& c, const ClaimRuns& runs, const std::string& wanted) {
+  const Interval d = statistics::mean_difference(runs.from, runs.to, alpha);
+  const Interval g = statistics::hedges_g(runs.from, runs.to, alpha);
+  const double p = statistics::t_test(runs.from, runs.to).p;
+  const std::string difference = fmt::format("difference {:.3g} [{:.3g}, {:.3g}]", d.value, d.low, d.high);
+  return {.d = d,
+          .larger =
+              std::max(std::abs(statistics::moments(runs.from).mean), std::abs(statistics::moments(runs.to).mean)),
+          .p = p,
+          .signed_so = has(c.sign, d.value),
+          .significant = p < alpha,
+          .reading = {.wanted = fmt::format("$readout at $to {} that at $from", wanted),
+                      .measured = fmt::format("{}, p {:.2g}", difference, p),
+                      .in_full =
+                          fmt::format("{}, g {:.2g} [{:.2g}, {:.2g}], p {:.2g}", difference, g.value, g.low, g.high, p),
+                      .defined = runs.from.size() > 1 && runs.to.size() > 1}};
+}
+
+ClaimReading differs(const ClaimCondition& c, const ClaimRuns& runs) {
+  Compared two = compared(c, runs, fmt::format("significantly {}", word(c.sign)));
+  two.reading.met = two.signed_so && two.significant;
+  two.reading.direction = two.signed_so;
+  two.reading.against = opposes(c.sign, two.d);
+  return two.reading;
+}
+
+ClaimReading leans(const ClaimCondition& c, const ClaimRuns& runs) {
+  Compared two = compared(c, runs, std::string(word(c.sign)));
+  two.reading.met = two.signed_so;
+  two.reading.direction = two.signed_so;
+  two.reading.against = opposes(c.sign, two.d);
+  return two.reading;
+}
+
+ClaimReading same(const ClaimCondition& c, const ClaimRuns& runs) {
+  Compared two = compared(c, runs, "not significantly different from");
+  two.reading.met = !two.significant;
+  two.reading.family = ClaimFamily::no_difference;
+  two.reading.p = two.p;
+  two.reading.vague = vague(two.d, two.larger);
+  return two.reading;
+}
+
+ClaimReading not_beyond(const ClaimCondition& c, const ClaimRuns& runs) {
+  Compared two = compared(c, runs, fmt::format("not significantly {}", word(c.sign)));
+  two.reading.met = !(two.signed_so && two.significant);
+  two.reading.family = ClaimFamily::no_difference;
+  two.reading.p = two.signed_so ? two.p : 1.0;
+  two.reading.vague = vague(two.d, two.larger) && !opposes(c.sign, two.d);
+  return two.reading;
+}
+
+ClaimReading ratio_below(const ClaimCondition& c, const ClaimRuns& runs) {
+  const double ratio = statistics::moments(runs.to).mean / statistics::moments(runs.from).mean;
+  return {.wanted = fmt::format("$readout at $to over that at $from is below {:.3g}", c.value),
+          .measured = fmt::format("{:.3g}", ratio),
+          .defined = std::isfinite(ratio),
+          .met = ratio < c.value,
+          .direction = ratio < c.value};
+}
+
+ClaimReading exceeds(const ClaimCondition& /*c*/, const ClaimRuns& runs) {
+  const Interval d = statistics::mean_interval(runs.excess, alpha);
+  return {.wanted = "$readout above $other in the runs at $to",
+          .measured =
+              fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, runs.excess.size()),
+          .defined = runs.excess.size() > 1,
+          .met = d.low > 0.0,
+          .direction = d.value > 0.0,
+          .against = opposes(Sign::up, d)};
+}
+
+ClaimReading agrees(const ClaimCondition& c, const ClaimRuns& runs) {
+  const double mean = statistics::moments(runs.to).mean;
+  const double p = statistics::published_mean_test(runs.to, c.value, c.runs).p;
+  return {.wanted = fmt::format("$readout at $to agrees with {:.3g}", c.value),
+          .measured = fmt::format("mean {:.3g}, p {:.2g}", mean, p),
+          .defined = runs.to.size() > 1,
+          .met = p >= alpha,
+          .family = ClaimFamily::agreement,
+          .p = p,
+          .close = std::abs(mean - c.value) <= tenth * std::abs(c.value),
+          .vague = vague(statistics::mean_interval(runs.to, alpha), c.value)};
+}
+
+ClaimReading within(const ClaimCondition& c, const ClaimRuns& runs) {
+  const double mean = statistics::moments(runs.to).mean;
+  return {.wanted = fmt::format("mean $readout at $to is {:.3g} to {:.3g}", c.value, c.high),
+          .measured = fmt::format("{:.3g}", mean),
+          .defined = std::isfinite(mean),
+          .met = mean >= c.value && mean <= c.high};
+}
+
+template <Sign side>
+ClaimReading beyond(const ClaimCondition& c, const ClaimRuns& runs) {
+  const Interval mean = statistics::mean_interval(runs.to, alpha);
+  const double end = side == Sign::up ? mean.low : mean.high;
+  return {.wanted = fmt::format("$readout at $to lies {} {:.3g} with its interval", word(side), c.value),
+          .measured = fmt::format("{} {:.3g}", side == Sign::up ? "from" : "up to", end),
+          .defined = std::isfinite(end),
+          .met = has(side, end - c.value),
+          .direction = has(side, mean.value - c.value),
+          .against = opposes(side, mean, c.value)};
+}
+
+/// With its sentence, which says how they should go.
+ClaimReading correlation(const statistics::Correlation& found, std::string_view how) {
+  ClaimReading reading{.wanted = fmt::format("$readout and $other {} over the runs of $study", how),
+                       .measured = fmt::format("r {:.2g}, p {:.2g}", found.r, found.p),
+                       .defined = std::isfinite(found.r)};
+  if (reading.defined) reading.all_runs = fmt::format("r of $readout and $other {:.2g} (n = {})", found.r, found.n);
+  return reading;
+}
+
+ClaimReading correlates(const ClaimCondition& c, const ClaimRuns& runs) {
+  const statistics::Correlation found = statistics::pearson(runs.all, runs.other);
+  const bool signed_so = has(c.sign, found.r);
+  ClaimReading reading = correlation(found, c.sign == Sign::up ? "rise together" : "go against each other");
+  reading.met = signed_so && found.p < alpha;
+  reading.direction = signed_so;
+  reading.against = !signed_so && found.p < alpha;
+  return reading;
+}
+
+ClaimReading uncorrelated(const ClaimCondition& /*c*/, const ClaimRuns& runs) {
+  const statistics::Correlation found = statistics::pearson(runs.all, runs.other);
+  ClaimReading reading = correlation(found, "do not correlate");
+  reading.met = found.p >= alpha;
+  reading.vague = found.n < 4 || vague(statistics::correlation_interval(found, alpha), 1.0);
+  return reading;
+}
+
+/// A number over all runs: "mean $readout over the runs of $study is above 0.5".
+ClaimReading over_all(std::string_view what, double found, std::size_t n, std::string_view wanted, double bound) {
+  ClaimReading reading{.wanted = fmt::format("{} $readout over the runs of $study is {} {:.3g}", what, wanted, bound),
+                       .measured = fmt::format("{:.3g}", found),
+                       .defined = n > 1};
+  if (n > 0) reading.all_runs = fmt::format("{} $readout {:.3g} (n = {})", what, found, n);
+  return reading;
+}
+
+ClaimReading mean_above(const ClaimCondition& c, const ClaimRuns& runs) {
+  const std::vector<double> x = statistics::finite(runs.all);
+  const double mean = statistics::moments(x).mean;
+  ClaimReading reading = over_all("mean", mean, x.size(), "above", c.value);
+  reading.met = mean > c.value;
+  return reading;
+}
+
+ClaimReading none_above(const ClaimCondition& c, const ClaimRuns& runs) {
+  const std::vector<double> x = statistics::finite(runs.all);
+  const double largest = x.empty() ? std::nan("") : *std::ranges::max_element(x);
+  ClaimReading reading = over_all("largest", largest, x.size(), "at most", c.value);
+  reading.met = largest <= c.value;
+  return reading;
+}
+
+ClaimReading mostly_up_to(const ClaimCondition& c, const ClaimRuns& runs) {
+  const std::vector<double> x = statistics::finite(runs.all);
+  const auto within = static_cast<double>(std::ranges::count_if(x, [&](double value) { return value <= c.value; }));
+  const double found = within / static_cast<double>(x.size());
+  ClaimReading reading{.wanted = fmt::format("$readout is at most {:.3g} in at least {:.0f} % of the runs of $study",
+                                             c.value, 100.0 * c.share),
+                       .measured = fmt::format("{:.0f} %", 100.0 * found),
+                       .defined = x.size() > 1,
+                       .met = found >= c.share};
+  if (reading.defined)
+    reading.all_runs = fmt::format("$readout at most {:.3g} in {:.0f} % (n = {})", c.value, 100.0 * found, x.size());
+  return reading;
+}
+
+} // namespace
+
+const std::vector<ClaimRule>& claim_rules() {
+  using enum ClaimPoints;
+  static const std::vector<ClaimRule> rules{
+      // `to` is significantly above (or below) `from`
+      {"differs", {"readout", "from", "to", "sign"}, from_to, differs},
+      // `to` does not differ significantly from `from`
+      {"same", {"readout", "from", "to"}, from_to, same},
+      // the mean of `to` is above (or below) that of `from`, significantly or not: "slightly"
+      {"leans", {"readout", "from", "to", "sign"}, from_to, leans},
+      // `to` is not significantly above (or below) `from`
+      {"not_beyond", {"readout", "from", "to", "sign"}, from_to, not_beyond},
+      // the means of `to` and `from` are in a ratio below a bound
+      {"ratio_below", {"readout", "from", "to", "bound"}, from_to, ratio_below},
+      // in the runs the read-out is above another: the 95 % interval of their difference is above 0
+      {"exceeds", {"readout", "over", "at"}, at, exceeds},
+      // the published mean of so many runs could be one of our population: published_mean_test, p >= 0.05
+      {"agrees", {"readout", "at", "value", "runs"}, at, agrees},
+      // the lowest, or highest, of the means of all points agrees with a published one
+      {"lowest_agrees", {"readout", "value", "runs"}, lowest, agrees},
+      {"highest_agrees", {"readout", "value", "runs"}, highest, agrees},
+      // the mean lies between two bounds
+      {"within", {"readout", "at", "low", "high"}, at, within},
+      // the 95 % interval of the mean lies below, or above, a bound
+      {"below", {"readout", "at", "bound"}, at, beyond<Sign::down>},
+      {"above", {"readout", "at", "bound"}, at, beyond<Sign::up>},
+      // Pearson's r with another read-out over all runs is significant and has this sign
+      {"correlates", {"readout", "with", "sign"}, all, correlates},
+      // it is not significant
+      {"uncorrelated", {"readout", "with"}, all, uncorrelated},
+      // the mean over all runs is above a bound
+      {"mean_above", {"readout", "bound"}, all, mean_above},
+      // no run is above a bound
+      {"none_above", {"readout", "bound"}, all, none_above},
+      // at least a share of the runs is not above a bound
+      {"mostly_up_to", {"readout", "bound", "share"}, all, mostly_up_to},
+  };
+  return rules;
+}
+
+const ClaimRule& claim_rule(std::string_view name) {
+  const auto found = std::ranges::find(claim_rules(), name, &ClaimRule::name);
+  if (found == claim_rules().end()) throw std::out_of_range(fmt::format("there is no rule {}", name));
+  return *found;
+}
+
+} // namespace matrigrate::study
