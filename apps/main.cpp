@@ -17,10 +17,20 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace matrigrate::apps {
+
+// Each is in the file of its name.
+using Verb = void(CLI::App&, Action&);
+using VerbOfRuns = void(CLI::App&, Action&, std::vector<std::string> command_line); // which run.json keeps
+Verb add_new, add_list, add_check, add_explain, add_report, add_open, add_live, add_diff, add_export, add_tracks,
+    add_validate, add_selftest, add_study, add_info;
+VerbOfRuns add_run, add_resume, add_sample, add_demo;
+void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>& command_line);
 
 namespace {
 

@@ -4,15 +4,10 @@
 
 #include <functional>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-namespace CLI {
-class App;
-}
-
-/// The verbs of the program, one file each. A verb adds itself to the command line; when it is given, it sets what is
-/// to be done. Exit codes and exceptions are brought together in main.cpp and nowhere else.
+/// What the verbs of the program share. Each is a file with a function that adds it to the command line; when it is
+/// given, it sets what is to be done. Verbs, exit codes and exceptions are brought together in main.cpp and nowhere
+/// else.
 namespace matrigrate::apps {
 
 using namespace run;
@@ -41,25 +36,5 @@ public:
 
 /// What the chosen verb does. @return the exit code
 using Action = std::function<int()>;
-
-void add_new(CLI::App& app, Action& chosen);
-void add_list(CLI::App& app, Action& chosen);
-void add_check(CLI::App& app, Action& chosen);
-void add_explain(CLI::App& app, Action& chosen);
-void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
-void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
-void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
-void add_demo(CLI::App& app, Action& chosen, std::vector<std::string> command_line);
-void add_diff(CLI::App& app, Action& chosen);
-void add_open(CLI::App& app, Action& chosen);
-void add_live(CLI::App& app, Action& chosen);
-void add_report(CLI::App& app, Action& chosen);
-void add_export(CLI::App& app, Action& chosen);
-void add_tracks(CLI::App& app, Action& chosen);
-void add_validate(CLI::App& app, Action& chosen);
-void add_selftest(CLI::App& app, Action& chosen);
-void add_study(CLI::App& app, Action& chosen);
-void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>& command_line);
-void add_info(CLI::App& app, Action& chosen);
 
 } // namespace matrigrate::apps

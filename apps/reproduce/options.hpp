@@ -10,7 +10,6 @@ namespace matrigrate::apps {
 struct ReproduceOptions : study::EvidenceOptions {
   int jobs = 0;
   bool json = false;
-  bool markdown = false;
   bool quiet = false;
   std::string command; ///< as it was typed
 };

@@ -73,10 +73,10 @@ int reproduce(const ReproduceOptions& options) {
     needed.push_back(chosen_claims(first).front());
   }
   study::require_own_study_folders(needed, options);
-  if (!options.markdown) study::require_own_claim_report(needed, options);
-  if (options.from.empty() || !options.markdown) make_output_folder(options.folder, true);
+  study::require_own_claim_report(needed, options);
+  make_output_folder(options.folder, true);
   const std::string setting = setting_text(options);
-  if (!options.quiet && !options.json && !options.markdown) print_error(setting + "\n");
+  if (!options.quiet && !options.json) print_error(setting + "\n");
   std::vector<study::JudgedClaim> rows;
   study::ClaimEvidence all;
   ReproducedRuns runs(options);
@@ -91,18 +91,14 @@ int reproduce(const ReproduceOptions& options) {
   }
   for (study::JudgedClaim& row : study::judged_claims(claims, all)) rows.push_back(std::move(row));
   for (study::JudgedClaim& row : study::rows_by_fields(all.evidence, options)) rows.push_back(std::move(row));
-  if (options.markdown) {
-    print(study::markdown_table(rows) + "\n" + study::bottom_line(rows) + ".\n");
-  } else {
-    study::write_claim_report(
-        rows, all.evidence, options,
-        {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
-    if (options.json)
-      print(reproduction_json(rows, setting, as_published(options)));
-    else
-      print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
-            + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
-  }
+  study::write_claim_report(
+      rows, all.evidence, options,
+      {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
+  if (options.json)
+    print(reproduction_json(rows, setting, as_published(options)));
+  else
+    print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
+          + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
   const auto holds = [](const study::JudgedClaim& row) { return row.finding.verdict == study::Verdict::holds; };
   return std::ranges::all_of(rows, holds) ? done : numerical;
 }
@@ -142,9 +138,7 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
                    "Folder with kept tables (<study>-results.csv): their runs are not made again");
   for (const char* of_runs : {"--replicates", "--jobs", "--integrator", "--set", "--kept"})
     from->excludes(verb->get_option(of_runs));
-  CLI::Option* markdown =
-      verb->add_flag("--markdown", options->markdown, "Print the table of verdicts as Markdown; write no page");
-  verb->add_flag("--json", options->json, "Print the table as JSON")->excludes(markdown);
+  verb->add_flag("--json", options->json, "Print the table as JSON");
   verb->add_flag("--quiet", options->quiet, "Show no progress");
   verb->callback([options, &chosen] { chosen = [options] { return reproduce(*options); }; });
 }

@@ -22,7 +22,7 @@ void ReproducedRuns::compute_missing(const StudyFolder& study, const std::vector
   make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
-  const bool quiet = m_options.quiet || m_options.json || m_options.markdown;
+  const bool quiet = m_options.quiet || m_options.json;
   if (!quiet)
     print_error(fmt::format("{}: {} points x {} replicates\n", study.study.title, study.study.points.size(),
                             study.study.replicates));

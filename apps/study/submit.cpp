@@ -29,7 +29,7 @@ namespace matrigrate::apps {
 namespace {
 
 constexpr std::size_t max_tasks = 1000; // Slurm's MaxArraySize is 1001 unless a cluster says otherwise
-constexpr std::size_t largest_list = std::size_t{1} << 26;
+constexpr std::size_t largest_run_list = std::size_t{1} << 26;
 
 /// Which run is computed by which task: lines "task hash".
 std::string task_list(const StudyFolder& study, const std::vector<std::size_t>& open, std::size_t chunk) {
@@ -58,7 +58,7 @@ std::string submitted(const study::SlurmOptions& options, const std::filesystem:
   ::close(output);
   std::optional<int> code;
   while (!(code = sbatch.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  std::string said = read_file(log, largest_list);
+  std::string said = read_file(log, largest_run_list);
   while (!said.empty() && said.back() == '\n') said.pop_back();
   if (*code == no_such_program)
     throw InputOutputError(fmt::format("sbatch was not found, so this machine does not belong to a Slurm cluster; the "
@@ -122,7 +122,7 @@ int compute_task(const TaskOptions& options) {
   std::map<std::string, std::size_t> by_hash;
   for (std::size_t i = 0; i < study.runs.size(); ++i) by_hash.emplace(study.runs[i].hash, i);
   std::vector<std::size_t> mine;
-  std::istringstream list(read_file(study.folder / options.list, largest_list));
+  std::istringstream list(read_file(study.folder / options.list, largest_run_list));
   std::size_t task = 0;
   for (std::string hash; list >> task >> hash;) {
     const auto found = by_hash.find(hash);

@@ -37,11 +37,6 @@ std::string_view place_of_unit(std::string_view name) {
 
 } // namespace
 
-std::string_view unit_of_column(std::string_view name) {
-  const std::string_view unit = place_of_unit(name);
-  return known(unit) ? unit : std::string_view();
-}
-
 double factor_of_column(std::string_view name, std::string_view wanted) {
   const std::string_view stated = place_of_unit(name);
   const std::optional<Unit> unit = known(stated);

@@ -20,17 +20,7 @@ bool Check::holds() const {
   return std::abs(measured - expected) <= tolerance;
 }
 
-namespace {
-
-bool all_hold(const std::vector<Check>& checks) {
-  return !checks.empty() && std::ranges::all_of(checks, &Check::holds);
-}
-
-} // namespace
-
-bool Result::holds() const { return all_hold(checks); }
-
-bool Result::claims_hold() const { return all_hold(claims); }
+bool Result::holds() const { return !checks.empty() && std::ranges::all_of(checks, &Check::holds); }
 
 void Result::add(std::string name, std::string caption, report::Plot plot) {
   plot.name = std::move(name);

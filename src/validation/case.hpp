@@ -36,8 +36,7 @@ struct Result {
   std::vector<report::Plot> plots;      ///< a page draws them
   std::vector<draw::Picture> pictures;  ///< written as NAME-<picture>.svg
 
-  bool holds() const;       ///< all checks hold, and there is at least one
-  bool claims_hold() const; ///< so do all claims, and there is at least one
+  bool holds() const; ///< all checks hold, and there is at least one
 
   void add(std::string name, std::string caption, report::Plot plot);
 };

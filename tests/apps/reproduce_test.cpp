@@ -46,7 +46,6 @@ TEST_F(Reproduce, TellsWhatIsWrongWithKeptResults) {
   for (const char* of_runs :
        {"--replicates 3", "--set ecm.radius=40", "--integrator reference", "--jobs 2", "--kept kept"})
     EXPECT_EQ(run(std::string("reproduce A5 --from kept ") + of_runs).code, 2) << of_runs;
-  EXPECT_EQ(run("reproduce A5 --json --markdown").code, 2);
 }
 
 TEST_F(Reproduce, RefusesResultsOfOtherParameters) {

@@ -44,9 +44,6 @@ std::string why_not(const Finding& finding);
 /// "18 of 30 hold: 7 of 16 calibration, 5 of 10 predicted, 3 of 4 verification; 5 more in direction; 2 undecided"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
 
-/// The table of a page of Markdown: a row a claim, with what was published, what came out, and the verdict.
-std::string markdown_table(const std::vector<JudgedClaim>& claims);
-
 /// claims.csv: the table that people read, a line a claim.
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
 

@@ -42,17 +42,6 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
                      more(of(Verdict::in_direction), "more in direction"), more(of(Verdict::undecided), "undecided"));
 }
 
-std::string markdown_table(const std::vector<JudgedClaim>& claims) {
-  std::string text = "| row | kind | claim | published | ours: mean [95 % interval] | verdict | why not |\n"
-                     "|---|---|---|---|---|---|---|\n";
-  for (const JudgedClaim& c : claims)
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | **{}**{} | {} |\n", c.id, kind_name(c.kind), c.sentence, c.published,
-                    c.finding.brief, to_string(c.finding.verdict),
-                    c.in_larger_disc ? fmt::format(" (larger disc: {})", in_larger_disc(c)) : "", why_not(c.finding));
-  return text;
-}
-
 using View = std::string_view;
 
 std::string conditions_csv(const std::vector<JudgedClaim>& claims) {

@@ -192,7 +192,6 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
     s.program = fmt::format("{} ({}{})", version, value_or(record, "git_hash", std::string()).substr(0, 8),
                             value_or(record, "git_dirty", false) ? "+" : "");
   s.wall_time = value_or(record, "wall_time_s", 0.0);
-  s.steps_done = value_or(record, "steps", 0.0);
   if (s.done() && !run::has_summary(file.parent_path())) {
     s.status = RunState::unfinished;
     s.reason = "summary.json is missing or damaged";

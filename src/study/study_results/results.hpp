@@ -36,7 +36,6 @@ struct Standing {
   std::string program;    ///< that computed it: "0.1.0 (1234abcd)"
   std::string end;        ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not
   double wall_time = 0.0; ///< [s]
-  double steps_done = 0.0;
 
   bool done() const { return status == RunState::done; }
   /// True if the run would fail again: a numerical failure is the same on every machine. A run without a recorded

@@ -345,11 +345,6 @@ TEST(Claims, TableSaysWhyNot) {
                                  "(difference 1 [0.777, 1.22], p 3.4e-05)");
   EXPECT_EQ(why_not(yes.finding), "");
   EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted; 1 more in direction");
-  const std::string table = markdown_table({no, yes});
-  EXPECT_NE(table.find("| A1 | calibration | f_mat rises and does not | 1 to 2 | f_mat 1.15"), std::string::npos)
-      << table;
-  EXPECT_NE(table.find("| **holds** |  |\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("| **in direction** | not met"), std::string::npos) << table;
   EXPECT_TRUE(claims_csv({no, yes}).starts_with("id,kind,claim,published,ours,verdict,why_not,"));
   EXPECT_TRUE(conditions_csv({no, yes}).starts_with("id,sentence,published,ours,statistic,verdict,caveat\nA1,f_mat"));
 }

@@ -29,10 +29,8 @@ TEST(ColumnUnit, IsConvertedToTheWantedOne) {
 }
 
 TEST(ColumnUnit, IsNoneWhereANameHasNone) {
-  for (const char* name : {"E", "E_mean", "f_degr", "E_1", "E_s", "kPa", "E (AFM)", "", "_", "()"}) {
-    EXPECT_EQ(unit_of_column(name), "") << name;
+  for (const char* name : {"E", "E_mean", "f_degr", "E_1", "E_s", "kPa", "E (AFM)", "", "_", "()"})
     EXPECT_EQ(factor_of_column(name, "Pa"), 1.0) << name;
-  }
 }
 
 TEST(ColumnUnit, IsRefusedIfItIsOfAnotherKindOrMisspelt) {
