@@ -1,12 +1,22 @@
 #include "validation/case.hpp"
 
 #include "simulation/step_limits.hpp"
-#include "validation/cases.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace matrigrate::validation {
+
+// Each is in the file of its name. Geometry and loads are a case's own; material and numerics come from the parameters.
+using CaseOf = Result(const Parameters&);
+CaseOf patch, rigid, stretch, creep, relaxation, point_force, load, poiseuille, tearing, convergence, step_limit,
+    fibres, fibres_uniaxial, protrusion, maturation, time_step, disassembly, initiation, handover, follow,
+    fibre_maturation, competition, stunting;
+
+// Plots of cases from their tables alone, so that they can be made of kept tables. They throw an InputOutputError if
+// the table has not the columns of the case.
+using PlotOf = report::Plot(const store::Table&);
+PlotOf plot_fibres, plot_fibres_uniaxial, plot_disassembly;
 
 bool Check::holds() const {
   switch (sense) {

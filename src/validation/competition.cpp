@@ -2,7 +2,7 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/maturation.hpp"
 #include "simulation/start.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "ecm/law/material.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/closed_forms.hpp"
 #include "validation/specimen.hpp"
 

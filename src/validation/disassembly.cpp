@@ -2,7 +2,7 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/life_cycle.hpp"
 #include "statistics/kolmogorov_smirnov.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "base/failure.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/collagen_data.hpp"
 #include "validation/fibre_gels.hpp"
 

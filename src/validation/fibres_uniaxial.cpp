@@ -1,4 +1,4 @@
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/fibre_gels.hpp"
 
 #include <fmt/format.h>

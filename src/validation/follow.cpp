@@ -5,7 +5,7 @@
 #include "ecm/law/material.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/membership.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>

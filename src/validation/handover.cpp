@@ -1,6 +1,6 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/maturation.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>

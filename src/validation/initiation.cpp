@@ -2,7 +2,7 @@
 #include "base/random.hpp"
 #include "cell/geometry.hpp"
 #include "statistics/kolmogorov_smirnov.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 
 #include <fmt/format.h>
 

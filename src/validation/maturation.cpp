@@ -1,6 +1,6 @@
 #include "protrusion/maturation.hpp"
 #include "protrusion/adhesion.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "ecm/loop/deformation.hpp"
 #include "ecm/loop/stress.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/specimen.hpp"
 
 #include <fmt/format.h>

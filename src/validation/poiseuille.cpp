@@ -1,5 +1,5 @@
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/closed_forms.hpp"
 #include "validation/specimen.hpp"
 

@@ -1,4 +1,4 @@
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>

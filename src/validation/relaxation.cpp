@@ -1,7 +1,7 @@
 #include "ecm/law/material.hpp"
 #include "observe/reaction.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/closed_forms.hpp"
 #include "validation/specimen.hpp"
 

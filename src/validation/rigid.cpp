@@ -2,7 +2,7 @@
 #include "ecm/loop/stress.hpp"
 #include "ecm/loop/viscosity.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/specimen.hpp"
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 #include "simulation/advance.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/specimen.hpp"
 
 #include <fmt/format.h>

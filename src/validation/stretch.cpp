@@ -3,7 +3,7 @@
 #include "ecm/loop/stress.hpp"
 #include "observe/reaction.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/closed_forms.hpp"
 #include "validation/specimen.hpp"
 

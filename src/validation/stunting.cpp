@@ -1,6 +1,6 @@
 #include "cell/geometry.hpp"
 #include "sph/interpolate.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "ecm/law/material.hpp"
 #include "sph/interpolate.hpp"
 #include "state/initial.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/specimen.hpp"
 
 #include <fmt/format.h>

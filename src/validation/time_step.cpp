@@ -1,5 +1,5 @@
 #include "simulation/step_limits.hpp"
-#include "validation/cases.hpp"
+#include "validation/case.hpp"
 #include "validation/single_protrusion.hpp"
 
 #include <fmt/format.h>
