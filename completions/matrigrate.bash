@@ -151,7 +151,7 @@ _matrigrate() {
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_reproduce)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --set --from --kept --markdown --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --set --from --kept --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_info)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   esac

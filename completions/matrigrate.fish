@@ -237,8 +237,7 @@ complete -c matrigrate -n '__matrigrate_at reproduce' -l integrator -x -a 'adapt
 complete -c matrigrate -n '__matrigrate_at reproduce' -l set -x -d 'key=value, over all studies; may be repeated'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l from -x -a '(__fish_complete_directories)' -d 'Folder with kept tables (<study>-results.csv) to judge by; nothing is run'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l kept -x -d 'Folder with kept tables (<study>-results.csv): their runs are not made again'
-complete -c matrigrate -n '__matrigrate_at reproduce' -l markdown -d ''
-complete -c matrigrate -n '__matrigrate_at reproduce' -l json -d ''
+complete -c matrigrate -n '__matrigrate_at reproduce' -l json -d 'Print the table as JSON'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l quiet -d 'Show no progress'
 
 complete -c matrigrate -n '__matrigrate_at info' -s h -l help -d 'Print this help message and exit'
