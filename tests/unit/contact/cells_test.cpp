@@ -150,7 +150,10 @@ TEST(CellContact, RotatesWithTheCells) {
 TEST(CellContact, FindsThePairsThatAllAgainstAllFind) {
   const Parameters p;
   std::vector<CellStart> starts;
-  for (int k = 0; k < 40; ++k) starts.push_back({31.0 * (k % 7) - 90.0 + 3.0 * std::sin(k), 31.0 * (k / 7) - 90.0});
+  for (int k = 0; k < 40; ++k) {
+    const int row = k / 7;
+    starts.push_back({31.0 * (k % 7) - 90.0 + 3.0 * std::sin(k), 31.0 * row - 90.0});
+  }
   const State s = cells_at(p, starts);
   const std::vector<CellTouch> found = cell_touches(s.cells, 3.0);
   std::size_t expected = 0;

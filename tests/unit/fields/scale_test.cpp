@@ -183,8 +183,10 @@ TEST_F(ScaledFields, DirectionsOfAPictureHaveNoSense) {
 
 TEST(Directions, DoNotDependOnTheSizeOfTheNumbers) {
   Picture picture{.width = 24, .height = 24, .samples = {}, .pixel = {}, .black = {}, .white = {}};
-  for (std::size_t k = 0; k < 576; ++k)
-    picture.samples.push_back(std::sin(0.4 * static_cast<double>(k % 24) + 0.5 * static_cast<double>(k / 24)));
+  for (std::size_t k = 0; k < 576; ++k) {
+    const auto row = k / 24;
+    picture.samples.push_back(std::sin(0.4 * static_cast<double>(k % 24) + 0.5 * static_cast<double>(row)));
+  }
   const std::vector<double> expected = fibre_directions(picture, 3.0);
   for (const int exponent : {-1000, -500, 500, 1000}) {
     Picture far = picture;

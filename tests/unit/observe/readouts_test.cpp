@@ -219,7 +219,7 @@ TEST(ReadOuts, TheMigrationIndexIsTheWayAlongXOverThePath) {
 TEST(ReadOuts, OfSeveralCellsTellWhatTheyDoTogether) {
   // The first cell goes straight away from the second, which goes at a right angle; the third, far off, goes towards
   // them.
-  const auto path = [](Vec2 from, Vec2 to) {
+  const auto path = [](const Vec2& from, const Vec2& to) {
     return std::vector<TrackRow>{{.t = 0.0, .centre = from, .polarization = {}},
                                  {.t = 600.0, .centre = to, .polarization = {}}};
   };

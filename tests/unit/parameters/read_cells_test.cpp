@@ -50,6 +50,7 @@ TEST(ReadCells, TellsEveryFaultWithItsPlace) {
           "f.toml:4:1: cells[2]: has no y; write it like y = \"40 um\"",
           "f.toml:6:1: cells[2].z: there is no such key; a cell has x and y; did you mean x?",
           "f.toml:8:5: cells[3].x: is a flag, but a number with its unit is expected, such as \"0 um\"",
+          // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one text in two lines
           "f.toml:10:1: cells[3].radius: there is no such key; a cell has x and y; all cells are alike, with "
           "cell.radius of the section [cell]"}));
 }

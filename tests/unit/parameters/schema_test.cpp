@@ -18,9 +18,9 @@ std::pair<std::size_t, std::size_t> bytes_of_choice(const Choice& choice, Parame
   std::array<unsigned char, sizeof(Parameters)> before{};
   std::array<unsigned char, sizeof(Parameters)> after{};
   choice.set(p, 0);
-  std::memcpy(before.data(), &p, sizeof(p));
+  std::memcpy(before.data(), &p, sizeof(p)); // NOLINT(bugprone-undefined-memory-manipulation): to look at
   choice.set(p, 1);
-  std::memcpy(after.data(), &p, sizeof(p));
+  std::memcpy(after.data(), &p, sizeof(p)); // NOLINT(bugprone-undefined-memory-manipulation)
   const auto difference = std::ranges::mismatch(before, after).in1;
   return {static_cast<std::size_t>(difference - before.begin()), sizeof(Lattice)};
 }
@@ -59,7 +59,7 @@ TEST(Schema, NoMemberIsWithoutARow) {
     const auto* start = static_cast<const char*>(static_cast<void*>(&p));
     covered.insert({static_cast<std::size_t>(static_cast<const char*>(member) - start), size});
   };
-  cover(&p.cells, sizeof(p.cells)); // of the rows of [[cells]]
+  cover(&p.cells, sizeof(p.cells)); // NOLINT(bugprone-sizeof-container): of the rows of [[cells]]
   cover(&p.grids, sizeof(p.grids)); // no parameter
   std::size_t end = 0;
   for (const auto& [first, size] : covered) {

@@ -59,7 +59,7 @@ TEST(ReadResults, RefusesResultsOfAnotherStudy) {
             "r.csv: line 5, column 2 (label): \"youngs_modulus 200 Pa\" is no point of the study\n"
             "  line 6, column 2 (label): \"youngs_modulus 200 Pa\" is no point of the study\n"
             "  line 7, column 2 (label): \"youngs_modulus 200 Pa\" is no point of the study");
-  EXPECT_EQ(message(study, csv.substr(0, csv.rfind("\n", csv.size() - 2) + 1)), "r.csv: holds 5 runs; the study has 6");
+  EXPECT_EQ(message(study, csv.substr(0, csv.rfind('\n', csv.size() - 2) + 1)), "r.csv: holds 5 runs; the study has 6");
   EXPECT_TRUE(message(study, "a,b\n").starts_with("r.csv: has no column run\n  has no column label\n"));
 }
 
