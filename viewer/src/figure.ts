@@ -3,7 +3,7 @@ import Plotly from "plotly.js-cartesian-dist-min";
 import { h, isDark, onDarkMode } from "./dom";
 import { roundStep } from "./numbers";
 import { onPrint } from "./paper";
-import { lettered, typeset, units } from "./words";
+import { lettered, typeset, units, wrapped } from "./words";
 
 export type Json = Record<string, unknown>;
 
@@ -51,6 +51,18 @@ export function wholeTicks(low: number, high: number): Json {
   return { tick0: 0, dtick: Math.max(1, roundStep((high - low) / 5)), tickformat: "d" };
 }
 
+/** A layout whose titles of axes are broken into lines that there is room for beside the plot [px]. */
+function withTitlesInLines(layout: Json, width: number, height: number): Json {
+  const fitted = { ...layout };
+  for (const [name, value] of Object.entries(layout)) {
+    const title = /^[xy]axis\d*$/.test(name) ? (value as { title?: { text: string } }).title : undefined;
+    if (!title) continue;
+    const letters = Math.max(10, Math.floor((name.startsWith("x") ? width - 70 : height - 90) / 8.2));
+    fitted[name] = { ...(value as Json), title: { ...title, text: wrapped(title.text, letters).replaceAll("\n", "<br>") } };
+  }
+  return fitted;
+}
+
 /** Without a pointer there is nothing to hover with, and a drag should scroll the page. */
 const touch = matchMedia("(hover: none)").matches;
 
@@ -84,6 +96,7 @@ export function figure(
   const draw = () => {
     const colours = ink();
     const { data, layout } = make(plot.clientWidth);
+    const tall = Number(plot.style.height.replace("px", ""));
     void Plotly.react(
       plot,
       data,
@@ -97,9 +110,9 @@ export function figure(
         margin: { l: 56, r: 12, t: 12, b: 44 },
         hoverlabel: { font: { size: 13 } },
         modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.line, activecolor: colours.soft },
-        ...layout,
+        ...withTitlesInLines(layout, plot.clientWidth, tall),
         width: plot.clientWidth,
-        height: Number(plot.style.height.replace("px", "")),
+        height: tall,
       },
       config,
     ).then(() => {

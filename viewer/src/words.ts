@@ -68,11 +68,6 @@ export function titleOf(one: Named): string {
   return `${wordsOf(one)}${symbol ? `, ${symbol}` : ""}${one.unit && one.unit !== "-" ? ` (${pretty(one.unit)})` : ""}`;
 }
 
-/** For an axis: broken into lines of some letters, symbols typeset. */
-export function axisTitle(one: Named, letters = 44): string {
-  return typeset(wrapped(titleOf(one), letters)).replaceAll("\n", "<br>");
-}
-
 /** A value of a parameter as a legend names it: "E = 50 Pa"; without a symbol by words. */
 export function settingOf(one: Named, value: number | string): string {
   const symbol = symbolOf(one);
@@ -82,11 +77,13 @@ export function settingOf(one: Named, value: number | string): string {
 /** The unit of a label of the program, "force [nN]", as axes have it: "force (nN)"; none of a ratio. */
 export const units = (label: string): string => pretty(label.replace(/ \[-\]$/, "").replace(/ \[([^\][]+)\]$/, " ($1)"));
 
+/** Lines of at most some letters; marks of what is typeset are none. */
 export function wrapped(text: string, letters: number): string {
+  const length = (line: string) => line.replace(/<[^>]*>/g, "").length;
   const lines = [""];
   for (const word of text.split(" ")) {
     const last = lines.length - 1;
-    if (lines[last] && lines[last].length + 1 + word.length > letters) lines.push(word);
+    if (lines[last] && length(`${lines[last]} ${word}`) > letters) lines.push(word);
     else lines[last] += (lines[last] ? " " : "") + word;
   }
   return lines.join("\n");

@@ -114,6 +114,9 @@ test("pages are read without knowing the code", async () => {
     const texts = (await written(page)).map((text) => text.replace(/\([vf]_[a-z_]+\)/g, ""));
     assert.ok(texts.length > 20, kind);
     for (const text of texts) assert.doesNotMatch(text, code, kind);
+    const cells = await page.evaluate(() => [...document.querySelectorAll("th, td:not(:has(code))")].map((one) => one.textContent ?? ""));
+    assert.ok(cells.length > 20, kind);
+    for (const text of cells) assert.doesNotMatch(text, /\bum\b|\[(-|\u00b5m.*|nN|Pa|min|s)\]/, kind);
     assert.deepEqual(errors, []);
     await page.context().close();
   }
@@ -150,6 +153,25 @@ test("plots beside each other stand on one level, and one without a value is sai
   for (let i = 0; i + 1 < boxes.length; i += 2) assert.deepEqual(boxes[i], boxes[i + 1]);
   assert.match((await page.locator("#readouts .empty").textContent()) ?? "", /No run has a value of: length at the end of growth/);
   await page.context().close();
+});
+
+test("titles of axes lie within their plots, also on a phone", async () => {
+  for (const width of [1280, 390]) {
+    const { page } = await open(browser, "study", JSON.stringify(hypercube()), { viewport: { width, height: 900 } });
+    await allDrawn(page, width);
+    const titles = await page.evaluate(() =>
+      [...document.querySelectorAll(".plotly-figure")].flatMap((plot) => {
+        const outer = plot.getBoundingClientRect();
+        return [...plot.querySelectorAll(".xtitle, .ytitle")].map((title) => {
+          const inner = title.getBoundingClientRect();
+          return { text: title.textContent ?? "", out: Math.max(outer.left - inner.left, inner.right - outer.right, outer.top - inner.top, inner.bottom - outer.bottom) };
+        });
+      }),
+    );
+    assert.ok(titles.length > 8);
+    for (const title of titles) assert.ok(title.out <= 1, `${title.text} at ${width}: ${title.out} pixels outside`);
+    await page.context().close();
+  }
 });
 
 test("few small pictures use the width of the page", async () => {

@@ -45,8 +45,8 @@ test("shows checks with measured, expected, tolerance and its reason", async () 
   const { page } = await opened();
   const rows = page.locator("#row-creep .checks tbody tr");
   const texts = async (k: number) => rows.nth(k).locator("td").allTextContents();
-  assert.deepEqual(await texts(0), ["final displacement [\u00b5m]", "0.998", "1", "0.01", "holds", "second order in the spacing"]);
-  assert.deepEqual(await texts(1), ["force [nN]", "\u2013", "at most 2", "none", "does not hold", "a bound"]);
+  assert.deepEqual(await texts(0), ["final displacement (\u00b5m)", "0.998", "1", "0.01", "holds", "second order in the spacing"]);
+  assert.deepEqual(await texts(1), ["force (nN)", "\u2013", "at most 2", "none", "does not hold", "a bound"]);
   assert.match((await page.locator("#row-creep ul").textContent()) ?? "", /<b>rigid<\/b>.*12 \u00b5m apart/, "text, not HTML");
   await page.context().close();
 });

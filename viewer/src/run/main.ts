@@ -3,6 +3,7 @@ import type { RunPage } from "../contract";
 import { factList, fault, h, section, table } from "../dom";
 import { embeddedRun } from "../embedded";
 import { pretty, readable } from "../numbers";
+import { units } from "../words";
 import "../page.css";
 import { hook } from "./save/hook";
 import { runView } from "./view";
@@ -13,7 +14,7 @@ function named(values: RunPage["readouts"], caption: string): HTMLElement {
     [...(several ? ["cell"] : []), "what", "value", "name in files"],
     values.map((v) => [
       ...(several ? [String(v.cell ?? "")] : []),
-      pretty(v.meaning),
+      units(v.meaning),
       readable(v.value),
       h("code", {}, v.name),
     ]),

@@ -4,7 +4,7 @@ import { h } from "../dom";
 import { pretty, readable } from "../numbers";
 import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, wholeTicks, type Json } from "../figure";
-import { axisTitle, capital, lettered, typeset } from "../words";
+import { capital, lettered, titleOf, typeset } from "../words";
 import { groupAt, seriesColour, values, type Grid, type Group } from "./groups";
 
 /** The summary of a read-out at the point of a group, as the program computed it. */
@@ -148,7 +148,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
           showgrid: false,
           fixedrange: true,
         }),
-        yaxis: axis(axisTitle(readout), { range: [bottom, top], ...(counted ? wholeTicks(low, high) : {}) }),
+        yaxis: axis(titleOf(readout), { range: [bottom, top], ...(counted ? wholeTicks(low, high) : {}) }),
         annotations: made.groups.map((g) => ({
           x: g.x,
           y: 0,

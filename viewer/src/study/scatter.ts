@@ -4,7 +4,7 @@ import { h } from "../dom";
 import { pretty, pText, readable } from "../numbers";
 import type { StudyPage } from "./contract";
 import { seriesColour } from "./groups";
-import { axisTitle, capital, settingOf, typeset, wordsOf } from "../words";
+import { capital, settingOf, titleOf, typeset, wordsOf } from "../words";
 
 /** How far the ranks of values are from even steps between the ends. */
 function unevenness(values: number[]): number {
@@ -57,8 +57,8 @@ export function scatters(study: StudyPage): HTMLElement | null {
           layout: {
             showlegend: conditions.length > 1,
             legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
-            xaxis: (isLog(factor.values) ? logAxis(axisTitle(factor), factor.values) : axis(axisTitle(factor))),
-            yaxis: axis(axisTitle(readout), !readout.unit && runs.every((r) => Number.isInteger(r.y)) ? wholeTicks(Math.min(...runs.map((r) => r.y)), Math.max(...runs.map((r) => r.y))) : {}),
+            xaxis: (isLog(factor.values) ? logAxis(titleOf(factor), factor.values) : axis(titleOf(factor))),
+            yaxis: axis(titleOf(readout), !readout.unit && runs.every((r) => Number.isInteger(r.y)) ? wholeTicks(Math.min(...runs.map((r) => r.y)), Math.max(...runs.map((r) => r.y))) : {}),
             shapes: targets.map((t) => ({
               type: "rect",
               xref: "paper",

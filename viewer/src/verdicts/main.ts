@@ -7,6 +7,7 @@ import { verdict } from "../study/lists";
 import "../study/study.css";
 import type { Check, Statement, VerdictPage } from "./contract";
 import { picture, plot } from "./plots";
+import { lettered, units } from "../words";
 import { studyId, studySection } from "./studies";
 import "./verdicts.css";
 
@@ -46,7 +47,7 @@ function checks(title: string, list: Check[]): HTMLElement | null {
   const made = table(
     ["quantity", "measured", "expected", "tolerance", "verdict", "why this tolerance"],
     list.map((c) => [
-      pretty(c.quantity),
+      h("span", {}, ...lettered(units(c.quantity))),
       readable(c.measured, 5),
       `${bounds[c.sense]}${readable(c.expected, 5)}`,
       c.sense === "near" ? readable(c.tolerance) : "none",
