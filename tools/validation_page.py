@@ -27,7 +27,7 @@ READOUTS = [  # column, name, digits
     ("v_migr_path_60s_um_per_h", "v_migr_path, 60 s, um/h", 1),
     ("v_migr_path_600s_um_per_h", "v_migr_path, 600 s, um/h", 1),
     ("n_protrusions", "n_protrusions", 1),
-    ("n_unadhered", "of them unadhered", 1),
+    ("n_unadhered", "never adhered", 1),
     ("tau_prot_min", "tau_prot, min", 0),
     ("l_prot_um", "l_prot, um", 1),
     ("f_mat", "f_mat", 2),
@@ -79,10 +79,12 @@ def cell(values: list[float], digits: int) -> str:
     return f"{mean:.{digits}f} +- {sd:.{digits}f}"
 
 
-def means(rows: list[dict[str, str]], points: list[tuple[str, str]]) -> str:
+def means(rows: list[dict[str, str]], points: list[tuple[str, str]], without: tuple[str, ...] = ()) -> str:
     """Means and standard deviations of runs, by point."""
     made = []
     for column, name, digits in READOUTS:
+        if column in without:
+            continue
         cells = [cell(numbers(rows, label, column), digits) for label, _ in points]
         if any(cells):
             made.append([name, *cells])
@@ -212,7 +214,7 @@ def study_means(_page: str) -> str:
 
 
 def new_seeds(_page: str) -> str:
-    return means(rows_of(KEPT / "second-set-results.csv"), NEW_SEEDS)
+    return means(rows_of(KEPT / "second-set-results.csv"), NEW_SEEDS, ("v_migr_path_600s_um_per_h", "n_unadhered", "n_simultaneous_mean"))
 
 
 @dataclasses.dataclass

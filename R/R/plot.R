@@ -98,8 +98,12 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   made <- sub(".*[.]", "", sub("_[^_.]*$", "", column)) # "youngs_modulus" of "ecm.youngs_modulus_Pa"
   if (first != last || !is.numeric(results[[column]]) || !all(startsWith(labels, paste0(made, " ")))) return(list(labels = .in_words(labels), title = ""))
   unit <- sub(".*_", "", column)
-  list(labels = format(results[[column]][match(labels, results$label)], trim = TRUE), title = .micro(paste0(.in_words(made), " (", unit, ")")))
+  section <- if (made %in% .shared_words) paste0(gsub("[._]", " ", sub("[.][^.]*$", "", sub("_[^_.]*$", "", column))), ": ") else ""
+  list(labels = format(results[[column]][match(labels, results$label)], trim = TRUE), title = .micro(paste0(section, .in_words(made), " (", unit, ")")))
 }
+
+# Last words of parameters that several sections have: their titles name the section.
+.shared_words <- c("bending_stiffness", "force", "particles", "radius", "repulsion", "repulsion_range", "spring_stiffness", "stiffness")
 
 # Labels of points with the names of parameters as words; symbols such as F_am stay.
 .in_words <- function(labels) {

@@ -2,7 +2,7 @@
 same. And the one table of colours and sizes of figures.
 
 >>> title("tau_prot_min"), title("n_protrusions")
-('life of a mature adhesion, mean, tau_prot (min)', 'protrusions initiated')
+('lifetime of a mature adhesion, mean, tau_prot (min)', 'protrusions initiated')
 >>> title("ecm.youngs_modulus_Pa"), setting("protrusion.force_nN", 0.2)
 ("Young's modulus of the intact matrix, E (Pa)", 'F_prot = 0.2 nN')
 """

@@ -43,7 +43,7 @@ def meaning(readout: str) -> str:
     """The meaning of a read-out, in words.
 
     >>> meaning("tau_prot_min")
-    'life of a mature adhesion, mean'
+    'lifetime of a mature adhesion, mean'
     """
     return _known()[readout]["meaning"] if readout in _known() else readout
 

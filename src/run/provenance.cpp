@@ -76,7 +76,7 @@ std::vector<std::string> simd_features() {
 
 std::string version_text() {
   return fmt::format("{} ({}{})", build_info::version, std::string_view(build_info::git_hash).substr(0, 8),
-                     build_info::git_dirty ? "+" : "");
+                     build_info::git_dirty ? ", changed sources" : "");
 }
 
 std::string version_line() { return "matrigrate " + version_text(); }
@@ -99,7 +99,7 @@ std::string provenance_text() {
   const auto add = [&text](std::string_view name, std::string_view value) {
     text += fmt::format("{:<15}{}\n", name, value);
   };
-  add("commit", fmt::format("{}{}", build_info::git_hash, build_info::git_dirty ? ", with uncommitted changes" : ""));
+  add("commit", fmt::format("{}{}", build_info::git_hash, build_info::git_dirty ? ", with changed sources" : ""));
   add("compiler", build_info::compiler);
   add("build", fmt::format("{}: {}", build_info::build_type, build_info::flags));
   if (*build_info::sanitizers != '\0') add("sanitizers", build_info::sanitizers);

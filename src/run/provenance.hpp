@@ -7,7 +7,7 @@
 /// What this program is made of and what it runs on.
 namespace matrigrate::run {
 
-/// "0.1.0 (1234abcd)", the hash followed by + if the tree had changes.
+/// "0.1.0 (1234abcd)", "0.1.0 (1234abcd, changed sources)" if the tree had changes.
 std::string version_text();
 
 /// version_text() after the name of the program.

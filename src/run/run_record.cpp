@@ -197,6 +197,8 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
   add("date", minute_of(end.empty() ? text_of(record, "start") : end));
   if (const auto time = record.find("wall_time_s"); time != record.end() && time->is_number())
     add("wall time", wall_time_text(time->get<double>()));
+  if (const auto changed = record.find("git_dirty"); changed != record.end() && *changed == true)
+    add("program", "built from changed sources");
   add("trajectory hash", text_of(record, "trajectory_hash"));
   return facts;
 }

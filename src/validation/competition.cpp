@@ -111,19 +111,19 @@ Result competition(const Parameters& p) {
       {"three", {0.0, 0.5 * std::numbers::pi, std::numbers::pi}, 1.5 * std::numbers::pi}};
   for (const Arrangement& arrangement : arrangements) {
     report::Plot plot{.title = fmt::format("Adhesions of a cell: {} mature, then one more", arrangement.name),
-                      .x_label = "time [s]",
-                      .y_label = "force of the adhesion [nN]"};
+                      .x_label = "time (s)",
+                      .y_label = "force of the adhesion (nN)"};
     const Outcome out = compete(p, arrangement, result.table, plot);
     const std::string& name = arrangement.name;
-    result.checks.push_back({fmt::format("{}: mean r_off over r_off_min while none grows [-]", name), out.while_held,
-                             1.5, 0.0, "competing protrusions stabilize each other in the paper", Sense::at_most});
-    result.checks.push_back({fmt::format("{}: mean r_off over r_off_min while one more grows [-]", name),
-                             out.while_grown, 1.5, 0.0, "the ring is closed at a growing protrusion", Sense::at_most});
-    result.checks.push_back({fmt::format("{}: base of the growing one, end over start [-]", name),
+    result.checks.push_back({fmt::format("{}: mean r_off over r_off_min while none grows", name), out.while_held, 1.5,
+                             0.0, "competing protrusions stabilize each other in the paper", Sense::at_most});
+    result.checks.push_back({fmt::format("{}: mean r_off over r_off_min while one more grows", name), out.while_grown,
+                             1.5, 0.0, "the ring is closed at a growing protrusion", Sense::at_most});
+    result.checks.push_back({fmt::format("{}: base of the growing one, end over start", name),
                              out.base_end / out.base_start, 1.5, 0.0, "neighbours do not pull it open",
                              Sense::at_most});
     result.remarks.push_back(
-        fmt::format("{}: the one that grew later became {:.1f} um long; its base went from {:.1f} to {:.1f} um; the "
+        fmt::format("{}: the one that grew later became {:.1f} µm long; its base went from {:.1f} to {:.1f} µm; the "
                     "largest area of the cell was {:.2f} A_0.",
                     name, out.length, out.base_start, out.base_end, out.area));
     result.add(result.plots.empty() ? "competition" : "three",

@@ -109,21 +109,21 @@ Result convergence(const Parameters& p) {
     result.table.add({2.0, steps.x.back(), steps.y.back()});
   }
   result.checks.push_back(
-      {"order in dp, walls that follow the field [-]", order_of(inside), 2.0, 0.3,
-       "linear fields are exact and the lattice is symmetric: second order; halvings from 2 um on show it to 0.3"});
+      {"order in dp, walls that follow the field", order_of(inside), 2.0, 0.3,
+       "linear fields are exact and the lattice is symmetric: second order; halvings from 2 µm on show it to 0.3"});
   result.checks.push_back(
-      {"order in dp, walls at rest [-]", order_of(clamped), 1.5, 0.5,
+      {"order in dp, walls at rest", order_of(clamped), 1.5, 0.5,
        "a rigid wall is placed to within a spacing: first order at the wall, second inside; between the two"});
   result.checks.push_back(
-      {"order in dt [-]", order_of(steps), 1.0, 0.05, "explicit Euler; second-order terms of a 1/320 step"});
+      {"order in dt", order_of(steps), 1.0, 0.05, "explicit Euler; second-order terms of a 1/320 step"});
   report::Plot space{.title = "Convergence in particle spacing",
-                     .x_label = "dp [um]",
+                     .x_label = "spacing of particles, dp (µm)",
                      .y_label = "relative error",
                      .log_x = true,
                      .log_y = true};
   space.series = {inside, clamped, ideal(inside, 2.0, "second order"), ideal(clamped, 1.0, "first order")};
   report::Plot time{.title = "Convergence in time step",
-                    .x_label = "dt [s]",
+                    .x_label = "time step, dt (s)",
                     .y_label = "relative error",
                     .log_x = true,
                     .log_y = true};

@@ -55,7 +55,7 @@ void examine(const Parameters& p, const std::string& name, const Vec2& direction
     const Creep c = creep_of(p, rows, b * direction, dt, 9.0 * tau);
     const double u_end = b * c.walls * c.walls / (8.0 * modulus);
     readings.push_back({fit_time_constant(c.t, c.u, c.u.back()) / tau, c.u.back() / u_end});
-    report::Series measured{.label = fmt::format("{}, {:.0f} um high", name, c.walls), .mark = report::Mark::points};
+    report::Series measured{.label = fmt::format("{}, {:.0f} µm high", name, c.walls), .mark = report::Mark::points};
     for (std::size_t k = 0; k < c.t.size(); ++k) {
       const double ideal = 1.0 - std::exp(-c.t[k] / tau);
       result.table.add({direction.x() != 0.0 ? 0.0 : 1.0, c.walls, c.t[k], c.u[k], u_end * ideal});
@@ -68,10 +68,10 @@ void examine(const Parameters& p, const std::string& name, const Vec2& direction
   const double off = readings[0].tau - readings[1].tau; // half of the first-order error of the lower layer
   const double second = 4.0 * off * off + std::pow(2.0 / 25.0, 2);
   result.checks.push_back(
-      {fmt::format("retardation time over mu/modulus, {} [-]", name), extrapolated(readings[0].tau, readings[1].tau),
-       1.0, second + 0.5 * dt / tau + std::exp(-9.0) / 0.05,
+      {fmt::format("retardation time over mu/modulus, {}", name), extrapolated(readings[0].tau, readings[1].tau), 1.0,
+       second + 0.5 * dt / tau + std::exp(-9.0) / 0.05,
        "from two heights to an infinite one: second order in dp/H is left; half a step of explicit Euler"});
-  result.checks.push_back({fmt::format("final displacement over the closed form, {} [-]", name),
+  result.checks.push_back({fmt::format("final displacement over the closed form, {}", name),
                            extrapolated(readings[0].u, readings[1].u), 1.0, second + std::exp(-9.0),
                            "from two heights to an infinite one: second order in dp/H is left"});
   result.remarks.push_back(fmt::format(
@@ -88,7 +88,7 @@ Result creep(const Parameters& p) {
   const Moduli m = moduli(p.ecm);
   result.table.columns = {"confined_compression", "wall_distance_um", "time_s", "displacement_um", "closed_form_um"};
   report::Plot plot{.title = "Creep of a layer under a constant body force",
-                    .x_label = "time / (mu / modulus)",
+                    .x_label = "time in retardation times, viscosity over modulus",
                     .y_label = "displacement / closed form at rest"};
   examine(p, "shear", Vec2(1.0, 0.0), m.G, result, plot);
   examine(p, "confined compression", Vec2(0.0, 1.0), m.longitudinal(), result, plot);

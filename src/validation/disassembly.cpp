@@ -63,13 +63,13 @@ Result disassembly(const Parameters& p) {
       lifetime = 1.0 / rate / 60.0;
       result.table.add({z, F, rate, lifetime});
     }
-    result.claims.push_back({fmt::format("lifetime at f_mat F_am = 0.3 nN, zeta_diss = {:.0f} /nN [min]", z), lifetime,
+    result.claims.push_back({fmt::format("lifetime at f_mat F_am = 0.3 nN, zeta_diss = {:.0f} /nN (min)", z), lifetime,
                              60.0, 0.6, "the paper's Fig 4: it tends to 60 min at high force"});
     result.checks.push_back(
-        {fmt::format("least rise of the lifetime from force to force, zeta_diss = {:.0f} /nN [min]", z), least_rise,
+        {fmt::format("least rise of the lifetime from force to force, zeta_diss = {:.0f} /nN (min)", z), least_rise,
          0.0, 0.0, "Eq. 7: lives shorten with the strength of a cell only if it loads its adhesions less",
          Sense::at_least});
-    result.checks.push_back({fmt::format("force that gives half of that, zeta_diss = {:.0f} /nN [nN]", z),
+    result.checks.push_back({fmt::format("force that gives half of that, zeta_diss = {:.0f} /nN (nN)", z),
                              force_of_half_life(a), f_mat * std::log(p.adhesion.r_off_0 / p.adhesion.r_off_min) / z,
                              1e-9, "closed form of Eq. 7"});
   }
@@ -77,9 +77,9 @@ Result disassembly(const Parameters& p) {
     const double rate = disassembly_rate(F, f_mat, p.adhesion);
     const std::vector<double> lives = lifetimes(p, F);
     const double mean = std::accumulate(lives.begin(), lives.end(), 0.0) / adhesions;
-    result.checks.push_back({fmt::format("mean lifetime of {} adhesions at {:.2f} nN, times r_off [-]", adhesions, F),
+    result.checks.push_back({fmt::format("mean lifetime of {} adhesions at {:.2f} nN, times r_off", adhesions, F),
                              mean * rate, 1.0, 3.0 / std::sqrt(adhesions), "three standard errors"});
-    result.checks.push_back({fmt::format("Kolmogorov-Smirnov statistic D sqrt(n) of these against the exponential [-]"),
+    result.checks.push_back({fmt::format("Kolmogorov-Smirnov statistic D sqrt(n) of these against the exponential"),
                              kolmogorov_smirnov_exponential(lives, rate), 0.0, one_in_a_hundred,
                              "exceeded by one exponential sample in a hundred"});
   }
@@ -90,8 +90,8 @@ report::Plot plot_disassembly(const store::Table& table) {
   report::Plot plot{.name = "disassembly",
                     .title = "Lifetime of an adhesion, f_mat = 0.5",
                     .caption = "Eq. 7 for the three sensitivities of the paper's Fig 4.",
-                    .x_label = "force of the adhesion [nN]",
-                    .y_label = "1/r_off [min]"};
+                    .x_label = "force of the adhesion (nN)",
+                    .y_label = "mean lifetime of the adhesion, 1/r_off (min)"};
   for (const auto& [z, rows] : table.by_first_column()) {
     plot.series.push_back({.label = fmt::format("zeta_diss = {:.0f} /nN", z)});
     plot.series.back().x = rows.column("force_nN");

@@ -74,8 +74,9 @@ Matured mature(const Parameters& p, double angle_deg, bool pushed) {
 Result fibre_maturation(const Parameters& p) {
   Result result;
   result.table.columns = {"poissons_ratio", "pushed", "angle_deg", "f_mat", "share_slack"};
-  report::Plot plot{
-      .title = "Maturation among parallel fibres", .x_label = "angle to the fibres [deg]", .y_label = "f_mat"};
+  report::Plot plot{.title = "Maturation among parallel fibres",
+                    .x_label = "angle to the fibres (degrees)",
+                    .y_label = "maturation, f_mat"};
   Parameters q = p;
   q.fibres.arrangement = FibreArrangement::uniaxial;
   q.fibres.stiffness = 10.0;
@@ -103,10 +104,10 @@ Result fibre_maturation(const Parameters& p) {
     found_text += ".";
     const double contrast = series.y.front() / series.y.back();
     if (nu == 0.45 && !pushed)
-      result.checks.push_back(
-          {"f_mat along less that across the fibres, fresh gel [-]", series.y.front() - series.y.back(), 0.3, 0.0,
-           "three steps of maturation: the gel is five times as stiff along its fibres", Sense::at_least});
-    result.claims.push_back({"f_mat along over across the fibres, " + series.label + " [-]", contrast, 3.0, 0.0,
+      result.checks.push_back({"f_mat along less that across the fibres, fresh gel", series.y.front() - series.y.back(),
+                               0.3, 0.0, "three steps of maturation: the gel is five times as stiff along its fibres",
+                               Sense::at_least});
+    result.claims.push_back({"f_mat along over across the fibres, " + series.label, contrast, 3.0, 0.0,
                              "protrusions across the fibres are the weak ones (Fig 13)", Sense::at_least});
     result.remarks.push_back(series.label + ": " + found_text);
     plot.series.push_back(std::move(series));

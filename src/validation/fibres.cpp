@@ -110,7 +110,7 @@ Result fibres(const Parameters& p) {
     if (gel_of.concentration > 1.0)
       result.claims.push_back({fmt::format("{}: rms relative error of the stress to strain {:.2f} against the "
                                            "semi-affine law, sides held in both (to the measured curve: {:.2f} to "
-                                           "strain {:.2f}, not judged) [-]",
+                                           "strain {:.2f}, not judged)",
                                            name, judged_up_to, from_data, data_up_to),
                                error, agreement, 0.0, "what agreement is taken to mean here", Sense::at_most});
     result.claim_notes.push_back(
@@ -133,7 +133,7 @@ report::Plot plot_fibres(const store::Table& table) {
       .title = "Isotropic fibrillar gels of 0.6, 1.2 and 2.4 mg/ml",
       .caption = "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
       .x_label = "strain",
-      .y_label = "nominal stress [Pa]",
+      .y_label = "nominal stress (Pa)",
       .log_y = true};
   int colour = 0;
   for (const auto& [k_0, rows] : table.by_first_column()) {

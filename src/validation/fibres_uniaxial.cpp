@@ -46,9 +46,9 @@ Result fibres_uniaxial(const Parameters& p) {
   }
   for (const double strain : {0.05, 0.1}) {
     const double ratio = stress_at(specimens[0], strain) / stress_at(isotropic, strain);
-    result.claims.push_back({fmt::format("stress along over that of the isotropic gel of 2.4 mg/ml at {} [-]", strain),
+    result.claims.push_back({fmt::format("stress along over that of the isotropic gel of 2.4 mg/ml at {}", strain),
                              ratio, 1.5, 0.5, "the paper's Fig 2D: somewhat stiffer along; between once and twice"});
-    result.claims.push_back({fmt::format("stress along over stress across at {} [-]", strain),
+    result.claims.push_back({fmt::format("stress along over stress across at {}", strain),
                              stress_at(specimens[0], strain) / stress_at(specimens[1], strain), 10.0, 0.0,
                              "the paper's Fig 2D: very soft across", Sense::at_least});
   }
@@ -60,7 +60,7 @@ report::Plot plot_fibres_uniaxial(const store::Table& table) {
                     .title = "Uniaxial fibrillar gel, stretched along and across its fibres",
                     .caption = "Quasi-static stretch with held sides; k_0 = 10 kPa, 30 degrees.",
                     .x_label = "strain",
-                    .y_label = "nominal stress [Pa]",
+                    .y_label = "nominal stress (Pa)",
                     .log_y = true};
   for (const auto& [angle, rows] : table.by_first_column()) {
     plot.series.push_back({.label = angle == 0.0 ? "along" : "across"});

@@ -99,10 +99,10 @@ Result follow(const Parameters& p) {
   result.table.columns = {"E_Pa",     "F_am_nN",   "f_mat",          "time_s",    "moved_um",
                           "force_nN", "length_um", "solid_at_front", "degrading", "front_pressure_Pa"};
   report::Plot path{.title = "The body follows its adhesion",
-                    .x_label = "time since the end of maturation [min]",
-                    .y_label = "displacement since the end of growth [um]"};
+                    .x_label = "time since the end of maturation (min)",
+                    .y_label = "displacement since the end of growth (µm)"};
   report::Plot pull{.title = "Force of the adhesion",
-                    .x_label = "time since the end of maturation [min]",
+                    .x_label = "time since the end of maturation (min)",
                     .y_label = "force over f_mat F_am"};
   struct Setting {
     double E, F_am; // [Pa], [nN]
@@ -120,24 +120,24 @@ Result follow(const Parameters& p) {
       continue;
     }
     if (E == 200.0 && F_am == 0.6) {
-      result.checks.push_back({"displacement of the body at " + label + " [um]", one.moved, 5.0, 0.0,
+      result.checks.push_back({"displacement of the body at " + label + " (µm)", one.moved, 5.0, 0.0,
                                "a cell moves by its adhesions", Sense::at_least});
-      result.checks.push_back({"displacement in the last ten minutes at " + label + " [um]", one.last, 0.0, 1.0,
+      result.checks.push_back({"displacement in the last ten minutes at " + label + " (µm)", one.last, 0.0, 1.0,
                                "the body comes to rest, at its adhesion or at the gel"});
       if (one.f_mat >= strong)
         result.claims.push_back(
-            {fmt::format("force over f_mat F_am {:.0f} min after maturation at {} [-]", judged / 60.0, label),
-             one.force, 0.1, 0.0, "F_adh \"decreases only when the protrusion shortens\", and the gel hinders little",
+            {fmt::format("force over f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force,
+             0.1, 0.0, "F_adh \"decreases only when the protrusion shortens\", and the gel hinders little",
              Sense::at_most});
     }
     if (one.f_mat <= weak)
       result.claims.push_back(
-          {fmt::format("force over f_mat F_am {:.0f} min after maturation at {} [-]", judged / 60.0, label), one.force,
-           0.1, 0.0, "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
+          {fmt::format("force over f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force, 0.1,
+           0.0, "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
     result.remarks.push_back(
-        fmt::format("{}: f_mat {:.2f}; moved {:.1f} um, of it {:.1f} in the last ten minutes; {:.0f} min after "
+        fmt::format("{}: f_mat {:.2f}; moved {:.1f} µm, of it {:.1f} in the last ten minutes; {:.0f} min after "
                     "maturation the adhesion "
-                    "bears {:.3f} of f_mat F_am and the protrusion is {:.1f} um long. In the end {} solid particles "
+                    "bears {:.3f} of f_mat F_am and the protrusion is {:.1f} µm long. In the end {} solid particles "
                     "are within reach "
                     "of the body, {} of them under more than p_th; the largest pressure is {:.1f} Pa.",
                     label, one.f_mat, one.moved, one.last, judged / 60.0, one.force, one.length, one.front.solid,

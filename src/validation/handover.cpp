@@ -85,24 +85,23 @@ Result handover(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "time_s", "force_nN", "force_over_pull", "slack", "base_width_um"};
   report::Plot plot{.title = "Force of a lone adhesion after maturation",
-                    .x_label = "time since the end of maturation [s]",
+                    .x_label = "time since the end of maturation (s)",
                     .y_label = "force over f_mat F_am"};
   for (const double E : {50.0, 200.0, 400.0}) {
     Parameters q = p;
     q.ecm.youngs_modulus = 1e-3 * E;
     const Life life = follow(q, result.table);
     plot.series.push_back({.label = fmt::format("{:.0f} Pa", E), .x = life.relative.x, .y = life.relative.y});
-    result.checks.push_back({fmt::format("length of the protrusion at {:.0f} Pa [um]", E), life.length, 27.5, 5.0,
-                             "the paper's 25 to 30 um are means over whole runs"});
+    result.checks.push_back({fmt::format("length of the protrusion at {:.0f} Pa (µm)", E), life.length, 27.5, 5.0,
+                             "the paper's 25 to 30 µm are means over whole runs"});
     const double by_chance = -std::expm1(-p.adhesion.r_off_min * early);
-    result.checks.push_back({fmt::format("adhesions that end within {:.0f} s at {:.0f} Pa [-]", early, E),
-                             life.ended_early, 2.0 * by_chance, 0.0, "twice what r_off_min alone ends",
-                             Sense::at_most});
-    result.checks.push_back({fmt::format("least force over f_mat F_am within {:.0f} s at {:.0f} Pa [-]", early, E),
+    result.checks.push_back({fmt::format("adhesions that end within {:.0f} s at {:.0f} Pa", early, E), life.ended_early,
+                             2.0 * by_chance, 0.0, "twice what r_off_min alone ends", Sense::at_most});
+    result.checks.push_back({fmt::format("least force over f_mat F_am within {:.0f} s at {:.0f} Pa", early, E),
                              life.lowest_early, 0.5, 0.0, "F_mat is replaced, not taken away", Sense::at_least});
     if (E <= stiffest_with_rupture)
-      result.checks.push_back({fmt::format("largest force over that of rupture at {:.0f} Pa [-]", E), life.peak, 1.0,
-                               0.0, "its own pull ruptures an adhesion only occasionally", Sense::at_most});
+      result.checks.push_back({fmt::format("largest force over that of rupture at {:.0f} Pa", E), life.peak, 1.0, 0.0,
+                               "its own pull ruptures an adhesion only occasionally", Sense::at_most});
     result.remarks.push_back(
         fmt::format("{:.0f} Pa: f_mat {:.3f}, slack of the flanks {:.2f}; force over f_mat F_am "
                     "at least {:.2f} within {:.0f} s, at most {:.2f} times that of rupture in all; mean life "

@@ -55,20 +55,19 @@ Result initiation(const Parameters& p) {
   const double rate = n * p.protrusion.initiation_rate;
   const double mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(cells);
   const std::string rare = "exceeded by one sample in a hundred that follows it";
-  result.checks.push_back({"share of the particles at the front [-]", n / static_cast<double>(cell.cortex.size()), 0.5,
+  result.checks.push_back({"share of the particles at the front", n / static_cast<double>(cell.cortex.size()), 0.5,
                            1.0 / static_cast<double>(cell.cortex.size()), "half of an odd number"});
-  result.checks.push_back(
-      {fmt::format("mean waiting time of {} cells, times r_prot and the front's particles [-]", cells), mean * rate,
-       1.0, 3.0 / std::sqrt(static_cast<double>(cells)), "three standard errors"});
-  result.checks.push_back({"D sqrt(n) of the waiting times against the exponential [-]",
+  result.checks.push_back({fmt::format("mean waiting time of {} cells, times r_prot and the front's particles", cells),
+                           mean * rate, 1.0, 3.0 / std::sqrt(static_cast<double>(cells)), "three standard errors"});
+  result.checks.push_back({"D sqrt(n) of the waiting times against the exponential",
                            kolmogorov_smirnov_exponential(times, rate), 0.0, one_in_a_hundred, rare});
-  result.checks.push_back({"D sqrt(n) of the places along the front against the uniform [-]",
+  result.checks.push_back({"D sqrt(n) of the places along the front against the uniform",
                            kolmogorov_smirnov(places, [](double x) { return x; }), 0.0, one_in_a_hundred, rare});
 
   std::sort(times.begin(), times.end());
   result.table.columns = {"waiting_time_s", "share_still_waiting", "exponential"};
   report::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
-                    .x_label = "time [s]",
+                    .x_label = "time (s)",
                     .y_label = "share still waiting",
                     .log_y = true};
   report::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = report::Mark::dashed};

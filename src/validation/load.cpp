@@ -77,12 +77,12 @@ Result load(const Parameters& p) {
     return found;
   };
   report::Plot of_weight{.title = "Compliance against the hourglass weight",
-                         .x_label = "hourglass weight [-]",
-                         .y_label = "compliance over that of the continuum [-]",
+                         .x_label = "hourglass weight",
+                         .y_label = "compliance over that of the continuum",
                          .log_x = true};
   constexpr std::array weights{0.5, 2.0, 10.0};
   for (const double spread : {1.0, 1.5, 2.0, 2.5}) {
-    report::Series series{.label = fmt::format("kernel {:.1f} um", spread * p.ecm.smoothing_length)};
+    report::Series series{.label = fmt::format("kernel {:.1f} µm", spread * p.ecm.smoothing_length)};
     for (const double weight : weights) {
       const Parameters q = with(p, spread, weight);
       series.x.push_back(weight);
@@ -90,21 +90,20 @@ Result load(const Parameters& p) {
     }
     const double change = series.y.front() / series.y.back() - 1.0;
     if (spread == 2.5) {
-      result.checks.push_back({"compliance over that of the continuum, kernel of 2.5 times the width [-]",
-                               series.y.front(), 1.0, 0.05,
-                               "a load that is resolved: an adhesion feels the gel within a twentieth"});
-      result.checks.push_back({"its change from weight 0.5 to 10 [-]", change, 0.0, 0.03,
+      result.checks.push_back({"compliance over that of the continuum, kernel of 2.5 times the width", series.y.front(),
+                               1.0, 0.05, "a load that is resolved: an adhesion feels the gel within a twentieth"});
+      result.checks.push_back({"its change from weight 0.5 to 10", change, 0.0, 0.03,
                                "the penalty has no physics, so a resolved load must not feel it"});
     }
-    result.remarks.push_back(fmt::format("Kernel of {:.1f} um: {:.3f} times the compliance of the continuum at weight "
+    result.remarks.push_back(fmt::format("Kernel of {:.1f} µm: {:.3f} times the compliance of the continuum at weight "
                                          "0.5; {:.3f} times as much at 0.5 as at "
                                          "10.",
                                          spread * p.ecm.smoothing_length, series.y.front(), 1.0 + change));
     of_weight.series.push_back(std::move(series));
   }
   report::Plot of_load{.title = "Compliance against the load",
-                       .x_label = "load [nN]",
-                       .y_label = "compliance over that of a small load [-]",
+                       .x_label = "load (nN)",
+                       .y_label = "compliance over that of a small load",
                        .log_x = true};
   const Parameters usual = with(p, 1.0, p.ecm.hourglass_weight);
   const double linear = loaded(usual, small).compliance;
@@ -113,7 +112,7 @@ Result load(const Parameters& p) {
     series.x.push_back(pull);
     series.y.push_back(measure(usual, pull).compliance / linear);
   }
-  result.checks.push_back({"compliance at 2 nN over that at 0.02 nN, held by matter [-]", series.y.back(), 1.0, 0.05,
+  result.checks.push_back({"compliance at 2 nN over that at 0.02 nN, held by matter", series.y.back(), 1.0, 0.05,
                            "linear but for what strains of order one add"});
   result.remarks.push_back(
       fmt::format("{:.3f} times the small compliance at 0.6 nN, {:.3f} times at 2 nN.", series.y[2], series.y.back()));

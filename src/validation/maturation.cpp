@@ -43,21 +43,21 @@ Result maturation(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "time_s", "force_nN", "running_f_mat"};
   report::Plot plot{.title = "Maturation against the stiffness of the matrix",
-                    .x_label = "time since adhesion [s]",
-                    .y_label = "force of the adhesion [nN]"};
+                    .x_label = "time since adhesion (s)",
+                    .y_label = "force of the adhesion (nN)"};
   std::vector<double> f_mat;
   for (const Expected& row : expected) {
     Parameters q = p;
     q.ecm.youngs_modulus = 1e-3 * row.E;
     plot.series.push_back({.label = fmt::format("{:.0f} Pa", row.E)});
     f_mat.push_back(mature(q, plot.series.back(), result.table));
-    result.checks.push_back({fmt::format("f_mat at {:.0f} Pa [-]", row.E), f_mat.back(), row.f_mat, maturation_step,
-                             "one step of maturation"});
+    result.checks.push_back(
+        {fmt::format("f_mat at {:.0f} Pa", row.E), f_mat.back(), row.f_mat, maturation_step, "one step of maturation"});
   }
   for (std::size_t k = 1; k < f_mat.size(); ++k)
-    result.checks.push_back(
-        {fmt::format("rise of f_mat from {:.0f} to {:.0f} Pa [-]", expected[k - 1].E, expected[k].E),
-         f_mat[k] - f_mat[k - 1], 0.05, 0.0, "mechanosensing: still rising to 400 Pa in the paper", Sense::at_least});
+    result.checks.push_back({fmt::format("rise of f_mat from {:.0f} to {:.0f} Pa", expected[k - 1].E, expected[k].E),
+                             f_mat[k] - f_mat[k - 1], 0.05, 0.0, "mechanosensing: still rising to 400 Pa in the paper",
+                             Sense::at_least});
   result.add("maturation", "A stiffer matrix resists more, and more steps are done in 600 s.", plot);
   return result;
 }

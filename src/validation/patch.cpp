@@ -75,8 +75,8 @@ std::pair<double, double> spurious_force(const Parameters& p) {
 
 Result patch(const Parameters& p) {
   Result result;
-  result.checks.push_back({"error of F over |H|, free rectangle, every particle [-]", gradient_error(p, 0.1 * shape),
-                           0.0, 1e-12, "exact by construction of the gradient correction: round-off alone"});
+  result.checks.push_back({"error of F over |H|, free rectangle, every particle", gradient_error(p, 0.1 * shape), 0.0,
+                           1e-12, "exact by construction of the gradient correction: round-off alone"});
 
   const double size = 1e-5;
   Simulation a = deep_rimmed_disc(p);
@@ -89,12 +89,12 @@ Result patch(const Parameters& p) {
     return true;
   });
   result.checks.push_back(
-      {"displacement error of a driven disc at rest, over the largest displacement [-]",
+      {"displacement error of a driven disc at rest, over the largest displacement",
        displacement_error(a.s.ecm, size * shape), 0.0, std::exp(-16.0) * 10.0 + 10.0 * size + 10.0 * p.solver.tolerance,
        "16 relaxation times, path dependence of the rate law (|H|), solver tolerance; tenfold each"});
 
   const auto [inside, anywhere] = spurious_force(p);
-  result.checks.push_back({"force under uniform stress, two supports from an edge, over sigma dp t_z [-]", inside, 0.0,
+  result.checks.push_back({"force under uniform stress, two supports from an edge, over sigma dp t_z", inside, 0.0,
                            1e-12, "the sums cancel on a lattice: round-off alone"});
   result.remarks.push_back(fmt::format("At a free edge the same force reaches {:.2f} sigma dp t_z: there it is the "
                                        "traction that the edge lacks, spread over "
@@ -102,7 +102,7 @@ Result patch(const Parameters& p) {
                                        anywhere));
 
   report::Plot plot{.title = "Patch: a driven disc approaches the linear field",
-                    .x_label = "time [s]",
+                    .x_label = "time (s)",
                     .y_label = "largest error / largest displacement",
                     .log_y = true};
   report::Series curve{.label = "measured"};

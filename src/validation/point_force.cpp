@@ -72,7 +72,7 @@ double point_displacement(const Simulation& s) {
 
 draw::Picture picture(const Simulation& s) {
   draw::ParticlePicture map{.title = "Point force: displacement at 200 Pa",
-                            .value_label = "displacement [um]",
+                            .value_label = "displacement (µm)",
                             .position = s.s.ecm.x,
                             .particle_size = s.p.ecm.particle_spacing};
   map.title = fmt::format("Point force of {} pN: displacement at {:.0f} Pa", 1e3 * pull, 1e3 * s.p.ecm.youngs_modulus);
@@ -86,8 +86,8 @@ Result point_force(const Parameters& p) {
   Result result;
   result.table.columns = {"youngs_modulus_Pa", "distance_um", "displacement_um", "closed_form_um"};
   report::Plot plot{.title = "Point force in a clamped disc",
-                    .x_label = "distance along the force [um]",
-                    .y_label = "displacement along the force [um]",
+                    .x_label = "distance along the force (µm)",
+                    .y_label = "displacement along the force (µm)",
                     .log_y = true};
   std::vector<double> compliance;
   for (const double scale : {0.25, 0.5, 1.0, 2.0}) {
@@ -98,7 +98,7 @@ Result point_force(const Parameters& p) {
     const double clamp = clamp_uncertainty(s);
     const double kernel = std::pow(s.p.ecm.smoothing_length / (4.0 * s.p.ecm.smoothing_length), 2);
     result.checks.push_back(
-        {"field error at " + label + " [-]", field_error(s, a), 0.0, clamp + kernel,
+        {"field error at " + label, field_error(s, a), 0.0, clamp + kernel,
          fmt::format("clamp known to a spacing: {:.3f}; load spread over h, read from 4h on: (1/4)^2", clamp)});
     compliance.push_back(point_displacement(s) * E);
     report::Series measured{
@@ -125,7 +125,7 @@ Result point_force(const Parameters& p) {
   }
   const double u_max = compliance.front() / (0.25 * p.ecm.youngs_modulus);
   const double strain = u_max / (2.0 * p.ecm.smoothing_length);
-  result.checks.push_back({"displacement of the loaded point times E, softest over stiffest gel [-]",
+  result.checks.push_back({"displacement of the loaded point times E, softest over stiffest gel",
                            compliance.front() / compliance.back(), 1.0, strain,
                            "linear elasticity gives 1; the softest gel is strained by about u/2h at the load"});
   const double continuum = clamped_disc_compliance(Kernel(p.ecm.smoothing_length),
@@ -134,7 +134,7 @@ Result point_force(const Parameters& p) {
                            / p.ecm.thickness;
   const double measured = compliance[2] / p.ecm.youngs_modulus / pull;
   result.remarks.push_back(fmt::format(
-      "Compliance of the loaded point at {:.0f} Pa: {:.3f} um/nN, {:.3f} times that of the continuum, {:.3f} um/nN, "
+      "Compliance of the loaded point at {:.0f} Pa: {:.3f} µm/nN, {:.3f} times that of the continuum, {:.3f} µm/nN, "
       "loaded "
       "and read with the same kernel: an adhesion feels a gel that is softer by as much, at every stiffness.",
       1e3 * p.ecm.youngs_modulus, measured, measured / continuum, continuum));

@@ -55,7 +55,7 @@ Result poiseuille(const Parameters& p) {
   std::nth_element(late.begin(), late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2), late.end());
   const double sheared = late[late.size() / 2];
 
-  result.checks.push_back({"viscosity of fresh fluid against the lattice sum [Pa s]", fresh, 1e3 * mu,
+  result.checks.push_back({"viscosity of fresh fluid against the lattice sum (Pa s)", fresh, 1e3 * mu,
                            1e3 * mu * dp * dp / (inner * inner),
                            "second order in the spacing over the half-width that is read"});
   double lowest = mu, highest = mu; // over all ways in which the rows can stand against each other
@@ -64,7 +64,7 @@ Result poiseuille(const Parameters& p) {
     lowest = std::min(lowest, sheared_mu);
     highest = std::max(highest, sheared_mu);
   }
-  result.checks.push_back({"median viscosity at wall strains 2 to 3 [Pa s]", sheared, 500.0 * (lowest + highest),
+  result.checks.push_back({"median viscosity at wall strains 2 to 3 (Pa s)", sheared, 500.0 * (lowest + highest),
                            500.0 * (highest - lowest) + 1e3 * mu * dp * dp / (inner * inner),
                            "range of the lattice sum over all shears of the rows; second order in the spacing"});
   result.remarks.push_back(
@@ -78,8 +78,8 @@ Result poiseuille(const Parameters& p) {
     exact.y.push_back(b / (2.0 * mu) * (0.25 * H * H - y * y));
   }
   report::Plot plot{.title = "Poiseuille: fluidized matrix between walls",
-                    .x_label = "y [um]",
-                    .y_label = "velocity [um/s]",
+                    .x_label = "y (µm)",
+                    .y_label = "velocity (µm/s)",
                     .series = {exact, profile}};
   result.add("poiseuille", "Velocity over the channel; the wall rows stand still.", plot);
   report::Series over_strain{.label = "from the curvature of the profile"};
@@ -89,7 +89,7 @@ Result poiseuille(const Parameters& p) {
   }
   report::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared",
                      .x_label = "shear strain at the wall",
-                     .y_label = "viscosity [Pa s]",
+                     .y_label = "viscosity (Pa s)",
                      .series = {over_strain}};
   result.add("strain", "Rows slide past each other while the fluid flows.", drift);
   return result;

@@ -42,7 +42,7 @@ double length_at(const report::Series& series, double t) {
 Result protrusion(const Parameters& p) {
   Result result;
   result.table.columns = {"E_Pa", "angle_deg", "time_s", "length_um"};
-  report::Plot plot{.title = "Growth of the first protrusion", .x_label = "time [s]", .y_label = "length [um]"};
+  report::Plot plot{.title = "Growth of the first protrusion", .x_label = "time (s)", .y_label = "length (µm)"};
   Parameters q = p;
   for (const double E : stiffness) {
     q.ecm.youngs_modulus = 1e-3 * E;
@@ -56,17 +56,17 @@ Result protrusion(const Parameters& p) {
 
   const double mean =
       (length_at(base, times[1]) + length_at(plot.series[3], times[1]) + length_at(plot.series[4], times[1])) / 3.0;
-  result.checks.push_back({"length after 400 s, mean of three directions on the lattice [um]", mean, 25.0, 0.0,
-                           "the lower end of the paper's 25 to 30 um", Sense::at_least});
+  result.checks.push_back({"length after 400 s, mean of three directions on the lattice (µm)", mean, 25.0, 0.0,
+                           "the lower end of the paper's 25 to 30 µm", Sense::at_least});
   if (mean > longest_in_paper)
     result.remarks.push_back(
-        fmt::format("A first protrusion of {:.1f} um is longer than the paper's 25 to 30 um, which "
+        fmt::format("A first protrusion of {:.1f} µm is longer than the paper's 25 to 30 µm, which "
                     "are means over all protrusions of six-hour runs.",
                     mean));
-  result.checks.push_back({"length after 200 s over a third of that after 600 s [-]",
+  result.checks.push_back({"length after 200 s over a third of that after 600 s",
                            length_at(base, times[0]) / (length_at(base, times[2]) / 3.0), 1.0, 0.0,
                            "grows less than proportionally with T_prot", Sense::at_least});
-  result.checks.push_back({"length after 400 s at 400 Pa over that at 50 Pa [-]",
+  result.checks.push_back({"length after 400 s at 400 Pa over that at 50 Pa",
                            length_at(stiff, times[1]) / length_at(soft, times[1]), 1.0, 0.1,
                            "the paper's l_prot is only slightly lower with stiffness"});
   result.add("protrusion", "A protrusion slows down as its flanks lengthen; stiffness hardly matters.", plot);

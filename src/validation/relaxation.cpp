@@ -75,17 +75,17 @@ Result relaxation(const Parameters& p) {
   const double wall = 2.0 / 50.0; // over the height of 50 spacings
   const std::string walls = "walls known to a spacing each";
   result.checks.push_back(
-      {"shear modulus from the hold [Pa]", 1e3 * r.after / r.strain, 1e3 * m.G, 1e3 * m.G * wall, walls});
-  result.checks.push_back({"viscosity from the drop at the end of the ramp [Pa s]", 1e3 * (r.before - r.after) / rate,
+      {"shear modulus from the hold (Pa)", 1e3 * r.after / r.strain, 1e3 * m.G, 1e3 * m.G * wall, walls});
+  result.checks.push_back({"viscosity from the drop at the end of the ramp (Pa s)", 1e3 * (r.before - r.after) / rate,
                            1e3 * mu, 1e3 * (mu * wall + m.G * dt),
                            walls + "; one step of ramp between the two readings, G dt"});
-  result.checks.push_back({"relaxation time mu/G from the two [s]", (r.before - r.after) / rate / (r.after / r.strain),
+  result.checks.push_back({"relaxation time mu/G from the two (s)", (r.before - r.after) / rate / (r.after / r.strain),
                            tau, tau * wall + dt, walls + "; one step"});
-  result.checks.push_back({"recovery time after unloading [s]", recovery_time(p, tau), tau, tau * 2.0 * wall + 0.5 * dt,
+  result.checks.push_back({"recovery time after unloading (s)", recovery_time(p, tau), tau, tau * 2.0 * wall + 0.5 * dt,
                            "walls known to a spacing: (H +- dp)^2; half a step of explicit Euler"});
 
   report::Plot plot{
-      .title = "Relaxation: shear ramp, then hold", .x_label = "time [s]", .y_label = "wall shear stress [Pa]"};
+      .title = "Relaxation: shear ramp, then hold", .x_label = "time (s)", .y_label = "wall shear stress (Pa)"};
   report::Series measured{.label = "measured"}, expected{.label = "Kelvin-Voigt", .mark = report::Mark::dashed};
   for (const auto& row : result.table.rows) {
     measured.x.push_back(row[0]);

@@ -132,13 +132,12 @@ Result rigid(const Parameters& p) {
   Result result;
   const std::string round_off = "round-off of sums over some 700 particles";
   const auto [stress, force] = stress_and_force(p);
-  result.checks.push_back({"stress made by rigid motion, over 2G [-]", stress, 0.0, 1e-12, round_off});
-  result.checks.push_back({"force on a turned and shifted body, over E dp t_z [-]", force, 0.0, 1e-12, round_off});
+  result.checks.push_back({"stress made by rigid motion, over 2G", stress, 0.0, 1e-12, round_off});
+  result.checks.push_back({"force on a turned and shifted body, over E dp t_z", force, 0.0, 1e-12, round_off});
   const Balance b = internal_balance(p);
-  result.checks.push_back(
-      {"net elastic force, over the sum of magnitudes [-]", b.elastic_force, 0.0, 1e-13, round_off});
-  result.checks.push_back({"net elastic torque, over the sum of moments [-]", b.elastic_torque, 0.0, 1e-12, round_off});
-  result.checks.push_back({"net drag force, over the sum of magnitudes [-]", b.drag_force, 0.0, 1e-13, round_off});
+  result.checks.push_back({"net elastic force, over the sum of magnitudes", b.elastic_force, 0.0, 1e-13, round_off});
+  result.checks.push_back({"net elastic torque, over the sum of moments", b.elastic_torque, 0.0, 1e-12, round_off});
+  result.checks.push_back({"net drag force, over the sum of magnitudes", b.drag_force, 0.0, 1e-13, round_off});
   result.remarks.push_back(fmt::format("The pair drag of Eq. (2) acts along velocity differences, not along the line "
                                        "between particles: its net torque is {:.2g} "
                                        "of the sum of moments here. This is the paper's form (mu times the Laplacian "
@@ -154,7 +153,7 @@ Result rigid(const Parameters& p) {
     curve.y.push_back(result.table.rows.back()[1]);
   }
   const double order = std::log2(curve.y[2] / curve.y[3]);
-  result.checks.push_back({"order in dt of a stress turned by 90 degrees [-]", order, 1.0, 0.05,
+  result.checks.push_back({"order in dt of a stress turned by 90 degrees", order, 1.0, 0.05,
                            "explicit Euler is of first order; 5 % for the terms of second order at 400 steps"});
   report::Plot plot{.title = "Rigid: a stress turned by 90 degrees",
                     .x_label = "steps",

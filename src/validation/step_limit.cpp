@@ -63,7 +63,7 @@ Result step_limit(const Parameters& p) {
     const double limit = measured_limit(q, expected);
     result.table.add({1e3 * q.ecm.youngs_modulus, limit, expected});
     result.checks.push_back(
-        {fmt::format("largest stable step at {:.0f} Pa [s]", 1e3 * q.ecm.youngs_modulus), limit, expected,
+        {fmt::format("largest stable step at {:.0f} Pa (s)", 1e3 * q.ecm.youngs_modulus), limit, expected,
          0.05 * expected,
          "a layer of 20 rows holds waves 5 % apart in wave number; 400 steps show growth above 0.2 % a step"});
     measured.x.push_back(1e3 * q.ecm.youngs_modulus);
@@ -73,8 +73,8 @@ Result step_limit(const Parameters& p) {
   }
   result.remarks.push_back(describe(step_limits(p)) + ".");
   report::Plot plot{.title = "Largest stable explicit step",
-                    .x_label = "Young's modulus [Pa]",
-                    .y_label = "time step [s]",
+                    .x_label = "Young's modulus (Pa)",
+                    .y_label = "time step (s)",
                     .log_x = true,
                     .log_y = true,
                     .series = {analysis, measured}};

@@ -60,7 +60,7 @@ void pull(Simulation& a, double strain, double seconds, double rest) {
 
 draw::Picture picture(const Simulation& a) {
   draw::ParticlePicture shape{.title = "Stretch: the specimen at the last strain",
-                              .value_label = "von Mises stress [Pa]",
+                              .value_label = "von Mises stress (Pa)",
                               .position = a.s.ecm.x,
                               .particle_size = a.p.ecm.particle_spacing};
   for (const Mat2& S : a.s.ecm.S) shape.value.push_back(1000.0 * von_mises(S));
@@ -98,10 +98,10 @@ Result stretch(const Parameters& p) {
   const double E_measured = first.stress / first.strain_x * (1.0 - nu_measured * nu_measured);
   const double edge = p.ecm.particle_spacing / height; // a free edge is known to half a spacing on either side
   const std::string why = fmt::format("free edges known to half a spacing each: dp/height = {:.3f}, relative", edge);
-  result.checks.push_back({"Young's modulus [Pa]", 1e3 * E_measured, 1e3 * E, 1e3 * E * edge, why});
-  result.checks.push_back({"Poisson's ratio [-]", nu_measured, nu, nu * edge, why});
+  result.checks.push_back({"Young's modulus (Pa)", 1e3 * E_measured, 1e3 * E, 1e3 * E * edge, why});
+  result.checks.push_back({"Poisson's ratio", nu_measured, nu, nu * edge, why});
   result.checks.push_back(
-      {"stress at the grip over stress in the gauge [-]", first.grip_stress / first.stress, 1.0, edge, why});
+      {"stress at the grip over stress in the gauge", first.grip_stress / first.stress, 1.0, edge, why});
   const auto& last = result.table.rows.back();
   result.remarks.push_back(
       fmt::format("At strain {:.3f} the nominal stress is {:.1f} % off the line of linear elasticity: the specimen has "
@@ -110,7 +110,7 @@ Result stretch(const Parameters& p) {
                   last[0], 100.0 * (last[2] / last[4] - 1.0)));
   report::Plot plot{.title = "Stretch: uniaxial test with free sides",
                     .x_label = "strain",
-                    .y_label = "nominal stress [Pa]",
+                    .y_label = "nominal stress (Pa)",
                     .series = {linear, measured, grips}};
   result.add("stretch", "Quasi-static stress against strain.", plot);
   result.pictures.push_back(picture(a));

@@ -51,7 +51,7 @@ Outcome grow(PlacedProtrusions& cell, double condition, double value, store::Tab
 Result stunting(const Parameters& p) {
   Result result;
   result.table.columns = {"beside_tunnel", "tilt_deg_or_distance_um", "time_s", "length_um", "base_width_um", "slack"};
-  report::Plot tilted{.title = "Growth askew", .x_label = "time [s]", .y_label = "length of the protrusion [um]"};
+  report::Plot tilted{.title = "Growth askew", .x_label = "time (s)", .y_label = "length of the protrusion (µm)"};
   for (const double tilt : {0.0, 20.0, 40.0, 60.0}) {
     PlacedProtrusions cell(p, Vec2(-start, 0.0));
     cell.begin(0.0, tilt * degree);
@@ -59,20 +59,20 @@ Result stunting(const Parameters& p) {
     out.length.label = fmt::format("{:.0f} degrees", tilt);
     const double length = out.length.y.back();
     if (tilt == 0.0) {
-      result.checks.push_back({"length of a straight protrusion [um]", length, 27.5, 5.0,
-                               "the paper's 25 to 30 um are means over whole runs"});
-      result.checks.push_back({"its base, end of growth over start [-]", out.base.y.back() / out.base.y.front(), 1.0,
-                               0.2, "the neighbouring cortex does not slide into it"});
+      result.checks.push_back({"length of a straight protrusion (µm)", length, 27.5, 5.0,
+                               "the paper's 25 to 30 µm are means over whole runs"});
+      result.checks.push_back({"its base, end of growth over start", out.base.y.back() / out.base.y.front(), 1.0, 0.2,
+                               "the neighbouring cortex does not slide into it"});
     }
     if (tilt > 0.0)
-      result.checks.push_back({fmt::format("length {:.0f} degrees askew [um]", tilt), length, 20.0, 0.0,
-                               "no dwarf of under 12 um by tilt alone", Sense::at_least});
-    result.remarks.push_back(fmt::format("{:.0f} degrees off the normal: {:.1f} um, base {:.1f} um, slack {:.2f}.",
+      result.checks.push_back({fmt::format("length {:.0f} degrees askew (µm)", tilt), length, 20.0, 0.0,
+                               "no dwarf of under 12 µm by tilt alone", Sense::at_least});
+    result.remarks.push_back(fmt::format("{:.0f} degrees off the normal: {:.1f} µm, base {:.1f} µm, slack {:.2f}.",
                                          tilt, length, out.base.y.back(), out.slack));
     tilted.series.push_back(std::move(out.length));
   }
   report::Plot beside{
-      .title = "Growth beside an old tunnel", .x_label = "time [s]", .y_label = "length of the protrusion [um]"};
+      .title = "Growth beside an old tunnel", .x_label = "time (s)", .y_label = "length of the protrusion (µm)"};
   for (const double distance : {0.0, 3.0, 6.0, 12.0}) {
     const auto in_tunnel = [&](const Vec2& X) {
       return X.x() > -start && std::abs(X.y() - distance) < tunnel_half_width;
@@ -80,14 +80,14 @@ Result stunting(const Parameters& p) {
     PlacedProtrusions cell(p, Vec2(-start, 0.0), in_tunnel);
     cell.begin(0.0);
     Outcome out = grow(cell, 1.0, distance, result.table);
-    out.length.label = fmt::format("{:.0f} um beside", distance);
-    result.checks.push_back({fmt::format("length {:.0f} um beside the middle of a tunnel [um]", distance),
-                             out.length.y.back(), 20.0, 0.0, "no dwarf of under 12 um by a tunnel alone",
+    out.length.label = fmt::format("{:.0f} µm beside", distance);
+    result.checks.push_back({fmt::format("length {:.0f} µm beside the middle of a tunnel (µm)", distance),
+                             out.length.y.back(), 20.0, 0.0, "no dwarf of under 12 µm by a tunnel alone",
                              Sense::at_least});
     const double turned = std::atan2(cell.cell().cortex.x[cell.cell().protrusions.front().centre].y(),
                                      cell.cell().cortex.x[cell.cell().protrusions.front().centre].x() + start);
     result.remarks.push_back(
-        fmt::format("{:.0f} um beside the middle of a tunnel {:.0f} um wide: {:.1f} um, {}, turned by {:.0f} degrees.",
+        fmt::format("{:.0f} µm beside the middle of a tunnel {:.0f} µm wide: {:.1f} µm, {}, turned by {:.0f} degrees.",
                     distance, 2.0 * tunnel_half_width, out.length.y.back(),
                     out.adheres ? "adheres" : "finds nothing to adhere to", turned / degree));
     beside.series.push_back(std::move(out.length));

@@ -60,7 +60,7 @@ Pulled pull_at_anchor(const Parameters& p) {
 }
 
 draw::Picture picture(const Pulled& r, const std::string& name, const std::string& title) {
-  draw::ParticlePicture map{.title = title, .value_label = "displacement [um]", .value_min = 0.0, .value_max = 5.0};
+  draw::ParticlePicture map{.title = title, .value_label = "displacement (µm)", .value_min = 0.0, .value_max = 5.0};
   for (std::size_t i = 0; i < r.ecm.size(); ++i) {
     if (r.ecm.f[i] <= 0.0 || r.ecm.X[i].norm() > 45.0) continue;
     map.position.push_back(r.ecm.x[i]);
@@ -80,14 +80,14 @@ Result tearing(const Parameters& p) {
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
   const double left = pulled.travel.back() * std::exp(-0.8 * hold(p) / (2.0 * tau));
   result.checks.push_back(
-      {"travel in the last fifth of the hold [um]", pulled.late_travel(), 0.0, left + 0.01 * dp,
+      {"travel in the last fifth of the hold (µm)", pulled.late_travel(), 0.0, left + 0.01 * dp,
        "an elastic gel comes to rest: what two relaxation times mu/G leave after 22, and a hundredth of a spacing"});
-  result.remarks.push_back(fmt::format("A pull of {:.3g} nN held for {:.0f} s: {:.2f} um{}.", pull(p), hold(p),
+  result.remarks.push_back(fmt::format("A pull of {:.3g} nN held for {:.0f} s: {:.2f} µm{}.", pull(p), hold(p),
                                        pulled.travel.back(),
                                        pulled.failure.empty() ? "" : " (" + pulled.failure + ")"));
   report::Plot plot{.title = "Tearing: travel of an adhesion-like load",
-                    .x_label = "time [s]",
-                    .y_label = "travel of the anchor [um]",
+                    .x_label = "time (s)",
+                    .y_label = "travel of the anchor (µm)",
                     .series = {{.label = "anchor", .x = pulled.t, .y = pulled.travel}}};
   result.add("tearing", "The anchored point of the gel under a held pull towards the hole.", plot);
   result.pictures.push_back(picture(pulled, "reference", "The gel under a held pull"));

@@ -76,18 +76,18 @@ Result time_step(const Parameters& p) {
   const report::Series adaptive = errors(Integrator::adaptive, adaptive_steps, "adaptive");
   const double quarter = 0.25 * p.ecm.particle_spacing;
   result.checks.push_back(
-      {fmt::format("tip, reference: error with steps of {} s over the largest [-]", reference.x.front()),
+      {fmt::format("tip, reference: error with steps of {} s over the largest", reference.x.front()),
        reference.y.front() / *std::ranges::max_element(reference.y), 0.5, 0.0,
        "it falls with the step; errors of opposite sign leave no clean order", Sense::at_most});
   for (std::size_t k = 0; k < reference.x.size(); ++k)
     if (reference.x[k] <= paper_step)
-      result.checks.push_back({fmt::format("tip, reference steps of {} s [um]", reference.x[k]), reference.y[k], 0.0,
-                               quarter, "a quarter of a spacing, of the way of 23 um"});
+      result.checks.push_back({fmt::format("tip, reference steps of {} s (µm)", reference.x[k]), reference.y[k], 0.0,
+                               quarter, "a quarter of a spacing, of the way of 23 µm"});
   for (std::size_t k = 0; k < adaptive.x.size(); ++k)
-    result.checks.push_back({fmt::format("tip, adaptive steps of up to {} s [um]", adaptive.x[k]), adaptive.y[k], 0.0,
-                             quarter, "a quarter of a spacing, of the way of 23 um"});
+    result.checks.push_back({fmt::format("tip, adaptive steps of up to {} s (µm)", adaptive.x[k]), adaptive.y[k], 0.0,
+                             quarter, "a quarter of a spacing, of the way of 23 µm"});
   const double paper_length = mean_length(p, Integrator::reference, paper_step);
-  result.checks.push_back({fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions [um]",
+  result.checks.push_back({fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions (µm)",
                                        usual_time_step(Integrator::adaptive), directions),
                            mean_length(p, Integrator::adaptive, usual_time_step(Integrator::adaptive)), paper_length,
                            quarter,
@@ -98,8 +98,8 @@ Result time_step(const Parameters& p) {
       steps.front(), times[0], times[1], times[2]));
   result.add("time-step", "Distance of the tip from where the shortest steps bring it.",
              {.title = "A protrusion with longer steps",
-              .x_label = "time step [s]",
-              .y_label = "distance of the tip [um]",
+              .x_label = "time step (s)",
+              .y_label = "distance of the tip (µm)",
               .series = {reference, adaptive}});
   return result;
 }

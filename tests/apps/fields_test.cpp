@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace matrigrate {
 namespace {
@@ -122,6 +123,46 @@ TEST_F(Fields, AreDrawnAtTimesAndInSizesThatThereAre) {
   for (const char* size : {"1280", "1281x720", "100x100", "axb", "640x480x2"})
     EXPECT_EQ(run(std::string("export here --movie -o no --size ") + size).code, 2) << size;
   EXPECT_FALSE(exists("no"));
+}
+
+/// What `export --png` asks of the player, written down by a program in place of node.
+TEST_F(Fields, PicturesShowTheCellUnlessTheWholeIsWanted) {
+  ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
+  std::filesystem::create_directory(folder / "bin");
+  write("bin/node", "#!/bin/sh\ncp \"$2\" '" + (folder / "job.json").string() + "'\nexit 1\n");
+  write("bin/ffmpeg", "#!/bin/sh\n");
+  for (const char* name : {"bin/node", "bin/ffmpeg"})
+    std::filesystem::permissions(folder / name, std::filesystem::perms::owner_all);
+  const char* known = std::getenv("PATH");
+  const std::string path = known != nullptr ? known : "";
+  const char* browser = std::getenv("CHROMIUM");
+  const std::string named = browser != nullptr ? browser : "";
+  ::setenv("PATH", ((folder / "bin").string() + ":" + path).c_str(), 1);
+  ::setenv("CHROMIUM", "/bin/sh", 1);
+  const auto shown = [&](const std::string& options) {
+    EXPECT_EQ(run("export here -o no " + options).code, 5);
+    return json::parse(text_of(folder / "job.json")).at("show");
+  };
+  for (const auto& [options, follow, whole] :
+       {std::tuple{"--png", true, false}, std::tuple{"--png --whole", false, true}, std::tuple{"--movie", false, false},
+        std::tuple{"--movie --follow", true, false}}) {
+    const json show = shown(options);
+    EXPECT_EQ(show.at("follow"), follow) << options;
+    EXPECT_EQ(show.at("whole"), whole) << options;
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  named.empty() ? ::unsetenv("CHROMIUM") : ::setenv("CHROMIUM", named.c_str(), 1);
+}
+
+TEST_F(Fields, PagesSayThatTheSourcesWereChanged) {
+  ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
+  json record = json::parse(text_of(folder / "here/run.json"));
+  for (const bool changed : {true, false}) {
+    record["git_dirty"] = changed;
+    write("here/run.json", record.dump());
+    ASSERT_EQ(run("report here").code, 0);
+    EXPECT_EQ(contains(page_data("here/report.html"), "built from changed sources"), changed);
+  }
 }
 
 TEST_F(Fields, NeedsToolsForPixels) {

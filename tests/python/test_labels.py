@@ -3,6 +3,8 @@ import html
 import os
 import pathlib
 import re
+import shutil
+import subprocess
 import unittest
 
 import common
@@ -51,6 +53,27 @@ class Words(unittest.TestCase):
         least = [re.search(pattern, text) for pattern, text in (
             (r"leastForBox = (\d+)", (common.source / "viewer" / "src" / "study" / "boxes.ts").read_text()), (r"least_for_box <- (\d+)", r))]
         self.assertEqual([int(found[1]) for found in least], [_words.least_for_box] * 2)
+
+    def test_labels_in_the_sources_of_the_program(self):
+        label = re.compile(r'(?:(?:x|y|value)_label = |(?:checks|claims|remarks)\.push_back\([^;"]*)"([^"]*)"')
+        unit = re.compile(r"\bum\b|\[(?:[-1%]|u?m|nN|k?Pa|Pa s|min|s|um/.*|degrees)\]")
+        sources = [path for folder in ("validation", "run/draw", "study/study_report") for path in (common.source / "src" / folder).glob("*.cpp")]
+        labels = [text for path in sources for text in label.findall(path.read_text(encoding="utf-8"))]
+        self.assertGreater(len(labels), 100)
+        self.assertEqual([text for text in labels if unit.search(text)], [])
+
+    def test_r_names_the_section_where_the_last_word_is_shared(self):
+        last = [path.split(".")[-1] for path in _schema.parameters() if not re.search(r"fields?\.", path)]
+        r = (common.source / "R" / "R" / "plot.R").read_text()
+        shared = re.findall(r'"(\w+)"', re.search(r"\.shared_words <- c\(([^)]*)\)", r)[1])
+        self.assertEqual(shared, sorted({word for word in last if last.count(word) > 1}))
+        if not shutil.which("Rscript"):
+            return
+        table = 'data.frame(run = "a", label = c("force 0.2 nN", "force 0.4 nN"), protrusion.force_nN = c(0.2, 0.4), replicate = 1)'
+        code_of_r = (f'source("{common.source}/R/matrigrate.R"); f <- get(".points_of", envir = environment(plot_boxes)); t <- {table}; '
+                     'cat(f(t, t$label)$title)')
+        done = subprocess.run(["Rscript", "--vanilla", "-e", code_of_r], capture_output=True, text=True)
+        self.assertEqual((done.stdout, done.returncode), ("protrusion: force (nN)", 0), done.stderr)
 
     def test_numbers_and_ticks_are_round(self):
         prior = Prior(["a", "b", "c"], np.array([0.1, 3e-4, 20.0]), np.array([0.6, 0.9, 90.0]), [False, True, True])

@@ -55,7 +55,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(readouts[2].v_migr_abs_um_per_h, readouts.v_migr_abs_um_per_h[1])
         for name in readouts.names:
             np.testing.assert_allclose(readouts[name], table[name].to_numpy(float), rtol=1e-12)
-        self.assertEqual((readouts.unit("l_prot_um"), readouts.meaning("f_mat")), ("um", "maturation, mean"))
+        self.assertEqual((readouts.unit("l_prot_um"), readouts.meaning("f_mat")), ("um", "maturation of protrusions, mean"))
         self.assertIn("speed, start to end", repr(readouts).splitlines()[2])
         self.assertNotIn("uniaxial", repr(readouts))
         for wrong, error in ((lambda: readouts[3], KeyError), (lambda: readouts.speed, AttributeError),

@@ -82,9 +82,9 @@ struct Sign {
 constexpr std::array<Sign, 9> signs{{
     {"solver_iterations_max", "iterations of the solver in a step, largest number",
      [](const HealthRow& row) { return static_cast<double>(row.max_iterations); }},
-    {"solver_residual_max", "relative residual of the solver, largest [-]",
+    {"solver_residual_max", "relative residual of the solver, largest",
      [](const HealthRow& row) { return row.largest_residual; }},
-    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest [-]",
+    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest",
      [](const HealthRow& row) { return row.force_imbalance; }},
     {"n_orphans", "particles made fluid since too few neighbours were left",
      [](const HealthRow& row) { return static_cast<double>(row.orphans); }},
@@ -94,9 +94,9 @@ constexpr std::array<Sign, 9> signs{{
      [](const HealthRow& row) { return static_cast<double>(row.engulfed); }},
     {"n_solid_inside", "solid particles inside the cell, largest number",
      [](const HealthRow& row) { return static_cast<double>(row.solid_inside); }},
-    {"area_ratio", "area of the cell over that of the start, largest deviation from 1 [-]",
+    {"area_ratio", "area of the cell over that of the start, largest deviation from 1",
      [](const HealthRow& row) { return off_one(row.area_ratio); }},
-    {"density_max", "density of the solid over that of the start, largest deviation from 1 [-]",
+    {"density_max", "density of the solid over that of the start, largest deviation from 1",
      [](const HealthRow& row) { return std::fmax(off_one(row.density_max), off_one(row.density_min)); }},
 }};
 

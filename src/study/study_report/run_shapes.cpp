@@ -115,7 +115,7 @@ std::string fibre_stress_csv(const observe::Film& film) {
 
 std::string fibre_stress_svg(std::string_view fibre_stress_csv, double spacing) {
   draw::ParticlePicture picture{.title = "Von Mises stress of the fibres (Eq. 11)",
-                                .value_label = "von Mises stress of the fibres [Pa]"};
+                                .value_label = "von Mises stress of the fibres (Pa)"};
   std::vector<double> values;
   for (const std::vector<std::string>& row : store::read_csv(fibre_stress_csv).rows) {
     const Vec2 x(store::csv_number(row[1]), store::csv_number(row[2]));

@@ -190,7 +190,7 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   s.end = value_or(record, "end", std::string());
   if (const std::string version = value_or(record, "version", std::string()); !version.empty())
     s.program = fmt::format("{} ({}{})", version, value_or(record, "git_hash", std::string()).substr(0, 8),
-                            value_or(record, "git_dirty", false) ? "+" : "");
+                            value_or(record, "git_dirty", false) ? ", changed sources" : "");
   s.wall_time = value_or(record, "wall_time_s", 0.0);
   if (s.done() && !run::has_summary(file.parent_path())) {
     s.status = RunState::unfinished;

@@ -118,14 +118,15 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
   EXPECT_EQ(data.at("groups").at(1).at("n"), 1);
   EXPECT_TRUE(data.at("tests").at(0).contains("p_holm"));
   EXPECT_EQ(data.at("summary"),
-            "Maturation, mean (f_mat) goes from 0.412 to 0.5 over 2 points; of fewer than 3 runs none "
+            "Maturation of protrusions, mean (f_mat) goes from 0.412 to 0.5 over 2 points; of fewer than 3 runs none "
             "is called the lowest or the highest.");
   results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5, 0.6, 0.7}});
   for (Result& r : results) r.standing.status = RunState::running;
   const std::string enough =
       study_data({study, results, comparisons(study, results), "nowhere", "commit"}).at("summary");
-  EXPECT_TRUE(enough.starts_with("Maturation, mean (f_mat) is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, "
-                                 "0.6 (mean of 3 runs) at n_prot 2; "))
+  EXPECT_TRUE(enough.starts_with(
+      "Maturation of protrusions, mean (f_mat) is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, "
+      "0.6 (mean of 3 runs) at n_prot 2; "))
       << enough;
 }
 
