@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Tests the live page that web/build.sh has built: the core in Node.js, then the page in Chromium.
+# Tests the live page that web/build.sh has built: the core in Node.js, then the page in Chromium. Where none is built, the page that is kept
+# in live/ is tested, in Chromium alone, with what builds the pages of reports in build/release.
 #   web/test.sh [PROGRAM] [WATCH]
 # PROGRAM: the native program, which the page must agree with (default: build/release/bin/matrigrate, if it is there)
 # WATCH: for how many seconds speed, pictures and memory are measured (default 40; an hour: 3600)
@@ -10,7 +11,13 @@ cd "$(dirname "$0")/.."
 program=${1:-build/release/bin/matrigrate}
 watch=${2:-40}
 page=build/web/live/index.html
-[ -f "$page" ] || die "there is no $page; web/build.sh makes it"
+viewer=build/web/viewer
+if [ ! -f "$page" ]; then
+  page=live/index.html
+  viewer=build/release/viewer
+  [ -d "$viewer/node_modules" ] || die "there is no build/web/live/index.html, which web/build.sh makes, and no $viewer to test $page with"
+  say "the page that is kept: $page"
+fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 compared=()
@@ -24,8 +31,10 @@ if [ -x "$program" ]; then
 else
   say "without the native program nothing is compared with it"
 fi
-say "the core in Node.js"
-node web/tests/core.mjs build/web/core/core_node.js 0.25 "${native[@]}"
+if [ -f build/web/core/core_node.js ]; then
+  say "the core in Node.js"
+  node web/tests/core.mjs build/web/core/core_node.js 0.25 "${native[@]}"
+fi
 say "the page in Chromium"
-cp web/tests/page.mjs build/web/viewer/ # beside playwright
-node build/web/viewer/page.mjs "$page" "${compared[@]}" --watch "$watch"
+cp web/tests/page.mjs "$viewer/" # beside playwright
+node "$viewer/page.mjs" "$page" "${compared[@]}" --watch "$watch"

@@ -19,7 +19,7 @@ source = pathlib.Path(__file__).resolve().parents[2]
 
 def tested_pages() -> list[str]:
     how_to = sorted(page.name for page in (source / "docs" / "how-to").glob("*.md") if page.name != "index.md")
-    return ["docs/quick-start.md", "docs/tutorial.md", *(f"docs/how-to/{name}" for name in how_to)]
+    return ["docs/quick-start.md", "docs/tutorial.md", "docs/gallery.md", *(f"docs/how-to/{name}" for name in how_to)]
 
 
 def ran(page: pathlib.Path) -> blocks.Runner:

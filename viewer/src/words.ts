@@ -74,6 +74,17 @@ export function settingOf(one: Named, value: number | string): string {
   return `${symbol ? `${symbol} =` : wordsOf(one)} ${value}${one.unit ? ` ${pretty(one.unit)}` : ""}`;
 }
 
+/** A sentence of the program about points and read-outs, which it calls by code names, as plots name them: "E = 50 Pa", "(v_migr_abs)" with its index. */
+export function said(text: string, axes: (Named & { values: (number | string)[] })[], readouts: Named[]): string {
+  let told = pretty(text);
+  for (const axis of axes.filter((one) => one.name.includes(".")))
+    for (const value of [...axis.values].reverse())
+      for (const name of [axis.name, axis.name.slice(axis.name.lastIndexOf(".") + 1), symbolOf(axis)])
+        if (name) told = told.replaceAll(`${name} ${value}${axis.unit ? ` ${pretty(axis.unit)}` : ""}`, settingOf(axis, value));
+  for (const one of readouts) told = told.replaceAll(` (${one.label})`, symbolOf(one) ? ` (${symbolOf(one)})` : "");
+  return told;
+}
+
 /** The unit of a label of the program, "force [nN]", as axes have it: "force (nN)"; none of a ratio. */
 export const units = (label: string): string => pretty(label.replace(/ \[-\]$/, "").replace(/ \[([^\][]+)\]$/, " ($1)"));
 

@@ -7,7 +7,7 @@ import type { Browser, Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
 import { sampleVerdicts } from "../sample/verdicts";
-import { settingOf, symbolOf, titleOf, typeset, units, wordsOf } from "../src/words";
+import { said, settingOf, symbolOf, titleOf, typeset, units, wordsOf } from "../src/words";
 import type { StudyPage } from "../src/study/contract";
 import { allDrawn, launch, open } from "./browser";
 
@@ -66,6 +66,18 @@ test("symbols are set as the paper does", () => {
   assert.equal(settingOf({ name: "protrusion.force", label: "F_prot", meaning: "Growth force of a protrusion", unit: "nN" }, 0.2), "F_prot = 0.2 nN");
   assert.equal(units("ratio [-]"), "ratio");
   assert.equal(units("displacement [um]"), "displacement (\u00b5m)");
+});
+
+test("a headline calls points and read-outs as the plots do", () => {
+  const axes = [{ name: "ecm.youngs_modulus", label: "ecm.youngs_modulus (E)", meaning: "Young's modulus of the intact matrix", unit: "Pa", values: [5, 50, 400] }];
+  const readouts = [
+    { name: "v_migr_abs_um_per_h", label: "v_migr_abs", meaning: "speed, start to end", unit: "um/h" },
+    { name: "n_protrusions", label: "n_protrusions", meaning: "protrusions initiated", unit: "" },
+  ];
+  assert.equal(
+    typeset(said("Speed, start to end (v_migr_abs) is lowest, 8 um/h at youngs_modulus 50 Pa; protrusions initiated (n_protrusions) at youngs_modulus 5 Pa", axes, readouts)),
+    "Speed, start to end (v<sub>migr,abs</sub>) is lowest, 8 \u00b5m/h at E = 50 Pa; protrusions initiated at E = 5 Pa",
+  );
 });
 
 /** All that is written in and below the plots of a page, as lines of plain text. */

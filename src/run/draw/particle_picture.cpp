@@ -17,9 +17,10 @@ namespace matrigrate::draw {
 
 namespace {
 
-constexpr double bar_gap = 20.0;    ///< between the particles and the colour bar [pixel]
-constexpr double scale_room = 40.0; ///< below the particles, for the scale bar [pixel]
-constexpr double overlap = 1.08;    ///< side of the square of a particle over its size
+constexpr double bar_gap = 20.0;           ///< between the particles and the colour bar [pixel]
+constexpr double scale_room = 40.0;        ///< below the particles, for the scale bar [pixel]
+constexpr double overlap = 1.08;           ///< side of the square of a particle over its size
+constexpr double overlap_of_missing = 1.7; ///< the same of one without a value, over that of the others
 constexpr std::string_view missing = "#b8b8b8";
 
 bool finite(const Vec2& a) { return std::isfinite(a.x()) && std::isfinite(a.y()); }
@@ -78,8 +79,9 @@ struct Projection {
   Vec2 at(const Vec2& a) const { return {left + scale * (a.x() - low.x()), bottom - scale * (a.y() - low.y())}; }
 };
 
-/// Particles are squares that overlap a little, so that no ground is seen between those of a lattice. A square is a
-/// line of no length with square ends, which takes a third of the bytes of a rectangle.
+/// Particles are squares that overlap a little, so that no ground is seen between those of a lattice; those without a
+/// value, as fluid that has drifted apart, are larger and lie below. A square is a line of no length with square ends,
+/// which takes a third of the bytes of a rectangle.
 std::string dots(const ParticlePicture& p, const ColourScale& scale, const Projection& projection) {
   std::array<std::string, colour_levels + 1> path; // missing values first
   for (std::size_t i = 0; i < p.position.size(); ++i) {
@@ -88,11 +90,13 @@ std::string dots(const ParticlePicture& p, const ColourScale& scale, const Proje
     const int level = scale.level(p.value[i]);
     path[level < 0 ? 0 : 1 + static_cast<std::size_t>(level)] += 'M' + svg::point(a.x(), a.y()) + "h0";
   }
-  std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"square\" stroke-width=\"{:.2f}\">\n",
-                                overlap * p.particle_size * projection.scale);
+  const double side = overlap * p.particle_size * projection.scale;
+  std::string out = fmt::format("<g fill=\"none\" stroke-linecap=\"square\" stroke-width=\"{:.2f}\">\n", side);
   for (int level = -1; const std::string& data : path) {
-    const std::string c = level < 0 ? std::string(missing) : level_colour(level);
-    if (!data.empty()) out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", c, data);
+    if (!data.empty())
+      out += level < 0 ? fmt::format("<path stroke=\"{}\" d=\"{}\" stroke-width=\"{:.2f}\"/>\n", missing, data,
+                                     overlap_of_missing * side)
+                       : fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", level_colour(level), data);
     ++level;
   }
   return out + "</g>\n";

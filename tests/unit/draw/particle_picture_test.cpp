@@ -93,6 +93,11 @@ TEST(ParticlePicture, MissingValuesAreGreyAndMissingPlacesLeftOut) {
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].colour, "#b8b8b8");
   EXPECT_EQ(occurrences(groups[0].data, "M"), 1U);
+  const std::string svg = to_svg(picture);
+  double usual = 0.0, larger = 0.0;
+  ASSERT_EQ(std::sscanf(svg.c_str() + svg.find("square\" stroke-width="), "square\" stroke-width=\"%lf\"", &usual), 1);
+  ASSERT_EQ(std::sscanf(svg.c_str() + svg.find("h0\" stroke-width="), "h0\" stroke-width=\"%lf\"", &larger), 1);
+  EXPECT_GT(larger, 1.5 * usual) << "fluid that has drifted apart leaves no specks";
   EXPECT_EQ(occurrences(groups[1].data, "M"), 1U);
 }
 

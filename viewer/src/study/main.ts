@@ -14,7 +14,7 @@ import { scatters } from "./scatter";
 import { adhesionForces, correlation, msd } from "./statistics";
 import "./study.css";
 import { paths, shapes } from "./tracks";
-import { capital, wordsOf } from "../words";
+import { capital, lettered, said, wordsOf } from "../words";
 
 /** Points that small pictures and curves of each are drawn of; of more, nobody could tell one from another. */
 const mostPoints = 60;
@@ -98,7 +98,7 @@ function show(study: StudyPage, page: HTMLElement): void {
     draw();
   });
   page.replaceChildren(
-    h("header", {}, h("h1", {}, study.title), h("p", { class: "status" }, study.status, " ", h("strong", {}, pretty(study.summary ?? ""))), factList(study.facts ?? [])),
+    h("header", {}, h("h1", {}, study.title), h("p", { class: "status" }, study.status, " ", h("strong", {}, ...lettered(said(study.summary ?? "", study.axes, study.readouts)))), factList(study.facts ?? [])),
     h(
       "div",
       { class: "study-controls" },
