@@ -208,7 +208,7 @@ test("without frames the tables are still there", async () => {
   const { page, errors } = await open(browser, "run", json({ ...small, frames: null }));
   assert.ok(await page.getByText("This run stored no frames").isVisible());
   assert.equal(await page.locator(".stage").count(), 0);
-  assert.ok(await page.getByText("speed, start to end [\u00b5m/h]").isVisible());
+  assert.ok(await page.getByText("speed, start to end (\u00b5m/h)").isVisible());
   assert.ok((await page.locator("#path svg").count()) >= 3);
   assert.deepEqual(errors, []);
   await page.context().close();
@@ -255,6 +255,6 @@ test("frames that are broken are named, and the tables stay", async () => {
   if (broken.frames) broken.frames.particles.x.per_frame += 1;
   const { page } = await open(browser, "run", json(broken));
   assert.match((await page.locator("[role=alert]").textContent()) ?? "", /particle positions: has \d+ bytes/);
-  assert.ok(await page.getByText("speed, start to end [\u00b5m/h]").isVisible());
+  assert.ok(await page.getByText("speed, start to end (\u00b5m/h)").isVisible());
   await page.context().close();
 });
