@@ -108,7 +108,7 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
         if not origin.is_file():
             raise SystemExit(f"a page links to {path}, which is not there")
         name = path.removeprefix("docs/")
-        if origin.suffix in (".svg", ".png", ".gif", ".csv") or path == "docs/scenario.schema.json":
+        if origin.suffix in (".svg", ".png", ".gif", ".webp", ".csv") or path == "docs/scenario.schema.json":
             copies[name] = origin
             return name
         text = origin.read_text(encoding="utf-8")
