@@ -116,7 +116,7 @@ async function looks(page: Page, name: string, file: string): Promise<[string, s
     await page.goto(pathToFileURL(file).href);
     if (await page.locator(".plotly-figure").count()) await allDrawn(page, width);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width + 1, `${name} is wider than ${width} pixels`);
-    await page.addStyleTag({ content: ".facts, .provenance, dl { visibility: hidden }" }).catch(() => undefined); // dates and wall times
+    await page.addStyleTag({ content: ".facts, .provenance, dl { display: none }" }).catch(() => undefined); // dates, wall times, changed sources
     found.push([`${name}-${look}`, `data:image/png;base64,${(await page.screenshot({ clip: { x: 0, y: 0, width, height: 1400 } })).toString("base64")}`]);
   }
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
