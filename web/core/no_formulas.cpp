@@ -1,21 +1,25 @@
-// In place of src/fields/formula.cpp: muParser is not there in WebAssembly.
-#include "fields/formula.hpp"
-
-#include <stdexcept>
+// In place of src/fields/expression.cpp: muParser is not there in WebAssembly.
+#include "fields/expression.hpp"
 
 namespace matrigrate::fields {
 
-struct Formula::Parser {};
+struct Expression::Parser {};
 
-Formula::Formula(const std::string& text) {
+Expression::Expression(const std::string& text, std::span<const std::string_view> /*variables*/,
+                       std::span<const NamedNumber> /*constants*/) {
   throw std::invalid_argument("is a formula, \"" + text.substr(0, 80)
                               + "\"; formulas are not available in the live page: draw the field, or run the scenario "
                                 "with the program");
 }
 
-Formula::Formula(Formula&&) noexcept = default;
-Formula::~Formula() = default;
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+Expression::~Expression() = default;
 
-double Formula::at(const Vec2& /*x*/) const { return 0.0; } // there is none to ask
+double Expression::at(std::span<const double> /*arguments*/) const { return 0.0; } // there is none to ask
+
+bool Expression::uses(std::size_t /*variable*/) const { return false; }
+
+bool in_every_formula(const std::string& /*name*/) { return false; }
 
 } // namespace matrigrate::fields
