@@ -2,9 +2,13 @@
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
 #include "draw/particle_picture.hpp"
+#include "draw/text_plot.hpp"
+#include "parameters/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
+#include "run/run_record.hpp"
 #include "simulation/start_fields.hpp"
+#include "simulation/start_rules.hpp"
 #include "state/cortex.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +25,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -104,6 +109,23 @@ std::string description(const Parameters& p, const Derived& d) {
   return text;
 }
 
+/// Each changed law, drawn beside that of the paper.
+std::string laws_text(const Parameters& p) {
+  std::string text;
+  for (const Row* law : changed_laws(p)) {
+    LawCurve curve = law_curve(p, *law, 241);
+    text += fmt::format("\n{} = {}\n{}{}; * here, . in the paper\n", law->path, value_text(*law, p), law->description,
+                        law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
+    text += draw::to_text({.x_name = curve.over.name,
+                           .x_unit = curve.over.unit,
+                           .x_low = curve.over.low,
+                           .x_high = curve.over.high,
+                           .points = std::move(curve.changed),
+                           .comparison = std::move(curve.paper)});
+  }
+  return text;
+}
+
 Json fields_json(const Parameters& p) {
   Json list = Json::array();
   for (const FieldSummary& field : field_summaries(p).fields)
@@ -141,6 +163,7 @@ Json to_json(const ExplainArguments& options, const Parameters& p, const Derived
           {"fibre_bonds_of_a_particle", d.bonds.count},
           {"fibre_mean_direction_deg", direction ? Json(*direction) : Json()},
           {"fields", fields_json(p)},
+          {"laws", run::laws_json(p)},
           {"memory_estimate_bytes", d.cost.memory_bytes},
           {"disk_estimate_bytes", d.cost.disk_bytes},
           {"wall_time_estimate_s", d.cost.wall_time},
@@ -179,7 +202,7 @@ void draw_fields(const Parameters& p, const std::string& folder) {
 }
 
 int explain(const ExplainArguments& options) {
-  const Parameters p = read_parameters(options.file, options.overrides);
+  const Parameters p = read_parameters(options.file, options.overrides, law_rules());
   if (!options.pictures.empty()) {
     draw_fields(p, options.pictures);
     return done;
@@ -190,7 +213,7 @@ int explain(const ExplainArguments& options) {
     print(to_json(options, p, d, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     return done;
   }
-  print(description(p, d));
+  print(description(p, d) + laws_text(p));
   for (const std::string& warning : found)
     print(fmt::format("\n{} {}\n", coloured("WARNING:", Colour::warning, Stream::out), warning));
   return done;

@@ -45,7 +45,7 @@ def type_of(p: _schema.Parameter) -> str:
     if p.kind == "choice":
         return f"Literal[{', '.join(f'{choice!r}'.replace(chr(39), chr(34)) for choice in p.choices)}]"
     return {"quantity": "_Quantity", "angle": "_Quantity", "ratio": "float", "integer": "int", "boolean": "bool",
-            "field": "str"}[p.kind]
+            "field": "str", "law": "str", "constants": "str"}[p.kind]
 
 
 def section(name: str, title: str) -> str:

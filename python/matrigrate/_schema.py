@@ -24,7 +24,7 @@ class Parameter:
     """A parameter of a scenario: name, unit, range, default and meaning."""
 
     path: str  #: "ecm.youngs_modulus"
-    kind: str  #: "quantity", "angle", "ratio", "integer", "boolean", "choice" or "field"
+    kind: str  #: "quantity", "angle", "ratio", "integer", "boolean", "choice", "field", "law" or "constants"
     meaning: str
     symbol: str  #: of the paper; may be empty
     allowed: str  #: in words: "> 0 and <= 1e7 Pa"
@@ -83,6 +83,7 @@ def _parameter(path: str, entry: dict[str, Any]) -> Parameter:
     number: dict[str, Any] = next((e for e in entry.get("anyOf", [entry])
                                    if e.get("type") in ("number", "integer")), {})
     kind = ("choice" if "enum" in entry else "boolean" if entry.get("type") == "boolean" else
+            "law" if "x-law" in entry else "constants" if "object" in entry.get("type", "") else
             "field" if entry.get("type") == "string" else
             "integer" if number["type"] == "integer" else "ratio" if "anyOf" not in entry else
             "angle" if text["angle"] else "quantity")

@@ -205,7 +205,7 @@ class Run:
     @property
     def cause(self) -> str | None:
         """Why the computation could not continue: "solver", "step_limit", "rim", "crossing", "nucleus_outside",
-        "collapse", "solid_inside", "not_finite" or "imbalance"; None if it did not end so."""
+        "collapse", "solid_inside", "not_finite", "law" or "imbalance"; None if it did not end so."""
         cause = self.record.get("cause")
         return str(cause) if cause is not None else None
 

@@ -41,6 +41,13 @@ def _plain(value: Any) -> Any:
     return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
 
 
+def _typed(path: str, value: Any) -> Any:
+    """A value as it is typed; a table of names for laws.constants as its text."""
+    if path == "laws.constants" and isinstance(value, Mapping):
+        return ", ".join(f"{name} = {_plain(value[name])}" for name in sorted(value))
+    return _plain(value)
+
+
 class Scenario(Sections, Mapping[str, Value]):
     """All parameters of a simulation. A parameter that is not set has its default.
 
@@ -76,7 +83,7 @@ class Scenario(Sections, Mapping[str, Value]):
         told = dict(_arguments.mapping("values", values))
         written = told.pop("version", None) is not None  # by a program
         flat = list(_flat(told))
-        _schema.judge((path, _plain(value)) for path, value, _ in flat
+        _schema.judge((path, _typed(path, value)) for path, value, _ in flat
                       if path in _schema.parameters())
         gone = _schema.gone()
         for path, value, nested in flat:
@@ -170,7 +177,7 @@ class Scenario(Sections, Mapping[str, Value]):
             self._set_cells(value)
             return
         p = _row(path)
-        value = _plain(value)
+        value = _typed(path, value)
         fault = p.fault(value)
         if fault:
             raise ConfigurationError(Fault(path, fault))

@@ -45,6 +45,8 @@ std::string_view to_string(FailureCause cause) {
     return "solid_inside";
   case FailureCause::not_finite:
     return "not_finite";
+  case FailureCause::law:
+    return "law";
   default:
     return "imbalance";
   }
@@ -53,7 +55,7 @@ std::string_view to_string(FailureCause cause) {
 std::optional<FailureCause> parse_failure_cause(std::string_view text) {
   using enum FailureCause;
   for (const FailureCause cause :
-       {solver, step_limit, rim, crossing, nucleus_outside, collapse, solid_inside, not_finite, imbalance})
+       {solver, step_limit, rim, crossing, nucleus_outside, collapse, solid_inside, not_finite, law, imbalance})
     if (text == to_string(cause)) return cause;
   return std::nullopt;
 }

@@ -42,6 +42,7 @@ enum class FailureCause {
   collapse,        ///< a cell has lost its area
   solid_inside,    ///< solid matrix lies deep inside a cell
   not_finite,      ///< a value is not finite
+  law,             ///< a law of the user's has a value that is not allowed
   imbalance        ///< inner forces do not balance
 };
 

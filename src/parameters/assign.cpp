@@ -144,6 +144,16 @@ std::string assign_flag(const Row& row, const Given& given, bool& parameter) {
 }
 
 std::string assign_text(const Row& row, const Given& given, std::string& parameter) {
+  if (kind(row) == Kind::law) { // a number is a formula
+    if (const auto* whole = std::get_if<std::int64_t>(&given.value)) {
+      parameter = fmt::format("{}", *whole);
+      return {};
+    }
+    if (const auto* real = std::get_if<double>(&given.value)) {
+      parameter = fmt::format("{}", *real);
+      return {};
+    }
+  }
   const auto* text = std::get_if<std::string>(&given.value);
   if (text == nullptr) return fmt::format("is {}; write {}, in quotes", given.type, allowed_text(row));
   parameter = *text;

@@ -1,5 +1,9 @@
 #include "parameters/node.hpp"
 
+#include <fmt/format.h>
+
+#include <sstream>
+
 namespace matrigrate {
 
 std::string_view type_of(const toml::node& node) {
@@ -31,6 +35,23 @@ Given given_by(const toml::node& node) {
   else if (const auto* text = node.as_string())
     given.value = text->get();
   return given;
+}
+
+Given given_for(const Row& row, const toml::node& node) {
+  const toml::table* names = node.as_table();
+  if (kind(row) != Kind::constants || names == nullptr) return given_by(node);
+  std::string text;
+  for (const auto& [name, value] : *names) {
+    std::ostringstream number;
+    if (const auto* quantity = value.as_string())
+      number << quantity->get();
+    else if (value.is_number())
+      value.visit([&](const auto& typed) { number << typed; });
+    else
+      number << type_of(value);
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name.str(), number.str());
+  }
+  return {std::move(text), "a table"};
 }
 
 } // namespace matrigrate

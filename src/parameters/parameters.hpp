@@ -208,6 +208,21 @@ struct CueParameters {
   double guidance = 0.0;       ///< weight of the fibres' direction in the propensity of initiation [-]
 };
 
+/// Laws as formulas, at first those of the paper; parameters/law.hpp says what they may contain.
+struct LawParameters {
+  std::string fibre_stiffness = "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"; ///< over k_0, Eq. 5 [-]
+  std::string curvature_factor = "exp(-0.5*((kappa - kappa_0)/kappa_w)^2)";                ///< f_curv of Eq. 6 [-]
+  std::string disassembly_rate = "r_off_min + r_off_0*exp(-zeta_diss*F/f_mat)";            ///< r_off, Eq. 7 [1/s]
+  std::string growth_force = "n_prot > 0 && A > 1 ? 1/A : 1";                              ///< over F_prot, Eq. 10 [-]
+  std::string initiation_rate = "r_prot";                                                  ///< of a particle [1/s]
+  std::string initiation_bias = "1";                                                       ///< over its mean [-]
+  std::string polarization_rate = "r_pol";                                                 ///< [1/s]
+  std::string degradation_tip = "r_degr_tip";                                              ///< [1/s]
+  std::string degradation_protrusion = "p > p_th_degr ? r_degr_prot : 0";                  ///< [1/s]
+  std::string degradation_body = "p > p_th_degr ? r_degr_body : 0";                        ///< [1/s]
+  std::string constants; ///< names of the user's own: "F_c = 0.1 nN, n = 2"
+};
+
 struct OutputParameters {
   double track_interval = 60.0;             ///< [s]
   double snapshot_interval = 1800.0;        ///< [s]
@@ -245,6 +260,7 @@ struct Parameters {
   PolarizationParameters polarization;
   DegradationParameters degradation;
   CueParameters cues;
+  LawParameters laws;
   OutputParameters output;
   SolverParameters solver;
   std::vector<CellStart> cells; ///< of several cells; empty: one, which starts at (cell.start_x, cell.start_y)

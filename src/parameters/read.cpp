@@ -204,7 +204,7 @@ private:
       if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty()) complain(place, path, std::move(fault));
       return;
     }
-    std::string fault = assign(*row, given_by(node), m_parameters);
+    std::string fault = assign(*row, given_for(*row, node), m_parameters);
     if (fault.empty() && kind(*row) == Kind::field)
       fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),
                              place.file == command_line ? "" : std::filesystem::path(place.file).parent_path(),

@@ -1,3 +1,4 @@
+#include "parameters/law.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
@@ -35,6 +36,20 @@ std::string quantity_text(const Row& row, double value) {
   return fmt::format("\"{} s\"", units::from_internal(value, units::parse_unit("s")));
 }
 
+Kind kind_of_text(const Row& row) {
+  if (section_of(row) != "laws") return Kind::field;
+  return key_of(row) == "constants" ? Kind::constants : Kind::law;
+}
+
+/// "a formula in F, f_mat and t of values ".
+std::string formula_text(const Row& law) {
+  const auto variables = law_variables(law);
+  std::string text = "a formula in ";
+  for (std::size_t k = 0; k < variables.size(); ++k)
+    text += fmt::format("{}{}", k == 0 ? "" : k + 1 < variables.size() ? ", " : " and ", variables[k].name);
+  return text + " of values ";
+}
+
 /// A text as a basic string of TOML, which is one of JSON as well.
 std::string in_quotes(std::string_view text) {
   std::string quoted = "\"";
@@ -67,7 +82,7 @@ Kind kind(const Row& row) {
   const Kind real = angle ? Kind::angle : row.unit == "1" ? Kind::ratio : Kind::quantity;
   return std::visit(Match{[&](Real) { return real; }, [](Integer) { return Kind::integer; },
                           [](Large) { return Kind::integer; }, [](Flag) { return Kind::boolean; },
-                          [](Text) { return Kind::field; }, [](const Choice&) { return Kind::choice; }},
+                          [&](Text) { return kind_of_text(row); }, [](const Choice&) { return Kind::choice; }},
                     row.member);
 }
 
@@ -109,11 +124,14 @@ std::string allowed_text(const Row& row) {
       text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", name);
     return text;
   }
+  if (kind(row) == Kind::constants) return "names with their values, such as \"F_c = 0.1 nN, n = 2\"";
   const Range& range = row.range;
-  const bool field = kind(row) == Kind::field;
+  const bool field = kind(row) == Kind::field || kind(row) == Kind::law;
   const std::string unit =
       kind(row) == Kind::quantity || (field && row.unit != "1") ? fmt::format(" {}", row.unit) : "";
-  const std::string form = field ? "a formula in x and y, or a file (.csv, .png, .tif), of values " : "";
+  const std::string form = kind(row) == Kind::law ? formula_text(row)
+                           : field                ? "a formula in x and y, or a file (.csv, .png, .tif), of values "
+                                                  : "";
   if (row.unit == "rad") // people think in degrees
     return fmt::format("{} {:g} and {} {:g} deg", range.low_allowed ? ">=" : ">", range.low * 180.0 / std::numbers::pi,
                        range.high_allowed ? "<=" : "<", range.high * 180.0 / std::numbers::pi);

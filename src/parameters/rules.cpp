@@ -1,5 +1,7 @@
 #include "parameters/rules.hpp"
 
+#include "parameters/law.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -45,18 +47,29 @@ bool has_attractant(const Parameters& p) {
   return !p.ecm.fields.attractant.empty() || !p.ecm.fields.attractant_source.empty();
 }
 
+/// Whether a changed law of initiation depends on a variable.
+bool initiation_uses(const Parameters& p, std::string_view variable) {
+  for (const std::string_view path : {"laws.initiation_bias", "laws.initiation_rate"}) {
+    if (!is_changed(*find_row(path), p) || !fault_of_law(p, *find_row(path)).empty()) continue;
+    if (fault_of_constants(p).empty() && Law(path, p).uses(variable)) return true;
+  }
+  return false;
+}
+
 std::string chemotaxis(const Parameters& p) {
-  if (p.cues.chemotaxis == 0.0 || has_attractant(p)) return {};
+  if ((p.cues.chemotaxis == 0.0 && !initiation_uses(p, "occupancy")) || has_attractant(p)) return {};
   return "there is no attractant to sense; give ecm.fields.attractant or ecm.fields.attractant_source";
 }
 
 std::string haptotaxis(const Parameters& p) {
-  if (p.cues.haptotaxis == 0.0 || !p.ecm.fields.ligand.empty()) return {};
+  if ((p.cues.haptotaxis == 0.0 && !initiation_uses(p, "ligand")) || !p.ecm.fields.ligand.empty()) return {};
   return "ligand is the same everywhere, so there is nothing to sense; give ecm.fields.ligand";
 }
 
 std::string guidance(const Parameters& p) {
-  if (p.cues.guidance == 0.0 || p.fibres.arrangement == FibreArrangement::uniaxial) return {};
+  if ((p.cues.guidance == 0.0 && !initiation_uses(p, "alignment"))
+      || p.fibres.arrangement == FibreArrangement::uniaxial)
+    return {};
   return "there are no fibres along a direction to follow; set fibres.arrangement to uniaxial";
 }
 
@@ -154,12 +167,21 @@ std::string steps(const Parameters& p) {
   return {};
 }
 
+/// One for each law: its text can be read.
+std::vector<Rule> with_laws(std::vector<Rule> rules) {
+  rules.push_back({"constants of laws can be read", {"laws.constants"}, fault_of_constants});
+  for (const Row& law : law_rows())
+    if (kind(law) == Kind::law)
+      rules.push_back({"a law can be read", {law.path}, [&law](const Parameters& p) { return fault_of_law(p, law); }});
+  return rules;
+}
+
 } // namespace
 
 bool has_lattice(const Parameters& p) { return support(p).empty() && room(p).empty() && particles(p).empty(); }
 
 std::span<const Rule> rules() {
-  static const std::vector<Rule> all{
+  static const std::vector<Rule> all = with_laws({
       {"enough neighbours", {"ecm.smoothing_length", "ecm.particle_spacing"}, support},
       {"some matrix is free", {"ecm.radius", "ecm.smoothing_length", "ecm.particle_spacing"}, room},
       {"the cell fits",
@@ -180,14 +202,19 @@ std::span<const Rule> rules() {
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
       {"there is attractant to sense",
-       {"cues.chemotaxis", "ecm.fields.attractant", "ecm.fields.attractant_source"},
+       {"cues.chemotaxis", "laws.initiation_bias", "laws.initiation_rate", "ecm.fields.attractant",
+        "ecm.fields.attractant_source"},
        chemotaxis},
-      {"there is ligand to sense", {"cues.haptotaxis", "ecm.fields.ligand"}, haptotaxis},
-      {"there are fibres to follow", {"cues.guidance", "fibres.arrangement"}, guidance},
+      {"there is ligand to sense",
+       {"cues.haptotaxis", "laws.initiation_bias", "laws.initiation_rate", "ecm.fields.ligand"},
+       haptotaxis},
+      {"there are fibres to follow",
+       {"cues.guidance", "laws.initiation_bias", "laws.initiation_rate", "fibres.arrangement"},
+       guidance},
       {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},
       {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},
-  };
+  });
   return all;
 }
 

@@ -19,6 +19,7 @@ struct Rule {
   std::vector<std::string_view> keys;
   std::function<std::string(const Parameters&)>
       broken; ///< what is wrong and what is allowed; empty where the rule holds
+  std::function<bool(const Parameters&)> matters = {}; ///< whether it can be broken, found quickly; empty: always
 };
 
 std::span<const Rule> rules();

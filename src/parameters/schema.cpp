@@ -233,15 +233,15 @@ constexpr std::array rows{
         "r_pol", table_1, "Rate at which the polarization turns towards mature adhesions"},
 
     Row{"degradation.tip_rate", [](Parameters& p) -> double& { return p.degradation.tip_rate; }, "1/s", closed(0, 100),
-        "", table_1, "Rate of degradation at the tip of a growing protrusion"},
+        "r_degr,tip", table_1, "Rate of degradation at the tip of a growing protrusion"},
     Row{"degradation.tip_distance", [](Parameters& p) -> double& { return p.degradation.tip_distance; }, "um", closed(0, 100),
         "d_degr,tip", table_1, "Reach of degradation around the pushing particles"},
     Row{"degradation.protrusion_rate", [](Parameters& p) -> double& { return p.degradation.protrusion_rate; }, "1/s", closed(0, 100),
-        "", table_1, "Rate of degradation along a protrusion"},
+        "r_degr,prot", table_1, "Rate of degradation along a protrusion"},
     Row{"degradation.protrusion_distance", [](Parameters& p) -> double& { return p.degradation.protrusion_distance; }, "um", closed(0, 100),
         "d_degr,prot", table_1, "Reach of degradation around a protrusion"},
     Row{"degradation.body_rate", [](Parameters& p) -> double& { return p.degradation.body_rate; }, "1/s", closed(0, 100),
-        "", table_1, "Rate of degradation around the body of the cell"},
+        "r_degr,body", table_1, "Rate of degradation around the body of the cell"},
     Row{"degradation.body_distance", [](Parameters& p) -> double& { return p.degradation.body_distance; },
         "um", closed(0, 100),
         "d_degr,cell", table_1, "Reach of degradation around the body of the cell"},
@@ -302,6 +302,7 @@ std::span<const Row> schema() {
     std::vector<Row> joined(rows.begin(), rows.end());
     const auto behind = std::ranges::find(joined, "actomyosin", section_of);
     joined.insert(behind, part_rows().begin(), part_rows().end());
+    joined.insert(std::ranges::find(joined, "output", section_of), law_rows().begin(), law_rows().end());
     return joined;
   }();
   return all;

@@ -13,7 +13,8 @@
 
 /// The one table of parameters. Reader, checks, scenario files, documentation and editor schema are made from it; a new
 /// parameter is one member in parameters.hpp and one row in schema.cpp (of several cells or a nucleus:
-/// schema_cells.cpp, sections in schema_sections.cpp), with `before`. Test: tests/unit/parameters/schema_test.cpp
+/// schema_cells.cpp, laws in schema_laws.cpp, sections in schema_sections.cpp), with `before`. Test:
+/// tests/unit/parameters/schema_test.cpp
 namespace matrigrate {
 
 /// Allowed values, in the unit of the row.
@@ -31,7 +32,8 @@ struct Choice {
   void (*set)(Parameters&, std::size_t);
 };
 
-/// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, text of a field, choice.
+/// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, text of a field or law,
+/// choice.
 using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std::uint64_t& (*)(Parameters&),
                             bool& (*)(Parameters&), std::string& (*)(Parameters&), Choice>;
 
@@ -63,9 +65,9 @@ struct Section {
   std::string_view title;
 };
 
-/// An angle is stored in the unit of its row, and written as a bare number. Of a field, unit and range are those of its
-/// values.
-enum class Kind { quantity, ratio, angle, integer, boolean, choice, field };
+/// An angle is stored in the unit of its row, and written as a bare number. Of a field or law, unit and range are those
+/// of its values.
+enum class Kind { quantity, ratio, angle, integer, boolean, choice, field, law, constants };
 
 /// All parameters; those of a section stand together, sections in the order of sections().
 std::span<const Row> schema();
@@ -76,6 +78,9 @@ std::span<const Row> cell_rows();
 
 /// The part of schema() that is the sections [contact.cells] and [nucleus].
 std::span<const Row> part_rows();
+
+/// The part of schema() that is the section [laws]; the last one is laws.constants.
+std::span<const Row> law_rows();
 
 /// What [[cells]] is about, in a sentence.
 inline constexpr std::string_view cells_title =

@@ -23,6 +23,7 @@ constexpr std::array all_sections{
     Section{"polarization", "Polarization of the cell"},
     Section{"degradation", "Degradation of the matrix by the cell"},
     Section{"cues", "Cues that bias where protrusions are initiated; off in the paper"},
+    Section{"laws", "Laws as formulas, in um, s, nN and Pa"},
     Section{"output", "What a run writes, and how often"},
     Section{"solver", "The linear system of every step"},
 };

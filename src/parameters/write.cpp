@@ -84,6 +84,13 @@ Json row_schema(const Row& row) {
   case Kind::integer:
     schema = number_schema(row);
     break;
+  case Kind::constants:
+    schema["type"] = {"string", "object"};
+    break;
+  case Kind::law:
+    schema["type"] = {"string", "number"};
+    schema["x-law"] = true;
+    break;
   case Kind::field:
     schema["type"] = "string";
     break;

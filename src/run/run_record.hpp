@@ -107,15 +107,18 @@ store::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
 /// Heading of the run's report: "cell: E = 200 Pa, seed 1".
 std::string run_title(const Parameters& p, const std::string& scenario);
 
-/// What was run, when and how: scenario, stiffness, seed, the commands that started it and its branches, date, wall
-/// time, trajectory hash.
+/// The texts of the laws that are not those of the paper, by their keys.
+nlohmann::ordered_json laws_json(const Parameters& p);
+
+/// What was run, when and how: scenario, stiffness, seed, changed laws, the commands that started it and its branches,
+/// date, wall time, trajectory hash.
 /// @param record  as in run.json
 std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record,
                                     const std::string& scenario);
 
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
-///  configuration_hash, files: {name: fingerprint}, frames_lost, frames_lost_s: [first, last] or null, command_line,
+///  configuration_hash, laws: laws_json(), files: {name: fingerprint}, frames_lost, frames_lost_s: [first, last] or null, command_line,
 ///  scenario, commands, start, end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 

@@ -212,6 +212,31 @@ class Objects(unittest.TestCase):
         self.assertEqual(repr(scenario), 'Scenario(a: ecm.radius="60 um")')
 
 
+class Laws(common.InTemporaryFolder):
+    def test_are_texts_that_the_program_checks(self):
+        scenario = Scenario({"ecm.radius": "60 um"})
+        self.assertEqual(scenario.laws.polarization_rate, "r_pol")
+        self.assertEqual(_schema.parameters()["laws.polarization_rate"].kind, "law")
+        self.assertEqual(_schema.parameters()["laws.constants"].kind, "constants")
+        scenario.laws.polarization_rate = "r_pol*min(1, angle_s/angle)"
+        scenario.laws.constants = "angle_s = 0.5"
+        self.assertEqual(scenario.changed()["laws.polarization_rate"], "r_pol*min(1, angle_s/angle)")
+        file = self.folder / "law.toml"
+        scenario.save(file)
+        self.assertEqual(Scenario.load(file), scenario)
+        matrigrate._program.check(file)
+        scenario.laws.polarization_rate = "r_pool"
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "there is no r_pool; did you mean r_pol"):
+            scenario.save(file, overwrite=True)
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "write a formula in angle"):
+            scenario.laws.polarization_rate = True
+
+    def test_of_files_may_have_a_table_of_constants(self):
+        file = self.folder / "law.toml"
+        file.write_text('[laws]\ngrowth_force = "max(0, 1 - l/l_s)"\n[laws.constants]\nl_s = "15 um"\n')
+        self.assertEqual(Scenario.load(file).laws.constants, "l_s = 15 um")
+
+
 class Stub(unittest.TestCase):
     def test_names_are_those_at_run_time(self):
         with tempfile.TemporaryDirectory() as folder:

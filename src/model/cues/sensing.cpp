@@ -64,13 +64,40 @@ std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters
   return felt;
 }
 
-std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p) {
+std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmState& ecm, const Parameters& p) {
+  if (!law.changed()) return {};
+  const CortexState& c = cell.cortex;
+  const Vec2 centre = centre_of_mass(c);
+  const bool senses = law.uses("occupancy") || law.uses("ligand") || law.uses("alignment");
+  const std::vector<Surroundings> around = senses ? surroundings(c, ecm, p) : std::vector<Surroundings>(c.size());
+  std::vector<double> values(c.size());
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Vec2 outwards = c.x[i] - centre;
+    const double direction = std::atan2(outwards.y(), outwards.x());
+    const double angle =
+        cell.polarization ? std::remainder(direction - *cell.polarization, 2.0 * std::numbers::pi) : 0.0;
+    const Surroundings& near = around[i];
+    const double share = near.weight > 0.0 ? 1.0 / near.weight : 0.0;
+    const double alignment = near.axis.dot(Vec2(std::cos(2.0 * direction), std::sin(2.0 * direction)));
+    values[i] = law({angle, curvature(c, i), share * near.occupied, share * near.ligand, share * alignment});
+  }
+  return values;
+}
+
+std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p, const Law& bias) {
   std::vector<double> factor = felt(cell, ecm, p);
-  if (factor.empty()) return factor;
+  const std::vector<double> biased = along_cortex(bias, cell, ecm, p);
+  if (factor.empty() && biased.empty()) return factor;
+  if (factor.empty()) factor.assign(biased.size(), 0.0);
   const double highest = std::ranges::max(factor); // so that no exponential overflows
   double sum = 0.0;
-  for (double& a : factor) sum += a = std::exp(a - highest);
-  for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
+  for (std::size_t i = 0; i < factor.size(); ++i) {
+    factor[i] = std::exp(factor[i] - highest);
+    if (!biased.empty()) factor[i] *= biased[i];
+    sum += factor[i];
+  }
+  if (sum > 0.0) // else no particle initiates
+    for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
   return factor;
 }
 

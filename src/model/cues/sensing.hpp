@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parameters/laws.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 
@@ -17,8 +18,16 @@ double occupancy(double c, double K_d);
 /// fibres there). Means over the matrix within the support of the kernel. Empty if no cue is on [-].
 std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters& p);
 
-/// Factor of each particle on the rate of initiation: exp(felt), over its mean along the cortex, so that a cell that is
-/// all front begins as many protrusions as without cues. Empty if no cue is on [-].
-std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p);
+/// A law of initiation that a user has changed, at each particle of the cortex: of its angle to the polarization as
+/// seen from the centre (0 before the first protrusion) and of its curvature; of the means over the matrix near it (0
+/// without any) of the occupancy of receptors, of ligand on solid, and of cos 2(its angle - angle of the fibres), the
+/// alignment. Empty if the law is that of the paper.
+std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmState& ecm, const Parameters& p);
+
+/// Factor of each particle on the rate of initiation: exp(felt) times the bias, over its mean along the cortex, so that
+/// a cell that is all front begins as many protrusions as without. Empty if no cue is on [-].
+/// @param bias  laws.initiation_bias
+std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p,
+                               const Law& bias = paper_laws().initiation_bias);
 
 } // namespace matrigrate

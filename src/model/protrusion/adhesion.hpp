@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parameters/law.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "sph/interpolate.hpp"
@@ -24,6 +25,9 @@ double adhesion_force(double length, const AdhesionParameters& p);
 /// @return       [1/s]
 /// Limits: F -> 0 gives r_off_min + r_off_0; falls with F towards r_off_min.
 double disassembly_rate(double F, double f_mat, const AdhesionParameters& p);
+
+/// The same of a law that a user may have changed.   @param t  since contraction began [s]
+double disassembly_rate(double F, double f_mat, double t, const AdhesionParameters& p, const Law& law);
 
 /// f_mat F_am of Eqs. (7) and (9): the full pull of both strands (MODEL.md, I28) [nN].
 double mature_pull(double f_mat, const Parameters& p);

@@ -44,8 +44,9 @@ bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_part
 
 void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline) {
   const auto probability = [&, usual = event_probability(p.protrusion.initiation_rate, dt)](std::size_t i) {
-    if (outline.propensity.empty()) return usual;
-    return event_probability(outline.propensity[i] * p.protrusion.initiation_rate, dt);
+    if (outline.propensity.empty() && outline.rate.empty()) return usual;
+    const double rate = outline.rate.empty() ? p.protrusion.initiation_rate : outline.rate[i];
+    return event_probability((outline.propensity.empty() ? 1.0 : outline.propensity[i]) * rate, dt);
   };
   std::vector<int> of_particle = membership(cell, p).of_particle;
   for (std::size_t i = 0; i < cell.cortex.size(); ++i) {
@@ -58,12 +59,15 @@ void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, dou
   }
 }
 
-/// The particle that a uniform draw falls on, each with the weight of front or rear times its propensity.
+/// How likely a particle is a candidate, front or rear.
+double likelihood(const Outline& outline, std::size_t i) {
+  return (outline.propensity.empty() ? 1.0 : outline.propensity[i]) * (outline.rate.empty() ? 1.0 : outline.rate[i]);
+}
+
+/// The particle that a uniform draw falls on, each with the weight of front or rear times its likelihood.
 std::size_t candidate(const Outline& outline, double rear_share, double draw) {
   const std::span<const std::uint8_t> of_front = outline.of_front;
-  const auto weight = [&](std::size_t i) {
-    return (of_front[i] ? 1.0 : rear_share) * (outline.propensity.empty() ? 1.0 : outline.propensity[i]);
-  };
+  const auto weight = [&](std::size_t i) { return (of_front[i] ? 1.0 : rear_share) * likelihood(outline, i); };
   double sum = 0.0;
   for (std::size_t i = 0; i < of_front.size(); ++i) sum += weight(i);
   double left = draw * sum;
@@ -83,7 +87,7 @@ void keep_up_number(Cell& cell, const Instant& now, const Parameters& p, double 
     if (cell.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
     const double draw = uniform(p.run.seed, Purpose::initiation, n, 0, cell.id);
     const std::size_t i = candidate(outline, p.protrusion.rear_share, draw);
-    if (!outline.propensity.empty() && outline.propensity[i] <= 0.0) continue; // of all particles
+    if (likelihood(outline, i) <= 0.0) continue; // of all particles
     if (may_begin(cell.cortex, i, membership(cell, p).of_particle, outline, p.protrusion))
       begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
   }

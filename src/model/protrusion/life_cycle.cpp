@@ -21,6 +21,7 @@ struct Table {
   const Circumstances& now;
   const Parameters& p;
   double dt;
+  const Laws& laws;
 
   Contracting contracting(const Maturing& phase) const {
     const double f_mat = final_f_mat(phase.steps, phase.last_step, now.force, p);
@@ -56,7 +57,7 @@ struct Table {
     const Finishing finishing{phase.f_mat};
     if (lost()) return to(finishing, EndCause::lost);
     if (phase.bundle <= 0.0 && ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
-    const double rate = disassembly_rate(now.force, phase.f_mat, p.adhesion);
+    const double rate = disassembly_rate(now.force, phase.f_mat, now.age, p.adhesion, laws.disassembly_rate);
     if (now.draw < event_probability(rate, dt)) return to(finishing, EndCause::disassembly);
     const Contracting next = handed_over(phase, now.force, p, dt);
     if (next.bundle == phase.bundle && next.falling == phase.falling) return {};
@@ -100,8 +101,8 @@ void record(Protrusion& protrusion, const Transition& change, const Circumstance
 
 } // namespace
 
-Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt) {
-  return std::visit(Table{now, p, dt}, phase);
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt, const Laws& laws) {
+  return std::visit(Table{now, p, dt, laws}, phase);
 }
 
 Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
@@ -126,11 +127,12 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
   return found;
 }
 
-void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt) {
+void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+                        const Laws& laws) {
   std::vector<Protrusion> alive;
   for (Protrusion& protrusion : cell.protrusions) {
     const Circumstances found = circumstances(cell, protrusion, ecm, now, p, dt);
-    const Transition change = transition(protrusion.phase, found, p, dt);
+    const Transition change = transition(protrusion.phase, found, p, dt, laws);
     if (!change.changes) {
       alive.push_back(protrusion);
       continue;

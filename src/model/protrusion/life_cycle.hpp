@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parameters/laws.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 
@@ -39,7 +40,8 @@ struct Transition {
 ///   Contracting  draw < 1 - exp(-r_off dt)           -> Finishing (disassembly)
 ///   Contracting  load above that of the handover     -> Contracting, with a weaker bundle
 ///   Finishing    age >= T_finish                     -> free
-Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt);
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt,
+                      const Laws& laws = paper_laws());
 
 /// Circumstances of a protrusion of a cell after a step of dt, with its draw.   @param now  the end of the step
 Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
@@ -47,6 +49,7 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
 
 /// Lets every protrusion of a cell make its transition; those that end move to cell.ended. Rest lengths become the
 /// lengths at the end of growth and of maturation.   @param now  the end of the step of dt
-void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt);
+void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+                        const Laws& laws = paper_laws());
 
 } // namespace matrigrate

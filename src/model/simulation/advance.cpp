@@ -46,7 +46,7 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
   advance_attractant(s, p, dt, w);
   degrade_around_cells(s, p, dt, w);
   for (std::size_t k = 0; k < s.cells.size(); ++k)
-    advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, propensity_of(k, w));
+    advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws, propensity_of(k, w));
   require_inside(s, p);
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);

@@ -57,9 +57,10 @@ void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, do
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
   add_elastic_contact(s.ecm, c, p, shape.nearby, dt, first, w.force, w.drag);
-  add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag);
+  add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag, w.laws.curvature_factor);
   const Vec2 inner = sum(forces);
-  add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force);
+  add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force, s.t,
+             w.laws.growth_force);
   add_base_ties(cell, p.protrusion, p.cell.spring_stiffness, dt, first, w.force, w.drag);
   add_maturation(cell, p, dt, first, w.force, w.drag);
   w.outer_force += sum(forces) - inner;

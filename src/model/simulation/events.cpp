@@ -52,7 +52,7 @@ void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w
     const CellShape& shape = w.cells[k];
     std::vector<std::uint8_t> of_front;
     if (p.degradation.rear_share != 1.0) of_front = front_of(s.cells[k]);
-    degrade(s.ecm, p, shape.nearby, {shape.membership.on_protrusion, of_front}, tips_of(s.cells[k], p, dt), dt);
+    degrade(s.ecm, p, shape.nearby, {shape.membership.on_protrusion, of_front}, tips_of(s.cells[k], p, dt), dt, w.laws);
     w.health.engulfed += fluidize_engulfed(s.ecm, p, shape.nearby);
   }
 }
@@ -62,15 +62,17 @@ void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w) 
 }
 
 void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
-                         std::span<const double> given) {
+                         const Laws& laws, std::span<const double> given) {
   const Vec2 centre = centre_of_mass(cell.cortex);
   const std::vector<Vec2> n = normals(cell.cortex);
   deflect(cell, ecm, p, dt, n, [&](const Vec2& point) { return contains(cell.cortex, point); });
-  update_protrusions(cell, ecm, now, p, dt);
-  polarize(cell, p.polarization, centre, dt);
+  update_protrusions(cell, ecm, now, p, dt, laws);
+  polarize(cell, p.polarization, centre, dt, laws.polarization_rate);
   const std::vector<std::uint8_t> of_front = front_of(cell);
-  const std::vector<double> propensity_with_cues = product(propensity(cell, ecm, p), given);
-  initiate(cell, now, p, dt, {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), propensity_with_cues});
+  const std::vector<double> propensity_with_cues = product(propensity(cell, ecm, p, laws.initiation_bias), given);
+  const std::vector<double> rate = along_cortex(laws.initiation_rate, cell, ecm, p);
+  initiate(cell, now, p, dt,
+           {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), propensity_with_cues, rate});
   ratchet_rest_lengths(cell.cortex, p.cell, membership(cell, p).soft);
 }
 

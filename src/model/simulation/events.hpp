@@ -22,7 +22,7 @@ void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w);
 /// @param given  factor on the initiation of each particle of the cortex from outside (Workspace::propensity); empty: 1
 ///               for all [-]
 void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
-                         std::span<const double> given = {});
+                         const Laws& laws, std::span<const double> given = {});
 
 /// @throws NumericalFailure if a cell is too near the rim of the matrix (MODEL.md, I22)
 void require_inside(const State& s, const Parameters& p);

@@ -1,9 +1,13 @@
 #include "simulation/start_rules.hpp"
 
+#include "base/failure.hpp"
 #include "ecm/bonds.hpp"
+#include "ecm/law/fibre_table.hpp"
+#include "parameters/law.hpp"
 #include "simulation/start_fields.hpp"
 #include "simulation/step_limits.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +33,52 @@ std::vector<Rule> of_possible_lattices(std::vector<Rule> all) {
   return all;
 }
 
-/// The rules, and one for each field: its values are allowed.
-std::vector<Rule> with_fields(std::vector<Rule> rules) {
+/// What the values of a law may depend on.
+std::vector<std::string_view> keys_of_law(const Row& law) {
+  std::vector<std::string_view> keys{law.path, "laws.constants"};
+  for (const Row& row : schema())
+    if (!row.symbol.empty()) keys.push_back(row.path);
+  return keys;
+}
+
+std::string fault_of_fibre_table(const Parameters& p) {
+  const Row& law = *find_row("laws.fibre_stiffness");
+  if (!fault_of_constants(p).empty() || !fault_of_law(p, law).empty() || !fault_of_law_values(p, law).empty())
+    return {}; // said already
+  try {
+    (void)fibre_table(p);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  } catch (const NumericalFailure& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool has_bad_fibres(const Parameters& p) {
+  const Row& law = *find_row("laws.fibre_stiffness");
+  return is_changed(law, p)
+         && (!fault_of_constants(p).empty() || !fault_of_law(p, law).empty() || !fault_of_law_values(p, law).empty()
+             || !fault_of_fibre_table(p).empty());
+}
+
+/// One for each law: its values are allowed.
+std::vector<Rule> of_laws() {
+  std::vector<Rule> rules;
+  for (const Row& law : law_rows())
+    if (kind(law) == Kind::law)
+      rules.push_back({"the values of a law are allowed", keys_of_law(law),
+                       [&law](const Parameters& p) { return fault_of_law_values(p, law); },
+                       [&law](const Parameters& p) { return is_changed(law, p); }});
+  const Row& fibres = *find_row("laws.fibre_stiffness");
+  rules.push_back({"the law of fibres can be tabulated", keys_of_law(fibres), fault_of_fibre_table,
+                   [&fibres](const Parameters& p) { return is_changed(fibres, p); }});
+  return rules;
+}
+
+/// The rules, and one for each field and law: its values are allowed.
+std::vector<Rule> with_fields_and_laws(std::vector<Rule> rules) {
+  for (const Rule& rule : of_laws()) rules.push_back(rule);
   for (const Row& row : schema())
     if (kind(row) == Kind::field)
       rules.push_back({"the values of a field are allowed", {row.path}, [&row](const Parameters& p) {
@@ -41,15 +89,20 @@ std::vector<Rule> with_fields(std::vector<Rule> rules) {
 
 } // namespace
 
+std::span<const Rule> law_rules() {
+  static const std::vector<Rule> all = of_possible_lattices(of_laws());
+  return all;
+}
+
 std::span<const Rule> start_rules() {
-  static const std::vector<Rule> all = of_possible_lattices(with_fields({
+  static const std::vector<Rule> all = of_possible_lattices(with_fields_and_laws({
       {"the step is stable",
        {"run.time_step", "run.integrator", "ecm.youngs_modulus", "ecm.fields.youngs_modulus", "ecm.poissons_ratio",
         "ecm.viscosity", "fibres.stiffness", "fibres.field.stiffness", "fibres.arrangement", "fibres.direction_deg",
         "fibres.half_angle_deg", "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice", "ecm.hourglass_weight",
-        "ecm.thickness"},
+        "ecm.thickness", "laws.fibre_stiffness", "laws.constants"},
        [](const Parameters& p) {
-         if (!fault_of_fields(p).empty()) return std::string(); // said below
+         if (!fault_of_fields(p).empty() || has_bad_fibres(p)) return std::string(); // said below
          const Parameters stiffest = as_stiff_everywhere(p);
          return fault_of_step(stiffest, step_limits(stiffest));
        }},

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -40,9 +41,11 @@ std::vector<Spring> springs(const Parameters& p, const std::vector<Vec2>& patch)
   const Kernel kernel(p.ecm.smoothing_length);
   double sum = 0.0;
   for (const Vec2& X : patch) sum += kernel.W(X.norm());
+  const std::shared_ptr<const FibreTable> table = fibre_table(p);
+  const double at_rest = table == nullptr ? fibre_stiffness(0.0, p.fibres) : p.fibres.stiffness * table->at_rest();
   for (const Vec2& X : patch)
     if (X.squaredNorm() > 0.0 && joined(X, p.fibres))
-      all.push_back({X, p.ecm.thickness * kernel.W(X.norm()) / sum * fibre_stiffness(0.0, p.fibres)});
+      all.push_back({X, p.ecm.thickness * kernel.W(X.norm()) / sum * at_rest});
   return all;
 }
 

@@ -27,7 +27,7 @@ std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
 
 FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Reference& reference) {
   if (p.fibres.arrangement == FibreArrangement::none) return {};
-  return {ecm, p.ecm, p.fibres, reference};
+  return {ecm, p.ecm, p.fibres, reference, fibre_table(p)};
 }
 
 std::optional<Diffusion> make_diffusion(const EcmState& ecm, const Parameters& p) {
@@ -38,7 +38,7 @@ std::optional<Diffusion> make_diffusion(const EcmState& ecm, const Parameters& p
 } // namespace
 
 Workspace::Workspace(const State& s, const Parameters& p)
-    : reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
+    : laws(p), reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
       neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p, p.run.time_step)), p.ecm.verlet_skin),
       drag_cache(s.ecm, p.ecm), diffusion(make_diffusion(s.ecm, p)), limits(step_limits(p, s.ecm)),
       solver(make_solver(s, p)) {}

@@ -7,6 +7,7 @@
 #include "ecm/loop/fibres.hpp"
 #include "ecm/loop/stress.hpp"
 #include "ecm/reference.hpp"
+#include "parameters/laws.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
 #include "simulation/step_limits.hpp"
@@ -46,6 +47,7 @@ struct Workspace {
   /// For steps of at most run.time_step.
   Workspace(const State& s, const Parameters& p);
 
+  Laws laws;
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;

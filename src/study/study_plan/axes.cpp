@@ -11,11 +11,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A swept value: the number in the unit of its row, the word, or the formula or file of a field.
+/// A swept value: the number in the unit of its row, the word, or the formula or file of a field or law.
 Json value_of(const Row& row, const Parameters& p) {
   std::string text = value_text(row, p);
   std::erase(text, '"');
-  if (kind(row) == Kind::field) return text.empty() ? "none" : text;
+  const Kind of = kind(row);
+  if (of == Kind::field || of == Kind::law || of == Kind::constants) return text.empty() ? "none" : text;
   if (kind(row) == Kind::choice || kind(row) == Kind::boolean) return text;
   const units::Quantity q = units::parse_quantity(text);
   if (kind(row) != Kind::quantity) return std::stod(q.number);

@@ -78,7 +78,7 @@ std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionD
       const std::vector<Setting>& settings = conditions[c].condition.settings;
       draft.point.settings.insert(draft.point.settings.begin(), settings.begin(), settings.end());
       for (const Named& named : conditions[c].parameters) {
-        assign(*named.row, given_by(*named.node), draft.point.parameters);
+        assign(*named.row, given_for(*named.row, *named.node), draft.point.parameters);
         draft.settings.emplace_back(named.row->path, place_of(*named.node));
       }
     }

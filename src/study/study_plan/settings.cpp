@@ -96,7 +96,7 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
 }
 
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
-  const std::string fault = assign(row, given_by(node), p);
+  const std::string fault = assign(row, given_for(row, node), p);
   if (!fault.empty()) {
     faults.add(place_of(node), row.path, fault);
     return std::nullopt;
@@ -107,7 +107,8 @@ std::optional<Setting> assigned(const Row& row, const toml::node& node, Paramete
 void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
                       FaultList& faults) {
   for (const Rule& rule : rules()) blame(rule, rule.broken(p), places, faults);
-  for (const Rule& rule : m_more) blame(rule, found(rule, p), places, faults);
+  for (const Rule& rule : m_more)
+    if (!rule.matters || rule.matters(p)) blame(rule, found(rule, p), places, faults);
 }
 
 const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {

@@ -99,7 +99,7 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
     for (const ValueList& axis : all) {
       block /= axis.nodes.size();
       const std::size_t k = i / block % axis.nodes.size();
-      assign(*axis.row, given_by(*axis.nodes[k]), draft.point.parameters);
+      assign(*axis.row, given_for(*axis.row, *axis.nodes[k]), draft.point.parameters);
       draft.point.settings.push_back(axis.settings[k]);
       draft.settings.emplace_back(axis.row->path, place_of(*axis.nodes[k]));
     }

@@ -10,6 +10,16 @@
 
 using namespace matrigrate;
 
+TEST(Degradation, FollowsALawOfTheUsers) {
+  Parameters p;
+  p.laws.degradation_body = "0.1*f + p/1000";
+  p.laws.degradation_protrusion = "0.3";
+  const Laws laws(p);
+  EXPECT_NEAR(degradation_rate(1.5, false, 0.05, p, 1.0, 0.5, laws), 0.05 + 0.05, 1e-12) << "50 Pa";
+  EXPECT_EQ(degradation_rate(1.9, false, 0.05, p, 1.0, 0.5, laws), 0.0) << "out of reach";
+  EXPECT_EQ(degradation_rate(1.3, true, 0.0, p, 1.0, 0.5, laws), 0.3);
+}
+
 TEST(DegradationRate, HasItsReachOnProtrusionAndBody) {
   const Parameters p;
   const double high = 1.0; // [kPa]

@@ -114,6 +114,38 @@ TEST(Haptotaxis, FeelsLigandOnSolidAlone) {
   for (const double a : propensity(s.cell, s.ecm, s.p)) EXPECT_NEAR(a, 1.0, 1e-12);
 }
 
+// A bias as a formula is the exponent in other words, up to rounding.
+TEST(Bias, SaysChemotaxisHaptotaxisAndGuidance) {
+  Scene s;
+  for (const Vec2& X : s.ecm.X) {
+    s.ecm.attractant.push_back(std::exp(X.x() / 30.0));
+    s.ecm.ligand.push_back(1.0 + X.y() / 100.0);
+  }
+  s.p.fibres.direction_deg = 30.0;
+  Parameters by_exponents = s.p;
+  by_exponents.cues.chemotaxis = 8.0;
+  by_exponents.cues.haptotaxis = 2.0;
+  by_exponents.cues.guidance = 0.7;
+  const std::vector<double> expected = propensity(s.cell, s.ecm, by_exponents);
+  s.p.laws.initiation_bias = "exp(8*occupancy + 2*ligand + 0.7*alignment)";
+  const std::vector<double> factor = propensity(s.cell, s.ecm, s.p, Laws(s.p).initiation_bias);
+  ASSERT_EQ(factor.size(), expected.size());
+  for (std::size_t i = 0; i < factor.size(); ++i) EXPECT_NEAR(factor[i], expected[i], 1e-12 * expected[i]);
+}
+
+TEST(Bias, KnowsCurvatureAndTheAngleToThePolarization) {
+  Scene s;
+  s.p.laws.initiation_bias = "1 + cos(angle)";
+  s.cell.polarization = 1.0;
+  std::vector<double> factor = propensity(s.cell, s.ecm, s.p, Laws(s.p).initiation_bias);
+  EXPECT_NEAR(s.at(factor, 1.0), 2.0, 0.01);
+  EXPECT_NEAR(s.at(factor, 1.0 + pi), 0.0, 0.01);
+  s.p.laws.initiation_rate = "1e-3*kappa";
+  for (const double rate : along_cortex(Laws(s.p).initiation_rate, s.cell, s.ecm, s.p))
+    EXPECT_NEAR(rate, 1e-3 / s.p.cell.radius, 1e-6);
+  EXPECT_TRUE(along_cortex(Law(), s.cell, s.ecm, s.p).empty());
+}
+
 TEST(Ligand, IsWhatAdhesionsHoldOnTo) {
   Scene s;
   for (const Vec2& X : s.ecm.X) s.ecm.ligand.push_back(X.x() > 0.0 ? 1.0 : 0.0);

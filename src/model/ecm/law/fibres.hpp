@@ -41,9 +41,9 @@ inline double fibre_energy(double strain, const FibreParameters& p) {
 }
 
 /// Pull of particle j on i over t_z f_i f_j, Eq. (3), along x_ij [nN/um].
-/// @param weight  w_ij [-]
-inline Vec2 fibre_pull(double strain, const Vec2& x_ij, double weight, const FibreParameters& p) {
-  return -weight * fibre_tension(strain, p) / (1.0 + strain) * x_ij;
+/// @param tension  fibre_tension() [kPa]   @param weight  w_ij [-]
+inline Vec2 fibre_pull(double tension, double strain, const Vec2& x_ij, double weight) {
+  return -weight * tension / (1.0 + strain) * x_ij;
 }
 
 } // namespace matrigrate

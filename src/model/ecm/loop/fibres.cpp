@@ -45,7 +45,8 @@ double fibre_direction(const EcmState& ecm, const FibreParameters& p, std::size_
 }
 
 FibreNetwork::FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
-                           const Reference& ref) {
+                           const Reference& ref, std::shared_ptr<const FibreTable> table)
+    : m_table(std::move(table)) {
   const Kernel kernel(p.smoothing_length);
   const Adjacency& all = ref.pairs();
   std::vector<double> sum(ecm.size(), kernel.W(0.0));
@@ -89,6 +90,8 @@ void add_coupling(DragSystem& A, const EcmState& ecm, std::size_t i, std::uint32
 void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
                       const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A) {
   if (network.empty()) return;
+  const FibreLaw law = network.law(fibres);
+  const bool only_pulls = !law.pushes();
   parallel_for(ecm.size(), [&](std::size_t i) {
     if (ecm.f[i] <= 0.0) return;
     const Vec2 u_i = ecm.displacement(i);
@@ -97,35 +100,36 @@ void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibrePa
       const std::uint32_t j = network.pairs().index[k];
       const Vec2 x_ij = network.X_ij(k) + u_i - ecm.displacement(j);
       const double length = network.length(k);
-      if (x_ij.squaredNorm() <= length * length || ecm.f[j] <= 0.0) continue; // slack
+      if ((only_pulls && x_ij.squaredNorm() <= length * length) || ecm.f[j] <= 0.0) continue; // slack
       const Stretched s{x_ij.norm() / length - 1.0, x_ij};
-      sum += ecm.f[j] * fibre_pull(s.strain, s.x_ij, network.weight(k), fibres);
-      if (s.strain <= fibres.onset || ecm.clamped[i]) continue;
-      const double excess = fibre_stiffness(s.strain, fibres) - fibres.stiffness;
-      add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * excess);
+      sum += ecm.f[j] * fibre_pull(law.tension(s.strain), s.strain, s.x_ij, network.weight(k));
+      if (!law.stiffens(s.strain) || ecm.clamped[i]) continue;
+      add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * law.excess(s.strain));
     }
     force[i] += p.thickness * ecm.f[i] * sum;
   });
 }
 
 double fibre_energy(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network) {
+  const FibreLaw law = network.law(fibres);
   return ordered_sum(ecm.size(), 0.0, [&](std::size_t i) {
     double sum = 0.0;
     for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
       const double length = network.length(k);
       sum += 0.5 * ecm.f[i] * ecm.f[network.pairs().index[k]] * network.weight(k) * length * length
-             * fibre_energy(stretched(ecm, network, i, k).strain, fibres);
+             * law.energy(stretched(ecm, network, i, k).strain);
     }
     return sum;
   });
 }
 
 Mat2 fibre_stress(const EcmState& ecm, const FibreParameters& fibres, const FibreNetwork& network, std::size_t i) {
+  const FibreLaw law = network.law(fibres);
   Mat2 sum = Mat2::Zero();
   for (std::uint32_t k = network.pairs().first[i]; k < network.pairs().first[i + 1]; ++k) {
     const Stretched s = stretched(ecm, network, i, k);
     const double f = ecm.f[i] * ecm.f[network.pairs().index[k]];
-    sum += f * network.weight(k) * fibre_tension(s.strain, fibres) / (1.0 + s.strain) * s.x_ij * s.x_ij.transpose();
+    sum += f * network.weight(k) * law.tension(s.strain) / (1.0 + s.strain) * s.x_ij * s.x_ij.transpose();
   }
   return ecm.rho[i] / (2.0 * ecm.V0) * sum;
 }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include "ecm/law/fibre_table.hpp"
 #include "ecm/law/fibres.hpp"
 #include "ecm/reference.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "state/ecm.hpp"
 
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// Strain-stiffening fibres of the matrix: springs between reference neighbours, Heck et al. 2020, Eqs. (3)-(5), and
@@ -30,9 +33,12 @@ class FibreNetwork {
 public:
   FibreNetwork() = default; ///< no fibres
 
-  FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres, const Reference& ref);
+  /// @param table  of a law that a user gives; null: that of the paper
+  FibreNetwork(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres, const Reference& ref,
+               std::shared_ptr<const FibreTable> table = nullptr);
 
   bool empty() const { return m_pairs.index.empty(); }
+  FibreLaw law(const FibreParameters& p) const { return {p, m_table.get()}; }
   const Adjacency& pairs() const { return m_pairs; }
   const Vec2& X_ij(std::uint32_t k) const { return m_X_ij[k]; } ///< of entry k of pairs() [um]
   double length(std::uint32_t k) const { return m_length[k]; }  ///< |X_ij| [um]
@@ -42,12 +48,13 @@ private:
   Adjacency m_pairs;
   std::vector<Vec2> m_X_ij;
   std::vector<double> m_length, m_weight;
+  std::shared_ptr<const FibreTable> m_table;
 };
 
 /// Adds the forces of the fibres [nN]. On particle i
 ///   -t_z sum_j f_i f_j w_ij T(eps_ij) |X_ij| n,   eps_ij = |x_ij|/|X_ij| - 1,
-/// with n = x_ij/|x_ij| (axial), or (x_ij - X_ij)/(eps_ij |X_ij|) (vectorial). The slope in excess of k_0 also
-/// enters the drag, times dt, so that stiffening does not reduce the stable step.
+/// with n = x_ij/|x_ij|. The slope in excess of that at rest (k_0) also enters the drag, times dt, so that stiffening
+/// does not reduce the stable step.
 /// @param force  of all nodes   @param A  the drag system after assemble_viscosity(); rows that change are marked there
 void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibreParameters& fibres,
                       const FibreNetwork& network, double dt, std::span<Vec2> force, DragSystem& A);

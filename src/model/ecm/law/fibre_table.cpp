@@ -1,0 +1,166 @@
+#include "ecm/law/fibre_table.hpp"
+
+#include "parameters/law.hpp"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr double tolerance = 1e-11;
+constexpr double shortest = 1e-12;
+constexpr std::size_t most_pieces = 20'000;
+constexpr std::size_t intervals = 2048;
+constexpr int n = 6;
+
+using Values = Eigen::Matrix<double, n, 1>;
+using Square = Eigen::Matrix<double, n, n>;
+
+/// Where a polynomial is that of the law: within the piece, so that a jump at its end does no harm.
+double node(int k) { return -std::cos(std::numbers::pi * (k + 0.5) / n); }
+
+/// From values at the nodes to coefficients.
+const Square& to_coefficients() {
+  static const Square inverse = [] {
+    Square powers;
+    for (int row = 0; row < n; ++row)
+      for (int k = 0; k < n; ++k) powers(row, k) = std::pow(node(row), k);
+    return Square(powers.inverse());
+  }();
+  return inverse;
+}
+
+template <class Coefficients>
+double polynomial(const Coefficients& c, double u) {
+  double sum = 0.0;
+  for (int k = n; k-- > 0;) sum = sum * u + c[static_cast<std::size_t>(k)];
+  return sum;
+}
+
+} // namespace
+
+FibreTable::FibreTable(const std::function<double(double)>& stiffness, double low, double high)
+    : m_low(low), m_high(high) {
+  add(stiffness, low, 0.0);
+  add(stiffness, 0.0, high);
+  integrate();
+  m_first.resize(intervals + 1);
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    const double begin = low + (high - low) * static_cast<double>(k) / static_cast<double>(intervals);
+    const auto after = std::ranges::upper_bound(m_pieces, begin, {}, &Piece::begin);
+    m_first[k] = static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(1, after - m_pieces.begin()) - 1);
+  }
+  m_at_rest = this->stiffness(0.0);
+}
+
+void FibreTable::add(const std::function<double(double)>& stiffness, double begin, double end) {
+  if (m_pieces.size() >= most_pieces)
+    throw std::invalid_argument(
+        fmt::format("varies too quickly near eps = {:.6g} to be tabulated in {} pieces", begin, most_pieces));
+  Piece piece{.begin = begin, .half = 0.5 * (end - begin), .c = {}, .tension = 0.0, .energy = 0.0};
+  const auto law = [&](double u) { return stiffness(begin + piece.half * (1.0 + u)); };
+  Values at_nodes;
+  for (int k = 0; k < n; ++k) at_nodes(k) = law(node(k));
+  const Values c = to_coefficients() * at_nodes;
+  for (std::size_t k = 0; k < terms; ++k) piece.c[k] = c(static_cast<Eigen::Index>(k));
+  double scale = at_nodes.cwiseAbs().maxCoeff();
+  double error = 0.0;
+  for (const double u : {-0.9999, -0.83, -0.49, -0.11, 0.13, 0.47, 0.81, 0.9999}) {
+    const double value = law(u);
+    scale = std::max(scale, std::abs(value));
+    error = std::max(error, std::abs(polynomial(piece.c, u) - value));
+  }
+  if (error > tolerance * scale && end - begin > shortest) {
+    const double middle = begin + piece.half;
+    add(stiffness, begin, middle);
+    add(stiffness, middle, end);
+    return;
+  }
+  if (begin < 0.0 && scale > 0.0) m_pushes = true;
+  m_pieces.push_back(piece);
+}
+
+double FibreTable::tension_on(const Piece& piece, double u) {
+  double sum = 0.0, at_begin = 0.0;
+  for (std::size_t k = terms; k-- > 0;) {
+    const double c = piece.c[k] / static_cast<double>(k + 1);
+    sum = (sum + c) * u;
+    at_begin = -(at_begin + c);
+  }
+  return piece.tension + piece.half * (sum - at_begin);
+}
+
+double FibreTable::energy_on(const Piece& piece, double u) {
+  double sum = 0.0, at_begin = 0.0, slope = 0.0; // slope: of the integral of the stiffness at the beginning
+  for (std::size_t k = terms; k-- > 0;) {
+    const double c = piece.c[k] / static_cast<double>((k + 1) * (k + 2));
+    sum = (sum + c) * u;
+    at_begin = -(at_begin + c);
+    slope = -(slope + piece.c[k] / static_cast<double>(k + 1));
+  }
+  sum *= u;
+  at_begin = -at_begin;
+  return piece.energy + piece.half * (1.0 + u) * (piece.tension - piece.half * slope)
+         + piece.half * piece.half * (sum - at_begin);
+}
+
+void FibreTable::integrate() {
+  const auto zero = std::ranges::find(m_pieces, 0.0, &Piece::begin);
+  for (auto piece = zero; piece != m_pieces.end() && piece + 1 != m_pieces.end(); ++piece) {
+    (piece + 1)->tension = tension_on(*piece, 1.0);
+    (piece + 1)->energy = energy_on(*piece, 1.0);
+  }
+  double tension = 0.0, energy = 0.0; // at the end of the piece
+  for (auto piece = zero; piece-- != m_pieces.begin();) {
+    piece->tension = tension - tension_on(*piece, 1.0);
+    piece->energy = energy - energy_on(*piece, 1.0);
+    tension = piece->tension;
+    energy = piece->energy;
+  }
+}
+
+const FibreTable::Piece& FibreTable::piece(double strain) const {
+  if (!(strain >= m_low)) return m_pieces.front(); // not a number
+  const double share = (strain - m_low) / (m_high - m_low);
+  std::size_t k = m_first[static_cast<std::size_t>(share * static_cast<double>(intervals))];
+  while (k + 1 < m_pieces.size() && strain >= m_pieces[k + 1].begin) ++k;
+  while (k > 0 && strain < m_pieces[k].begin) --k; // rounding
+  return m_pieces[k];
+}
+
+double FibreTable::stiffness(double strain) const {
+  const double within = std::clamp(strain, m_low, m_high);
+  const Piece& found = piece(within);
+  return std::max(0.0, polynomial(found.c, (within - found.begin) / found.half - 1.0));
+}
+
+double FibreTable::tension(double strain) const {
+  const double within = std::clamp(strain, m_low, m_high);
+  const Piece& found = piece(within);
+  const double value = tension_on(found, (within - found.begin) / found.half - 1.0);
+  return strain == within ? value : value + (strain - within) * stiffness(within);
+}
+
+double FibreTable::energy(double strain) const {
+  const double within = std::clamp(strain, m_low, m_high);
+  const Piece& found = piece(within);
+  const double value = energy_on(found, (within - found.begin) / found.half - 1.0);
+  const double beyond = strain - within;
+  return beyond == 0.0 ? value : value + beyond * (tension(within) + 0.5 * beyond * stiffness(within));
+}
+
+std::shared_ptr<const FibreTable> fibre_table(const Parameters& p) {
+  const Law law("laws.fibre_stiffness", p);
+  if (!law.changed()) return nullptr;
+  const LawVariable& strain = law_variables(*find_row("laws.fibre_stiffness")).front();
+  return std::make_shared<const FibreTable>([&](double eps) { return law({eps}); }, strain.low, strain.high);
+}
+
+} // namespace matrigrate

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "ecm/law/fibres.hpp"
+#include "parameters/parameters.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+/// A law of fibres that a user gives as a formula (laws.fibre_stiffness), as a table that any thread may read.
+/// Test: tests/unit/ecm/fibre_table_test.cpp
+namespace matrigrate {
+
+/// Stiffness over k_0 as polynomials of degree 5 on pieces, halved until they differ from the law by less than 1e-11 of
+/// its largest value on the piece, or are shorter than 1e-12, as at a jump. Tension and energy are their integrals, so
+/// that each is the derivative of the next, exactly. Beyond both ends the stiffness stays.
+class FibreTable {
+public:
+  /// @param stiffness  over k_0, finite from `low` < 0 to `high` > 0
+  /// @throws std::invalid_argument if more than 20,000 pieces are needed
+  FibreTable(const std::function<double(double)>& stiffness, double low, double high);
+
+  double stiffness(double strain) const; ///< over k_0, >= 0 [-]
+  double tension(double strain) const;   ///< integral of stiffness() from 0 [-]
+  double energy(double strain) const;    ///< integral of tension() from 0 [-]
+
+  /// The stiffness that a fibre has as it begins to be stretched [-].
+  double at_rest() const { return m_at_rest; }
+
+  /// Whether a compressed fibre pushes.
+  bool pushes() const { return m_pushes; }
+
+  std::size_t size() const { return m_pieces.size(); }
+
+private:
+  static constexpr std::size_t terms = 6;
+
+  struct Piece {
+    double begin = 0.0;
+    double half = 0.0;             ///< half of its length
+    std::array<double, terms> c{}; ///< of the stiffness, in u from -1 to 1
+    double tension = 0.0;          ///< at its beginning
+    double energy = 0.0;           ///< at its beginning
+  };
+
+  void add(const std::function<double(double)>& stiffness, double begin, double end);
+  void integrate();
+  const Piece& piece(double strain) const;
+  static double tension_on(const Piece& piece, double u);
+  static double energy_on(const Piece& piece, double u);
+
+  double m_low, m_high;
+  std::vector<Piece> m_pieces;
+  std::vector<std::uint32_t> m_first; ///< of equal intervals: the piece that holds its beginning
+  double m_at_rest = 0.0;
+  bool m_pushes = false;
+};
+
+/// The table of a changed law; null for that of the paper.
+/// @throws std::invalid_argument if the law cannot be read or tabulated
+std::shared_ptr<const FibreTable> fibre_table(const Parameters& p);
+
+/// The law of one fibre: that of the paper, or a table.
+struct FibreLaw {
+  const FibreParameters& p;
+  const FibreTable* table = nullptr;
+
+  bool pushes() const { return table != nullptr && table->pushes(); }
+
+  /// Force of a fibre over w_ij |X_ij|, per depth [kPa].
+  double tension(double strain) const {
+    return table == nullptr ? fibre_tension(strain, p) : p.stiffness * table->tension(strain);
+  }
+
+  /// Energy of a fibre over w_ij |X_ij|^2, per depth [kPa].
+  double energy(double strain) const {
+    return table == nullptr ? fibre_energy(strain, p) : p.stiffness * table->energy(strain);
+  }
+
+  /// Whether the fibre is stiffer than as it begins to be stretched, and by how much [kPa].
+  bool stiffens(double strain) const {
+    return table == nullptr ? strain > p.onset : table->stiffness(strain) > table->at_rest();
+  }
+  double excess(double strain) const {
+    return table == nullptr ? fibre_stiffness(strain, p) - p.stiffness
+                            : p.stiffness * (table->stiffness(strain) - table->at_rest());
+  }
+};
+
+} // namespace matrigrate

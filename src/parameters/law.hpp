@@ -1,0 +1,82 @@
+#pragma once
+
+#include "fields/expression.hpp"
+#include "parameters/schema.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Laws of the model as formulas: what a text may contain, which values it may have, and the law itself. In formulas
+/// lengths are in um, times in s, forces in nN, stresses in Pa. Test: tests/unit/parameters/law_test.cpp
+namespace matrigrate {
+
+/// An argument of a law.
+struct LawVariable {
+  std::string_view name;
+  std::string_view unit; ///< empty of ratios
+  double low = 0.0;      ///< a law is judged between here
+  double high = 0.0;     ///< and here
+  double usual = 0.0;    ///< where a curve over another variable is drawn
+};
+
+/// The arguments of a row of kind law, in the order of Law::operator().
+std::span<const LawVariable> law_variables(const Row& law);
+
+/// What formulas may name besides the variables of their law: parameters by their symbol, "r_off,min" as r_off_min, and
+/// the user's constants.
+/// @throws std::invalid_argument saying what is wrong with laws.constants
+std::vector<fields::NamedNumber> law_names(const Parameters& p);
+
+/// A law of one set of parameters.
+class Law {
+public:
+  Law() = default; ///< that of the paper
+
+  /// @param path  "laws.curvature_factor"
+  /// @throws std::invalid_argument saying what is wrong with the text of the law, and where
+  Law(std::string_view path, const Parameters& p);
+
+  /// Whether it is another text than that of the paper, whose laws are functions of the model.
+  bool changed() const { return m_formula.has_value(); }
+
+  /// Whether a changed law depends on the variable.
+  bool uses(std::string_view variable) const;
+
+  /// Value of a changed law, in the unit of its row. Not to be called by several threads at once.
+  /// @param arguments  of all variables, in their order
+  /// @throws NumericalFailure if the value is not allowed
+  double operator()(std::initializer_list<double> arguments) const;
+
+private:
+  const Row* m_row = nullptr;
+  std::optional<fields::Expression> m_formula;
+};
+
+/// What is wrong with the names of laws.constants, or with the text of a law; empty if nothing is.
+std::string fault_of_constants(const Parameters& p);
+std::string fault_of_law(const Parameters& p, const Row& law);
+
+/// Where a changed law that can be read has a value that is not allowed, between the bounds of its variables: the
+/// arguments, and the place in the formula; empty if nowhere.
+std::string fault_of_law_values(const Parameters& p, const Row& law);
+
+/// The values of a law over one of its variables, the others at their usual values.
+struct LawCurve {
+  LawVariable over;
+  std::vector<double> x;
+  std::vector<double> paper;   ///< of the paper's law, with the parameters as they are
+  std::vector<double> changed; ///< not finite where it is so
+};
+
+/// @param points  >= 2
+LawCurve law_curve(const Parameters& p, const Row& law, std::size_t points);
+
+/// Whether a row of kind law is another text than that of the paper, and all such rows.
+bool is_changed(const Row& law, const Parameters& p);
+std::vector<const Row*> changed_laws(const Parameters& p);
+
+} // namespace matrigrate

@@ -1,0 +1,230 @@
+#include "parameters/law_values.hpp"
+
+#include "parameters/law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+namespace matrigrate {
+
+namespace {
+
+constexpr double most_points = 2e5; // of a grid; each takes 50 to 200 ns
+
+/// Part of a formula.
+struct Part {
+  std::size_t begin = 0;
+  std::size_t end = 0; ///< one past its last character
+};
+
+bool of_word(char c) { return c == '_' || c == '.' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// The matching parenthesis of one that opens, or npos.
+std::size_t closing(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t k = open; k < text.size(); ++k) {
+    if (text[k] == '(') ++depth;
+    if (text[k] == ')' && --depth == 0) return k;
+  }
+  return std::string_view::npos;
+}
+
+/// The matching parenthesis of one that closes, or npos.
+std::size_t opening(std::string_view text, std::size_t close) {
+  int depth = 0;
+  for (std::size_t k = close + 1; k-- > 0;) {
+    if (text[k] == ')') ++depth;
+    if (text[k] == '(' && --depth == 0) return k;
+  }
+  return std::string_view::npos;
+}
+
+/// Where the number, name, call or parenthesis that begins at k ends.
+std::size_t end_of_operand(std::string_view text, std::size_t k) {
+  while (k < text.size() && text[k] == ' ') ++k;
+  while (k < text.size() && of_word(text[k])) ++k;
+  if (k < text.size() && text[k] == '(') {
+    const std::size_t close = closing(text, k);
+    if (close != std::string_view::npos) k = close + 1;
+  }
+  return k;
+}
+
+/// Where the one that ends before k begins.
+std::size_t begin_of_operand(std::string_view text, std::size_t k) {
+  while (k > 0 && text[k - 1] == ' ') --k;
+  if (k > 0 && text[k - 1] == ')') {
+    const std::size_t open = opening(text, k - 1);
+    if (open != std::string_view::npos) k = open;
+  }
+  while (k > 0 && of_word(text[k - 1])) --k;
+  return k;
+}
+
+/// Calls, parentheses, and quotients of two operands, the shortest first.
+std::vector<Part> parts_of(std::string_view text) {
+  std::vector<Part> parts;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '(') {
+      const std::size_t close = closing(text, k);
+      std::size_t begin = k;
+      while (begin > 0 && of_word(text[begin - 1])) --begin;
+      if (close != std::string_view::npos) parts.push_back({begin, close + 1});
+    }
+    if (text[k] == '/') parts.push_back({begin_of_operand(text, k), end_of_operand(text, k + 1)});
+  }
+  std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.end - part.begin; });
+  return parts;
+}
+
+/// ": 1/kappa, at character 5, is infinite": the shortest part of a formula that is not finite; empty if there is none.
+std::string place_of_fault(const Row& law, const Parameters& p, const std::string& text,
+                           std::span<const double> arguments) {
+  for (const Part& part : parts_of(text)) {
+    const std::string piece = text.substr(part.begin, part.end - part.begin);
+    try {
+      const double value = law_formula(law, p, piece).at(arguments);
+      if (!std::isfinite(value))
+        return fmt::format(": {}, at character {}, is {}", piece, part.begin + 1,
+                           std::isnan(value) ? "not a number" : "infinite");
+    } catch (const std::invalid_argument&) { // no formula of its own
+    }
+  }
+  return {};
+}
+
+/// The numbers of a formula: those written out, and those with a name.
+std::vector<double> numbers_in(const std::string& text, std::span<const fields::NamedNumber> names) {
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < text.size();) {
+    const bool number = std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+    if (!number && !of_word(text[k])) {
+      ++k;
+      continue;
+    }
+    char* end = nullptr;
+    if (number) {
+      numbers.push_back(std::strtod(text.c_str() + k, &end));
+      k = static_cast<std::size_t>(end - text.c_str());
+      continue;
+    }
+    std::size_t last = k;
+    while (last < text.size() && of_word(text[last])) ++last;
+    const auto named = std::ranges::find(names, text.substr(k, last - k), &fields::NamedNumber::name);
+    if (named != names.end()) numbers.push_back(named->value);
+    k = last;
+  }
+  return numbers;
+}
+
+/// Where a law is judged over one variable: evenly from bound to bound, at its usual value, and at the numbers of the
+/// formula, where poles and jumps may be.
+std::vector<double> axis(const LawVariable& variable, std::size_t points, const std::vector<double>& numbers) {
+  std::vector<double> all{variable.usual};
+  for (std::size_t k = 0; k < points; ++k)
+    all.push_back(variable.low
+                  + (variable.high - variable.low) * static_cast<double>(k) / static_cast<double>(points - 1));
+  for (const double number : numbers)
+    for (const double at : {number, -number})
+      if (at >= variable.low && at <= variable.high) all.push_back(at);
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
+}
+
+/// Where cells usually are: a law is drawn there.
+struct Stretch {
+  std::string_view name;
+  double low;
+  double high;
+};
+
+constexpr std::array drawn{Stretch{"F", 0.0, 1.5},      Stretch{"kappa", -1.0, 1.0}, Stretch{"eps", -0.1, 0.3},
+                           Stretch{"A", 0.5, 3.0},      Stretch{"l", 0.0, 40.0},     Stretch{"t", 0.0, 3600.0},
+                           Stretch{"p", -100.0, 500.0}, Stretch{"ligand", 0.0, 2.0}};
+
+LawVariable as_drawn(LawVariable variable) {
+  const auto found = std::ranges::find(drawn, variable.name, &Stretch::name);
+  if (found == drawn.end()) return variable;
+  variable.low = found->low;
+  variable.high = found->high;
+  return variable;
+}
+
+/// Calls visit(arguments) at all points of a grid until it returns false.
+template <class Visit>
+void over_grid(const std::vector<std::vector<double>>& axes, const Visit& visit) {
+  std::vector<std::size_t> at(axes.size(), 0);
+  std::vector<double> arguments(axes.size());
+  while (true) {
+    for (std::size_t k = 0; k < axes.size(); ++k) arguments[k] = axes[k][at[k]];
+    if (!visit(arguments)) return;
+    std::size_t k = 0;
+    while (k < axes.size() && ++at[k] == axes[k].size()) at[k++] = 0;
+    if (k == axes.size()) return;
+  }
+}
+
+} // namespace
+
+std::string fault_of_law_values(const Parameters& p, const Row& law) {
+  if (!is_changed(law, p) || !fault_of_constants(p).empty() || !fault_of_law(p, law).empty()) return {};
+  const std::string text = law_text(law, p);
+  const fields::Expression formula = law_formula(law, p, text);
+  const auto variables = law_variables(law);
+  std::vector<bool> used;
+  for (std::size_t k = 0; k < variables.size(); ++k) used.push_back(formula.uses(k));
+  const auto count = static_cast<double>(std::ranges::count(used, true));
+  const std::vector<double> numbers =
+      count > 2 ? std::vector<double>{}
+                : numbers_in(text, law_names(p)); // of more variables the grid would be too large
+  const auto points = 2 * static_cast<std::size_t>(0.4 * std::pow(most_points, 1.0 / std::max(1.0, count))) + 1;
+  std::vector<std::vector<double>> axes;
+  for (std::size_t k = 0; k < variables.size(); ++k)
+    axes.push_back(used[k] ? axis(variables[k], points, numbers) : std::vector<double>{variables[k].usual});
+  const auto excess = [&](double value) { return std::max(law.range.low - value, value - law.range.high); };
+  std::vector<double> worst; // its arguments
+  double most = 0.0;
+  over_grid(axes, [&](const std::vector<double>& arguments) {
+    const double value = formula.at(arguments);
+    if (!in_range(law, value) && (worst.empty() || !std::isfinite(value) || excess(value) > most)) {
+      worst = arguments;
+      most = excess(value);
+    }
+    return std::isfinite(value);
+  });
+  if (worst.empty()) return {};
+  const double value = formula.at(worst);
+  return fmt::format("{} at {}{}", law_fault(law, value), law_arguments(law, worst, used),
+                     std::isfinite(value) ? "" : place_of_fault(law, p, text, worst));
+}
+
+LawCurve law_curve(const Parameters& p, const Row& law, std::size_t points) {
+  const fields::Expression changed = law_formula(law, p, law_text(law, p));
+  const fields::Expression paper = law_formula(law, p, std::string(*law.before));
+  const auto variables = law_variables(law);
+  std::size_t over = 0; // the first variable that either depends on
+  while (over + 1 < variables.size() && !changed.uses(over) && !paper.uses(over)) ++over;
+  if (!changed.uses(over) && !paper.uses(over)) over = 0;
+  LawCurve curve{.over = as_drawn(variables[over]), .x = {}, .paper = {}, .changed = {}};
+  std::vector<double> arguments;
+  for (const LawVariable& variable : variables) arguments.push_back(variable.usual);
+  for (std::size_t k = 0; k < points; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(points - 1);
+    arguments[over] = curve.over.low + (curve.over.high - curve.over.low) * share;
+    curve.x.push_back(arguments[over]);
+    curve.paper.push_back(paper.at(arguments));
+    curve.changed.push_back(changed.at(arguments));
+  }
+  return curve;
+}
+
+} // namespace matrigrate

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "fields/expression.hpp"
+#include "parameters/schema.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+/// What the judgement of laws and the laws have in common. Test: tests/unit/parameters/law_test.cpp
+namespace matrigrate {
+
+/// The text of a row of kind law.
+std::string law_text(const Row& law, const Parameters& p);
+
+/// A text as a formula in the variables and names of a law.
+/// @throws std::invalid_argument saying what is wrong, where, and which name may be meant
+fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text);
+
+/// "F = 0.3 nN, f_mat = 0.5".   @param named  which variables are told
+std::string law_arguments(const Row& law, std::span<const double> arguments, const std::vector<bool>& named);
+
+/// "is -2 1/s; allowed is >= 0 and <= 1e+06 1/s; ...": what is wrong with a value, and what helps.
+std::string law_fault(const Row& law, double value);
+
+} // namespace matrigrate

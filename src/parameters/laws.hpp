@@ -1,0 +1,30 @@
+#pragma once
+
+#include "parameters/law.hpp"
+
+namespace matrigrate {
+
+/// The laws of a set of parameters, except that of the fibres, which has a table (ecm/law/fibre_table.hpp): derived
+/// from Parameters, one set for each Workspace, since a formula is evaluated by one thread at a time. Test:
+/// tests/unit/parameters/law_test.cpp, tests/physics/laws_test.cpp
+struct Laws {
+  Laws() = default; ///< those of the paper
+
+  /// @throws std::invalid_argument saying what cannot be read; rules() say it with its place
+  explicit Laws(const Parameters& p);
+
+  Law curvature_factor;
+  Law disassembly_rate;
+  Law growth_force;
+  Law initiation_rate;
+  Law initiation_bias;
+  Law polarization_rate;
+  Law degradation_tip;
+  Law degradation_protrusion;
+  Law degradation_body;
+};
+
+/// Those of the paper; any thread may use them.
+const Laws& paper_laws();
+
+} // namespace matrigrate

@@ -1,0 +1,97 @@
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace matrigrate {
+namespace {
+
+using json = nlohmann::json;
+
+/// Scenarios with laws of their own.
+class LawsOfScenarios : public Program {
+protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("cell.toml", "[run]\nduration = \"0.025 h\"\nintegrator = \"adaptive\"\n[ecm]\nradius = \"50 um\"\n"
+                       "[protrusion]\ninitiation_rate = \"0.01 1/s\"\ngrowth_time = \"20 s\"\n");
+  }
+  json record(const std::string& run) const { return json::parse(text_of(folder / run / "run.json")); }
+};
+
+TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
+  ASSERT_EQ(run("run cell.toml -o plain --quiet").code, 0);
+  const Ended ended = run("run cell.toml -o stalled --quiet --set 'laws.growth_force=max(0, 1 - l/l_s)' --set "
+                          "'laws.constants=l_s = 5 um'");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(record("plain").at("laws"), json::object());
+  EXPECT_EQ(record("stalled").at("laws"), (json{{"laws.growth_force", "max(0, 1 - l/l_s)"}}));
+  EXPECT_NE(record("stalled").at("configuration_hash"), record("plain").at("configuration_hash"));
+  EXPECT_NE(record("stalled").at("trajectory_hash"), record("plain").at("trajectory_hash"));
+  const std::string page = page_data("stalled/report.html");
+  EXPECT_TRUE(contains(page, "laws.growth_force")) << page.substr(0, 2000);
+  EXPECT_TRUE(contains(page, "over A from 0.5 to 3; in the paper"));
+  ASSERT_EQ(run("run stalled/scenario.resolved.toml -o again --quiet").code, 0);
+  EXPECT_EQ(record("again").at("trajectory_hash"), record("stalled").at("trajectory_hash"));
+  ASSERT_EQ(run("resume stalled --at '60 s' --hours 0.025 --seed 1 -o branch --quiet").code, 0);
+  EXPECT_EQ(record("branch").at("trajectory_hash"), record("stalled").at("trajectory_hash")) << "after a break";
+}
+
+TEST_F(LawsOfScenarios, AreDrawnBesideThoseOfThePaper) {
+  EXPECT_FALSE(contains(run("explain cell.toml").out, "in the paper"));
+  const Ended ended = run("explain cell.toml --set 'laws.polarization_rate=r_pol*min(1, 0.5/angle)'");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(contains(ended.out, "laws.polarization_rate = \"r_pol*min(1, 0.5/angle)\"\n")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "   0.0011 |***")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "angle = 0 ")) << ended.out;
+  const json found = json::parse(run("explain cell.toml --json --set 'laws.polarization_rate=2*r_pol'").out);
+  EXPECT_EQ(found.at("laws"), (json{{"laws.polarization_rate", "2*r_pol"}}));
+}
+
+TEST_F(LawsOfScenarios, AreRefusedBeforeAnythingIsWritten) {
+  const std::size_t before = entries();
+  for (const char* formula : {"1/angle", "r_pool", "-1", "r_pol = 2", "0,5", "((", "sqrt(1 - angle)"}) {
+    const std::string set = std::string(" --set 'laws.polarization_rate=") + formula + "'";
+    for (const char* verb : {"run cell.toml -o out --quiet", "check cell.toml", "explain cell.toml"}) {
+      const Ended ended = run(verb + set);
+      EXPECT_EQ(ended.code, 3) << verb << " " << formula << ended.out << ended.err;
+      EXPECT_TRUE(contains(ended.out + ended.err, "laws.polarization_rate")) << ended.out << ended.err;
+    }
+  }
+  EXPECT_EQ(entries(), before);
+}
+
+// Areas close to that of the round cell, between the points at which a law of three arguments is judged.
+TEST_F(LawsOfScenarios, StopTheRunAtAValueThatOnlyTheRunMeets) {
+  const Ended ended =
+      run("run cell.toml -o out --quiet --set 'laws.growth_force=abs(A - 1) < 0.02 && A != 1 + 0*l*t ? 1000 : 1'");
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_EQ(record("out").at("cause"), "law");
+  EXPECT_TRUE(contains(record("out").at("reason"), "laws.growth_force is 1000")) << record("out");
+}
+
+TEST_F(LawsOfScenarios, AreSweptByAStudy) {
+  write("laws.toml",
+        "title = \"Laws\"\nscenario = \"cell.toml\"\nreplicates = 1\n[set]\nrun.duration = \"20 s\"\n[sweep]\n"
+        "laws.curvature_factor = [\"exp(-0.5*((kappa - kappa_0)/kappa_w)^2)\", \"max(0, 1 - abs(kappa - "
+        "kappa_0)/kappa_w)\"]\nlaws.constants = [\"\", \"n = 2\"]\n");
+  const Ended ended = run("study run laws.toml --quiet");
+  ASSERT_EQ(ended.code, 0) << ended.err << ended.out;
+  const std::string table = text_of(folder / "laws-study/results.csv");
+  EXPECT_TRUE(contains(table, "max(0, 1 - abs(kappa - kappa_0)/kappa_w)")) << table;
+  const json axes = json::parse(page_data("laws-study/report.html")).at("axes");
+  EXPECT_EQ(axes.at(0).at("values").at(1), "max(0, 1 - abs(kappa - kappa_0)/kappa_w)") << axes;
+  EXPECT_EQ(axes.at(1).at("values"), (json{"none", "n = 2"})) << axes;
+  write("bad.toml",
+        "title = \"Laws\"\nscenario = \"cell.toml\"\nreplicates = 1\n[sweep]\nlaws.curvature_factor = [\"1\", "
+        "\"kapa\", \"kappa\"]\n");
+  const Ended bad = run("study run bad.toml");
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_TRUE(contains(bad.err, "there is no kapa; did you mean kappa?")) << bad.err;
+  EXPECT_FALSE(exists("bad-study"));
+}
+
+} // namespace
+} // namespace matrigrate

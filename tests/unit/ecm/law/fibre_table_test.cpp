@@ -1,0 +1,75 @@
+#include "ecm/law/fibre_table.hpp"
+
+#include "parameters/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace matrigrate;
+
+namespace {
+
+/// Eq. 5 in other words, so that it is tabulated.
+const std::vector<std::string> paper_in_other_words{
+    "laws.fibre_stiffness=eps < 0 ? 0 : (eps <= eps_s ? 1 : exp((eps - eps_s)/d_s))"};
+
+} // namespace
+
+// The error of the table, of the law's largest value and of the value itself.
+TEST(FibreTable, IsThePapersLawToNineDigits) {
+  for (const double d_s : {0.033, 0.01, 0.2}) {
+    Parameters p = apply_overrides({}, paper_in_other_words);
+    p.fibres.stiffening_strain = d_s;
+    const auto table = fibre_table(p);
+    ASSERT_NE(table, nullptr);
+    const FibreLaw law{p.fibres, table.get()};
+    const FibreLaw paper{p.fibres, nullptr};
+    EXPECT_LT(table->size(), 6000U);
+    for (double strain = -0.49; strain < 0.99; strain += 0.000373) {
+      const double T = paper.tension(strain);
+      EXPECT_NEAR(law.tension(strain), T, 1e-9 * T + 1e-15) << strain;
+      EXPECT_NEAR(law.energy(strain), paper.energy(strain), 1e-9 * paper.energy(strain) + 1e-15) << strain;
+      EXPECT_EQ(law.stiffens(strain), paper.stiffens(strain)) << strain;
+      if (!law.stiffens(strain)) continue;
+      EXPECT_NEAR(law.excess(strain), paper.excess(strain), 1e-9 * fibre_stiffness(strain, p.fibres)) << strain;
+    }
+    EXPECT_FALSE(law.pushes());
+    EXPECT_NEAR(table->at_rest(), 1.0, 1e-12);
+  }
+}
+
+TEST(FibreTable, IsNotThereForThePapersLaw) { EXPECT_EQ(fibre_table({}), nullptr); }
+
+TEST(FibreTable, IntegratesJumpsAndCompression) {
+  const FibreTable table([](double eps) { return eps < -0.1 ? 0.25 : eps < 0.1 ? 1.0 : 3.0; }, -0.5, 1.0);
+  EXPECT_TRUE(table.pushes());
+  EXPECT_NEAR(table.tension(0.3), 0.1 + 0.6, 1e-11);
+  EXPECT_NEAR(table.tension(-0.3), -0.1 - 0.05, 1e-11);
+  EXPECT_NEAR(table.energy(0.3), 0.005 + 0.02 + 0.5 * 3.0 * 0.04, 1e-11);
+  EXPECT_NEAR(table.energy(-0.3), 0.005 + 0.02 + 0.5 * 0.25 * 0.04, 1e-11);
+  EXPECT_EQ(table.tension(0.0), 0.0);
+  EXPECT_EQ(table.energy(0.0), 0.0);
+}
+
+TEST(FibreTable, IsTheDerivativeOfItsIntegrals) {
+  const FibreTable table([](double eps) { return 0.5 + std::sin(20.0 * eps) * std::sin(20.0 * eps); }, -0.5, 1.0);
+  constexpr double h = 1e-5;
+  for (const double strain : {-0.4, -0.2, -1e-3, 0.0, 1e-3, 0.1, 0.33, 0.7, 0.95}) {
+    EXPECT_NEAR((table.tension(strain + h) - table.tension(strain - h)) / (2 * h), table.stiffness(strain), 3e-8);
+    EXPECT_NEAR((table.energy(strain + h) - table.energy(strain - h)) / (2 * h), table.tension(strain), 1e-9);
+  }
+}
+
+TEST(FibreTable, GoesOnWithTheStiffnessOfItsEnds) {
+  const FibreTable table([](double eps) { return 1.0 + eps; }, -0.5, 1.0);
+  EXPECT_NEAR(table.tension(1.5), 1.5 + 2.0 * 0.5, 1e-12);
+  EXPECT_NEAR(table.energy(1.5), 0.5 + 1.0 / 6.0 + 0.5 * 1.5 + 0.5 * 2.0 * 0.25, 1e-12);
+  EXPECT_NEAR(table.tension(-0.8), -0.375 - 0.5 * 0.3, 1e-12);
+  EXPECT_TRUE(std::isfinite(table.tension(1e6)));
+}
+
+TEST(FibreTable, RefusesWhatVariesTooQuickly) {
+  EXPECT_THROW(FibreTable([](double eps) { return 1.0 + std::sin(1e7 * eps); }, -0.5, 1.0), std::invalid_argument);
+}
