@@ -3,7 +3,7 @@
 #include "base/file.hpp"
 #include "draw/particle_picture.hpp"
 #include "draw/text_plot.hpp"
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "run/run_record.hpp"

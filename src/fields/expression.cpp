@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::fields {
@@ -93,7 +94,10 @@ Expression::Expression(const std::string& text, std::span<const std::string_view
 }
 
 Expression::Expression(Expression&&) noexcept = default;
-Expression& Expression::operator=(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&& other) noexcept {
+  m_parser = std::move(other.m_parser);
+  return *this;
+}
 Expression::~Expression() = default;
 
 double Expression::at(std::span<const double> arguments) const {

@@ -35,7 +35,7 @@ public:
   Expression(const std::string& text, std::span<const std::string_view> variables,
              std::span<const NamedNumber> constants = {});
   Expression(Expression&&) noexcept;
-  Expression& operator=(Expression&&) noexcept;
+  Expression& operator=(Expression&& other) noexcept;
   ~Expression();
 
   /// Its value; NaN or infinite where the formula is so. Not to be called by several threads at once.

@@ -208,7 +208,7 @@ struct CueParameters {
   double guidance = 0.0;       ///< weight of the fibres' direction in the propensity of initiation [-]
 };
 
-/// Laws as formulas, at first those of the paper; parameters/law.hpp says what they may contain.
+/// Laws as formulas, at first those of the paper; parameters/laws/law.hpp says what they may contain.
 struct LawParameters {
   std::string fibre_stiffness = "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"; ///< over k_0, Eq. 5 [-]
   std::string curvature_factor = "exp(-0.5*((kappa - kappa_0)/kappa_w)^2)";                ///< f_curv of Eq. 6 [-]

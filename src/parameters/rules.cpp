@@ -1,6 +1,6 @@
 #include "parameters/rules.hpp"
 
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 
 #include <fmt/format.h>
 

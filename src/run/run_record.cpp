@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "base/time_text.hpp"
 #include "draw/text_plot.hpp"
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"

@@ -1,6 +1,8 @@
 // In place of src/fields/expression.cpp: muParser is not there in WebAssembly.
 #include "fields/expression.hpp"
 
+#include <utility>
+
 namespace matrigrate::fields {
 
 struct Expression::Parser {};
@@ -13,7 +15,10 @@ Expression::Expression(const std::string& text, std::span<const std::string_view
 }
 
 Expression::Expression(Expression&&) noexcept = default;
-Expression& Expression::operator=(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&& other) noexcept {
+  m_parser = std::move(other.m_parser);
+  return *this;
+}
 Expression::~Expression() = default;
 
 double Expression::at(std::span<const double> /*arguments*/) const { return 0.0; } // there is none to ask

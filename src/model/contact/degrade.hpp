@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/proximity.hpp"
-#include "parameters/laws.hpp"
+#include "parameters/laws/laws.hpp"
 #include "parameters/parameters.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "sph/interpolate.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/laws.hpp"
+#include "parameters/laws/laws.hpp"
 #include "parameters/parameters.hpp"
 #include "state/cell.hpp"
 

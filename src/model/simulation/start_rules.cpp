@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "ecm/bonds.hpp"
 #include "ecm/law/fibre_table.hpp"
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 #include "simulation/start_fields.hpp"
 #include "simulation/step_limits.hpp"
 

@@ -1,9 +1,9 @@
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
 #include "faults.hpp"
-#include "parameters/law_values.hpp"
-#include "parameters/laws.hpp"
+#include "parameters/laws/law_values.hpp"
+#include "parameters/laws/laws.hpp"
 #include "parameters/write.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "parameters/laws.hpp"
+#include "parameters/laws/laws.hpp"
 
 #include "cell/actomyosin.hpp"
 #include "contact/degrade.hpp"
 #include "ecm/law/fibres.hpp"
-#include "parameters/law_values.hpp"
+#include "parameters/laws/law_values.hpp"
 #include "parameters/read.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"

@@ -1,6 +1,6 @@
 #include "ecm/law/fibre_table.hpp"
 
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -44,6 +44,20 @@ double polynomial(const Coefficients& c, double u) {
   return sum;
 }
 
+template <class Coefficients>
+double once_integrated(const Coefficients& c, double u) {
+  double sum = 0.0;
+  for (std::size_t k = n; k-- > 0;) sum = (sum + c[k] / static_cast<double>(k + 1)) * u;
+  return sum;
+}
+
+template <class Coefficients>
+double twice_integrated(const Coefficients& c, double u) {
+  double sum = 0.0;
+  for (std::size_t k = n; k-- > 0;) sum = (sum + c[k] / static_cast<double>((k + 1) * (k + 2))) * u;
+  return sum * u;
+}
+
 } // namespace
 
 FibreTable::FibreTable(const std::function<double(double)>& stiffness, double low, double high)
@@ -84,31 +98,18 @@ void FibreTable::add(const std::function<double(double)>& stiffness, double begi
     return;
   }
   if (begin < 0.0 && scale > 0.0) m_pushes = true;
+  piece.once = once_integrated(piece.c, -1.0);
+  piece.twice = twice_integrated(piece.c, -1.0);
   m_pieces.push_back(piece);
 }
 
 double FibreTable::tension_on(const Piece& piece, double u) {
-  double sum = 0.0, at_begin = 0.0;
-  for (std::size_t k = terms; k-- > 0;) {
-    const double c = piece.c[k] / static_cast<double>(k + 1);
-    sum = (sum + c) * u;
-    at_begin = -(at_begin + c);
-  }
-  return piece.tension + piece.half * (sum - at_begin);
+  return piece.tension + piece.half * (once_integrated(piece.c, u) - piece.once);
 }
 
 double FibreTable::energy_on(const Piece& piece, double u) {
-  double sum = 0.0, at_begin = 0.0, slope = 0.0; // slope: of the integral of the stiffness at the beginning
-  for (std::size_t k = terms; k-- > 0;) {
-    const double c = piece.c[k] / static_cast<double>((k + 1) * (k + 2));
-    sum = (sum + c) * u;
-    at_begin = -(at_begin + c);
-    slope = -(slope + piece.c[k] / static_cast<double>(k + 1));
-  }
-  sum *= u;
-  at_begin = -at_begin;
-  return piece.energy + piece.half * (1.0 + u) * (piece.tension - piece.half * slope)
-         + piece.half * piece.half * (sum - at_begin);
+  return piece.energy + piece.half * (1.0 + u) * (piece.tension - piece.half * piece.once)
+         + piece.half * piece.half * (twice_integrated(piece.c, u) - piece.twice);
 }
 
 void FibreTable::integrate() {
@@ -135,18 +136,17 @@ const FibreTable::Piece& FibreTable::piece(double strain) const {
   return m_pieces[k];
 }
 
-double FibreTable::stiffness(double strain) const {
+FibreTable::Pull FibreTable::pull(double strain) const {
   const double within = std::clamp(strain, m_low, m_high);
   const Piece& found = piece(within);
-  return std::max(0.0, polynomial(found.c, (within - found.begin) / found.half - 1.0));
+  const double u = (within - found.begin) / found.half - 1.0;
+  const double stiffness = std::max(0.0, polynomial(found.c, u));
+  return {tension_on(found, u) + (strain - within) * stiffness, stiffness};
 }
 
-double FibreTable::tension(double strain) const {
-  const double within = std::clamp(strain, m_low, m_high);
-  const Piece& found = piece(within);
-  const double value = tension_on(found, (within - found.begin) / found.half - 1.0);
-  return strain == within ? value : value + (strain - within) * stiffness(within);
-}
+double FibreTable::stiffness(double strain) const { return pull(strain).stiffness; }
+
+double FibreTable::tension(double strain) const { return pull(strain).tension; }
 
 double FibreTable::energy(double strain) const {
   const double within = std::clamp(strain, m_low, m_high);

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// A law of fibres that a user gives as a formula (laws.fibre_stiffness), as a table that any thread may read.
-/// Test: tests/unit/ecm/fibre_table_test.cpp
+/// Test: tests/unit/ecm/law/fibre_table_test.cpp
 namespace matrigrate {
 
 /// Stiffness over k_0 as polynomials of degree 5 on pieces, halved until they differ from the law by less than 1e-11 of
@@ -23,6 +23,13 @@ public:
   /// @throws std::invalid_argument if more than 20,000 pieces are needed
   FibreTable(const std::function<double(double)>& stiffness, double low, double high);
 
+  /// Tension and stiffness.
+  struct Pull {
+    double tension = 0.0;
+    double stiffness = 0.0;
+  };
+
+  Pull pull(double strain) const;        ///< tension() and stiffness() in one look-up
   double stiffness(double strain) const; ///< over k_0, >= 0 [-]
   double tension(double strain) const;   ///< integral of stiffness() from 0 [-]
   double energy(double strain) const;    ///< integral of tension() from 0 [-]
@@ -44,6 +51,8 @@ private:
     std::array<double, terms> c{}; ///< of the stiffness, in u from -1 to 1
     double tension = 0.0;          ///< at its beginning
     double energy = 0.0;           ///< at its beginning
+    double once = 0.0;             ///< integral of the polynomial, without a constant, at u = -1
+    double twice = 0.0;            ///< integral of that
   };
 
   void add(const std::function<double(double)>& stiffness, double begin, double end);
@@ -80,13 +89,21 @@ struct FibreLaw {
     return table == nullptr ? fibre_energy(strain, p) : p.stiffness * table->energy(strain);
   }
 
-  /// Whether the fibre is stiffer than as it begins to be stretched, and by how much [kPa].
-  bool stiffens(double strain) const {
-    return table == nullptr ? strain > p.onset : table->stiffness(strain) > table->at_rest();
-  }
-  double excess(double strain) const {
-    return table == nullptr ? fibre_stiffness(strain, p) - p.stiffness
-                            : p.stiffness * (table->stiffness(strain) - table->at_rest());
+  /// What a step needs of a fibre.
+  struct Pull {
+    double tension = 0.0;  ///< [kPa]
+    bool stiffens = false; ///< whether it is stiffer than as it begins to be stretched,
+    double excess = 0.0;   ///< and by how much [kPa]
+  };
+
+  Pull pull(double strain) const {
+    if (table == nullptr) {
+      const bool stiffens = strain > p.onset;
+      return {fibre_tension(strain, p), stiffens, stiffens ? fibre_stiffness(strain, p) - p.stiffness : 0.0};
+    }
+    const FibreTable::Pull found = table->pull(strain);
+    const double excess = found.stiffness - table->at_rest();
+    return {p.stiffness * found.tension, excess > 0.0, p.stiffness * excess};
   }
 };
 

@@ -102,9 +102,10 @@ void add_fibre_forces(const EcmState& ecm, const EcmParameters& p, const FibrePa
       const double length = network.length(k);
       if ((only_pulls && x_ij.squaredNorm() <= length * length) || ecm.f[j] <= 0.0) continue; // slack
       const Stretched s{x_ij.norm() / length - 1.0, x_ij};
-      sum += ecm.f[j] * fibre_pull(law.tension(s.strain), s.strain, s.x_ij, network.weight(k));
-      if (!law.stiffens(s.strain) || ecm.clamped[i]) continue;
-      add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * law.excess(s.strain));
+      const FibreLaw::Pull pull = law.pull(s.strain);
+      sum += ecm.f[j] * fibre_pull(pull.tension, s.strain, s.x_ij, network.weight(k));
+      if (!pull.stiffens || ecm.clamped[i]) continue;
+      add_coupling(A, ecm, i, j, dt * p.thickness * ecm.f[i] * ecm.f[j] * network.weight(k) * pull.excess);
     }
     force[i] += p.thickness * ecm.f[i] * sum;
   });

@@ -1,4 +1,4 @@
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 
 #include <array>

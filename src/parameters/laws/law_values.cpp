@@ -1,6 +1,6 @@
-#include "parameters/law_values.hpp"
+#include "parameters/laws/law_values.hpp"
 
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
-#include "parameters/law_values.hpp"
+#include "parameters/laws/law_values.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/scan.hpp"
 

@@ -1,4 +1,4 @@
-#include "parameters/laws.hpp"
+#include "parameters/laws/laws.hpp"
 
 namespace matrigrate {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/law.hpp"
+#include "parameters/laws/law.hpp"
 
 namespace matrigrate {
 
