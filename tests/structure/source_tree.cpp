@@ -273,7 +273,7 @@ Findings mutable_globals(const Source& source) {
   // The formatter does not indent namespaces: what starts in the first column and reads `type name =`, `{`, `[` or `;`
   // is a variable of a namespace; after `static` or `thread_local` it is one of any scope.
   static const std::regex scope(
-      R"(^[A-Za-z_:][\w:<>,*& ]*[\w>*&]\s+[*&]*(?!operator\b)[A-Za-z_][\w:]*\s*(?:=|\{|\[|;))");
+      R"(^[A-Za-z_:][\w:<>,*& ]*[\w>*&]\s+[*&]*(?!(?:\w+::)*operator\b)[A-Za-z_][\w:]*\s*(?:=|\{|\[|;))");
   static const std::regex fixed(
       R"(^\s*(?:static\s+|inline\s+|thread_local\s+)*(?:using|namespace|typedef|template|struct|class|enum|union|concept|friend|return|export)\b)");
   static const std::regex local(R"(^\s+(?:inline\s+)?(?:static|thread_local)\s[^(]*?[A-Za-z_]\w*\s*(?:=|\{|\[|;))");
