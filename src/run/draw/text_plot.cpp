@@ -53,7 +53,8 @@ std::string to_text(const TextPlot& plot) {
   const std::string begin = fmt::format("{} = {:.4g}", plot.x_name, plot.x_low);
   const std::string end = fmt::format("{:.4g}{}{}", plot.x_high, plot.x_unit.empty() ? "" : " ", plot.x_unit);
   return text
-         + fmt::format("{:>9}  {}{:>{}}\n", "", begin, end, std::max(1, plot.width - static_cast<int>(begin.size())));
+         + fmt::format("{:>9}  {}{:>{}}\n", "", begin, end,
+                       std::max(static_cast<int>(end.size()) + 1, plot.width - static_cast<int>(begin.size())));
 }
 
 std::string sparkline(std::span<const double> values, double high, std::size_t width) {
