@@ -17,7 +17,7 @@ using namespace matrigrate;
 namespace {
 
 /// A cell whose protrusions live fast, among fibres, so that a minute shows every law.
-Parameters hasty(const std::vector<std::string>& laws = {}) {
+Parameters under(const std::vector<std::string>& laws = {}) {
   Parameters p;
   p.ecm.radius = 60.0;
   p.fibres.arrangement = FibreArrangement::isotropic;
@@ -30,7 +30,7 @@ Parameters hasty(const std::vector<std::string>& laws = {}) {
   return apply_overrides(p, laws);
 }
 
-State migrated(const Parameters& p, int steps = 150, int fresh_workspace_every = 1000) {
+State migrated_under(const Parameters& p, int steps = 150, int fresh_workspace_every = 1000) {
   State s = initial_state(p);
   auto w = std::make_unique<Workspace>(s, p);
   for (int k = 1; k <= steps; ++k) {
@@ -51,22 +51,22 @@ double furthest_apart(const State& a, const State& b) {
 
 // Laws that are one number each: a formula of the same number gives the same bits.
 TEST(Laws, OfTheSameNumbersGiveTheSameBits) {
-  const State plain = migrated(hasty());
+  const State plain = migrated_under(under());
   ASSERT_GE(plain.cells[0].initiated, 2U);
-  EXPECT_TRUE(same_bits(plain, migrated(hasty({"laws.initiation_rate=1*r_prot", "laws.polarization_rate=1*r_pol",
-                                               "laws.growth_force=n_prot > 0 && A > 1 ? 1/A : 1 + 0*l*t",
-                                               "laws.degradation_tip=1*r_degr_tip",
-                                               "laws.degradation_protrusion=p <= p_th_degr ? 0 : r_degr_prot",
-                                               "laws.degradation_body=p <= p_th_degr ? 0 : r_degr_body"}))));
+  EXPECT_TRUE(same_bits(plain, migrated_under(under({"laws.initiation_rate=1*r_prot", "laws.polarization_rate=1*r_pol",
+                                                     "laws.growth_force=n_prot > 0 && A > 1 ? 1/A : 1 + 0*l*t",
+                                                     "laws.degradation_tip=1*r_degr_tip",
+                                                     "laws.degradation_protrusion=p <= p_th_degr ? 0 : r_degr_prot",
+                                                     "laws.degradation_body=p <= p_th_degr ? 0 : r_degr_body"}))));
 }
 
 // Laws with exponentials, and the table of the fibres: the same up to rounding.
 TEST(Laws, InOtherWordsDifferByRounding) {
-  const State plain = migrated(hasty());
-  const State s =
-      migrated(hasty({"laws.fibre_stiffness=eps < 0 ? 0 : (eps <= eps_s ? 1 : exp((eps - eps_s)/d_s))",
-                      "laws.curvature_factor=exp(-((kappa - kappa_0)/kappa_w)^2/2)",
-                      "laws.disassembly_rate=r_off_0*exp(-zeta_diss*F/f_mat) + r_off_min", "laws.initiation_bias=2"}));
+  const State plain = migrated_under(under());
+  const State s = migrated_under(
+      under({"laws.fibre_stiffness=eps < 0 ? 0 : (eps <= eps_s ? 1 : exp((eps - eps_s)/d_s))",
+             "laws.curvature_factor=exp(-((kappa - kappa_0)/kappa_w)^2/2)",
+             "laws.disassembly_rate=r_off_0*exp(-zeta_diss*F/f_mat) + r_off_min", "laws.initiation_bias=2"}));
   EXPECT_EQ(s.cells[0].initiated, plain.cells[0].initiated);
   EXPECT_EQ(s.cells[0].ended.size(), plain.cells[0].ended.size());
   EXPECT_LT(furthest_apart(s, plain), 1e-6);
@@ -75,22 +75,22 @@ TEST(Laws, InOtherWordsDifferByRounding) {
 
 TEST(Laws, GiveTheSameBitsForAnyNumberOfThreadsAndAfterAnyBreak) {
   const Parameters p =
-      hasty({"laws.fibre_stiffness=eps < 0 ? 0.1*exp(eps/0.02) : 1 + 20*eps",
+      under({"laws.fibre_stiffness=eps < 0 ? 0.1*exp(eps/0.02) : 1 + 20*eps",
              "laws.curvature_factor=max(0, 1 - abs(kappa - kappa_0)/kappa_w)",
              "laws.disassembly_rate=0.02*exp(-F/0.1) + 0.001*exp(F/0.3)", "laws.initiation_bias=exp(-5*max(0, kappa))",
              "laws.growth_force=max(0, 1 - l/15)", "laws.degradation_body=r_degr_body*f"});
-  const State whole = migrated(p, 100);
+  const State whole = migrated_under(p, 100);
   {
     const ThreadLimit limit(4);
-    EXPECT_TRUE(same_bits(whole, migrated(p, 100)));
+    EXPECT_TRUE(same_bits(whole, migrated_under(p, 100)));
   }
-  EXPECT_TRUE(same_bits(whole, migrated(p, 100, 30)));
+  EXPECT_TRUE(same_bits(whole, migrated_under(p, 100, 30)));
 }
 
 TEST(Laws, OfInitiation) {
-  EXPECT_EQ(migrated(hasty({"laws.initiation_rate=0"})).cells[0].initiated, 0U);
-  EXPECT_EQ(migrated(hasty({"laws.initiation_bias=0"})).cells[0].initiated, 0U);
-  const State s = migrated(hasty({"laws.initiation_rate=abs(angle) < 0.5 ? 0.01 : 0"}));
+  EXPECT_EQ(migrated_under(under({"laws.initiation_rate=0"})).cells[0].initiated, 0U);
+  EXPECT_EQ(migrated_under(under({"laws.initiation_bias=0"})).cells[0].initiated, 0U);
+  const State s = migrated_under(under({"laws.initiation_rate=abs(angle) < 0.5 ? 0.01 : 0"}));
   ASSERT_GE(s.cells[0].initiated, 1U);
 }
 
@@ -100,18 +100,18 @@ TEST(Laws, OfGrowth) {
     for (const Vec2& x : s.cells[0].cortex.x) most = std::max(most, x.norm());
     return most;
   };
-  const double plain = longest(migrated(hasty(), 60));
-  const double stalled = longest(migrated(hasty({"laws.growth_force=max(0, 1 - l/8)"}), 60));
-  const double none = longest(migrated(hasty({"laws.growth_force=0"}), 60));
+  const double plain = longest(migrated_under(under(), 60));
+  const double stalled = longest(migrated_under(under({"laws.growth_force=max(0, 1 - l/8)"}), 60));
+  const double none = longest(migrated_under(under({"laws.growth_force=0"}), 60));
   EXPECT_LT(stalled, plain - 0.5);
   EXPECT_LT(none, stalled);
 }
 
 TEST(Laws, OfDisassembly) {
-  const State kept = migrated(hasty({"laws.disassembly_rate=0"}), 300);
+  const State kept = migrated_under(under({"laws.disassembly_rate=0"}), 300);
   EXPECT_TRUE(std::ranges::none_of(kept.cells[0].ended,
                                    [](const ProtrusionRecord& r) { return r.cause == EndCause::disassembly; }));
-  const State brief = migrated(hasty({"laws.disassembly_rate=t > 2 ? 10 : 0"}), 300);
+  const State brief = migrated_under(under({"laws.disassembly_rate=t > 2 ? 10 : 0"}), 300);
   ASSERT_FALSE(brief.cells[0].ended.empty());
   for (const ProtrusionRecord& r : brief.cells[0].ended) {
     if (r.cause != EndCause::disassembly) continue;
@@ -121,8 +121,8 @@ TEST(Laws, OfDisassembly) {
 
 TEST(Laws, OfContraction) {
   const auto outline = [](const State& s) { return area(s.cells[0].cortex); };
-  const double plain = outline(migrated(hasty({"laws.initiation_rate=0"}), 60));
-  EXPECT_GT(outline(migrated(hasty({"laws.initiation_rate=0", "laws.curvature_factor=0"}), 60)), plain + 0.1);
+  const double plain = outline(migrated_under(under({"laws.initiation_rate=0"}), 60));
+  EXPECT_GT(outline(migrated_under(under({"laws.initiation_rate=0", "laws.curvature_factor=0"}), 60)), plain + 0.1);
 }
 
 TEST(Laws, OfDegradation) {
@@ -131,19 +131,20 @@ TEST(Laws, OfDegradation) {
     for (const double f : s.ecm.f) sum += f;
     return sum;
   };
-  const double plain = left(migrated(hasty()));
-  EXPECT_GT(
-      left(migrated(hasty({"laws.degradation_tip=0", "laws.degradation_protrusion=0", "laws.degradation_body=0"}))),
-      plain + 1.0);
-  EXPECT_GT(left(migrated(hasty({"laws.degradation_tip=0"}))), plain);
+  const double plain = left(migrated_under(under()));
+  EXPECT_GT(left(migrated_under(
+                under({"laws.degradation_tip=0", "laws.degradation_protrusion=0", "laws.degradation_body=0"}))),
+            plain + 1.0);
+  EXPECT_GT(left(migrated_under(under({"laws.degradation_tip=0"}))), plain);
 }
 
 TEST(Laws, OfPolarization) {
   const std::vector<std::string> still{"laws.disassembly_rate=0", "laws.polarization_rate=0"};
-  const State first = migrated(hasty(still), 80);
-  const State later = migrated(hasty(still), 200);
+  const State first = migrated_under(under(still), 80);
+  const State later = migrated_under(under(still), 200);
   ASSERT_TRUE(first.cells[0].polarization);
   EXPECT_EQ(*first.cells[0].polarization, *later.cells[0].polarization);
-  const State turning = migrated(hasty({"laws.disassembly_rate=0", "laws.polarization_rate=0.1/(1 + angle)"}), 200);
+  const State turning =
+      migrated_under(under({"laws.disassembly_rate=0", "laws.polarization_rate=0.1/(1 + angle)"}), 200);
   EXPECT_NE(*turning.cells[0].polarization, *first.cells[0].polarization);
 }
