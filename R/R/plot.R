@@ -103,7 +103,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 }
 
 # Last words of parameters that several sections have: their titles name the section.
-.shared_words <- c("bending_stiffness", "force", "particles", "radius", "repulsion", "repulsion_range", "spring_stiffness", "stiffness")
+.shared_words <- c("bending_stiffness", "force", "initiation_rate", "particles", "radius", "repulsion", "repulsion_range", "spring_stiffness", "stiffness")
 
 # Labels of points with the names of parameters as words; symbols such as F_am stay.
 .in_words <- function(labels) {

@@ -4,6 +4,7 @@
 #include "apps/study/discrepancy_text.hpp"
 #include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
+#include "study_plan/names.hpp"
 #include "study_report/played_runs.hpp"
 
 #include <fmt/format.h>

@@ -58,8 +58,8 @@ def parameter_of(column: str) -> _schema.Parameter | None:
 
 
 def noun(parameter: _schema.Parameter) -> str:
-    """A noun for a parameter: the first clause of its meaning; of a rule the words of its name."""
-    clause = re.split(r"[;:,(]", parameter.meaning)[0].strip()
+    """A noun for a parameter: the first clause of its meaning; of a rule or a law the words of its name."""
+    clause = "" if parameter.path.startswith("laws.") else re.split(r"[;:,(]", parameter.meaning)[0].strip()
     if clause and len(clause) <= 60 and not _no_noun.match(clause):
         return clause if _people.match(clause) else clause[0].lower() + clause[1:]
     section, key = parameter.path.rsplit(".", 1)

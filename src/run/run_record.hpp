@@ -118,8 +118,8 @@ std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered
 
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
-///  configuration_hash, laws: laws_json(), files: {name: fingerprint}, frames_lost, frames_lost_s: [first, last] or null, command_line,
-///  scenario, commands, start, end, lineage, and the keys of provenance()}
+///  configuration_hash, laws: laws_json(), files: {name: fingerprint}, frames_lost, frames_lost_s: [first, last] or
+///  null, command_line, scenario, commands, start, end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::run

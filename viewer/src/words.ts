@@ -49,11 +49,11 @@ export function symbolOf({ name, label }: Named): string {
   return name.includes(".") && !name.endsWith(`.${label}`) ? (greek[label] ?? label) : "";
 }
 
-/** A noun for a thing whose meaning is a sentence: its first clause; of a rule the words of its name. */
+/** A noun for a thing whose meaning is a sentence: its first clause; of a rule or a law the words of its name. */
 export function wordsOf(one: Named): string {
   const clause = (one.meaning ?? "").split(/[;:,(]/)[0].trim();
   if (!one.name.includes(".")) return one.meaning || one.label.replaceAll("_", " ");
-  if (clause && clause.length <= 60 && !/^(The|With|Two|A|Whether|How|Which|What) /.test(clause)) return lower(clause);
+  if (clause && clause.length <= 60 && !one.name.startsWith("laws.") && !/^(The|With|Two|A|Whether|How|Which|What) /.test(clause)) return lower(clause);
   const [section, key] = [one.name.slice(0, one.name.lastIndexOf(".")), one.name.slice(one.name.lastIndexOf(".") + 1)];
   return `${section}: ${key}`.replaceAll("_", " ").replaceAll(".", " ");
 }
