@@ -16,12 +16,12 @@ namespace matrigrate {
 
 namespace {
 
-constexpr units::Dimension stress{-2000, 0, 1000, 0};
-constexpr units::Dimension viscosity{-2000, 1000, 1000, 0};
-
-/// From internal units to those of formulas: stresses in Pa, viscosities in Pa s.
+/// From internal units to those of formulas, where a stress is in Pa: of a force that stands over an area alone, as in
+/// Pa, Pa s and 1/Pa/s.
 double in_formulas(const units::Dimension& dimension) {
-  return dimension == stress || dimension == viscosity ? 1000.0 : 1.0;
+  constexpr double one = 1000.0; // an exponent of 1, in thousandths
+  const bool of_stresses = dimension.length == -2 * dimension.force;
+  return of_stresses ? std::pow(1000.0, dimension.force / one) : 1.0;
 }
 
 /// "r_off,min" as a formula writes it.
@@ -121,9 +121,8 @@ std::string with_unit(double value, std::string_view unit) {
 
 } // namespace
 
-std::string law_text(const Row& law, const Parameters& p) {
-  Parameters q = p; // the table's accessors give access to write
-  return std::get<std::string& (*)(Parameters&)>(law.member)(q);
+const std::string& law_text(const Row& law, const Parameters& p) {
+  return std::get<std::string& (*)(Parameters&)>(law.member)(const_cast<Parameters&>(p)); // the accessor only finds it
 }
 
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text) {

@@ -11,7 +11,7 @@
 namespace matrigrate {
 
 /// The text of a row of kind law.
-std::string law_text(const Row& law, const Parameters& p);
+const std::string& law_text(const Row& law, const Parameters& p);
 
 /// A text as a formula in the variables and names of a law.
 /// @throws std::invalid_argument saying what is wrong, where, and which name may be meant

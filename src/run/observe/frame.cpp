@@ -90,12 +90,13 @@ MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w
 }
 
 /// Magnitude of what the tensions of both segments of each particle add up to [nN].
-Floats actomyosin_forces(const CortexState& c, const std::vector<double>& f_mat, const ActomyosinParameters& p) {
+Floats actomyosin_forces(const CortexState& c, const std::vector<double>& f_mat, const ActomyosinParameters& p,
+                         const Law& curvature_law) {
   std::vector<Vec2> sum(c.size(), Vec2::Zero());
   for (std::size_t i = 0; i < c.size(); ++i) {
     const std::size_t j = c.next(i);
-    const Vec2 T =
-        F_am(f_mat[i], f_mat[j], 0.5 * (curvature(c, i) + curvature(c, j)), p) * (c.x[j] - c.x[i]).normalized();
+    const double kappa = 0.5 * (curvature(c, i) + curvature(c, j));
+    const Vec2 T = F_am(f_mat[i], f_mat[j], kappa, p, curvature_law) * (c.x[j] - c.x[i]).normalized();
     sum[i] += T;
     sum[j] -= T;
   }
@@ -110,11 +111,11 @@ void append(std::vector<Number>& to, const std::vector<Number>& more) {
 }
 
 /// @param before  protrusions of the cells before
-void add_outline(OutlineFrame& o, const Cell& cell, std::size_t before, const Parameters& p) {
+void add_outline(OutlineFrame& o, const Cell& cell, std::size_t before, const Parameters& p, const Law& curvature_law) {
   const CortexState& c = cell.cortex;
   const Membership m = membership(cell, p);
   append(o.front, cell.polarization ? front(c, *cell.polarization) : Bytes(c.size(), 1));
-  append(o.force, actomyosin_forces(c, m.f_mat, p.actomyosin));
+  append(o.force, actomyosin_forces(c, m.f_mat, p.actomyosin, curvature_law));
   for (std::size_t i = 0; i < c.size(); ++i) {
     add(o.x, c.x[i]);
     o.f_mat.push_back(static_cast<float>(m.f_mat[i]));
@@ -220,7 +221,7 @@ FrameHead frame_head(const State& s, const Parameters& p) {
 Frame frame(const State& s, const Parameters& p, const Workspace& w) {
   Frame frame{.t = s.t, .matrix = matrix_frame(s, p, w), .outline = {}, .protrusions = {}};
   for (const Cell& cell : s.cells) {
-    add_outline(frame.outline, cell, frame.protrusions.id.size(), p);
+    add_outline(frame.outline, cell, frame.protrusions.id.size(), p, w.laws.curvature_factor);
     add_protrusions(frame.protrusions, cell, p.adhesion);
     for (const Vec2& x : cell.nucleus.x) add(frame.nucleus, x);
     if (s.cells.size() == 1) continue;

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace matrigrate::observe {
 namespace {
 
@@ -72,6 +74,14 @@ TEST(Frame, HoldsOneCellAfterTheOther) {
   EXPECT_EQ(f.outline.phase[n + 10], 0);
   EXPECT_EQ(f.outline.protrusion[n + 60], of_none);
   EXPECT_TRUE(SmallRun().film().frames[0].outline.cell.empty());
+}
+
+TEST(Frame, HoldsTheForceOfActomyosinUnderTheLawThatRuns) {
+  SmallRun run;
+  const auto most = [&] { return std::ranges::max(run.film().frames[0].outline.force); };
+  EXPECT_GT(most(), 0.0F);
+  run.p.laws.curvature_factor = "0";
+  EXPECT_EQ(most(), 0.0F);
 }
 
 TEST(Frame, HoldsTheCellAndItsProtrusions) {

@@ -50,7 +50,7 @@ TEST(Law, DefaultsAreThoseOfThePaperAndCanBeRead) {
 
 TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
   Parameters p;
-  p.laws.constants = "F_c = 50 pN, p_0 = 0.1 kPa, n = 2, tau = 1 min";
+  p.laws.constants = "F_c = 50 pN, p_0 = 0.1 kPa, n = 2, tau = 1 min, b_p = 2 1/Pa, r_p = 1e-4 1/Pa/s, w = 3 nN/um";
   const std::vector<fields::NamedNumber> names = law_names(p);
   const auto value = [&](std::string_view name) {
     const auto found = std::ranges::find(names, name, &fields::NamedNumber::name);
@@ -63,6 +63,9 @@ TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
   EXPECT_DOUBLE_EQ(value("k_ad"), 2.0) << "nN/um";
   EXPECT_DOUBLE_EQ(value("n_prot"), 0.0);
   EXPECT_DOUBLE_EQ(value("F_c"), 0.05);
+  EXPECT_DOUBLE_EQ(value("b_p"), 2.0) << "1/Pa, so that b_p*p is a number";
+  EXPECT_DOUBLE_EQ(value("r_p"), 1e-4) << "1/Pa/s";
+  EXPECT_DOUBLE_EQ(value("w"), 3.0) << "nN/um";
   EXPECT_DOUBLE_EQ(value("p_0"), 100.0);
   EXPECT_DOUBLE_EQ(value("n"), 2.0);
   EXPECT_DOUBLE_EQ(value("tau"), 60.0);
@@ -219,6 +222,12 @@ TEST(LawFaults, OfConstantsAreToldOnce) {
   EXPECT_NE(of("kappa = 1").find("taken: it is an argument of a law"), std::string::npos);
   EXPECT_NE(of("sin = 1").find("taken: it is known to every formula"), std::string::npos);
   EXPECT_EQ(of("x_0 = 2"), "");
+}
+
+TEST(LawFaults, OfTwoCurvatureFactorsAreTold) {
+  const std::string gaussian = "[actomyosin]\ncurvature_profile = \"gaussian\"\n";
+  EXPECT_NE(fault_of(gaussian + "[laws]\ncurvature_factor = \"1\"\n").find("leave one of them out"), std::string::npos);
+  EXPECT_EQ(fault_of(gaussian), "0 faults");
 }
 
 TEST(LawFaults, StandAtTheirKeys) {
