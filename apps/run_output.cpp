@@ -42,7 +42,7 @@ void print_text(const run::RunOutcome& outcome) {
   for (const CellResult& cell : outcome.cells) {
     if (outcome.cells.size() > 1) print(fmt::format("Cell {}\n", number_of(cell.cell)));
     for (const store::NamedValue& v : store::shown_values(cell.readouts, outcome.p))
-      print(fmt::format("  {:<50}{:>10}\n", v.meaning, store::readable(v.value)));
+      print(fmt::format("{:>10}  {}\n", store::readable(v.value), v.meaning));
   }
   print("\n");
 }

@@ -110,6 +110,12 @@ void tell_gone(const StudyOptions& options, const StudyFolder& study) {
                           (study.folder / "results.csv").string(), run::listed(gone, "\n  ")));
 }
 
+/// Whether somebody must look at such a run.
+bool is_trouble(study::RunState state) {
+  return state == study::RunState::failed || state == study::RunState::interrupted ||
+         state == study::RunState::damaged;
+}
+
 /// Runs that were done before, of which a file is damaged.
 void add_damaged(const StudyFolder& study, const std::vector<study::Result>& results, PoolOutcome& outcome) {
   for (const study::Result& r : results)
@@ -164,16 +170,17 @@ int run_study(const StudyOptions& options) {
 int show_status(const StudyOptions& options) {
   const StudyFolder study = study::open_study(options.folder);
   std::vector<study::Standing> standings;
-  std::vector<study::Trouble> troubles;
-  for (std::size_t i = 0; i < study.runs.size(); ++i) {
-    const study::Standing& s = standings.emplace_back(study::standing(study.folder, study.runs[i]));
-    if (s.status == study::RunState::failed || s.status == study::RunState::interrupted)
-      troubles.push_back({i, s.status, s.reason});
-  }
+  for (const study::Run& run : study.runs) standings.push_back(study::standing(study.folder, run));
   const study::StudyProgress progress = progress_of(study, standings);
   for (const study::RunningRun& run : progress.running) standings[run.run].status = study::RunState::running;
+  std::vector<study::Trouble> troubles;
   std::map<std::string, std::size_t> count;
-  for (const study::Standing& s : standings) ++count[std::string(to_string(s.status))];
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    study::Standing& s = standings[i];
+    if (s.status != study::RunState::running) s = results(study.study, {study.runs[i]}, study.folder).front().standing;
+    if (is_trouble(s.status)) troubles.push_back({i, s.status, s.reason});
+    ++count[std::string(to_string(s.status))];
+  }
   if (options.json) {
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},

@@ -189,6 +189,8 @@ TEST_F(OtherVersion, OneDamagedRunDoesNotStopAStudy) {
       EXPECT_EQ(collected.code, 5) << damaged << how;
       EXPECT_TRUE(contains(collected.err, "damaged     ")) << collected.err;
       EXPECT_TRUE(contains(collected.err, damaged)) << collected.err;
+      const auto status = run("study status e-study");
+      EXPECT_TRUE(contains(status.out, " 1 damaged") && contains(status.out, damaged)) << status.out;
       EXPECT_TRUE(contains(collected.err, made_again ? "`study run` makes it again" : "remove runs/" + name))
           << collected.err;
       EXPECT_EQ(rows_but(file("e-study/results.csv")), rows_but(table)) << damaged << how;

@@ -25,7 +25,7 @@ TEST_F(Run, WritesItsFiles) {
   ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_EQ(ended.err, "");
   EXPECT_TRUE(contains(ended.out, "Done: 36 s, 90 steps.")) << ended.out;
-  EXPECT_TRUE(contains(ended.out, "speed, start to end [um/h]")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "speed, start to end (um/h)")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "open s-seed7/report.html")) << ended.out;
   for (const char* file : {"scenario.resolved.toml", "run.json", "tracks.csv", "protrusions.csv", "health.csv",
                            "summary.csv", "summary.json", "snapshots.svg", "report.html", "snapshots/t_00000s.svg",

@@ -11,9 +11,9 @@ validation = (source / "docs/validation/results.md").read_text(encoding="utf-8")
 questions = re.split(r"^## (?=\d\. )", page, flags=re.MULTILINE)[1:]
 
 # The words of the sheet, and what stands in the tables of results.
-read_outs = {"speed from start to end, um/h": "v_migr_abs, um/h", "speed along the path, every 60 s, um/h": "v_migr_path, 60 s, um/h",
-             "how mature protrusions become, 0 to 1": "f_mat", "lifetime of a protrusion, min": "tau_prot, min",
-             "protrusions in six hours": "n_protrusions", "slope of the mean square displacement": "slope of the MSD"}
+read_outs = {name: name for name in ["speed from start to end, um/h", "speed along the path, every 60 s, um/h", "lifetime of a protrusion, min",
+                                     "protrusions in six hours", "slope of the mean square displacement"]}
+read_outs["how mature protrusions become, 0 to 1"] = "maturation, 0 to 1"
 tables = {"1": "A1 to A7", "2": "D: protrusions", "3": "A8:"}
 
 
@@ -64,7 +64,7 @@ class Lesson(unittest.TestCase):
                 self.assertIn(f"(`{re.search(r'[(]`([a-z-]+)`[)]', own)[1]}`)", translated, language)
                 for slider in re.findall(r'\*\*Change\*\* "([^"]+)"', own):
                     self.assertRegex(translated, f"[„«] ?{re.escape(slider)}[\"“ ]", language)
-            self.assertIn(f"{results('A1 to A7')['v_migr_abs, um/h'][2]} µm/h", other[4])
+            self.assertIn(f"{results('A1 to A7')['speed from start to end, um/h'][2]} µm/h", other[4])
 
     def test_presets_and_sliders_have_these_names(self):
         cpp = (source / "src/parameters/presets.cpp").read_text(encoding="utf-8")
@@ -86,9 +86,9 @@ class Lesson(unittest.TestCase):
         self.assertEqual(compared, 42)
 
     def test_other_numbers_are_those_of_the_results(self):
-        with_fibres, without = results("E: protrusions")["v_migr_abs, um/h"], results("D: protrusions")["v_migr_abs, um/h"]
+        with_fibres, without = results("E: protrusions")["speed from start to end, um/h"], results("D: protrusions")["speed from start to end, um/h"]
         self.assertEqual(rows_of(questions[3])["speed from start to end, um/h"], [without[1], with_fibres[1]])
-        self.assertIn(f"gave**: {results('A1 to A7')['v_migr_abs, um/h'][2]} um/h", questions[4])
+        self.assertIn(f"gave**: {results('A1 to A7')['speed from start to end, um/h'][2]} um/h", questions[4])
         claims = {row: " ".join(cells) for row, cells in rows_of(validation).items() if re.fullmatch(r"[A-F]\d", row)}
         shares = [float(re.search(rf"{name} ([\d.]+)", claims["E5"])[1]) for name in ("share_ruptured_along", "share_ruptured_across")]
         self.assertIn("of the protrusions along them {:.0f} % tear off, of those across {:.0f} %".format(*(100 * share for share in shares)), questions[3])

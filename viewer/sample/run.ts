@@ -68,7 +68,7 @@ export function sampleRun(options: RunOptions = {}): RunPage {
   const rows = protrusionRows(u, end);
   const run = page(options, madeTracks(u, end, rows), rows, end);
   run.readouts = [
-    { name: "v_migr_abs_um_per_h", meaning: "speed, start to end [um/h]", value: 9.871 },
+    { name: "v_migr_abs_um_per_h", meaning: "speed, start to end (um/h)", value: 9.871 },
     { name: "n_protrusions", meaning: "protrusions initiated", value: rows.length },
     { name: "path_angle_deg", meaning: "mean angle of the path to uniaxial fibres [degrees]", value: null },
   ];

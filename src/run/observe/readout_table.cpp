@@ -8,7 +8,7 @@
 namespace matrigrate {
 
 std::string ReadOutSpec::meaning_with_unit() const {
-  return unit.empty() ? std::string(meaning) : fmt::format("{} [{}]", meaning, unit);
+  return unit.empty() || unit == "-" ? std::string(meaning) : fmt::format("{} ({})", meaning, unit);
 }
 
 std::span<const ReadOutSpec> readout_table() {

@@ -27,7 +27,7 @@ struct ReadOutSpec {
   bool of_groups = false; ///< of several cells only
   bool is_late = false;   ///< tables of results of version 0.1.0 lack it
 
-  /// "speed, start to end [um/h]"
+  /// "speed, start to end (um/h)"; of a ratio or a count without
   std::string meaning_with_unit() const;
 };
 

@@ -5,6 +5,7 @@
 #include "study_plan/names.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +15,22 @@ namespace matrigrate::study {
 
 namespace {
 
-/// Takes a name out of a text, but not the end of a path.
-void drop_name(std::string& text, const std::string& name) {
-  for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;)
-    if (at > 0 && text[at - 1] == '.')
-      at += name.size();
-    else
-      text.erase(at, name.size());
-}
-
-/// The label of a point without the names of the parameters that vary; whole paths, which tell two apart, stay.
-std::string without_names(std::string label, const Study& study) {
+/// What varies at a point, by its values: "50 Pa, n_prot 2"; the name stays where the value alone would not tell which
+/// parameter is meant. A label that the study gives stays.
+std::string brief_label(const Study& study, const Point& point) {
+  if (point.set >= study.sets.size()) return point.label;
+  const FactorSet& set = study.sets[point.set];
   const Names names(study);
-  for (const std::string& key : swept_keys(study))
-    if (key.ends_with("." + names.of(key))) drop_name(label, names.of(key) + " ");
-  return label;
+  if (set.settings.empty() || (set.label != label_of(set.settings, names) && set.label != label_of(set.settings, names, true)))
+    return point.label;
+  std::vector<std::string> values;
+  for (const Setting& setting : set.settings) {
+    const bool is_last_word = setting.key.ends_with("." + names.of(setting.key));
+    const std::string text = label_of({setting}, names);
+    values.push_back(is_last_word ? text.substr(names.of(setting.key).size() + 1) : text);
+  }
+  const std::string text = fmt::format("{}", fmt::join(values, ", "));
+  return study.conditions.empty() ? text : fmt::format("{}: {}", study.conditions[point.condition].label, text);
 }
 
 } // namespace
@@ -44,10 +46,12 @@ Judge::Group Judge::group(const PointName& name) const {
   if (known == nullptr) return {study, {study, study}};
   const auto point = std::ranges::find(known->study.points, name.label, &Point::label);
   const std::string of_study = m_evidence.size() == 1 ? "" : study + ": ";
-  const Words label{of_study + name.label, of_study + without_names(name.label, known->study)};
-  if (point == known->study.points.end())
-    return {study, {label.whole + " (no such point)", label.brief + " (no such point)"}};
-  return {study, label, known, static_cast<std::size_t>(point - known->study.points.begin())};
+  const std::string whole = of_study + name.label;
+  if (point == known->study.points.end()) return {study, {whole + " (no such point)", whole + " (no such point)"}};
+  return {study,
+          {whole, of_study + brief_label(known->study, *point)},
+          known,
+          static_cast<std::size_t>(point - known->study.points.begin())};
 }
 
 std::vector<double> Judge::values(const Group& g, std::string_view readout) {

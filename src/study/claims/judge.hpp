@@ -47,8 +47,7 @@ struct Finding {
 /// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs or
 /// the runs that there are tell too little.
 ///
-/// Each sentence is written twice: whole, and in brief for tables, which call a read-out by its label and a point
-/// without the name of the parameter that varies.
+/// Each sentence is written twice: whole, with points as the study labels them, and in brief, with the values that vary.
 class Judge {
 public:
   /// @param study  that conditions mean where they name none
@@ -93,7 +92,8 @@ private:
   std::string brief() const;
   std::vector<Condition> corrected() const;
 
-  static std::string readout_label(std::string_view readout);
+  /// "speed, start to end (um/h)"
+  static std::string readout_words(std::string_view readout);
 
   const Evidence& m_evidence;
   std::string m_study;

@@ -13,17 +13,17 @@
 // What a judge says of the evidence, in words.
 namespace matrigrate::study {
 
-std::string Judge::readout_label(std::string_view readout) {
+std::string Judge::readout_words(std::string_view readout) {
   const ReadOutSpec* spec = find_readout(readout);
-  return std::string(spec == nullptr ? readout : spec->label);
+  return spec == nullptr ? std::string(readout) : spec->meaning_with_unit();
 }
 
 void Judge::tell(const Group& g, std::string_view readout, const std::vector<double>& x) {
   const statistics::Interval mean = statistics::mean_interval(x, claim_alpha);
   const std::string value = x.size() < 2 ? fmt::format("{:.3g}", mean.value)
                                          : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
-  const std::string text = x.empty() ? fmt::format("{} at {}: no runs", readout, g.label.whole)
-                                     : fmt::format("{} at {} {} (n = {})", readout, g.label.whole, value, x.size());
+  const std::string of = fmt::format("{}: {}", readout_words(readout), g.label.whole);
+  const std::string text = x.empty() ? of + " has no runs" : fmt::format("{} {} (n = {})", of, value, x.size());
   if (std::ranges::find(m_ours, text) != m_ours.end()) return;
   m_ours.push_back(text);
   if (!x.empty()) m_means.push_back({g, std::string(readout), value});
@@ -32,13 +32,12 @@ void Judge::tell(const Group& g, std::string_view readout, const std::vector<dou
 /// A sentence of a rule with the names of what it is about.
 Judge::Words Judge::filled(std::string_view sentence, const ClaimCondition& c, const Group& from,
                            const Group& to) const {
-  const std::string study = c.study.empty() ? m_study : c.study;
-  const auto with = [&](const auto& named, const auto& labelled) {
-    const std::pair<std::string_view, std::string> names[] = {{"$readout", named(c.readout)},
-                                                              {"$other", named(c.other)},
-                                                              {"$from", labelled(from)},
-                                                              {"$to", labelled(to)},
-                                                              {"$study", study}};
+  const auto with = [&](const std::string& from_label, const std::string& to_label) {
+    const std::pair<std::string_view, std::string> names[] = {{"$readout", readout_words(c.readout)},
+                                                              {"$other", readout_words(c.other)},
+                                                              {"$from", from_label},
+                                                              {"$to", to_label},
+                                                              {"$study", c.study.empty() ? m_study : c.study}};
     std::string text;
     for (std::string_view rest = sentence; !rest.empty();) {
       const auto name = std::ranges::find_if(names, [&](const auto& one) { return rest.starts_with(one.first); });
@@ -47,9 +46,7 @@ Judge::Words Judge::filled(std::string_view sentence, const ClaimCondition& c, c
     }
     return text;
   };
-  return {with([](const std::string& readout) { return readout; }, [](const Group& g) { return g.label.whole; }),
-          with([](const std::string& readout) { return readout_label(readout); },
-               [](const Group& g) { return g.label.brief; })};
+  return {with(from.label.whole, to.label.whole), with(from.label.brief, to.label.brief)};
 }
 
 /// All means if they are few, else the first and the last of each read-out, in the order of its points.
@@ -67,7 +64,7 @@ std::string Judge::brief() const {
     if (m_means.size() > few && of.size() > 2) of = {of.front(), of.back()};
     std::vector<std::string> values;
     for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, m->group.label.brief));
-    parts.push_back(fmt::format("{} {}", readout_label(readout), fmt::join(values, ", ")));
+    parts.push_back(fmt::format("{}: {}", readout_words(readout), fmt::join(values, ", ")));
   }
   parts.insert(parts.end(), m_others.begin(), m_others.end());
   return fmt::format("{}", fmt::join(parts, "; "));

@@ -55,7 +55,7 @@ Compared compared(const ClaimCondition& c, const ClaimRuns& runs, const std::str
           .p = p,
           .signed_so = has(c.sign, d.value),
           .significant = p < alpha,
-          .reading = {.wanted = fmt::format("$readout at $to {} that at $from", wanted),
+          .reading = {.wanted = fmt::format("$readout: $to {} $from", wanted),
                       .measured = fmt::format("{}, p {:.2g}", difference, p),
                       .in_full =
                           fmt::format("{}, g {:.2g} [{:.2g}, {:.2g}], p {:.2g}", difference, g.value, g.low, g.high, p),
@@ -98,7 +98,7 @@ ClaimReading not_beyond(const ClaimCondition& c, const ClaimRuns& runs) {
 
 ClaimReading ratio_below(const ClaimCondition& c, const ClaimRuns& runs) {
   const double ratio = statistics::moments(runs.to).mean / statistics::moments(runs.from).mean;
-  return {.wanted = fmt::format("$readout at $to over that at $from is below {:.3g}", c.value),
+  return {.wanted = fmt::format("$readout: $to over $from is below {:.3g}", c.value),
           .measured = fmt::format("{:.3g}", ratio),
           .defined = std::isfinite(ratio),
           .met = ratio < c.value,
@@ -107,7 +107,7 @@ ClaimReading ratio_below(const ClaimCondition& c, const ClaimRuns& runs) {
 
 ClaimReading exceeds(const ClaimCondition& /*c*/, const ClaimRuns& runs) {
   const Interval d = statistics::mean_interval(runs.excess, alpha);
-  return {.wanted = "$readout above $other in the runs at $to",
+  return {.wanted = "$to: $readout above $other in the same runs",
           .measured =
               fmt::format("difference {:.3g} [{:.3g}, {:.3g}], n = {}", d.value, d.low, d.high, runs.excess.size()),
           .defined = runs.excess.size() > 1,
@@ -119,7 +119,7 @@ ClaimReading exceeds(const ClaimCondition& /*c*/, const ClaimRuns& runs) {
 ClaimReading agrees(const ClaimCondition& c, const ClaimRuns& runs) {
   const double mean = statistics::moments(runs.to).mean;
   const double p = statistics::published_mean_test(runs.to, c.value, c.runs).p;
-  return {.wanted = fmt::format("$readout at $to agrees with {:.3g}", c.value),
+  return {.wanted = fmt::format("$readout: $to agrees with {:.3g}", c.value),
           .measured = fmt::format("mean {:.3g}, p {:.2g}", mean, p),
           .defined = runs.to.size() > 1,
           .met = p >= alpha,
@@ -131,7 +131,7 @@ ClaimReading agrees(const ClaimCondition& c, const ClaimRuns& runs) {
 
 ClaimReading within(const ClaimCondition& c, const ClaimRuns& runs) {
   const double mean = statistics::moments(runs.to).mean;
-  return {.wanted = fmt::format("mean $readout at $to is {:.3g} to {:.3g}", c.value, c.high),
+  return {.wanted = fmt::format("$readout: the mean of $to is {:.3g} to {:.3g}", c.value, c.high),
           .measured = fmt::format("{:.3g}", mean),
           .defined = std::isfinite(mean),
           .met = mean >= c.value && mean <= c.high};
@@ -141,7 +141,7 @@ template <Sign side>
 ClaimReading beyond(const ClaimCondition& c, const ClaimRuns& runs) {
   const Interval mean = statistics::mean_interval(runs.to, alpha);
   const double end = side == Sign::up ? mean.low : mean.high;
-  return {.wanted = fmt::format("$readout at $to lies {} {:.3g} with its interval", word(side), c.value),
+  return {.wanted = fmt::format("$readout: $to lies {} {:.3g} with its interval", word(side), c.value),
           .measured = fmt::format("{} {:.3g}", side == Sign::up ? "from" : "up to", end),
           .defined = std::isfinite(end),
           .met = has(side, end - c.value),
@@ -151,10 +151,10 @@ ClaimReading beyond(const ClaimCondition& c, const ClaimRuns& runs) {
 
 /// With its sentence, which says how they should go.
 ClaimReading correlation(const statistics::Correlation& found, std::string_view how) {
-  ClaimReading reading{.wanted = fmt::format("$readout and $other {} over the runs of $study", how),
+  ClaimReading reading{.wanted = fmt::format("$readout, and $other: they {} over the runs of $study", how),
                        .measured = fmt::format("r {:.2g}, p {:.2g}", found.r, found.p),
                        .defined = std::isfinite(found.r)};
-  if (reading.defined) reading.all_runs = fmt::format("r of $readout and $other {:.2g} (n = {})", found.r, found.n);
+  if (reading.defined) reading.all_runs = fmt::format("$readout, and $other: r {:.2g} (n = {})", found.r, found.n);
   return reading;
 }
 
@@ -176,12 +176,12 @@ ClaimReading uncorrelated(const ClaimCondition& /*c*/, const ClaimRuns& runs) {
   return reading;
 }
 
-/// A number over all runs: "mean $readout over the runs of $study is above 0.5".
+/// A number over all runs: "$readout: the mean over the runs of $study is above 0.5".
 ClaimReading over_all(std::string_view what, double found, std::size_t n, std::string_view wanted, double bound) {
-  ClaimReading reading{.wanted = fmt::format("{} $readout over the runs of $study is {} {:.3g}", what, wanted, bound),
+  ClaimReading reading{.wanted = fmt::format("$readout: the {} over the runs of $study is {} {:.3g}", what, wanted, bound),
                        .measured = fmt::format("{:.3g}", found),
                        .defined = n > 1};
-  if (n > 0) reading.all_runs = fmt::format("{} $readout {:.3g} (n = {})", what, found, n);
+  if (n > 0) reading.all_runs = fmt::format("$readout: {} {:.3g} (n = {})", what, found, n);
   return reading;
 }
 
@@ -205,13 +205,13 @@ ClaimReading mostly_up_to(const ClaimCondition& c, const ClaimRuns& runs) {
   const std::vector<double> x = statistics::finite(runs.all);
   const auto within = static_cast<double>(std::ranges::count_if(x, [&](double value) { return value <= c.value; }));
   const double found = within / static_cast<double>(x.size());
-  ClaimReading reading{.wanted = fmt::format("$readout is at most {:.3g} in at least {:.0f} % of the runs of $study",
+  ClaimReading reading{.wanted = fmt::format("$readout: at most {:.3g} in at least {:.0f} % of the runs of $study",
                                              c.value, 100.0 * c.share),
                        .measured = fmt::format("{:.0f} %", 100.0 * found),
                        .defined = x.size() > 1,
                        .met = found >= c.share};
   if (reading.defined)
-    reading.all_runs = fmt::format("$readout at most {:.3g} in {:.0f} % (n = {})", c.value, 100.0 * found, x.size());
+    reading.all_runs = fmt::format("$readout: at most {:.3g} in {:.0f} % (n = {})", c.value, 100.0 * found, x.size());
   return reading;
 }
 

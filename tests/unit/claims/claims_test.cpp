@@ -171,7 +171,7 @@ TEST(Judge, AsksOfMostRunsWhatTheTextSaysOfMost) {
     return finding(e, on("mostly_up_to", fmt::format("bound = 3, share = {}", share)));
   };
   EXPECT_EQ(most(0.75).verdict, Verdict::holds);
-  EXPECT_EQ(most(0.75).brief, "f_mat at most 3 in 75 % (n = 4)");
+  EXPECT_EQ(most(0.75).brief, "maturation of protrusions, mean: at most 3 in 75 % (n = 4)");
   EXPECT_EQ(most(0.8).verdict, Verdict::does_not_hold);
 }
 
@@ -252,7 +252,7 @@ TEST(Judge, TakesPointsOfOtherStudiesByTheirNames) {
   e.emplace("t", e.at("s"));
   const Finding found = finding(e, on("differs", "from = \"n_prot 1\", to = \"t: n_prot 2\"" + up));
   EXPECT_EQ(found.verdict, Verdict::holds);
-  EXPECT_TRUE(found.conditions.front().starts_with("f_mat at t: n_prot 2 significantly above that at s: n_prot 1"))
+  EXPECT_TRUE(found.conditions.front().starts_with("maturation of protrusions, mean: t: n_prot 2 significantly above s: n_prot 1"))
       << found.conditions.front();
   EXPECT_NE(finding(e, on("mean_above", "bound = 1, study = \"t\"")).conditions.front().find("over the runs of t"),
             std::string::npos);
@@ -328,10 +328,10 @@ TEST(Claims, TableCallsAPointByItsValueUnlessTwoParametersEndAlike) {
     return judged(claim, Evidence{{"s", {read(text), results_of(f, {apart[0], apart[1]})}}}).brief;
   };
   EXPECT_EQ(brief("[sweep]\nprotrusion.force = [1, 2]\n", "force 1 nN", "force 2 nN"),
-            "f_mat 1.15 [0.945, 1.36] (1 nN), 2.15 [1.94, 2.36] (2 nN)");
+            "maturation of protrusions, mean: 1.15 [0.945, 1.36] (1 nN), 2.15 [1.94, 2.36] (2 nN)");
   EXPECT_EQ(brief("[sweep]\nprotrusion.force = [1, 2]\nactomyosin.force = [3]\n",
                   "protrusion.force 1 nN, actomyosin.force 3 nN", "protrusion.force 2 nN, actomyosin.force 3 nN"),
-            "f_mat 1.15 [0.945, 1.36] (protrusion.force 1 nN, actomyosin.force 3 nN), "
+            "maturation of protrusions, mean: 1.15 [0.945, 1.36] (protrusion.force 1 nN, actomyosin.force 3 nN), "
             "2.15 [1.94, 2.36] (protrusion.force 2 nN, actomyosin.force 3 nN)");
 }
 
@@ -340,8 +340,8 @@ TEST(Claims, TableSaysWhyNot) {
   const JudgedClaim no{"A1", ClaimKind::calibration, "f_mat rises and does not", "1 to 2",
                        finding(e, between("differs", 1, 2, up) + between("same", 1, 2))};
   const JudgedClaim yes{"B1", ClaimKind::predicted, "f_mat rises", "", finding(e, between("differs", 1, 2, up))};
-  EXPECT_EQ(no.finding.brief, "f_mat 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
-  EXPECT_EQ(why_not(no.finding), "not met: f_mat at n_prot 2 not significantly different from that at n_prot 1 "
+  EXPECT_EQ(no.finding.brief, "maturation of protrusions, mean: 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
+  EXPECT_EQ(why_not(no.finding), "not met: maturation of protrusions, mean: n_prot 2 not significantly different from n_prot 1 "
                                  "(difference 1 [0.777, 1.22], p 3.4e-05)");
   EXPECT_EQ(why_not(yes.finding), "");
   EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted; 1 more in direction");

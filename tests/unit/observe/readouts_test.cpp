@@ -182,7 +182,7 @@ TEST(ReadOutTable, ReadsItsMember) {
   r.n_protrusions = 7;
   EXPECT_EQ(std::get<double>(find_readout("v_migr_abs_um_per_h")->value(r)), 12.5);
   EXPECT_EQ(std::get<std::uint64_t>(find_readout("n_protrusions")->value(r)), 7U);
-  EXPECT_EQ(find_readout("v_migr_abs_um_per_h")->meaning_with_unit(), "speed, start to end [um/h]");
+  EXPECT_EQ(find_readout("v_migr_abs_um_per_h")->meaning_with_unit(), "speed, start to end (um/h)");
   EXPECT_EQ(find_readout("n_protrusions")->meaning_with_unit(), "protrusions initiated");
 }
 
