@@ -90,11 +90,11 @@ class Lesson(unittest.TestCase):
         self.assertEqual(rows_of(questions[3])["speed from start to end, um/h"], [without[1], with_fibres[1]])
         self.assertIn(f"gave**: {results('A1 to A7')['speed from start to end, um/h'][2]} um/h", questions[4])
         claims = {row: " ".join(cells) for row, cells in rows_of(validation).items() if re.fullmatch(r"[A-F]\d", row)}
-        shares = [float(re.search(rf"{name} ([\d.]+)", claims["E5"])[1]) for name in ("share_ruptured_along", "share_ruptured_across")]
+        shares = [float(re.search(rf"{which} uniaxial fibres that ended by rupture: ([\d.]+)", claims["E5"])[1]) for which in ("along", "across")]
         self.assertIn("of the protrusions along them {:.0f} % tear off, of those across {:.0f} %".format(*(100 * share for share in shares)), questions[3])
-        maturation = [re.search(rf"f_mat_{way} ([\d.]+)", claims["E5"])[1] for way in ("along", "across")]
+        maturation = [re.search(rf"maturation of protrusions {way} uniaxial fibres, mean: ([\d.]+)", claims["E5"])[1] for way in ("along", "across")]
         self.assertIn("maturation is {} along the fibres and {} across them".format(*maturation), questions[3])
-        angles = re.search(r"path_angle ([\d.]+) \[.*?\), ([\d.]+) \[", claims["E4"]).groups()
+        angles = re.search(r"to uniaxial fibres \(degrees\): ([\d.]+) \[.*?\), ([\d.]+) \[", claims["E4"]).groups()
         self.assertIn("\nis {:.0f} degrees and with four {:.0f},".format(*map(float, angles)), questions[3])
         ends = {stiffness: (low, high) for low, high, stiffness in re.findall(r"\[([\d.]+), ([\d.]+)\] \((\d+) Pa\)", claims["A2"])}
         for stiffness in ("50", "200", "400"):
