@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 . tools/setup.sh
 
 packages_for_web="
+dpkg-dev: unpacks the source of muParser, which Debian has compiled for processors alone
 emscripten: compiles the core to WebAssembly
 "
 install_packages "$packages_to_build$packages_for_web"
@@ -14,6 +15,22 @@ install_packages "$packages_to_build$packages_for_web"
 export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
 toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
 [ -f "$toolchain" ] || die "Emscripten's file for CMake is not at $toolchain"
+# muparser SUITE: the source of muParser into build/web/muparser, from Debian's archive of sources, whose lists apt keeps below build/web.
+muparser() {
+  [ ! -f build/web/muparser/include/muParser.h ] || return 0
+  say "fetching the source of muParser"
+  local apt=$PWD/build/web/apt
+  rm -rf "$apt" build/web/muparser
+  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
+  echo "deb-src http://deb.debian.org/debian $1 main" >"$apt/sources.list"
+  local options=(-q -o Dir::Etc::SourceList="$apt/sources.list" -o Dir::Etc::SourceParts=/dev/null -o Dir::State::Lists="$apt/lists"
+    -o Dir::Cache="$apt/cache" -o APT::Sandbox::User=root)
+  (cd "$apt" && apt-get "${options[@]}" update && apt-get "${options[@]}" source muparser) >/dev/null ||
+    die "the source of muParser could not be fetched from deb.debian.org"
+  mv "$apt"/muparser-*/ build/web/muparser
+  rm -rf "$apt"
+}
+muparser "$(. /etc/os-release && echo "$VERSION_CODENAME")"
 say "compiling the core to WebAssembly"
 cmake -S web -B build/web/core -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release >/dev/null ||
   die "the build could not be configured"
@@ -36,7 +53,7 @@ commit=$(git rev-parse HEAD 2>/dev/null || cat COMMIT 2>/dev/null || echo unknow
 {
   printf 'Matrigrate %s, commit %s\n\n' "$(sed -n 's/^project(matrigrate VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" "$commit"
   cat LICENSE
-  for package in emscripten libeigen3-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev librandom123-dev libxxhash-dev; do
+  for package in emscripten libeigen3-dev libfmt-dev libmuparser-dev libtomlplusplus-dev nlohmann-json3-dev librandom123-dev libxxhash-dev; do
     printf '\n==== %s ====\n\n' "$package"
     cat "/usr/share/doc/$package/copyright"
   done

@@ -1,6 +1,7 @@
 // Puts the core and the script around it into the page, which makes a worker of them: one file that opens by double click.
 //   node join.mjs live.html core_worker.js live_worker.js NOTICES OUTPUT
 import { readFileSync, writeFileSync } from "node:fs";
+import { deflateSync } from "node:zlib";
 
 const [page, core, worker, notices, output] = process.argv.slice(2);
 const put = (html, id, text) => {
@@ -11,5 +12,6 @@ const put = (html, id, text) => {
 // What would end or open a script element inside of one.
 const code = `${readFileSync(core, "utf8")}\n${readFileSync(worker, "utf8")}`;
 if (/<\/script|<!--/i.test(code)) throw new Error("the code would end its element");
-const terms = readFileSync(notices, "utf8").replace(/<(?=\/script|!--)/gi, "< ");
-writeFileSync(output, put(put(readFileSync(page, "utf8"), "matrigrate-core", code), "matrigrate-notices", terms));
+const [version, ...terms] = readFileSync(notices, "utf8").split("\n");
+const about = `${version}\n${deflateSync(terms.join("\n"), { level: 9 }).toString("base64")}`;
+writeFileSync(output, put(put(readFileSync(page, "utf8"), "matrigrate-core", code), "matrigrate-notices", about));

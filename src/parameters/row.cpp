@@ -103,6 +103,10 @@ std::string value_text(const Row& row, const Parameters& parameters) {
                     row.member);
 }
 
+const std::string& text_of(const Row& row, const Parameters& p) {
+  return std::get<Text>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
+}
+
 std::string before_text(const Row& row, const Parameters& p) {
   if (!row.before) return {};
   if (const Row* other = find_row(*row.before)) return value_text(*other, p);

@@ -104,6 +104,9 @@ std::string_view key_of(const Row& row);     ///< "youngs_modulus"
 /// "\"square\"".
 std::string value_text(const Row& row, const Parameters& p);
 
+/// The text of a row that holds one: a field, a law, a file.
+const std::string& text_of(const Row& row, const Parameters& p);
+
 /// `before` as it stands in a scenario file with these parameters; empty if the row has none.
 std::string before_text(const Row& row, const Parameters& p);
 

@@ -29,16 +29,17 @@ export function valueAt(field: Field, frame: number, index: number): number {
   return field.offset + field.scale * field.q[frame * field.step + index];
 }
 
-function fromBase64(text: string): Uint8Array {
+export function fromBase64(text: string): Uint8Array {
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
   return bytes;
 }
 
-async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
+/** @throws Error where the browser cannot */
+export async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
   if (typeof DecompressionStream === "undefined")
-    throw new Error("this browser is too old to unpack the frames (it has no DecompressionStream)");
+    throw new Error("this browser is too old to unpack what is compressed (it has no DecompressionStream)");
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

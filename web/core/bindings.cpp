@@ -3,6 +3,7 @@
 
 #include "base/failure.hpp"
 #include "ecm/loop/fibres.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
@@ -310,17 +311,26 @@ val image() {
       .new_(val(emscripten::typed_memory_view(all.size(), reinterpret_cast<const unsigned char*>(all.data()))));
 }
 
-/// Presets that need no formula.
 std::string preset_list() {
   return answer([] {
     Json all = Json::array();
-    for (const Preset& preset : presets()) {
-      try {
-        static_cast<void>(parameters_of(preset));
-      } catch (const ConfigurationError&) {
-        continue;
-      }
+    for (const Preset& preset : presets())
       all.push_back({{"name", preset.name}, {"description", preset.description}, {"overrides", preset.overrides}});
+    return all;
+  });
+}
+
+/// The laws as the paper has them, with what their formulas may name.
+std::string law_list() {
+  return answer([] {
+    const Parameters paper;
+    Json all = Json::array();
+    for (const Row& law : law_rows()) {
+      if (kind(law) != Kind::law) continue;
+      Json names = Json::array();
+      for (const LawVariable& variable : law_variables(law)) names.push_back(variable.name);
+      all.push_back({{"path", law.path}, {"unit", law.unit == "1" ? "" : law.unit}, {"meaning", law.description},
+                     {"formula", text_of(law, paper)}, {"arguments", names}});
     }
     return all;
   });
@@ -343,6 +353,7 @@ EMSCRIPTEN_BINDINGS(matrigrate) {
   function("protrusions", &protrusions);
   function("image", &image);
   function("presets", &preset_list);
+  function("laws", &law_list);
 }
 
 } // namespace matrigrate::live

@@ -168,6 +168,18 @@ auto lower_bound(Range&& range, const Value& value, Compare compare = {}, Projec
   });
 }
 
+template <class Range, class Value, class Compare = std::less<>, class Projection = identity>
+auto upper_bound(Range&& range, const Value& value, Compare compare = {}, Projection projection = {}) {
+  return std::upper_bound(range.begin(), range.end(), value, [&](const Value& than, const auto& one) {
+    return invoke(compare, than, invoke(projection, one));
+  });
+}
+
+template <class Range, class Value>
+void replace(Range&& range, const Value& old, const Value& with) {
+  std::replace(range.begin(), range.end(), old, with);
+}
+
 template <class Range, class Compare = std::less<>, class Projection = identity>
 auto min_element(Range&& range, Compare compare = {}, Projection projection = {}) {
   return std::min_element(range.begin(), range.end(), gaps::by(compare, projection));

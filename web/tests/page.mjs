@@ -203,6 +203,25 @@ assert.match(words, /line 2.*youngs_module.*did you mean ecm\.youngs_modulus.*li
 assert.equal((await state(page)).t_s > 60, true);
 await page.locator(".fault button").click();
 
+// A law: a wrong formula is told and stays to be mended, another one acts from now on, and an empty one is the paper's.
+await page.locator(".formulas summary").click();
+const law = page.locator("input[name='laws.curvature_factor']");
+const enter = async (formula) => {
+  await law.fill(formula);
+  await law.press("Enter");
+};
+const paper = await law.inputValue();
+await enter("exp(-kapa^2)");
+await page.waitForSelector(".fault");
+assert.match(await page.locator(".fault").first().textContent(), /kapa.*kappa/s);
+assert.deepEqual([await law.inputValue(), await law.getAttribute("aria-invalid")], ["exp(-kapa^2)", "true"]);
+for (const formula of ["exp(-kappa^2)", ""]) {
+  const changes = (await state(page)).scenario.changes.length;
+  await enter(formula);
+  await until(page, (s) => s.scenario.changes.length > changes, "a law that acts");
+  assert.deepEqual([await law.inputValue(), await law.getAttribute("aria-invalid"), await page.locator(".fault").count()], [formula || paper, "false", 0]);
+}
+
 // What was saved is there again after the browser was closed.
 /** What must be the same after it; sums of positions and pressure of all moments of the film. */
 const standing = () => {

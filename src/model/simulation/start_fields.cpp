@@ -16,12 +16,6 @@ namespace matrigrate {
 
 namespace {
 
-using Text = std::string& (*)(Parameters&);
-
-const std::string& text_of(const Parameters& p, const Row& row) {
-  return std::get<Text>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
-}
-
 /// The unit of the attractant is of the user's choice.
 bool unit_is_free(const Row& row) { return row.path.starts_with("ecm.fields.attractant"); }
 
@@ -29,7 +23,7 @@ bool unit_is_free(const Row& row) { return row.path.starts_with("ecm.fields.attr
 /// @throws ConfigurationError
 std::shared_ptr<fields::Field> numbers_of(const Parameters& p, std::string_view path) {
   const Row& row = *find_row(path);
-  const std::string& text = text_of(p, row);
+  const std::string& text = text_of(row, p);
   if (text.empty()) return nullptr;
   try {
     auto field = std::make_shared<fields::Field>(text, "", p.grids.get());

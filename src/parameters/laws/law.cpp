@@ -121,10 +121,6 @@ std::string with_unit(double value, std::string_view unit) {
 
 } // namespace
 
-const std::string& law_text(const Row& law, const Parameters& p) {
-  return std::get<std::string& (*)(Parameters&)>(law.member)(const_cast<Parameters&>(p)); // the accessor only finds it
-}
-
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text) {
   const std::vector<std::string_view> variables = names_of(law_variables(law));
   const std::vector<fields::NamedNumber> names = law_names(p);
@@ -165,7 +161,7 @@ std::vector<fields::NamedNumber> law_names(const Parameters& p) {
 }
 
 Law::Law(std::string_view path, const Parameters& p) : m_row(find_row(path)) {
-  if (is_changed(*m_row, p)) m_formula.emplace(law_formula(*m_row, p, law_text(*m_row, p)));
+  if (is_changed(*m_row, p)) m_formula.emplace(law_formula(*m_row, p, text_of(*m_row, p)));
 }
 
 bool Law::uses(std::string_view variable) const {
@@ -203,7 +199,7 @@ std::string fault_of_law(const Parameters& p, const Row& law) {
   }
 }
 
-bool is_changed(const Row& law, const Parameters& p) { return law_text(law, p) != *law.before; }
+bool is_changed(const Row& law, const Parameters& p) { return text_of(law, p) != *law.before; }
 
 std::vector<const Row*> changed_laws(const Parameters& p) {
   std::vector<const Row*> changed;

@@ -177,7 +177,7 @@ void over_grid(const std::vector<std::vector<double>>& axes, const Visit& visit)
 
 std::string fault_of_law_values(const Parameters& p, const Row& law) {
   if (!is_changed(law, p) || !fault_of_constants(p).empty() || !fault_of_law(p, law).empty()) return {};
-  const std::string& text = law_text(law, p);
+  const std::string& text = text_of(law, p);
   const fields::Expression formula = law_formula(law, p, text);
   const auto variables = law_variables(law);
   std::vector<bool> used;
@@ -208,7 +208,7 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
 }
 
 LawCurve law_curve(const Parameters& p, const Row& law, std::size_t points) {
-  const fields::Expression changed = law_formula(law, p, law_text(law, p));
+  const fields::Expression changed = law_formula(law, p, text_of(law, p));
   const fields::Expression paper = law_formula(law, p, std::string(*law.before));
   const auto variables = law_variables(law);
   std::size_t over = 0; // the first variable that either depends on

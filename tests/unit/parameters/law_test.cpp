@@ -39,7 +39,7 @@ TEST(Law, DefaultsAreThoseOfThePaperAndCanBeRead) {
     if (kind(law) != Kind::law) continue;
     EXPECT_FALSE(is_changed(law, {})) << law.path;
     EXPECT_FALSE(law_variables(law).empty()) << law.path;
-    EXPECT_NO_THROW(law_formula(law, {}, law_text(law, {}))) << law.path;
+    EXPECT_NO_THROW(law_formula(law, {}, text_of(law, {}))) << law.path;
     for (const LawVariable& variable : law_variables(law)) {
       EXPECT_LT(variable.low, variable.high) << law.path;
       EXPECT_NE(law.description.find(variable.name), std::string_view::npos) << law.path << " " << variable.name;

@@ -1,7 +1,8 @@
 /** What a person sets: preset, seed, sliders, a scenario of one's own. */
 import { h } from "../dom";
 import { readable } from "../numbers";
-import type { Preset } from "./protocol";
+import { laws } from "./laws";
+import type { Law, Preset } from "./protocol";
 import { now, pascals, type Scenario, type Settings } from "./scenario";
 
 interface Slider {
@@ -60,8 +61,9 @@ export interface Wishes {
 export interface Controls {
   element: HTMLElement;
   presets(list: Preset[]): void;
-  /** Shows values as they are.   @param all  every parameter that is not at its default */
-  show(all: Settings, scenario: Scenario): void;
+  laws(list: Law[]): void;
+  /** Shows values as they are.   @param all  every parameter that is not at its default   @param refused  what was asked for before */
+  show(all: Settings, scenario: Scenario, refused?: boolean): void;
 }
 
 function sliderRow(slider: Slider, wishes: Wishes): { element: HTMLElement; show: (settings: Settings) => void } {
@@ -102,6 +104,7 @@ export function controls(wishes: Wishes): Controls {
   const text = h("textarea", { name: "toml", rows: 8, spellcheck: "false", placeholder: '[ecm]\nyoungs_modulus = "100 Pa"', "aria-label": "Scenario as TOML" });
   const use = h("button", { type: "button" }, "Begin with this scenario");
   use.addEventListener("click", () => wishes.toml(text.value));
+  const formulas = laws(wishes.set);
   const choice = (name: string, ...inside: Node[]) => h("label", { class: "choice" }, h("span", {}, name), ...inside);
   const element = h(
     "form",
@@ -111,6 +114,7 @@ export function controls(wishes: Wishes): Controls {
     h("div", { class: "choices-row" }, choice("Fibres", fibres)),
     rows[5].element,
     h("p", { class: "note" }, "A slider acts from now on; preset, seed and what is drawn begin anew."),
+    formulas.element,
     h("details", { class: "own" }, h("summary", {}, "A scenario file"), text, use),
   );
   element.addEventListener("submit", (event) => event.preventDefault());
@@ -120,7 +124,9 @@ export function controls(wishes: Wishes): Controls {
       list = all;
       preset.replaceChildren(h("option", { value: "" }, "\u2013"), ...all.map(({ name, description }) => h("option", { value: name, title: description }, name)));
     },
-    show(all, scenario) {
+    laws: formulas.list,
+    show(all, scenario, refused = false) {
+      formulas.show(all, refused);
       for (const row of rows) row.show(all);
       seed.value = all["run.seed"] ?? "1";
       fibres.value = all["fibres.arrangement"] ?? "none";

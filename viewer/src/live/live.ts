@@ -122,6 +122,7 @@ export class Live {
       case "ready":
         this.controls.presets(message.presets);
         this.lesson.presets(message.presets);
+        this.controls.laws(message.laws);
         return this.open();
       case "begun":
         return this.begun(message.head, message.matrix);
@@ -159,7 +160,7 @@ export class Live {
         return;
       case "faults":
         this.troubles.faults(message.faults, message.of);
-        if (this.head) this.controls.show(settingsOf(this.head.changed), this.scenario);
+        this.refused();
         this.wanted = null;
         return;
       case "failure":
@@ -209,12 +210,17 @@ export class Live {
     };
   }
 
+  /** What was asked for cannot be: shows the settings as they are. */
+  private refused(): void {
+    if (this.head) this.controls.show(settingsOf(this.head.changed), this.scenario, true);
+  }
+
   private async begin(scenario: Scenario, play: boolean, from?: Kept): Promise<void> {
     const start = from ? { ...scenario, settings: now(scenario) } : scenario;
     const ground = await this.ground({ ...scenario, changes: [] });
     if (!ground) {
       if (!this.head) void this.begin(fresh(), false);
-      return;
+      return this.refused();
     }
     this.wanted = { scenario, kept: from, play };
     const whole = given(start, ground);

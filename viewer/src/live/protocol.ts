@@ -92,6 +92,16 @@ export interface Preset {
   overrides: string[];
 }
 
+/** A law of the model as the paper has it. */
+export interface Law {
+  path: string;
+  unit: string;
+  meaning: string;
+  formula: string;
+  /** Names of its arguments. */
+  arguments: string[];
+}
+
 /** Every parameter that is not at the program's default. */
 export type Changed = { path: string; value: string | number | boolean }[];
 
@@ -121,7 +131,7 @@ export type ToWorker =
   | { kind: "seen"; frame: CoreFrame };
 
 export type FromWorker =
-  | { kind: "ready"; presets: Preset[] }
+  | { kind: "ready"; presets: Preset[]; laws: Law[] }
   | { kind: "begun"; head: Head; matrix: CoreMatrix; resumed: boolean }
   | { kind: "changed"; head: Head; matrix: CoreMatrix; overrides: string[] }
   /** Rows of protrusions come only where they have changed. */

@@ -1,6 +1,6 @@
 /** Runs in a worker, behind the script of the core: computes piece by piece, so that messages are heard in between. */
 import type { ProtrusionRow } from "../contract";
-import { buffersOf, type Answer, type CoreFrame, type CoreMatrix, type Fault, type FromWorker, type Given, type Head, type Preset, type ToWorker, type TrackRow } from "./protocol";
+import { buffersOf, type Answer, type CoreFrame, type CoreMatrix, type Fault, type FromWorker, type Given, type Head, type Law, type Preset, type ToWorker, type TrackRow } from "./protocol";
 
 /** As web/core/bindings.cpp exports it; all text is JSON. */
 interface Core {
@@ -18,6 +18,7 @@ interface Core {
   protrusions(): string;
   image(): Uint8Array;
   presets(): string;
+  laws(): string;
 }
 
 declare function matrigrateCore(options: object): Promise<Core>;
@@ -155,7 +156,7 @@ matrigrateCore({}).then(
   (made) => {
     core = made;
     self.onmessage = (event: MessageEvent<ToWorker>) => act(event.data);
-    send({ kind: "ready", presets: read<Preset[]>(core.presets()) });
+    send({ kind: "ready", presets: read<Preset[]>(core.presets()), laws: read<Law[]>(core.laws()) });
   },
   (reason: unknown) =>
     send({
