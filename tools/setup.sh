@@ -37,6 +37,7 @@ python3-wheel: the same
 python3-pandas: tables
 python3-h5py: frames
 python3-matplotlib: figures
+python3-xxhash: whether tables are still those of their run
 "
 packages_for_wheel="
 patchelf: gives the libraries that go into a wheel their names
@@ -54,6 +55,7 @@ pybind11-dev: the compiled module of the Python package
 python3-dev: the same
 python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
+python3-xxhash: whether tables are still those of their run, in the tests of the Python package
 python3-sklearn: emulators in the tests of calibration
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
 python3-tifffile: opens stacks of fields in their tests

@@ -112,8 +112,7 @@ void tell_gone(const StudyOptions& options, const StudyFolder& study) {
 
 /// Whether somebody must look at such a run.
 bool is_trouble(study::RunState state) {
-  return state == study::RunState::failed || state == study::RunState::interrupted ||
-         state == study::RunState::damaged;
+  return state == study::RunState::failed || state == study::RunState::interrupted || state == study::RunState::damaged;
 }
 
 /// Runs that were done before, of which a file is damaged.

@@ -113,6 +113,10 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   if (!extra.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     return fmt::format("too many arguments: {}{}", fmt::join(extra, " "), help);
   if (std::string_view(error.what()) == "A subcommand is required") return fmt::format("a verb is required{}", help);
+  const std::string text = error.what();
+  constexpr std::string_view twice = ": At Most 1 required but received ";
+  if (const std::size_t at = text.find(twice); at != std::string::npos)
+    return fmt::format("{} is given {} times{}", text.substr(0, at), text.substr(at + twice.size()), help);
   const std::string number = number_fault(*verb, error.what());
   return fmt::format("{}{}", number.empty() ? error.what() : number, help);
 }

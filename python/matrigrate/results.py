@@ -27,6 +27,11 @@ try:
 except ImportError:  # results can be read where the program does not run
     fcntl = None  # type: ignore[assignment]
 
+try:
+    import xxhash
+except ImportError:
+    xxhash = None
+
 
 @functools.cache
 def _known() -> dict[str, dict[str, Any]]:
@@ -284,6 +289,7 @@ class Run:
             for name, value in cell.items():
                 if isinstance(value, bool) or not isinstance(value, (int, float, type(None))):
                     raise InputOutputError(f"{path}: is damaged: {name} is no number", self.folder)
+        self._require_unchanged("summary.json")
         if "cells" not in values:
             return Readouts(values)
         if [cell.get("cell") for cell in cells] != list(range(1, len(cells) + 1)) or len(set(map(frozenset, cells))) > 1:
@@ -317,7 +323,21 @@ class Run:
 
     def _table(self, name: str, texts: list[str] | None = None) -> pandas.DataFrame:
         unfinished = self.status in ("running", "unfinished")
-        return read_table(self._existing(name), texts=texts or (), unfinished=unfinished)
+        table = read_table(self._existing(name), texts=texts or (), unfinished=unfinished)
+        self._require_unchanged(name)
+        return table
+
+    def _require_unchanged(self, name: str) -> None:
+        """
+        :raises InputOutputError: if the run is done, and the file is no longer what run.json says of it; without the
+            package xxhash this is not known
+        """
+        known = self.record.get("files")
+        if xxhash is None or self.record["status"] != "done" or not isinstance(known, dict) or name not in known:
+            return
+        path = self.folder / name
+        if xxhash.xxh3_64_hexdigest(path.read_bytes()) != known[name]:
+            raise InputOutputError(f"{path}: has been cut or changed since the run ended", self.folder)
 
     def _existing(self, name: str) -> Path:
         path = self.folder / name

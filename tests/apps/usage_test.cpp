@@ -80,6 +80,7 @@ TEST_F(Program, TimesAndSeedsOfOptionsAreSaidAsOfFiles) {
   EXPECT_TRUE(contains(run("run cell.toml --seed 18446744073709551616").err,
                        "--seed: run.seed: 18446744073709551616 is out of range"));
   EXPECT_TRUE(contains(run("run cell.toml --hours 1kPa").err, "--hours: run.duration: "));
+  EXPECT_TRUE(contains(run("run cell.toml --seed 1 --seed 2").err, "--seed is given 2 times\n"));
   for (const char* six_seconds : {"6s", "'6 s'", "'0.1 min'", "0.00166666666666666667"}) {
     const Ended ended = run(std::string("run cell.toml --quiet -o here --force --hours ") + six_seconds);
     EXPECT_EQ(ended.code, 0) << six_seconds << ended.err;

@@ -254,6 +254,14 @@ class WhatIsMissingOrDamaged(common.InTemporaryFolder):
                               (whole + b"1,2\n", "has 2 fields"), (whole.replace(b"\n1,0,", b"\n1,x0,"), "column t_s")):
             (run / "tracks.csv").write_bytes(damage)
             self.refused(words, lambda: matrigrate.load("run").tracks)
+        lines = whole.splitlines(keepends=True)
+        for damage in (b"".join(lines[:-2]), b"".join(lines[:9]) + b"1," + lines[9].split(b",", 1)[1].replace(b",-", b",", 1) + b"".join(lines[10:])):
+            self.assertFalse(damage == whole)
+            (run / "tracks.csv").write_bytes(damage)
+            self.refused("cut or changed since the run ended", lambda: matrigrate.load("run").tracks)
+        summary = (run / "summary.json").read_text()
+        (run / "summary.json").write_text(summary.replace("1", "2", 1))
+        self.refused("cut or changed since the run ended", lambda: matrigrate.load("run").readouts)
         (run / "summary.json").write_text("{")
         self.refused("no JSON", lambda: matrigrate.load("run").readouts)
         (run / "scenario.resolved.toml").write_text("[")

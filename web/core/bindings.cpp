@@ -329,8 +329,11 @@ std::string law_list() {
       if (kind(law) != Kind::law) continue;
       Json names = Json::array();
       for (const LawVariable& variable : law_variables(law)) names.push_back(variable.name);
-      all.push_back({{"path", law.path}, {"unit", law.unit == "1" ? "" : law.unit}, {"meaning", law.description},
-                     {"formula", text_of(law, paper)}, {"arguments", names}});
+      all.push_back({{"path", law.path},
+                     {"unit", law.unit == "1" ? "" : law.unit},
+                     {"meaning", law.description},
+                     {"formula", text_of(law, paper)},
+                     {"arguments", names}});
     }
     return all;
   });

@@ -67,6 +67,17 @@ std::size_t matrix_class(double f) {
   return 1 + std::min(static_cast<std::size_t>((1.0 - f) * (matrix_classes - 2)), matrix_classes - 3);
 }
 
+std::vector<std::vector<Vec2>> paths_so_far(const State& s, std::span<const TrackRow> rows) {
+  std::vector<std::vector<Vec2>> paths;
+  for (const Cell& cell : s.cells) {
+    std::vector<Vec2>& path = paths.emplace_back();
+    for (const TrackRow& row : rows)
+      if (row.cell == cell.id) path.push_back(row.centre);
+    if (rows.empty() || rows.back().step != s.step) path.push_back(centre_of_mass(cell.cortex));
+  }
+  return paths;
+}
+
 CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vector<Vec2>> paths) {
   CellScene scene;
   scene.t = s.t;

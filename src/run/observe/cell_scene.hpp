@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "observe/tracks.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 
@@ -45,6 +46,10 @@ struct CellScene {
   std::vector<DrawnCell> cells;
   std::vector<DrawnProtrusion> protrusions; ///< of all cells
 };
+
+/// The paths of the centres of mass of the cells up to now.
+/// @param rows  of tracks so far; the moment itself may be among them
+std::vector<std::vector<Vec2>> paths_so_far(const State& s, std::span<const TrackRow> rows);
 
 /// @param paths  of the centre of mass of each cell so far; none: no paths [um]
 CellScene cell_scene(const State& s, const Parameters& p, std::vector<std::vector<Vec2>> paths);

@@ -3,6 +3,7 @@
 #include "observe/readouts.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,11 @@ struct ReadOutSpec {
   bool of_claims = false; ///< needed by claims alone: not among what people are shown of a run
   bool of_groups = false; ///< of several cells only
   bool is_late = false;   ///< tables of results of version 0.1.0 lack it
+  bool is_always = false; ///< defined of every run that is done, as counts are
+  double least = 0.0;     ///< bounds of its values
+  double most = std::numeric_limits<double>::infinity();
+
+  bool is_count() const { return std::holds_alternative<std::uint64_t>(value({})); }
 
   /// "speed, start to end (um/h)"; of a ratio or a count without
   std::string meaning_with_unit() const;

@@ -1,27 +1,9 @@
 #include "base/file.hpp"
-#include "cell/geometry.hpp"
 #include "draw/cell_picture.hpp"
 #include "draw/layer_picture.hpp"
 #include "run/output/output.hpp"
 
 namespace matrigrate::run {
-
-namespace {
-
-/// The cells with the paths of their centres of mass so far.
-observe::CellScene scene_of(const RunSoFar& run, const State& s) {
-  const std::vector<TrackRow>& rows = run.memory.rows;
-  std::vector<std::vector<Vec2>> paths;
-  for (const Cell& cell : s.cells) {
-    std::vector<Vec2>& path = paths.emplace_back();
-    for (const TrackRow& row : rows)
-      if (row.cell == cell.id) path.push_back(row.centre);
-    if (rows.empty() || rows.back().step != s.step) path.push_back(centre_of_mass(cell.cortex));
-  }
-  return observe::cell_scene(s, run.p, std::move(paths));
-}
-
-} // namespace
 
 /// Pictures of the cell and of layers of the matrix; at the end the contact sheet, and where the run failed that
 /// moment.
@@ -31,7 +13,7 @@ Output snapshots(RunSoFar& run, const State&) {
     make_output_folder(run.folder / "snapshots", true);
     output.write = [&run](const State& s, const Workspace& w) {
       if (!run.memory.scenes.empty() && run.memory.scenes.back().t == s.t) return;
-      observe::CellScene scene = scene_of(run, s);
+      observe::CellScene scene = observe::cell_scene(s, run.p, observe::paths_so_far(s, run.memory.rows));
       const std::string file = (run.folder / "snapshots" / time_name(s.t)).string();
       write_file(file + ".svg", draw::cell_picture(scene, observe::whole_disc(scene)));
       if (run.p.output.displacement_layer) write_file(file + "_displacement.svg", draw::displacement_picture(s, run.p));

@@ -26,6 +26,7 @@ std::string take_field(std::string_view& text, std::size_t line) {
   if (!text.starts_with('"')) {
     field = text.substr(0, std::min(text.find_first_of(",\n"), text.size()));
     text.remove_prefix(field.size());
+    if (field.ends_with('\r') && !text.starts_with(',')) field.pop_back(); // a line may end with both
     return field;
   }
   for (text.remove_prefix(1);; text.remove_prefix(1)) {
@@ -47,6 +48,8 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
 }
 
 CsvTable read_csv(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf"; // of UTF-8, as spreadsheets put it in front
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
   CsvTable table;
   for (std::size_t line = 1; !text.empty(); ++line) {
     std::vector<std::string> fields{take_field(text, line)};
@@ -54,6 +57,7 @@ CsvTable read_csv(std::string_view text) {
       text.remove_prefix(1);
       fields.push_back(take_field(text, line));
     }
+    if (text.starts_with("\r\n")) text.remove_prefix(1);
     if (!text.empty() && text.front() != '\n')
       throw InputOutputError(fmt::format("line {}: a quoted field goes on after its quote", line));
     text.remove_prefix(std::min<std::size_t>(1, text.size()));

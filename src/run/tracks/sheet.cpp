@@ -113,6 +113,23 @@ std::optional<double> sheet_number(std::string_view field, bool comma) {
   return value;
 }
 
+bool has_thousands_sign(std::string_view field) {
+  std::string_view text = trimmed(field);
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const std::size_t at = text.find_first_of(".,' ");
+  if (at == 0 || at > 3) return false; // or not found
+  const char sign = text[at];
+  std::string digits(text.substr(0, at));
+  text.remove_prefix(at);
+  for (; text.size() >= 4 && text.front() == sign; text.remove_prefix(4)) digits += text.substr(1, 3);
+  if (!text.empty() && text.front() != sign && (text.front() == '.' || text.front() == ',')) {
+    text.remove_prefix(1);
+    digits += text;
+    text = {};
+  }
+  return text.empty() && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 bool says_nothing(std::string_view field) {
   static const std::vector<std::string> words{"", "nan", "na", "n/a", "#n/a", "none", "null", "-", "<na>", "-nan"};
   return std::ranges::find(words, lower(trimmed(field))) != words.end();

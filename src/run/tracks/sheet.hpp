@@ -30,6 +30,9 @@ std::optional<char> named_separator(std::string_view& text);
 /// @param comma  whether the comma is the decimal sign
 std::optional<double> sheet_number(std::string_view field, bool comma);
 
+/// Whether it would be a number without the signs between its thousands: "1.000,5", "12,345,678".
+bool has_thousands_sign(std::string_view field);
+
 /// Whether a field says that there is no value: empty, "NaN", "NA", "None", "-"...
 bool says_nothing(std::string_view field);
 

@@ -152,7 +152,9 @@ private:
     if (const auto value = sheet_number(text, m_comma)) return value;
     const bool comma = m_table.separator != ',' && sheet_number(text, true).has_value();
     m_findings.fault(row.line, fmt::format("{}: \"{}\" is no finite number{}", m_table.name(column), excerpt(text),
-                                           comma ? ": it has a comma, others a point" : ""));
+                                           comma                      ? ": it has a comma, others a point"
+                                           : has_thousands_sign(text) ? ": leave out what separates its thousands"
+                                                                      : ""));
     return std::nullopt;
   }
 

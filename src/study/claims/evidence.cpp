@@ -8,6 +8,7 @@
 #include "study_results/read_results.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -171,8 +172,11 @@ std::string ends_text(const Ensemble& ensemble) {
   const auto rim = count(ended_at_rim);
   const auto crossing = count(crossed_itself);
   const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
-  return fmt::format("{} of {} runs done; {} ended at the rim, {} by crossing themselves, {} otherwise", finished, all,
-                     rim, crossing, all - finished - rim - crossing);
+  std::vector<std::string> ends;
+  for (const auto& [n, how] : {std::pair(rim, "at the rim"), std::pair(crossing, "by crossing itself"),
+                               std::pair(all - finished - rim - crossing, "otherwise")})
+    if (n > 0) ends.push_back(fmt::format("{} {}{}", n, ends.empty() ? "ended " : "", how));
+  return fmt::format("{} of {} runs done{}{}", finished, all, ends.empty() ? "" : "; ", fmt::join(ends, ", "));
 }
 
 } // namespace matrigrate::study

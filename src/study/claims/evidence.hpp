@@ -65,7 +65,7 @@ ClaimEvidence gather_evidence(const std::vector<Claim>& claims, const EvidenceOp
 /// Verdicts on claims, each with that in a larger disc where runs ended at the rim.
 std::vector<JudgedClaim> judged_claims(const std::vector<Claim>& claims, const ClaimEvidence& all);
 
-/// "60 of 60 runs done; 0 ended at the rim, 0 by crossing themselves, 0 otherwise"
+/// "60 of 60 runs done", "57 of 60 runs done; 2 ended at the rim, 1 by crossing itself"
 std::string ends_text(const Ensemble& ensemble);
 
 } // namespace matrigrate::study

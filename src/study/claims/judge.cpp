@@ -21,7 +21,8 @@ std::string brief_label(const Study& study, const Point& point) {
   if (point.set >= study.sets.size()) return point.label;
   const FactorSet& set = study.sets[point.set];
   const Names names(study);
-  if (set.settings.empty() || (set.label != label_of(set.settings, names) && set.label != label_of(set.settings, names, true)))
+  if (set.settings.empty()
+      || (set.label != label_of(set.settings, names) && set.label != label_of(set.settings, names, true)))
     return point.label;
   std::vector<std::string> values;
   for (const Setting& setting : set.settings) {

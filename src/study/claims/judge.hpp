@@ -47,7 +47,8 @@ struct Finding {
 /// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs or
 /// the runs that there are tell too little.
 ///
-/// Each sentence is written twice: whole, with points as the study labels them, and in brief, with the values that vary.
+/// Each sentence is written twice: whole, with points as the study labels them, and in brief, with the values that
+/// vary.
 class Judge {
 public:
   /// @param study  that conditions mean where they name none

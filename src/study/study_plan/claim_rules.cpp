@@ -178,7 +178,8 @@ ClaimReading uncorrelated(const ClaimCondition& /*c*/, const ClaimRuns& runs) {
 
 /// A number over all runs: "$readout: the mean over the runs of $study is above 0.5".
 ClaimReading over_all(std::string_view what, double found, std::size_t n, std::string_view wanted, double bound) {
-  ClaimReading reading{.wanted = fmt::format("$readout: the {} over the runs of $study is {} {:.3g}", what, wanted, bound),
+  ClaimReading reading{.wanted =
+                           fmt::format("$readout: the {} over the runs of $study is {} {:.3g}", what, wanted, bound),
                        .measured = fmt::format("{:.3g}", found),
                        .defined = n > 1};
   if (n > 0) reading.all_runs = fmt::format("$readout: {} {:.3g} (n = {})", what, found, n);

@@ -130,7 +130,7 @@ private:
       return m_faults.add(place_of(*value), "targets.value",
                           "is given together with a range; a target is either a value or a range");
     if (value != nullptr) {
-      target.low = target.high = m_faults.number(*value, "targets.value").value_or(0.0);
+      target.low = target.high = measured(*value, "targets.value").value_or(0.0);
       return;
     }
     if (low == nullptr && high == nullptr)
@@ -139,8 +139,8 @@ private:
     if (low == nullptr || high == nullptr)
       return m_faults.add(place_of(table), low == nullptr ? "targets.low" : "targets.high",
                           "is missing; a range has low and high");
-    const auto from = m_faults.number(*low, "targets.low");
-    const auto to = m_faults.number(*high, "targets.high");
+    const auto from = measured(*low, "targets.low");
+    const auto to = measured(*high, "targets.high");
     if (!from || !to) return;
     if (!(*from < *to))
       m_faults.add(place_of(*low), "targets.low", fmt::format("{} is not below high, {}", *from, *to));
@@ -148,11 +148,21 @@ private:
     target.high = *to;
   }
 
-  double positive(const toml::node& node, std::string_view key) {
+  std::optional<double> measured(const toml::node& node, std::string_view key) {
+    constexpr double most = 1e30;
     const auto value = m_faults.number(node, key);
-    if (value && !(*value > 0.0))
-      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed is > 0", *value));
-    return value && *value > 0.0 ? *value : 1.0;
+    if (value && std::abs(*value) > most)
+      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed are {} to {}", *value, -most, most));
+    return value;
+  }
+
+  double positive(const toml::node& node, std::string_view key) {
+    constexpr double least = 1e-30, most = 1e30; // squares of quotients are numbers
+    const auto value = m_faults.number(node, key);
+    const bool allowed = value && *value >= least && *value <= most;
+    if (value && !allowed)
+      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed are {} to {}", *value, least, most));
+    return allowed ? *value : 1.0;
   }
 
   std::vector<std::size_t> conditions(const toml::node& node) {

@@ -49,7 +49,14 @@ std::vector<report::Fact> facts(const Evidence& evidence, const std::string& com
   std::vector<report::Fact> list{{"command", command},
                                  {"date", run::minute_text(std::chrono::system_clock::now())},
                                  {"program", run::version_line()}};
-  for (const auto& [name, ensemble] : evidence) list.push_back({name, ends_text(ensemble)});
+  std::size_t studies = 0, runs = 0; // of which nothing is to be said
+  for (const auto& [name, ensemble] : evidence) {
+    const bool done = std::ranges::all_of(ensemble.results, [](const Result& r) { return r.standing.done(); });
+    if (!done) list.push_back({name, ends_text(ensemble)});
+    if (done) ++studies, runs += ensemble.results.size();
+  }
+  if (studies > 0)
+    list.push_back({"runs", fmt::format("all {} of {} {} done", runs, studies, studies > 1 ? "studies" : "study")});
   return list;
 }
 

@@ -105,6 +105,18 @@ private:
                  fmt::format("is \"{}\"; the point \"{}\" has {}", field(m_swept[k]), point.label, values[k]));
   }
 
+  /// @param several  whether a value is a mean over several cells
+  void check_readout(const ReadOutSpec& spec, double value, bool done, bool several) {
+    if (std::isnan(value)) {
+      if (done && field(spec.name).empty() && (spec.is_always || (spec.is_count() && !spec.is_late)))
+        complain(spec.name, "is empty; every run that is done has it");
+    } else if (value < spec.least || value > spec.most) {
+      complain(spec.name, fmt::format("is {:g}; allowed are {:g} to {:g}", value, spec.least, spec.most));
+    } else if (spec.is_count() && !several && value != std::floor(value)) {
+      complain(spec.name, fmt::format("is {:g}; it is a count", value));
+    }
+  }
+
   void check_duration(const RunParameters& run, RunState status) {
     const double t = number("duration_s");
     if (status == RunState::done && std::isfinite(t) && std::abs(t - run.duration) > 1.001 * run.time_step)
@@ -128,8 +140,11 @@ private:
       check_parameters(*point);
       check_duration(point->parameters.run, r.standing.status);
     }
-    for (const std::string& name : all_readouts())
-      r.readouts.push_back(m_table.column(name) ? number(name) : std::numeric_limits<double>::quiet_NaN());
+    for (const ReadOutSpec& spec : readout_table()) {
+      const bool there = m_table.column(spec.name).has_value();
+      r.readouts.push_back(there ? number(spec.name) : std::numeric_limits<double>::quiet_NaN());
+      if (there) check_readout(spec, r.readouts.back(), r.standing.done(), has_several_cells(m_study));
+    }
     return r;
   }
 

@@ -252,7 +252,8 @@ TEST(Judge, TakesPointsOfOtherStudiesByTheirNames) {
   e.emplace("t", e.at("s"));
   const Finding found = finding(e, on("differs", "from = \"n_prot 1\", to = \"t: n_prot 2\"" + up));
   EXPECT_EQ(found.verdict, Verdict::holds);
-  EXPECT_TRUE(found.conditions.front().starts_with("maturation of protrusions, mean: t: n_prot 2 significantly above s: n_prot 1"))
+  EXPECT_TRUE(found.conditions.front().starts_with(
+      "maturation of protrusions, mean: t: n_prot 2 significantly above s: n_prot 1"))
       << found.conditions.front();
   EXPECT_NE(finding(e, on("mean_above", "bound = 1, study = \"t\"")).conditions.front().find("over the runs of t"),
             std::string::npos);
@@ -340,9 +341,11 @@ TEST(Claims, TableSaysWhyNot) {
   const JudgedClaim no{"A1", ClaimKind::calibration, "f_mat rises and does not", "1 to 2",
                        finding(e, between("differs", 1, 2, up) + between("same", 1, 2))};
   const JudgedClaim yes{"B1", ClaimKind::predicted, "f_mat rises", "", finding(e, between("differs", 1, 2, up))};
-  EXPECT_EQ(no.finding.brief, "maturation of protrusions, mean: 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
-  EXPECT_EQ(why_not(no.finding), "not met: maturation of protrusions, mean: n_prot 2 not significantly different from n_prot 1 "
-                                 "(difference 1 [0.777, 1.22], p 3.4e-05)");
+  EXPECT_EQ(no.finding.brief,
+            "maturation of protrusions, mean: 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
+  EXPECT_EQ(why_not(no.finding),
+            "not met: maturation of protrusions, mean: n_prot 2 not significantly different from n_prot 1 "
+            "(difference 1 [0.777, 1.22], p 3.4e-05)");
   EXPECT_EQ(why_not(yes.finding), "");
   EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted; 1 more in direction");
   EXPECT_TRUE(claims_csv({no, yes}).starts_with("id,kind,claim,published,ours,verdict,why_not,"));

@@ -106,12 +106,12 @@ TEST(Targets, EachFault) {
   EXPECT_EQ(target(readout + "value = 1\n"),
             "f.toml:9:1: targets.error: is missing; write error = 1.0, the standard error of what was measured");
   EXPECT_EQ(target(readout + "value = 1\nerror = 0\n"),
-            "f.toml:12:9: targets.error: 0 is out of range; allowed is > 0");
+            "f.toml:12:9: targets.error: 0 is out of range; allowed are 1e-30 to 1e+30");
   EXPECT_EQ(target(readout + "value = \"1\"\nerror = 1\n"),
             "f.toml:11:9: targets.value: is a string, but a number without quotes is expected");
   EXPECT_EQ(target(readout + "value = nan\nerror = 1\n"),
             "f.toml:11:9: targets.value: is not finite, but a number without quotes is expected");
-  EXPECT_EQ(target(good + "weight = -1\n"), "f.toml:13:10: targets.weight: -1 is out of range; allowed is > 0");
+  EXPECT_EQ(target(good + "weight = -1\n"), "f.toml:13:10: targets.weight: -1 is out of range; allowed are 1e-30 to 1e+30");
   EXPECT_EQ(target(readout + "low = 2\nhigh = 2\nerror = 1\n"), "f.toml:11:7: targets.low: 2 is not below high, 2");
   EXPECT_EQ(target(readout + "low = 2\nerror = 1\n"), "f.toml:9:1: targets.high: is missing; a range has low and high");
   EXPECT_EQ(target(good + "low = 2\n"),

@@ -1,6 +1,7 @@
 #include "study_results/read_results.hpp"
 
 #include "base/failure.hpp"
+#include "observe/readout_table.hpp"
 #include "tables/csv.hpp"
 #include "tables/row_file.hpp"
 #include "unit/study_plan/studies.hpp"
@@ -22,6 +23,10 @@ std::vector<Result> made(const Study& study) {
   std::vector<Result> all = results_of("f_mat", {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}});
   all[1].run.seed = 9007199254740991; // the largest there is
   all[1].standing.trajectory_hash = "0123456789abcdef";
+  for (Result& r : all)
+    for (const ReadOutSpec& spec : readout_table())
+      if (spec.is_always || spec.is_count())
+        r.readouts[readout_column(spec.name)] = spec.name == "duration_s" ? 21600.0 : 2.0;
   all.back().standing.status = RunState::failed;
   all.back().standing.cause = FailureCause::rim;
   all.back().standing.reason = "the cell has reached the clamped rim, at (1, 2) um";
@@ -42,6 +47,14 @@ TEST(ReadResults, GivesBackWhatWasWritten) {
   EXPECT_EQ(again[5].standing.cause, FailureCause::rim);
   EXPECT_FALSE(again[1].standing.cause);
   EXPECT_EQ(sample(again, 1, "f_mat"), (std::vector<double>{0.4, 0.5}));
+}
+
+TEST(ReadResults, TakesTablesThatASpreadsheetHasSaved) {
+  const Study study = read(sweep);
+  const std::string csv = results_csv(study, made(study));
+  std::string saved = "\xef\xbb\xbf";
+  for (const char c : csv) saved += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(results_csv(study, read_results(study, saved, "r.csv")), csv);
 }
 
 TEST(ReadResults, RefusesResultsOfAnotherStudy) {
@@ -89,6 +102,23 @@ TEST(ReadResults, RefusesFieldsThatCannotBe) {
           .find("line 2, column 3 (ecm.youngs_modulus_Pa): is \"200\"; the point \"youngs_modulus 50 Pa\" has 50"),
       std::string::npos)
       << fault("youngs_modulus 50 Pa,50,", "youngs_modulus 50 Pa,200,");
+  const auto refused = [&](std::string_view readout, double value) {
+    std::vector<Result> changed = made(study);
+    changed[1].readouts[readout_column(readout)] = value;
+    try {
+      read_results(study, results_csv(study, changed), "r.csv");
+    } catch (const InputOutputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const char* name : {"duration_s", "v_migr_abs_um_per_h", "n_protrusions"})
+    EXPECT_TRUE(refused(name, NAN).ends_with("is empty; every run that is done has it")) << name;
+  EXPECT_EQ(refused("tau_prot_min", NAN), "") << "no adhesion may have ended";
+  EXPECT_TRUE(refused("v_migr_abs_um_per_h", -1.0).ends_with("is -1; allowed are 0 to inf"));
+  EXPECT_TRUE(refused("f_mat", 7.0).ends_with("(f_mat): is 7; allowed are 0 to 1"));
+  EXPECT_TRUE(refused("n_protrusions", 2.5).ends_with("(n_protrusions): is 2.5; it is a count"));
+  EXPECT_EQ(refused("msd_slope", -0.1) + refused("migration_index_x", -0.5), "");
   EXPECT_NE(fault(",done,", ",finished,").find("\"finished\" is no status of a run"), std::string::npos);
 }
 

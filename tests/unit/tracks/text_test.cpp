@@ -85,6 +85,13 @@ TEST(Sheet, NumbersAreDecimalNumbersAlone) {
   EXPECT_EQ(sheet_number("1.234,5", true), std::nullopt);
 }
 
+TEST(Sheet, SignsBetweenThousandsAreKnown) {
+  for (const char* text : {"1.000,5", "1,000.5", " -12,345,678 ", "1 000", "1'000.25"})
+    EXPECT_TRUE(has_thousands_sign(text)) << text;
+  for (const char* text : {"1.2.3", "1000", "1,00", "12345,678.9", "", ",000", "a,000", "1,000.x", "1.000.5"})
+    EXPECT_FALSE(has_thousands_sign(text)) << text;
+}
+
 TEST(Sheet, ASeparatorMayBeNamed) {
   std::string_view text = "sep=;\na;b";
   EXPECT_EQ(named_separator(text), ';');
