@@ -58,7 +58,7 @@ int print_list(const ListArguments& options) {
 } // namespace
 
 void add_list(CLI::App& app, Action& chosen) {
-  CLI::App* verb = app.add_subcommand("list", "The presets, validation cases and studies that ship with the program");
+  CLI::App* verb = app.add_subcommand("list", "The presets, verification cases and studies that ship with the program");
   const auto options = std::make_shared<ListArguments>();
   auto* parameters =
       verb->add_flag("--parameters", options->parameters, "Instead: all parameters, as a Markdown table a section");

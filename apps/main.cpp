@@ -72,29 +72,29 @@ int run_program(int argc, char** argv) {
   app.name("matrigrate");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_line());
-  app.footer("Exit codes: 0 done; 2 usage; 3 configuration; 4 numerical failure; 5 input or output;\n"
+  app.footer("Exit codes: 0 done; 1 internal error; 2 usage; 3 configuration; 4 numerical failure; 5 input or output;\n"
              "75 stopped by a signal; 130 by Ctrl-C.");
   Action chosen;
   add_new(app, chosen);
-  add_list(app, chosen);
   add_check(app, chosen);
   add_explain(app, chosen);
   add_run(app, chosen, {argv, argv + argc});
   add_resume(app, chosen, {argv, argv + argc});
-  add_sample(app, chosen, {argv, argv + argc});
-  add_demo(app, chosen, {argv, argv + argc});
   add_report(app, chosen);
   add_open(app, chosen);
-  add_live(app, chosen);
-  add_diff(app, chosen);
   add_export(app, chosen);
+  add_diff(app, chosen);
+  add_study(app, chosen);
   add_tracks(app, chosen);
+  add_list(app, chosen);
+  add_live(app, chosen);
+  add_info(app, chosen);
+  add_demo(app, chosen, {argv, argv + argc}); // from here on more rarely used
+  add_sample(app, chosen, {argv, argv + argc});
+  add_reproduce(app, chosen, {argv, argv + argc});
   add_validate(app, chosen);
   add_selftest(app, chosen);
-  add_study(app, chosen);
-  add_reproduce(app, chosen, {argv, argv + argc});
-  add_info(app, chosen);
-  call_subcommands_verbs(app);
+  call_subcommands_verbs(app, {"demo", "sample", "reproduce", "validate", "selftest"});
   require_verb(app, argc, argv);
   try {
     app.parse(argc, argv);

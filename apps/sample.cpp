@@ -197,16 +197,14 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
   CLI::App* verb = app.add_subcommand("sample", "Simulate once with given parameters; print the read-outs as JSON");
   verb->footer(
       "For samplers such as pyABC and sbi: matrigrate sample ecm.youngs_modulus=120 protrusion.force=\"0.3 nN\".\n"
-      "A bare number is in the unit of `matrigrate list --parameters`. Prints one line: {seed, readouts: {name: "
-      "number\n"
-      "or null}}, with --targets also {targets: [{readout, low, high, error, weight, z}], distance}: z is the "
-      "distance\n"
-      "from the target in its errors, and distance the root of the weighted mean of z^2, null where a read-out of a\n"
-      "target is not defined. FILE is a study, or any TOML file with its [[targets]].\n"
-      "Works in a temporary folder (TMPDIR) and keeps none of the run's files; kill -9 leaves the folder, "
-      "matrigrate.*.\nEach call draws a new seed, unless\n"
-      "--seed or run.seed is given. The word target=FILE writes the JSON into this new or empty file, as external\n"
-      "models of pyABC want it.\n"
+      "A bare number is in the unit of `matrigrate list --parameters`. Prints one line:\n"
+      "{seed, readouts: {name: number or null}}, with --targets also\n"
+      "{targets: [{readout, low, high, error, weight, z}], distance}: z is the distance from the target in its\n"
+      "errors, and distance the root of the weighted mean of z^2, null where a read-out of a target is not defined.\n"
+      "The file of --targets is a study, or any TOML file with [[targets]].\n"
+      "Works in a temporary folder (TMPDIR) and keeps none of the run's files; kill -9 leaves the folder,\n"
+      "matrigrate.*. Each call draws a new seed, unless --seed or run.seed is given. The word target=FILE writes the\n"
+      "JSON into this new or empty file, as external models of pyABC want it.\n"
       "Exit code 3 with all faults of parameters and targets, 4 if the computation fails; then nothing is printed.");
   const auto options = std::make_shared<SampleArguments>();
   options->command_line = std::move(command_line);

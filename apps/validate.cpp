@@ -61,8 +61,7 @@ int validate(ValidateArguments options) {
 } // namespace
 
 void add_validate(CLI::App& app, Action& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("validate", "Verify the matrix on its own against closed forms and measured limits");
+  CLI::App* verb = app.add_subcommand("validate", "Verify parts of the model against closed forms and measured limits");
   verb->footer(
       "Writes NAME.csv, pictures of particles NAME-<picture>.svg, scenario.resolved.toml, report.html with all "
       "figures\n"

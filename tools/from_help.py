@@ -80,7 +80,7 @@ def parse(program, words, summary=""):
     verb = Verb(words, summary or " ".join(lines[:start]), lines[start].removeprefix("Usage: "))
     blocks, title = {"footer": []}, "footer"
     for line in lines[start + 1:]:
-        if line in ("Options:", "Positionals:", "Verbs:"):
+        if line in ("Options:", "Positionals:", "Verbs:", "More verbs:"):
             title = line[:-1].lower()
             blocks[title] = []
         elif not line and title != "footer":
@@ -89,7 +89,7 @@ def parse(program, words, summary=""):
             blocks[title].append(line)
     verb.positionals = [(left.split()[0], right) for left, right in entries(blocks.get("positionals", []))]
     verb.options = [option_of(*entry) for entry in entries(blocks.get("options", []))]
-    verb.verbs = entries(blocks.get("verbs", []))
+    verb.verbs = entries(blocks.get("verbs", [])) + entries(blocks.get("more verbs", []))
     verb.footer = "\n".join(blocks["footer"]).strip()
     return verb
 

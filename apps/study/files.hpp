@@ -26,7 +26,7 @@ Collected collect(const StudyFolder& study);
 /// Means of all points, what differs, and the verdicts on claims, for people.
 std::string collected_text(const StudyFolder& study, const Collected& collected);
 
-/// Verdicts in a table, a line a claim, and the bottom lines.
+/// Verdicts in a table, a line per claim, and the bottom lines.
 std::string claims_text(const std::vector<study::JudgedClaim>& claims);
 
 } // namespace matrigrate::apps

@@ -72,11 +72,11 @@ std::string number_fault(const CLI::App& verb, const std::string& what) {
 
 } // namespace
 
-void call_subcommands_verbs(CLI::App& app) {
+void call_subcommands_verbs(CLI::App& app, const std::vector<std::string>& rare) {
   app.get_formatter()->label("SUBCOMMAND", "VERB");
   for (CLI::App* verb : app.get_subcommands({})) {
-    verb->group("Verbs");
-    call_subcommands_verbs(*verb);
+    verb->group(contains(rare, verb->get_name()) ? "More verbs" : "Verbs");
+    call_subcommands_verbs(*verb, {});
   }
 }
 

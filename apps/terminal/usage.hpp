@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -11,7 +12,8 @@ class ParseError;
 namespace matrigrate::apps {
 
 /// In the help of the program and of its groups of verbs.
-void call_subcommands_verbs(CLI::App& app);
+/// @param rare  verbs that stand last, under a title of their own
+void call_subcommands_verbs(CLI::App& app, const std::vector<std::string>& rare);
 
 /// @throws UsageError naming the verbs there are, if the command line has none or an unknown one
 void require_verb(const CLI::App& app, int argc, char** argv);

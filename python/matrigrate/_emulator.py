@@ -122,7 +122,7 @@ def _left_out(covariance: Array, y: Array) -> tuple[Array, Array]:
 
 
 def sobol(emulator: Emulator, parameters: int, seed: int = 1) -> tuple[Array, Array]:
-    """First and total indices by Jansen's estimators: a row a parameter with the estimate and the ends of its 90 % interval,
+    """First and total indices by Jansen's estimators: a row per parameter with the estimate and the ends of its 90 % interval,
     over the functions that the simulations allow. Those are drawn at fewer points, and compared with the mean there."""
     random = np.random.default_rng(seed)
     estimate = _jansen(emulator(_radial(parameters, 1024, seed))[0], parameters)

@@ -34,15 +34,15 @@ class Fit:
     """What measured read-outs say of parameters, by emulators of a study."""
 
     table: pandas.DataFrame
-    """A row a parameter: quantiles of prior and posterior, ``width`` of the 90 % interval over that of the prior, ``constrained``
+    """A row per parameter: quantiles of prior and posterior, ``width`` of the 90 % interval over that of the prior, ``constrained``
     (whether it is below 0.8 and the prior cuts off neither end), ``at_bound`` ("lower" or "upper", the bound of the prior at which the
     posterior ends), and the range ``plausible_low`` to ``plausible_high`` that history matching leaves."""
     readouts: pandas.DataFrame
-    """A row a read-out: measured value and error; mean and 5 and 95 % quantiles over the posterior; ``implausibility`` at
+    """A row per read-out: measured value and error; mean and 5 and 95 % quantiles over the posterior; ``implausibility`` at
     the best point; of the emulator, ``predicted`` share of the variance of points and ``coverage`` of its 90 % intervals."""
     sensitivity: pandas.DataFrame
     """A row for each read-out and parameter: Sobol's ``first`` and ``total`` index, each with its 90 % interval."""
-    sample: pandas.DataFrame  #: drawn from the posterior, a row a draw
+    sample: pandas.DataFrame  #: drawn from the posterior, a row per draw
     correlations: pandas.DataFrame  #: of the sample
     plausible: float  #: share of the prior that no read-out excludes by three standard errors
     effective_sample_size: float  #: independent draws with the same information as the weighted ones

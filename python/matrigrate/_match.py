@@ -31,8 +31,8 @@ class Wave:
 
     points: int  #: with any outcome
     share: float  #: of the prior that is plausible; 0 if nothing was found
-    ranges: pandas.DataFrame  #: a row a parameter: ``low`` and ``high`` of what is plausible, and its quantiles ``5``, ``50``, ``95``
-    sample: pandas.DataFrame  #: uniform over what is plausible, a row a draw
+    ranges: pandas.DataFrame  #: a row per parameter: ``low`` and ``high`` of what is plausible, and its quantiles ``5``, ``50``, ``95``
+    sample: pandas.DataFrame  #: uniform over what is plausible, a row per draw
     cube: Array = field(repr=False)  #: the same in the unit cube of the prior
 
 
@@ -222,7 +222,7 @@ def match(designs: Source | Sequence[Source], outcomes: Sequence[Outcome], *, pr
     """Gaussian processes of all outcomes over the parameters of a design, and what the measured values leave of its space.
 
     :param designs: the runs of a design, or a list of those of one wave after the other, each judged together with those before: a study with
-        ``[[conditions]]``, a dictionary of studies by the name of a condition, or a data frame with a row a run, a column ``condition``,
+        ``[[conditions]]``, a dictionary of studies by the name of a condition, or a data frame with a row per run, a column ``condition``,
         and columns of parameters and read-outs
     :param prior: ranges of parameters as of ``fit``; needed for data frames, since it names their parameters; else those of the design
     :param allowed: rows that may be implausible at a plausible point

@@ -28,7 +28,7 @@ _least_widths, _most_widths = 1e-9, 1e6  # of the range of simulated values, for
 class Measurement:
     """Measured read-outs with their errors."""
 
-    table: pandas.DataFrame  #: a row a read-out: ``value``, ``standard_error``
+    table: pandas.DataFrame  #: a row per read-out: ``value``, ``standard_error``
     covariance: np.ndarray[Any, Any]  #: of the measured values
     cells: int  #: tracks that were measured; 0 if only published means are known
     positions: int  #: of a track, median; 0 if only published means are known
@@ -37,7 +37,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Points:
-    """Simulations of a study, a row a point with a run that is done."""
+    """Simulations of a study, a row per point with a run that is done."""
 
     parameters: pandas.DataFrame
     values: pandas.DataFrame  #: a column a read-out; NaN where it is not defined

@@ -124,7 +124,7 @@ Source = Any  # a study, a data frame, or studies or frames by condition
 
 
 def runs_of(source: Source) -> tuple[pandas.DataFrame, list[str], list[str]]:
-    """The runs of a design under its conditions: parameters, ``condition`` and read-outs, a row a run.
+    """The runs of a design under its conditions: parameters, ``condition`` and read-outs, a row per run.
 
     :param source: a study, with ``[[conditions]]`` or without; a data frame with a column ``condition``; or a dictionary of such by the
         name of the condition, over the same points

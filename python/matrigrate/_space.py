@@ -20,7 +20,7 @@ _most_levels = 25
 class Region:
     """The part of the unit cube below a level."""
 
-    sample: Array  #: uniform over it, a row a point; none if it was not found
+    sample: Array  #: uniform over it, a row per point; none if it was not found
     share: float  #: of the cube
     best: Array  #: the point where the function was least
     least: float

@@ -15,7 +15,7 @@ _grey, _blue, _red = _words.grey, _words.blue, _words.red
 
 
 def path(tracks: Tracks, axes: Axes, together: bool) -> None:
-    """A line a track in its own colour, from its ring to its dot.
+    """A line per track in its own colour, from its ring to its dot.
 
     :param together: whether all begin at one point
     """

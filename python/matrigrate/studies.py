@@ -60,7 +60,7 @@ class Study:
 
     @cached_property
     def results(self) -> pandas.DataFrame:
-        """A row a run: folder ``run``, ``label`` of the point, swept parameters, replicate, seed, status, read-outs."""
+        """A row per run: folder ``run``, ``label`` of the point, swept parameters, replicate, seed, status, read-outs."""
         return self._table("results.csv")
 
     @cached_property

@@ -71,7 +71,7 @@ class Tracks(Mapping[str, Any]):
         return "\n".join([f"{len(self)} tracks, {positions} positions, every {self.interval:g} s", *self.notes])
 
     def table(self) -> pandas.DataFrame:
-        """A row a position: ``track``, ``t_s``, ``x_um``, ``y_um``; without gaps."""
+        """A row per position: ``track``, ``t_s``, ``x_um``, ``y_um``; without gaps."""
         rows = [(name, self._starts[name] + k * self.interval, *track[k]) for name, track in self.items()
                 for k in np.flatnonzero(np.isfinite(track[:, 0]))]
         return _pandas().DataFrame(rows, columns=["track", "t_s", "x_um", "y_um"])
@@ -119,7 +119,7 @@ class Tracks(Mapping[str, Any]):
                       self.interval, [*self.notes, f"an error of {error:g} um is added"], self._starts)
 
     def readouts(self, interval: float | None = None, *, error: float = 0.0, resamples: int = _resamples) -> pandas.DataFrame:
-        """A row a read-out: ``value``, ``standard_error`` (bootstrap over tracks; NaN of a single track), ``unit``,
+        """A row per read-out: ``value``, ``standard_error`` (bootstrap over tracks; NaN of a single track), ``unit``,
         ``meaning``. NaN is what the tracks do not define; ``notes`` then says it if ``error`` is the reason.
 
         :param interval: [s] if a longer one than that of the tracks

@@ -70,7 +70,8 @@ TEST_F(Fields, AreExported) {
        {"matrix.pvd", "outline.pvd", "anchors.pvd", "matrix_0003.vtp", "outline_0000.vtp", "tracks_celltrackr.csv",
         "tracks_trackmate.csv", "tracks_trackmate.xml", "contact_sheet.svg", "path.svg"})
     EXPECT_TRUE(exists(std::string("out/") + name)) << name;
-  EXPECT_EQ(text_of(folder / "out/contact_sheet.svg"), text_of(folder / "here/snapshots.svg")) << "with the end of the run";
+  EXPECT_EQ(text_of(folder / "out/contact_sheet.svg"), text_of(folder / "here/snapshots.svg"))
+      << "with the end of the run";
   const std::string path = text_of(folder / "out/tracks_celltrackr.csv");
   EXPECT_EQ(std::count(path.begin(), path.end(), '\n'), 1 + 6);
   EXPECT_EQ(run("export here").code, 2);

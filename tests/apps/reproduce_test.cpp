@@ -25,8 +25,7 @@ protected:
 TEST_F(Reproduce, JudgesKeptResultsWithoutARun) {
   const Ended ended = run("reproduce A --from '" + kept.string() + "'");
   EXPECT_TRUE(contains(ended.out, "A5   calibration  holds ")) << ended.out;
-  EXPECT_TRUE(contains(ended.out, "stiffness: 60 of 60 runs done\n"))
-      << ended.out;
+  EXPECT_TRUE(contains(ended.out, "stiffness: 60 of 60 runs done\n")) << ended.out;
   for (const char* name : {"claims.csv", "claims-A.csv", "report-A.html"})
     EXPECT_TRUE(exists(std::string("reproduce/") + name)) << name;
   EXPECT_FALSE(exists("reproduce/stiffness")) << "no study is run";
@@ -62,8 +61,7 @@ TEST_F(Reproduce, MakesRunsThatEndAtTheRimAgainInALargerDisc) {
   const Ended ended = run("reproduce A5 --replicates 2 --quiet --set 'ecm.radius=40 um' --set 'run.duration=0.1 h'"
                           " --set protrusion.number=1");
   EXPECT_EQ(ended.code, 4) << ended.err;
-  EXPECT_TRUE(contains(ended.out, "stiffness: 0 of 10 runs done; 10 ended at the rim\n"))
-      << ended.out;
+  EXPECT_TRUE(contains(ended.out, "stiffness: 0 of 10 runs done; 10 ended at the rim\n")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "made again in a larger disc: undecided")) << ended.out;
   const std::string larger = file("reproduce/stiffness-larger-disc/scenario.resolved.toml");
   EXPECT_TRUE(contains(larger, "radius = \"60 um\"")) << larger;

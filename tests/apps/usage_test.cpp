@@ -25,7 +25,8 @@ TEST_F(Program, WithoutAVerbItNamesThem) {
   EXPECT_TRUE(contains(study.err, "\nThe verbs of study are: plan, run, ")) << study.err;
   EXPECT_FALSE(contains(run("--quiet").err, "subcommand")) << "one word for one thing";
   EXPECT_FALSE(contains(run("-h").out, "SUBCOMMAND"));
-  EXPECT_TRUE(contains(run("-h").out, "\nVerbs:\n"));
+  EXPECT_TRUE(contains(run("-h").out, "\nVerbs:\n  new "));
+  EXPECT_TRUE(contains(run("-h").out, "\nMore verbs:\n  demo "));
   EXPECT_TRUE(contains(run("study -h").out, "\nVerbs:\n"));
 }
 

@@ -35,13 +35,13 @@ struct Times {
 /// any interval of the rows, or longer than the run
 std::vector<TrackRow> rows_at(const RunTracks& run, const Times& times);
 
-/// A row a position: Unique_ID, Condition, experiment_nb, Repeat, File_name, LABEL, ID, TRACK_ID, POSITION_X,
+/// A row per position: Unique_ID, Condition, experiment_nb, Repeat, File_name, LABEL, ID, TRACK_ID, POSITION_X,
 /// POSITION_Y, POSITION_Z [um], POSITION_T [s], FRAME, RADIUS [um]; without FRAME where the rows of a run are not
 /// evenly spaced. CellTracksColab takes it as its table of spots, TrackMate's CSV importer and celltrackR choose
 /// columns by name. A track is a cell of a run; TRACK_ID counts from 0 through all runs.
 std::string spots_csv(std::span<const RunTracks> runs);
 
-/// A row a track: Unique_ID, Condition, experiment_nb, Repeat, File_name, LABEL, TRACK_ID, NUMBER_SPOTS, TRACK_START,
+/// A row per track: Unique_ID, Condition, experiment_nb, Repeat, File_name, LABEL, TRACK_ID, NUMBER_SPOTS, TRACK_START,
 /// TRACK_STOP [s]: CellTracksColab's table of tracks.
 std::string tracks_csv(std::span<const RunTracks> runs);
 

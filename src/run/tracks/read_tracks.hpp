@@ -56,7 +56,7 @@ void take_drift_away(Tracks& tracks, const std::string& file);
 /// @throws ConfigurationError if it is no whole multiple of theirs
 Tracks at_interval(const Tracks& tracks, double interval, const std::string& file);
 
-/// The plain form: track,t_s,x_um,y_um, a row a position. It is read back as the same tracks.
+/// The plain form: track,t_s,x_um,y_um, a row per position. It is read back as the same tracks.
 std::string plain_csv(const Tracks& tracks);
 
 } // namespace matrigrate::tracks

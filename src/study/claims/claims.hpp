@@ -44,7 +44,7 @@ std::string why_not(const Finding& finding);
 /// "18 of 30 hold: 7 of 16 calibration, 5 of 10 predicted, 3 of 4 verification; 5 more in direction; 2 undecided"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
 
-/// claims.csv: the table that people read, a line a claim.
+/// claims.csv: the table that people read, a line per claim.
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
 
 /// For programs: {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,

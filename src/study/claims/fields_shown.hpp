@@ -13,7 +13,7 @@ namespace matrigrate::study {
 /// The header of a table of frames: t_s, particles, defined, largest_displacement_um, largest_von_mises_Pa, point.
 std::string fields_header();
 
-/// A row a frame: how many particles of solid it has, at how many of them both fields are finite, and the largest
+/// A row per frame: how many particles of solid it has, at how many of them both fields are finite, and the largest
 /// values there.
 std::string fields_rows(std::string_view label, const observe::Film& film);
 

@@ -86,7 +86,7 @@ std::vector<Discrepancy> discrepancies(const Study& study, const std::vector<Res
 /// Indices of discrepancies from the best on: by the number of judged terms, then by value.
 std::vector<std::size_t> ranking(const std::vector<Discrepancy>& all);
 
-/// discrepancy.csv: a row a factor set, in the order of ranking().
+/// discrepancy.csv: a row per factor set, in the order of ranking().
 std::string discrepancy_csv(const Study& study, const std::vector<Discrepancy>& all);
 
 } // namespace matrigrate::study

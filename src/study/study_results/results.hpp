@@ -94,7 +94,7 @@ std::vector<double> sample(const std::vector<Result>& results, std::size_t point
 std::vector<std::string> swept_columns(const Study& study);
 std::vector<std::string> swept_values(const Study& study, const Point& point);
 
-/// results.csv: a row a run. Swept parameters in the unit that ends their column's name; nothing that depends on the
+/// results.csv: a row per run. Swept parameters in the unit that ends their column's name; nothing that depends on the
 /// machine, so that two computations of a study can be compared byte by byte.
 std::string results_csv(const Study& study, const std::vector<Result>& results);
 

@@ -111,7 +111,8 @@ TEST(Targets, EachFault) {
             "f.toml:11:9: targets.value: is a string, but a number without quotes is expected");
   EXPECT_EQ(target(readout + "value = nan\nerror = 1\n"),
             "f.toml:11:9: targets.value: is not finite, but a number without quotes is expected");
-  EXPECT_EQ(target(good + "weight = -1\n"), "f.toml:13:10: targets.weight: -1 is out of range; allowed are 1e-30 to 1e+30");
+  EXPECT_EQ(target(good + "weight = -1\n"),
+            "f.toml:13:10: targets.weight: -1 is out of range; allowed are 1e-30 to 1e+30");
   EXPECT_EQ(target(readout + "low = 2\nhigh = 2\nerror = 1\n"), "f.toml:11:7: targets.low: 2 is not below high, 2");
   EXPECT_EQ(target(readout + "low = 2\nerror = 1\n"), "f.toml:9:1: targets.high: is missing; a range has low and high");
   EXPECT_EQ(target(good + "low = 2\n"),

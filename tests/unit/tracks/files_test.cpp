@@ -131,7 +131,7 @@ TEST(TrackFiles, TimeStampsMayScatter) {
   EXPECT_EQ(told.substr(0, told.find('\n')),
             "jitter.csv:4:1: track 0 has a step of 119.065 s, the median is 120.439 s: one "
             "interval is needed, within 1 % (--jitter 0.01)");
-  EXPECT_EQ(std::ranges::count(told, '\n'), 5) << "a line a track";
+  EXPECT_EQ(std::ranges::count(told, '\n'), 5) << "a line per track";
 }
 
 } // namespace
