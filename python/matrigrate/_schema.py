@@ -115,7 +115,7 @@ def cell_parameters() -> dict[str, Parameter]:
 
 
 def gone() -> dict[str, dict[str, Any]]:
-    """Parameters that earlier versions had, by their path: the value that is ``left``, and the ``fate`` of the others."""
+    """Parameters that earlier versions had, by their path: the value that is ``left``, and the ``fate`` of the others, which stand for {}."""
     found: dict[str, dict[str, Any]] = _document()["x-gone"]
     return found
 

@@ -89,7 +89,7 @@ class Scenario(Sections, Mapping[str, Value]):
         for path, value, nested in flat:
             if path in gone:  # earlier versions had it; one value is left
                 if _plain(value) != gone[path]["left"]:
-                    faults.append(Fault(path, _schema.toml_text(_plain(value)) + gone[path]["fate"]))
+                    faults.append(Fault(path, gone[path]["fate"].replace("{}", _schema.toml_text(_plain(value)))))
                 continue
             try:
                 if nested:

@@ -33,6 +33,9 @@ constexpr std::array parameters{
     Gone{"degradation.pressure", "degradation.body_rear_share", "\"sum\"", "",
          "the larger pressure and degradation.smaller_share of the smaller one are added; smaller_share = 0 is the "
          "larger pressure alone"},
+    Gone{"cues.chemotaxis", "", "0", "", "laws.initiation_bias = \"exp({}*occupancy)\"", true},
+    Gone{"cues.haptotaxis", "", "0", "", "laws.initiation_bias = \"exp({}*ligand)\"", true},
+    Gone{"cues.guidance", "", "0", "", "laws.initiation_bias = \"exp({}*alignment)\"", true},
 };
 
 /// A value as it stands in a scenario file.
@@ -41,6 +44,10 @@ std::string text_of(const toml::node& value) {
   std::ostringstream text;
   value.visit([&](const auto& typed) { text << typed; });
   return excerpt(text.str());
+}
+
+std::string reading_has_gone(std::string_view value, std::string_view fate) {
+  return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value, fate);
 }
 
 } // namespace
@@ -52,18 +59,20 @@ const Gone* find_gone(std::string_view path) {
   return found == parameters.end() ? nullptr : &*found;
 }
 
-std::string gone_text(std::string_view value, std::string_view fate) {
-  return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value, fate);
+std::string gone_text(std::string_view value, const Gone& parameter) {
+  if (parameter.is_law)
+    return fmt::format("{} has gone: write {}", value, fmt::format(fmt::runtime(parameter.fate), value));
+  return reading_has_gone(value, parameter.fate);
 }
 
 std::string fault_of_gone(const Gone& parameter, const toml::node& value) {
   const std::string given = text_of(value);
-  return given == parameter.left ? "" : gone_text(given, parameter.fate);
+  return given == parameter.left ? "" : gone_text(given, parameter);
 }
 
 std::string gone_value(std::string_view path, std::string_view value) {
   if (path != "actomyosin.curvature_profile" || value != "triangle") return {};
-  return gone_text("\"triangle\"", "the profiles are Gaussian");
+  return reading_has_gone("\"triangle\"", "the profiles are Gaussian");
 }
 
 } // namespace matrigrate

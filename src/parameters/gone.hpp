@@ -9,18 +9,20 @@
 #include <string>
 #include <string_view>
 
-/// Parameters that earlier versions had: readings of the paper that lost the choice of closures. Of each one value is
-/// left, which is what the program does. Files that have it are read, and it stays in the fingerprints of
-/// configurations, so that finished runs keep their names; another value is refused. Test:
-/// tests/unit/parameters/earlier_test.cpp
+/// Parameters that earlier versions had: readings of the paper that lost the choice of closures, and what laws say now.
+/// Of each one value is left, which is what the program does. Files that have it are read, and where it stood in the
+/// fingerprints of configurations it stays there, so that finished runs keep their names; another value is refused.
+/// Test: tests/unit/parameters/earlier_test.cpp
 namespace matrigrate {
 
 struct Gone {
   std::string_view path;
-  std::string_view behind; ///< the row behind which it stood in the schema, or the one that has gone there as well
+  std::string_view behind; ///< the row, or the parameter that has gone as well, behind which it stands in fingerprints;
+                           ///< empty if it does not
   std::string_view left;   ///< the value that is left, as it stands in a scenario file
   std::string_view before; ///< as Row::before; empty if all versions had it
-  std::string_view fate;   ///< what the program does now
+  std::string_view fate;   ///< what the program does now; of what a law says: how to write it, {} for the value
+  bool is_law = false;
 };
 
 std::span<const Gone> gone();
@@ -34,7 +36,7 @@ std::string fault_of_gone(const Gone& parameter, const toml::node& value);
 /// What became of a value that a parameter has no more; empty if it never had it.
 std::string gone_value(std::string_view path, std::string_view value);
 
-/// "\"place\" has gone: an adhesion holds matter; ..."
-std::string gone_text(std::string_view value, std::string_view fate);
+/// "\"place\" has gone: an adhesion holds matter; ...", "20 has gone: write laws.initiation_bias = ..."
+std::string gone_text(std::string_view value, const Gone& parameter);
 
 } // namespace matrigrate

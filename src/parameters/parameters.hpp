@@ -197,15 +197,12 @@ struct DegradationParameters {
   double threshold = 0.02;          ///< p_th,degr, pressure above which protrusion and body degrade [kPa]
 };
 
-/// Cues that the paper does not have; all off.
+/// The attractant, which the paper does not have; laws.initiation_bias says what a cell makes of it.
 struct CueParameters {
-  double chemotaxis = 0.0;     ///< weight of the occupancy of receptors in the propensity of initiation [-]
   double half_occupancy = 1.0; ///< K_d, concentration at which half of the receptors bind [-]
   double diffusion = 0.0;      ///< of the attractant; 0: it stays where it is [um^2/s]
   double decay = 0.0;          ///< of the attractant [1/s]
   double uptake = 0.0;         ///< of the attractant inside cells [1/s]
-  double haptotaxis = 0.0;     ///< weight of the ligand in the propensity of initiation [-]
-  double guidance = 0.0;       ///< weight of the fibres' direction in the propensity of initiation [-]
 };
 
 /// Laws as formulas, at first those of the paper; parameters/laws/law.hpp says what they may contain.

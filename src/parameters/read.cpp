@@ -123,7 +123,7 @@ private:
       if (!parameter.before.empty() && m_version.empty() && !m_given.contains(parameter.path))
         complain({m_faults.file()}, std::string(parameter.path),
                  fmt::format("is not there, which means {0}; {1}", parameter.before,
-                             gone_text(parameter.before, parameter.fate)));
+                             gone_text(parameter.before, parameter)));
     for (const Row& row : schema())
       if (row.before && !m_given.contains(row.path))
         take(std::string(row.path), *toml::parse("value = " + before_text(row, m_parameters)).get("value"),

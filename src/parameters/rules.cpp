@@ -57,19 +57,17 @@ bool initiation_uses(const Parameters& p, std::string_view variable) {
 }
 
 std::string chemotaxis(const Parameters& p) {
-  if ((p.cues.chemotaxis == 0.0 && !initiation_uses(p, "occupancy")) || has_attractant(p)) return {};
+  if (!initiation_uses(p, "occupancy") || has_attractant(p)) return {};
   return "there is no attractant to sense; give ecm.fields.attractant or ecm.fields.attractant_source";
 }
 
 std::string haptotaxis(const Parameters& p) {
-  if ((p.cues.haptotaxis == 0.0 && !initiation_uses(p, "ligand")) || !p.ecm.fields.ligand.empty()) return {};
+  if (!initiation_uses(p, "ligand") || !p.ecm.fields.ligand.empty()) return {};
   return "ligand is the same everywhere, so there is nothing to sense; give ecm.fields.ligand";
 }
 
 std::string guidance(const Parameters& p) {
-  if ((p.cues.guidance == 0.0 && !initiation_uses(p, "alignment"))
-      || p.fibres.arrangement == FibreArrangement::uniaxial)
-    return {};
+  if (!initiation_uses(p, "alignment") || p.fibres.arrangement == FibreArrangement::uniaxial) return {};
   return "there are no fibres along a direction to follow; set fibres.arrangement to uniaxial";
 }
 
@@ -211,15 +209,10 @@ std::span<const Rule> rules() {
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
       {"there is attractant to sense",
-       {"cues.chemotaxis", "laws.initiation_bias", "laws.initiation_rate", "ecm.fields.attractant",
-        "ecm.fields.attractant_source"},
+       {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.attractant", "ecm.fields.attractant_source"},
        chemotaxis},
-      {"there is ligand to sense",
-       {"cues.haptotaxis", "laws.initiation_bias", "laws.initiation_rate", "ecm.fields.ligand"},
-       haptotaxis},
-      {"there are fibres to follow",
-       {"cues.guidance", "laws.initiation_bias", "laws.initiation_rate", "fibres.arrangement"},
-       guidance},
+      {"there is ligand to sense", {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.ligand"}, haptotaxis},
+      {"there are fibres to follow", {"laws.initiation_bias", "laws.initiation_rate", "fibres.arrangement"}, guidance},
       {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},
       {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},

@@ -252,8 +252,6 @@ constexpr std::array rows{
     Row{"degradation.smaller_share", [](Parameters& p) -> double& { return p.degradation.smaller_share; }, "1", closed(0, 1),
         "", "MODEL.md, I15", "Part of the smaller of solid and contact pressure that is added to the larger before it is compared with the threshold; 1: their sum, 0: the larger alone", numerical, "1"},
 
-    Row{"cues.chemotaxis", [](Parameters& p) -> double& { return p.cues.chemotaxis; }, "1", closed(-1000, 1000),
-        "", "MODEL.md, I34", "The rate of initiation is proportional to exp(chemotaxis * occupancy of receptors); negative: away from attractant", usual, "0"},
     Row{"cues.half_occupancy", [](Parameters& p) -> double& { return p.cues.half_occupancy; }, "1", above(0, 1e9),
         "K_d", "MODEL.md, I34", "Concentration at which half of the receptors are occupied, in the unit of ecm.fields.attractant", usual, "1"},
     Row{"cues.diffusion", [](Parameters& p) -> double& { return p.cues.diffusion; }, "um^2/s", closed(0, 1e6),
@@ -262,10 +260,6 @@ constexpr std::array rows{
         "", "MODEL.md, I34", "Rate at which a diffusing attractant decays", usual, "0 1/s"},
     Row{"cues.uptake", [](Parameters& p) -> double& { return p.cues.uptake; }, "1/s", closed(0, 1e3),
         "", "MODEL.md, I34", "Rate at which cells take up a diffusing attractant beneath them", usual, "0 1/s"},
-    Row{"cues.haptotaxis", [](Parameters& p) -> double& { return p.cues.haptotaxis; }, "1", closed(-1000, 1000),
-        "", "MODEL.md, I35", "The rate of initiation is proportional to exp(haptotaxis * ligand)", usual, "0"},
-    Row{"cues.guidance", [](Parameters& p) -> double& { return p.cues.guidance; }, "1", closed(-1000, 1000),
-        "", "MODEL.md, I36", "The rate of initiation is proportional to exp(guidance * cos 2a), a: angle of the protrusion to the fibres", usual, "0"},
 
     Row{"output.track_interval", [](Parameters& p) -> double& { return p.output.track_interval; }, "s", above(0, 1e9),
         "", chosen, "Time between rows of tracks.csv and health.csv"},

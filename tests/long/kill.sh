@@ -71,8 +71,9 @@ obstacle='obstacle = "(x-2)^2+(y-42)^2 < 60 ? 1 : 0"'
 stiffness='youngs_modulus = "stiffness.csv"'
 attractant='attractant = "max(0, 1 + x/60)"'
 cues='[cues]
-chemotaxis = 2
-diffusion = "5 um^2/s"'
+diffusion = "5 um^2/s"
+[laws]
+initiation_bias = "exp(2*occupancy)"'
 nucleus='[nucleus]
 radius = "6 um"'
 cells='[[cells]]

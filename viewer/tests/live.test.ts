@@ -203,7 +203,7 @@ test("ligand and a source of attractant are drawn, with what the cell needs to s
   const at = (file: string, x: number) => files[file].split("\n").find((line) => line.startsWith(`${x},0,`))?.split(",")[2];
   assert.deepEqual([0, 40, -40].map((x) => at("ligand.csv", x)), ["1", "2", "0"]);
   assert.deepEqual([0, 80].map((x) => at("attractant_source.csv", x)), ["0", "0.1"]);
-  assert.ok(overrides.includes("ecm.fields.attractant_source=/attractant_source.csv") && overrides.includes("cues.haptotaxis=4") && overrides.includes("cues.chemotaxis=20"));
+  assert.ok(overrides.includes("ecm.fields.attractant_source=/attractant_source.csv") && overrides.includes("laws.initiation_bias=exp(4*ligand) * exp(20*occupancy)"));
   assert.ok(!overrides.some((one) => one.startsWith("cues.diffusion")), "what the scenario sets stays");
   assert.deepEqual(fromHash(toHash(scenario))?.strokes, scenario.strokes);
 });

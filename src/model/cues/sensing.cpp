@@ -46,24 +46,6 @@ std::vector<Surroundings> surroundings(const CortexState& c, const EcmState& ecm
 
 double occupancy(double c, double K_d) { return c / (K_d + c); }
 
-std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters& p) {
-  const CueParameters& cues = p.cues;
-  if (cues.chemotaxis == 0.0 && cues.haptotaxis == 0.0 && cues.guidance == 0.0) return {};
-  const CortexState& c = cell.cortex;
-  const Vec2 centre = centre_of_mass(c);
-  const std::vector<Surroundings> around = surroundings(c, ecm, p);
-  std::vector<double> felt(c.size(), 0.0);
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    if (around[i].weight <= 0.0) continue; // no matrix near: nothing is felt
-    const Vec2 outwards = c.x[i] - centre;
-    const double angle = 2.0 * std::atan2(outwards.y(), outwards.x());
-    felt[i] = (cues.chemotaxis * around[i].occupied + cues.haptotaxis * around[i].ligand
-               + cues.guidance * around[i].axis.dot(Vec2(std::cos(angle), std::sin(angle))))
-              / around[i].weight;
-  }
-  return felt;
-}
-
 std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmState& ecm, const Parameters& p) {
   if (!law.changed()) return {};
   const CortexState& c = cell.cortex;
@@ -85,17 +67,9 @@ std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmStat
 }
 
 std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p, const Law& bias) {
-  std::vector<double> factor = felt(cell, ecm, p);
-  const std::vector<double> biased = along_cortex(bias, cell, ecm, p);
-  if (factor.empty() && biased.empty()) return factor;
-  if (factor.empty()) factor.assign(biased.size(), 0.0);
-  const double highest = std::ranges::max(factor); // so that no exponential overflows
+  std::vector<double> factor = along_cortex(bias, cell, ecm, p);
   double sum = 0.0;
-  for (std::size_t i = 0; i < factor.size(); ++i) {
-    factor[i] = std::exp(factor[i] - highest);
-    if (!biased.empty()) factor[i] *= biased[i];
-    sum += factor[i];
-  }
+  for (const double a : factor) sum += a;
   if (sum > 0.0) // else no particle initiates
     for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
   return factor;

@@ -6,17 +6,12 @@
 
 #include <vector>
 
-/// What a cell senses of the matrix around it, and where it therefore begins protrusions (MODEL.md, I34 to I36). The
-/// paper has no cue: all are off by default. Test: tests/unit/cues/sensing_test.cpp
+/// What a cell senses of the matrix around it, and where it therefore begins protrusions (MODEL.md, I34 to I36), by
+/// laws.initiation_rate and laws.initiation_bias. The paper has no cue. Test: tests/unit/cues/sensing_test.cpp
 namespace matrigrate {
 
 /// Share of receptors that bind attractant, c/(K_d + c) [-].   @param c  concentration, >= 0   @param K_d  > 0
 double occupancy(double c, double K_d);
-
-/// What the cell feels at each particle of its cortex, as an exponent: chemotaxis times the occupancy there, haptotaxis
-/// times the ligand on solid there, guidance times cos 2(angle of the particle seen from the centre - angle of the
-/// fibres there). Means over the matrix within the support of the kernel. Empty if no cue is on [-].
-std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters& p);
 
 /// A law of initiation that a user has changed, at each particle of the cortex: of its angle to the polarization as
 /// seen from the centre (0 before the first protrusion) and of its curvature; of the means over the matrix near it (0
@@ -24,8 +19,8 @@ std::vector<double> felt(const Cell& cell, const EcmState& ecm, const Parameters
 /// alignment. Empty if the law is that of the paper.
 std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmState& ecm, const Parameters& p);
 
-/// Factor of each particle on the rate of initiation: exp(felt) times the bias, over its mean along the cortex, so that
-/// a cell that is all front begins as many protrusions as without. Empty if no cue is on [-].
+/// Factor of each particle on the rate of initiation: the bias over its mean along the cortex, so that a cell that is
+/// all front begins as many protrusions as without. Empty if the bias is that of the paper [-].
 /// @param bias  laws.initiation_bias
 std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p,
                                const Law& bias = paper_laws().initiation_bias);

@@ -28,6 +28,12 @@ struct Scene {
     cell.cortex = round_cortex(p.cell);
   }
 
+  /// Factors by a law of initiation.
+  std::vector<double> biased(const std::string& law) {
+    p.laws.initiation_bias = law;
+    return propensity(cell, ecm, p, Laws(p).initiation_bias);
+  }
+
   /// Factor of the particle of the cortex that is nearest to an angle from the x axis.
   double at(const std::vector<double>& factor, double angle) const {
     const Vec2 place = p.cell.radius * Vec2(std::cos(angle), std::sin(angle));
@@ -58,9 +64,8 @@ TEST(Chemotaxis, FollowsTheOccupancyOfReceptors) {
   Scene s;
   const auto c = [](double x) { return 1.0 + x / 50.0; };
   for (const Vec2& X : s.ecm.X) s.ecm.attractant.push_back(std::max(0.0, c(X.x())));
-  s.p.cues.chemotaxis = 5.0;
   s.p.cues.half_occupancy = 2.0;
-  const std::vector<double> factor = propensity(s.cell, s.ecm, s.p);
+  const std::vector<double> factor = s.biased("exp(5*occupancy)");
   const double R = s.p.cell.radius;
   const double expected = std::exp(5.0 * (occupancy(c(R), 2.0) - occupancy(c(-R), 2.0)));
   EXPECT_NEAR(s.at(factor, 0.0) / s.at(factor, pi), expected, 0.02 * expected);
@@ -72,16 +77,14 @@ TEST(Chemotaxis, FollowsTheOccupancyOfReceptors) {
 TEST(Chemotaxis, IsBlindToAUniformField) {
   Scene s;
   s.ecm.attractant.assign(s.ecm.size(), 3.0);
-  s.p.cues.chemotaxis = 50.0;
-  for (const double a : propensity(s.cell, s.ecm, s.p)) EXPECT_NEAR(a, 1.0, 1e-9);
+  for (const double a : s.biased("exp(50*occupancy)")) EXPECT_NEAR(a, 1.0, 1e-9);
 }
 
 // Of 200 first protrusions with and without attractant, on a cell that is all front.
 TEST(Chemotaxis, TurnsFirstProtrusionsTowardsTheSource) {
   Scene s;
   for (const Vec2& X : s.ecm.X) s.ecm.attractant.push_back(std::exp(X.x() / 30.0));
-  s.p.cues.chemotaxis = 8.0;
-  const std::vector<double> factor = propensity(s.cell, s.ecm, s.p);
+  const std::vector<double> factor = s.biased("exp(8*occupancy)");
   const std::vector<Vec2> n = normals(s.cell.cortex);
   const std::vector<std::uint8_t> front(s.cell.cortex.size(), 1);
   const auto mean_cosine = [&](std::span<const double> of) {
@@ -107,37 +110,16 @@ TEST(Haptotaxis, FeelsLigandOnSolidAlone) {
   Scene s;
   for (const Vec2& X : s.ecm.X) s.ecm.ligand.push_back(X.x() > 0.0 ? 1.5 : 0.5);
   std::ranges::fill(s.ecm.f, 1.0);
-  s.p.cues.haptotaxis = 2.0;
-  std::vector<double> factor = propensity(s.cell, s.ecm, s.p);
+  const std::vector<double> factor = s.biased("exp(2*ligand)");
   EXPECT_NEAR(s.at(factor, 0.0) / s.at(factor, pi), std::exp(2.0), 0.01 * std::exp(2.0));
   std::ranges::fill(s.ecm.f, 0.0);
-  for (const double a : propensity(s.cell, s.ecm, s.p)) EXPECT_NEAR(a, 1.0, 1e-12);
-}
-
-// A bias as a formula is the exponent in other words, up to rounding.
-TEST(Bias, SaysChemotaxisHaptotaxisAndGuidance) {
-  Scene s;
-  for (const Vec2& X : s.ecm.X) {
-    s.ecm.attractant.push_back(std::exp(X.x() / 30.0));
-    s.ecm.ligand.push_back(1.0 + X.y() / 100.0);
-  }
-  s.p.fibres.direction_deg = 30.0;
-  Parameters by_exponents = s.p;
-  by_exponents.cues.chemotaxis = 8.0;
-  by_exponents.cues.haptotaxis = 2.0;
-  by_exponents.cues.guidance = 0.7;
-  const std::vector<double> expected = propensity(s.cell, s.ecm, by_exponents);
-  s.p.laws.initiation_bias = "exp(8*occupancy + 2*ligand + 0.7*alignment)";
-  const std::vector<double> factor = propensity(s.cell, s.ecm, s.p, Laws(s.p).initiation_bias);
-  ASSERT_EQ(factor.size(), expected.size());
-  for (std::size_t i = 0; i < factor.size(); ++i) EXPECT_NEAR(factor[i], expected[i], 1e-12 * expected[i]);
+  for (const double a : s.biased("exp(2*ligand)")) EXPECT_NEAR(a, 1.0, 1e-12);
 }
 
 TEST(Bias, KnowsCurvatureAndTheAngleToThePolarization) {
   Scene s;
-  s.p.laws.initiation_bias = "1 + cos(angle)";
   s.cell.polarization = 1.0;
-  std::vector<double> factor = propensity(s.cell, s.ecm, s.p, Laws(s.p).initiation_bias);
+  const std::vector<double> factor = s.biased("1 + cos(angle)");
   EXPECT_NEAR(s.at(factor, 1.0), 2.0, 0.01);
   EXPECT_NEAR(s.at(factor, 1.0 + pi), 0.0, 0.01);
   s.p.laws.initiation_rate = "1e-3*kappa";
@@ -158,14 +140,13 @@ TEST(Ligand, IsWhatAdhesionsHoldOnTo) {
 
 TEST(Guidance, FollowsTheAxisOfTheFibres) {
   Scene s;
-  s.p.cues.guidance = 0.7;
   s.p.fibres.direction_deg = 30.0;
-  std::vector<double> factor = propensity(s.cell, s.ecm, s.p);
+  std::vector<double> factor = s.biased("exp(0.7*alignment)");
   const double along = s.at(factor, pi / 6), against = s.at(factor, pi / 6 + pi),
                across = s.at(factor, pi / 6 + pi / 2);
   EXPECT_NEAR(along / across, std::exp(1.4), 0.01 * std::exp(1.4));
   EXPECT_NEAR(along / against, 1.0, 0.01) << "an axis has no sign";
   s.ecm.fibre_direction.assign(s.ecm.size(), pi / 2);
-  factor = propensity(s.cell, s.ecm, s.p);
+  factor = s.biased("exp(0.7*alignment)");
   EXPECT_NEAR(s.at(factor, pi / 2) / s.at(factor, 0.0), std::exp(1.4), 0.01 * std::exp(1.4)) << "by the field";
 }

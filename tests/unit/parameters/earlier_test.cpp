@@ -111,9 +111,11 @@ std::string file_with(std::string_view path, std::string_view value) {
 TEST(Earlier, AParameterThatHasGoneMayHaveTheValueThatIsLeft) {
   for (const Gone& parameter : gone()) {
     EXPECT_EQ(find_row(parameter.path), nullptr) << parameter.path;
-    EXPECT_TRUE(find_row(parameter.behind) != nullptr || find_gone(parameter.behind) != nullptr) << parameter.behind;
+    const bool counted = !parameter.behind.empty();
+    EXPECT_EQ(counted, find_row(parameter.behind) != nullptr || find_gone(parameter.behind) != nullptr)
+        << parameter.behind;
     const std::string line = fmt::format("\n{} = {}\n", parameter.path, parameter.left);
-    EXPECT_NE(values_text({}).find(line), std::string::npos) << "the fingerprint of earlier runs holds it";
+    EXPECT_EQ(values_text({}).find(line) != std::string::npos, counted) << "the fingerprint of earlier runs holds it";
     const Parameters p = parse_parameters(file_with(parameter.path, parameter.left), "f.toml");
     EXPECT_TRUE(same(p, {})) << parameter.path;
     EXPECT_TRUE(same(apply_overrides({}, {fmt::format("{}={}", parameter.path, parameter.left)}), {}));
@@ -122,6 +124,7 @@ TEST(Earlier, AParameterThatHasGoneMayHaveTheValueThatIsLeft) {
 
 TEST(Earlier, AnotherValueOfAParameterThatHasGoneIsRefusedWithWhatBecameOfIt) {
   for (const Gone& parameter : gone()) {
+    if (parameter.is_law) continue;
     const std::string fault = fault_in(file_with(parameter.path, "\"else\""));
     EXPECT_EQ(fault,
               fmt::format("f.toml:2:{}: {}: \"else\" has gone: {}; the version of the tag closures-2 has the "
@@ -131,6 +134,10 @@ TEST(Earlier, AnotherValueOfAParameterThatHasGoneIsRefusedWithWhatBecameOfIt) {
   EXPECT_EQ(fault_in("", {"adhesion.hold=place"}),
             "--set: adhesion.hold: \"place\" has gone: an adhesion holds the matter that was there when it formed; the "
             "version of the tag closures-2 has the other readings");
+  EXPECT_EQ(fault_in("[cues]\nchemotaxis = 20\n"),
+            "f.toml:2:14: cues.chemotaxis: 20 has gone: write laws.initiation_bias = \"exp(20*occupancy)\"");
+  EXPECT_EQ(fault_in("", {"cues.haptotaxis=4"}),
+            "--set: cues.haptotaxis: 4 has gone: write laws.initiation_bias = \"exp(4*ligand)\"");
   EXPECT_EQ(fault_in("[adhesion]\nrupture_strands = 1\n").find("f.toml:2:19: adhesion.rupture_strands: 1 has gone: "),
             0U);
   EXPECT_NE(fault_in("[fibres]\nplane_to_space = [3]\n").find("fibres.plane_to_space: [ 3 ] has gone"),

@@ -137,9 +137,9 @@ TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
         << row.path;
   }
   Parameters p;
-  p.cues.chemotaxis = 2.0;
+  p.laws.initiation_bias = "exp(2*occupancy)";
   p.cells = {{-20.0, 0.0}, {20.0, 0.0}};
-  EXPECT_NE(values_text(p).find("cues.chemotaxis = 2\n"), std::string::npos);
+  EXPECT_NE(values_text(p).find("laws.initiation_bias = \"exp(2*occupancy)\"\n"), std::string::npos);
   EXPECT_NE(values_text(p).find("contact.cells.adhesion = "), std::string::npos);
 }
 

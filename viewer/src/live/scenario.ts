@@ -17,6 +17,8 @@ export interface BrushKind {
   value: (elsewhere: number) => number;
   /** What the model needs so that the cell takes notice of it, unless the scenario says otherwise. */
   needs?: Settings;
+  /** Where protrusions then begin, as a law. */
+  bias?: string;
 }
 
 /** What a brush makes of a field of the matrix. */
@@ -26,13 +28,14 @@ export const brushes: Record<StrokeKind, BrushKind> = {
   hole: { name: "Hole", field: "f_degr", value: () => 0 },
   obstacle: { name: "Obstacle", field: "obstacle", value: () => 1 },
   bare: { name: "No ligand", field: "ligand", value: () => 0 },
-  rich: { name: "Twice the ligand", field: "ligand", value: () => 2, needs: { "cues.haptotaxis": "4" } },
+  rich: { name: "Twice the ligand", field: "ligand", value: () => 2, bias: "exp(4*ligand)" },
   attractant: {
     name: "Source of attractant",
     field: "attractant_source",
     value: () => 0.1,
     // Those of the preset attractant-source.
-    needs: { "cues.diffusion": "10 um^2/s", "cues.decay": "1e-3 1/s", "cues.uptake": "0.01 1/s", "cues.chemotaxis": "20" },
+    needs: { "cues.diffusion": "10 um^2/s", "cues.decay": "1e-3 1/s", "cues.uptake": "0.01 1/s" },
+    bias: "exp(20*occupancy)",
   },
 };
 
@@ -135,6 +138,8 @@ export function given(scenario: Scenario, ground: Ground): Given {
     .filter(({ file }) => files[file] !== undefined)
     .map(({ path, file }) => `${path}=/${file}`);
   const needs: Settings = Object.assign({}, ...scenario.strokes.map(({ kind }) => brushes[kind].needs ?? {}));
+  const biases = new Set(scenario.strokes.flatMap(({ kind }) => brushes[kind].bias ?? []));
+  if (biases.size > 0) needs["laws.initiation_bias"] = [...biases].join(" * ");
   const missing = Object.entries(needs).filter(([path]) => !(path in ground.set));
   const settings = [...missing, ...Object.entries(scenario.settings)].map(([path, value]) => `${path}=${value}`);
   return { toml: scenario.toml, overrides: [...settings, ...fields], files };
