@@ -2,8 +2,10 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
+#include "simulation/start_rules.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -45,8 +47,13 @@ std::string verdict_line(const ValidateArguments& options, const std::vector<Out
 
 int validate(ValidateArguments options) {
   const auto chosen = chosen_cases(options.name);
-  const Parameters p = options.scenario.empty() ? apply_overrides(validation::default_parameters(), options.overrides)
-                                                : read_parameters(options.scenario, options.overrides);
+  const Parameters p = options.scenario.empty()
+                           ? apply_overrides(validation::default_parameters(), options.overrides, law_rules())
+                           : read_parameters(options.scenario, options.overrides, law_rules());
+  for (const auto* one : chosen)
+    if ((one->name == "disassembly" || one->name == "competition") && is_changed(*find_row("laws.disassembly_rate"), p))
+      throw ConfigurationError({{"", 0, 0, "laws.disassembly_rate",
+                                 fmt::format("the case {} is of Eq. 7, and takes no other law", one->name)}});
   if (options.folder.empty()) options.folder = "validate-" + options.name;
   make_output_folder(options.folder, options.force);
   const std::vector<Outcome> outcomes = run_cases(chosen, options.name, p, options.folder, [&](const Outcome& outcome) {

@@ -6,7 +6,7 @@ function __matrigrate_at
   set -l verbs
   for word in (commandline -opc)[2..]
     switch (string join -- _ matrigrate $verbs $word)
-      case matrigrate_new matrigrate_list matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_sample matrigrate_demo matrigrate_report matrigrate_open matrigrate_live matrigrate_diff matrigrate_export matrigrate_tracks matrigrate_validate matrigrate_selftest matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_reproduce matrigrate_info
+      case matrigrate_new matrigrate_check matrigrate_explain matrigrate_run matrigrate_resume matrigrate_report matrigrate_open matrigrate_export matrigrate_diff matrigrate_study matrigrate_study_plan matrigrate_study_run matrigrate_study_status matrigrate_study_collect matrigrate_study_submit matrigrate_study_task matrigrate_tracks matrigrate_list matrigrate_live matrigrate_info matrigrate_demo matrigrate_sample matrigrate_reproduce matrigrate_validate matrigrate_selftest
         set -a verbs $word
     end
   end
@@ -16,24 +16,24 @@ end
 complete -c matrigrate -f
 
 complete -c matrigrate -n '__matrigrate_at' -a new -d 'Write a commented scenario file; never overwrites one'
-complete -c matrigrate -n '__matrigrate_at' -a list -d 'The presets, validation cases and studies that ship with the program'
 complete -c matrigrate -n '__matrigrate_at' -a check -d 'Validate scenarios and studies; print every fault at once'
 complete -c matrigrate -n '__matrigrate_at' -a explain -d 'What a scenario means and needs, before anything is computed'
 complete -c matrigrate -n '__matrigrate_at' -a run -d 'Simulate a cell, or several; write tracks, protrusions, read-outs and pictures'
 complete -c matrigrate -n '__matrigrate_at' -a resume -d 'Go on with a run from its last checkpoint, or branch off from it'
-complete -c matrigrate -n '__matrigrate_at' -a sample -d 'Simulate once with given parameters; print the read-outs as JSON'
-complete -c matrigrate -n '__matrigrate_at' -a demo -d 'Simulate a cell for three hours, in about 20 s, and open its page'
 complete -c matrigrate -n '__matrigrate_at' -a report -d 'Make report.html of a run or a study anew, from its files'
 complete -c matrigrate -n '__matrigrate_at' -a open -d 'Open the page of a run, a study or `reproduce` in the browser'
-complete -c matrigrate -n '__matrigrate_at' -a live -d 'Open the live page: a cell computed in the browser while you watch'
-complete -c matrigrate -n '__matrigrate_at' -a diff -d 'Compare two runs or two scenarios: parameters, read-outs, first difference'
 complete -c matrigrate -n '__matrigrate_at' -a export -d 'Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks'
-complete -c matrigrate -n '__matrigrate_at' -a tracks -d 'Read measured tracks of cells, and print their read-outs'
-complete -c matrigrate -n '__matrigrate_at' -a validate -d 'Verify the matrix on its own against closed forms and measured limits'
-complete -c matrigrate -n '__matrigrate_at' -a selftest -d 'Prove on this machine that runs are reproducible to the last bit'
+complete -c matrigrate -n '__matrigrate_at' -a diff -d 'Compare two runs or two scenarios: parameters, read-outs, first difference'
 complete -c matrigrate -n '__matrigrate_at' -a study -d 'Many runs: plan, compute, collect and compare them'
-complete -c matrigrate -n '__matrigrate_at' -a reproduce -d 'Run the paper\'s ensembles and judge its claims by them'
+complete -c matrigrate -n '__matrigrate_at' -a tracks -d 'Read measured tracks of cells, and print their read-outs'
+complete -c matrigrate -n '__matrigrate_at' -a list -d 'The presets, verification cases and studies that ship with the program'
+complete -c matrigrate -n '__matrigrate_at' -a live -d 'Open the live page: a cell computed in the browser while you watch'
 complete -c matrigrate -n '__matrigrate_at' -a info -d 'Version, commit, compiler, libraries and CPU'
+complete -c matrigrate -n '__matrigrate_at' -a demo -d 'Simulate a cell for three hours, in about 20 s, and open its page'
+complete -c matrigrate -n '__matrigrate_at' -a sample -d 'Simulate once with given parameters; print the read-outs as JSON'
+complete -c matrigrate -n '__matrigrate_at' -a reproduce -d 'Run the paper\'s ensembles and judge its claims by them'
+complete -c matrigrate -n '__matrigrate_at' -a validate -d 'Verify parts of the model against closed forms and measured limits'
+complete -c matrigrate -n '__matrigrate_at' -a selftest -d 'Prove on this machine that runs are reproducible to the last bit'
 complete -c matrigrate -n '__matrigrate_at' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at' -l version -d 'Display program version information and exit'
 
@@ -41,11 +41,6 @@ complete -c matrigrate -n '__matrigrate_at new' -F
 complete -c matrigrate -n '__matrigrate_at new' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON schema that the first line names for editors, seen from FILE (default: scenario.schema.json, which is then written beside FILE)'
-
-complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at list' -l parameters -d 'Instead: all parameters, as a Markdown table a section'
-complete -c matrigrate -n '__matrigrate_at list' -l schema-json -d 'Instead: the JSON schema of a scenario file, for editors'
-complete -c matrigrate -n '__matrigrate_at list' -l readouts-json -d 'Instead: all read-outs with label, unit and meaning, as JSON'
 
 complete -c matrigrate -n '__matrigrate_at check' -F
 complete -c matrigrate -n '__matrigrate_at check' -s h -l help -d 'Print this help message and exit'
@@ -84,20 +79,6 @@ complete -c matrigrate -n '__matrigrate_at resume' -l previous -d 'Go on, or bra
 complete -c matrigrate -n '__matrigrate_at resume' -l json -d 'Print the outcome as one JSON object'
 complete -c matrigrate -n '__matrigrate_at resume' -l quiet -d 'Show no progress; print only where the report is'
 
-complete -c matrigrate -n '__matrigrate_at sample' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What they change: see `matrigrate list` (default: baseline)'
-complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change this scenario file instead'
-complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs to tell the distance from'
-complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
-complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
-complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
-
-complete -c matrigrate -n '__matrigrate_at demo' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: matrigrate-demo, or -2, -3, ...)'
-complete -c matrigrate -n '__matrigrate_at demo' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What is simulated: see `matrigrate list` (default: baseline)'
-complete -c matrigrate -n '__matrigrate_at demo' -l hours -x -d 'Simulated time in hours (default: 3)'
-complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the page'
-
 complete -c matrigrate -n '__matrigrate_at report' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at report' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at report' -l play -x -d 'A run that the page of a study is to play, by the name of its folder; may be repeated'
@@ -114,13 +95,6 @@ complete -c matrigrate -n '__matrigrate_at report' -l recalibrate -d 'Take --pix
 complete -c matrigrate -n '__matrigrate_at open' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at open' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at open' -l print -d 'Only print where the page is'
-
-complete -c matrigrate -n '__matrigrate_at live' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at live' -l print -d 'Only print where the page is'
-complete -c matrigrate -n '__matrigrate_at live' -s o -l output -x -a '(__fish_complete_directories)' -d 'Copy the page to this file instead; never overwrites one'
-
-complete -c matrigrate -n '__matrigrate_at diff' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at diff' -l json -d 'Print the comparison as JSON'
 
 complete -c matrigrate -n '__matrigrate_at export' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at export' -s h -l help -d 'Print this help message and exit'
@@ -145,38 +119,8 @@ complete -c matrigrate -n '__matrigrate_at export' -l layer -x -a 'degradation d
 complete -c matrigrate -n '__matrigrate_at export' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into (default: DIR/export)'
 complete -c matrigrate -n '__matrigrate_at export' -l force -d 'Replace an earlier export of the same kind'
 
-complete -c matrigrate -n '__matrigrate_at tracks' -F
-complete -c matrigrate -n '__matrigrate_at tracks' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at tracks' -l pixel -x -d 'um per unit of length of the file of tracks, where it does not state um'
-complete -c matrigrate -n '__matrigrate_at tracks' -l interval -x -d 'Time from frame to frame [s]'
-complete -c matrigrate -n '__matrigrate_at tracks' -l time-unit -x -a 'ms s min h d' -d 'Unit of the column of time, where the file does not state it: ms, s, min, h or d'
-complete -c matrigrate -n '__matrigrate_at tracks' -l columns -x -d 'Which columns hold what, where the names are not known: KEY=NAME,... of track, t, frame, x, y, z, group (tells movies apart), made_up, measured; of a table without header their numbers from 1; may be repeated'
-complete -c matrigrate -n '__matrigrate_at tracks' -l layout -x -a 'celltrackscolab trackmate plain btrack trackpy mosaic manual-tracking mtrackj imaris cellprofiler napari celltrackr' -d 'Take the names of columns of one program alone: celltrackscolab, trackmate, plain, btrack, trackpy, mosaic, manual-tracking, mtrackj, imaris, cellprofiler, napari, celltrackr'
-complete -c matrigrate -n '__matrigrate_at tracks' -l splits -x -a 'refuse cut drop' -d 'Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)'
-complete -c matrigrate -n '__matrigrate_at tracks' -l jitter -x -d 'By which a step of time may differ from the interval, as a share of it'
-complete -c matrigrate -n '__matrigrate_at tracks' -l recalibrate -d 'Take --pixel, --interval and --time-unit against what the file states'
-complete -c matrigrate -n '__matrigrate_at tracks' -l shortest -x -d 'Leave tracks of fewer positions out (default 4)'
-complete -c matrigrate -n '__matrigrate_at tracks' -l fewest -x -d 'Refuse fewer tracks (default 2)'
-complete -c matrigrate -n '__matrigrate_at tracks' -l drift -d 'Take the mean motion of all tracks away; five are needed'
-complete -c matrigrate -n '__matrigrate_at tracks' -l every -x -d 'Take positions at a longer interval [s], a whole multiple'
-complete -c matrigrate -n '__matrigrate_at tracks' -l error -x -d 'Localisation error of a coordinate [um], taken off the mean square displacement'
-complete -c matrigrate -n '__matrigrate_at tracks' -l resamples -x -d 'Draws of the bootstrap (default 200)'
-complete -c matrigrate -n '__matrigrate_at tracks' -s o -l output -x -a '(__fish_complete_directories)' -d 'Write the tracks into this CSV file'
-complete -c matrigrate -n '__matrigrate_at tracks' -l force -d 'Replace that file'
-complete -c matrigrate -n '__matrigrate_at tracks' -l json -d 'Print JSON'
-
-complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all'
-complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at validate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: validate-NAME)'
-complete -c matrigrate -n '__matrigrate_at validate' -l scenario -r -F -d 'Take material and numerics from this scenario file'
-complete -c matrigrate -n '__matrigrate_at validate' -l set -x -d 'key=value, over the scenario; may be repeated'
-complete -c matrigrate -n '__matrigrate_at validate' -l force -d 'Write into a folder that is not empty: files of the same name are replaced, others are kept'
-complete -c matrigrate -n '__matrigrate_at validate' -l json -d 'Print the results as JSON'
-complete -c matrigrate -n '__matrigrate_at validate' -l quiet -d 'Print only the verdict'
-
-complete -c matrigrate -n '__matrigrate_at selftest' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at selftest' -l with -r -F -d 'Compare with another build of the program, which must give the same bits'
-complete -c matrigrate -n '__matrigrate_at selftest' -l json -d 'Print one JSON object'
+complete -c matrigrate -n '__matrigrate_at diff' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at diff' -l json -d 'Print the comparison as JSON'
 
 complete -c matrigrate -n '__matrigrate_at study' -a plan -d 'Points, runs, expected time and disk; writes nothing'
 complete -c matrigrate -n '__matrigrate_at study' -a run -d 'Compute what is missing, several runs at a time; then collect'
@@ -229,6 +173,52 @@ complete -c matrigrate -n '__matrigrate_at study task' -a '(__fish_complete_dire
 complete -c matrigrate -n '__matrigrate_at study task' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at study task' -l list -x -d 'Which run belongs to which task, a file in the folder'
 
+complete -c matrigrate -n '__matrigrate_at tracks' -F
+complete -c matrigrate -n '__matrigrate_at tracks' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at tracks' -l pixel -x -d 'um per unit of length of the file of tracks, where it does not state um'
+complete -c matrigrate -n '__matrigrate_at tracks' -l interval -x -d 'Time from frame to frame [s]'
+complete -c matrigrate -n '__matrigrate_at tracks' -l time-unit -x -a 'ms s min h d' -d 'Unit of the column of time, where the file does not state it: ms, s, min, h or d'
+complete -c matrigrate -n '__matrigrate_at tracks' -l columns -x -d 'Which columns hold what, where the names are not known: KEY=NAME,... of track, t, frame, x, y, z, group (tells movies apart), made_up, measured; of a table without header their numbers from 1; may be repeated'
+complete -c matrigrate -n '__matrigrate_at tracks' -l layout -x -a 'celltrackscolab trackmate plain btrack trackpy mosaic manual-tracking mtrackj imaris cellprofiler napari celltrackr' -d 'Take the names of columns of one program alone: celltrackscolab, trackmate, plain, btrack, trackpy, mosaic, manual-tracking, mtrackj, imaris, cellprofiler, napari, celltrackr'
+complete -c matrigrate -n '__matrigrate_at tracks' -l splits -x -a 'refuse cut drop' -d 'Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)'
+complete -c matrigrate -n '__matrigrate_at tracks' -l jitter -x -d 'By which a step of time may differ from the interval, as a share of it'
+complete -c matrigrate -n '__matrigrate_at tracks' -l recalibrate -d 'Take --pixel, --interval and --time-unit against what the file states'
+complete -c matrigrate -n '__matrigrate_at tracks' -l shortest -x -d 'Leave tracks of fewer positions out (default 4)'
+complete -c matrigrate -n '__matrigrate_at tracks' -l fewest -x -d 'Refuse fewer tracks (default 2)'
+complete -c matrigrate -n '__matrigrate_at tracks' -l drift -d 'Take the mean motion of all tracks away; five are needed'
+complete -c matrigrate -n '__matrigrate_at tracks' -l every -x -d 'Take positions at a longer interval [s], a whole multiple'
+complete -c matrigrate -n '__matrigrate_at tracks' -l error -x -d 'Localisation error of a coordinate [um], taken off the mean square displacement'
+complete -c matrigrate -n '__matrigrate_at tracks' -l resamples -x -d 'Draws of the bootstrap (default 200)'
+complete -c matrigrate -n '__matrigrate_at tracks' -s o -l output -x -a '(__fish_complete_directories)' -d 'Write the tracks into this CSV file'
+complete -c matrigrate -n '__matrigrate_at tracks' -l force -d 'Replace that file'
+complete -c matrigrate -n '__matrigrate_at tracks' -l json -d 'Print JSON'
+
+complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at list' -l parameters -d 'Instead: all parameters, as a Markdown table a section'
+complete -c matrigrate -n '__matrigrate_at list' -l schema-json -d 'Instead: the JSON schema of a scenario file, for editors'
+complete -c matrigrate -n '__matrigrate_at list' -l readouts-json -d 'Instead: all read-outs with label, unit and meaning, as JSON'
+
+complete -c matrigrate -n '__matrigrate_at live' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at live' -l print -d 'Only print where the page is'
+complete -c matrigrate -n '__matrigrate_at live' -s o -l output -x -a '(__fish_complete_directories)' -d 'Copy the page to this file instead; never overwrites one'
+
+complete -c matrigrate -n '__matrigrate_at info' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at info' -l json -d 'Print it as JSON'
+
+complete -c matrigrate -n '__matrigrate_at demo' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: matrigrate-demo, or -2, -3, ...)'
+complete -c matrigrate -n '__matrigrate_at demo' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What is simulated: see `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at demo' -l hours -x -d 'Simulated time in hours (default: 3)'
+complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the page'
+
+complete -c matrigrate -n '__matrigrate_at sample' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What they change: see `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change this scenario file instead'
+complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs to tell the distance from'
+complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
+complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
+complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
+
 complete -c matrigrate -n '__matrigrate_at reproduce' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at reproduce' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for studies and verdicts (default: reproduce)'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l replicates -x -d 'Runs at each point (default: as many as the paper)'
@@ -240,5 +230,15 @@ complete -c matrigrate -n '__matrigrate_at reproduce' -l kept -x -d 'Folder with
 complete -c matrigrate -n '__matrigrate_at reproduce' -l json -d 'Print the table as JSON'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l quiet -d 'Show no progress'
 
-complete -c matrigrate -n '__matrigrate_at info' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at info' -l json -d 'Print it as JSON'
+complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all'
+complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at validate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: validate-NAME)'
+complete -c matrigrate -n '__matrigrate_at validate' -l scenario -r -F -d 'Take material and numerics from this scenario file'
+complete -c matrigrate -n '__matrigrate_at validate' -l set -x -d 'key=value, over the scenario; may be repeated'
+complete -c matrigrate -n '__matrigrate_at validate' -l force -d 'Write into a folder that is not empty: files of the same name are replaced, others are kept'
+complete -c matrigrate -n '__matrigrate_at validate' -l json -d 'Print the results as JSON'
+complete -c matrigrate -n '__matrigrate_at validate' -l quiet -d 'Print only the verdict'
+
+complete -c matrigrate -n '__matrigrate_at selftest' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at selftest' -l with -r -F -d 'Compare with another build of the program, which must give the same bits'
+complete -c matrigrate -n '__matrigrate_at selftest' -l json -d 'Print one JSON object'

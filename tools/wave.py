@@ -10,6 +10,7 @@ to docs/validation/wave-K/, with the checks of the emulators; its page goes to F
 """
 
 import argparse
+import os
 import shutil
 import subprocess
 import sys
@@ -38,9 +39,11 @@ def runs(wave, program, folder, jobs):
 
 def study_of_missing_points(wave, program, folder):
     """The study with the points of which the kept table lacks a condition, each written out; none if it has all."""
+    folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder) as plan:
-        # `submit` writes all points out, and fails for want of Slurm afterwards
-        subprocess.run([program, "study", "submit", KEPT / f"wave-{wave}.toml", "-o", plan], check=False, capture_output=True)
+        # `submit` writes all points out, and finds no Slurm on a path without folders
+        subprocess.run([program, "study", "submit", KEPT / f"wave-{wave}.toml", "-o", plan], check=False, capture_output=True,
+                       env=os.environ | {"PATH": ""})
         text = (Path(plan) / "study.resolved.toml").read_text(encoding="utf-8")
         scenario = (Path(plan) / "scenario.resolved.toml").read_text(encoding="utf-8")
     conditions = [one["label"] for one in tomllib.loads(text).get("conditions", [])]

@@ -60,6 +60,8 @@ std::string number_of(const CLI::Option& option, const std::string& range) {
 std::string number_fault(const CLI::App& verb, const std::string& what) {
   static const std::regex no_number("Could not convert: (-[^ ]+) = ?(.*)");
   static const std::regex out_of_range("(-[^ ]+): Value (.*) not in range ([^ ]+) to ([^ ]+)");
+  constexpr std::size_t longest = 1000; // of a text that a regular expression is tried on
+  if (what.size() > longest) return {};
   std::smatch found;
   const bool ranged = std::regex_match(what, found, out_of_range);
   if (!ranged && !std::regex_match(what, found, no_number)) return {};
@@ -118,7 +120,7 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   if (const std::size_t at = text.find(twice); at != std::string::npos)
     return fmt::format("{} is given {} times{}", text.substr(0, at), text.substr(at + twice.size()), help);
   const std::string number = number_fault(*verb, error.what());
-  return fmt::format("{}{}", number.empty() ? error.what() : number, help);
+  return fmt::format("{}{}", number.empty() ? text.substr(0, 1000) : number, help);
 }
 
 } // namespace matrigrate::apps

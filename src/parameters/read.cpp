@@ -252,12 +252,13 @@ private:
       const std::string key(key_to_blame(rule));
       const auto given = m_given.find(key);
       const Place place = given == m_given.end() ? Place{} : given->second;
-      m_faults.add({place.file, place.line, place.column, key, fault});
+      m_faults.add({place.file, place.line, place.column, key, said_of(rule, key, fault)});
     }
   }
 
   /// The key of a broken rule that was chosen last: on the command line, else in the file, else the rule's first.
   std::string_view key_to_blame(const Rule& rule) const {
+    if (rule.is_of_first && m_given.contains(rule.keys.front())) return rule.keys.front();
     std::string_view in_file;
     for (const std::string_view key : rule.keys) {
       const auto given = m_given.find(key);

@@ -220,6 +220,10 @@ std::span<const Rule> rules() {
   return all;
 }
 
+std::string said_of(const Rule& rule, std::string_view blamed, const std::string& broken) {
+  return rule.is_of_first && blamed != rule.keys.front() ? fmt::format("{} {}", rule.keys.front(), broken) : broken;
+}
+
 std::vector<CellFault> cell_faults(const Parameters& p) {
   std::vector<CellFault> faults;
   if (!room(p).empty()) return faults;

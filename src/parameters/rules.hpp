@@ -20,7 +20,11 @@ struct Rule {
   std::function<std::string(const Parameters&)>
       broken; ///< what is wrong and what is allowed; empty where the rule holds
   std::function<bool(const Parameters&)> matters = {}; ///< whether it can be broken, found quickly; empty: always
+  bool is_of_first = false; ///< what is wrong is its first key, which is blamed if it is given, and named if it is not
 };
+
+/// What is wrong, said of the key that is blamed.
+std::string said_of(const Rule& rule, std::string_view blamed, const std::string& broken);
 
 std::span<const Rule> rules();
 

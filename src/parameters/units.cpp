@@ -203,8 +203,9 @@ T value_of(const std::string& number) {
   return value;
 }
 
+/// Of the magnitude of the exponent: whose sign says whether it multiplies or divides.
 long double power(long double base, int thousandths) {
-  if (thousandths % one != 0) return std::pow(base, static_cast<long double>(thousandths) / one);
+  if (thousandths % one != 0) return std::pow(base, static_cast<long double>(std::abs(thousandths)) / one);
   long double result = 1.0L; // exact as long as it fits the mantissa: 86400^3 does
   for (int i = 0; i < std::abs(thousandths) / one; ++i) result *= base;
   return result;

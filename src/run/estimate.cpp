@@ -2,6 +2,7 @@
 
 #include "base/time_text.hpp"
 #include "ecm/law/material.hpp"
+#include "parameters/laws/law.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_fields.hpp"
 #include "state/cortex.hpp"
@@ -72,6 +73,13 @@ double wall_time(const Parameters& p, double particles) {
   return longer * steps(p) * particles * listed_neighbours(p.ecm) * (seconds_a_pair + decades * solve);
 }
 
+/// Rate at which a particle of a round cell initiates protrusions, without cues [1/s].
+double initiation_rate(const Parameters& p) {
+  const Law law("laws.initiation_rate", p);
+  constexpr double angle = 0.0, occupancy = 0.5, ligand = 1.0, alignment = 0.0;
+  return law.changed() ? law({angle, 1.0 / p.cell.radius, occupancy, ligand, alignment}) : p.protrusion.initiation_rate;
+}
+
 } // namespace
 
 std::size_t particle_count(const Parameters& p) { return lattice_patch(p.ecm, p.ecm.radius).size(); }
@@ -104,8 +112,8 @@ Derived derived(const Parameters& p) {
           .neighbours = static_cast<double>(lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size()) - 1.0,
           .segment_length = initial_segment_length(p.cell),
           .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
-          .first_wait = 1.0 / (p.cell.particles * p.protrusion.initiation_rate),
-          .wait = 1.0 / (in_front * p.protrusion.initiation_rate),
+          .first_wait = 1.0 / (p.cell.particles * initiation_rate(p)),
+          .wait = 1.0 / (in_front * initiation_rate(p)),
           .longest_step = as_run.run.time_step,
           .steps = steps(as_run),
           .limits = limits,

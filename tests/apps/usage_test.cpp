@@ -74,6 +74,12 @@ TEST_F(Program, AnUnknownOptionIsNamedWithTheNearest) {
   EXPECT_EQ(lines(many.err, 1), "matrigrate: too many arguments: b c\n") << "in the order typed";
 }
 
+TEST_F(Program, ALongWrongNumberIsAWrongNumber) {
+  const Ended ended = run("run x.toml --threads " + std::string(60'000, '9'));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_LT(ended.err.size(), 2000U);
+}
+
 TEST_F(Program, TimesAndSeedsOfOptionsAreSaidAsOfFiles) {
   write("cell.toml", "[ecm]\nradius = \"60 um\"\n");
   EXPECT_EQ(run("run cell.toml --seed -3").err,

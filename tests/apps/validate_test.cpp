@@ -62,6 +62,9 @@ TEST_F(Program, ValidateRefusesAFolderThatIsNotEmpty) {
 TEST_F(Program, ValidateWritesNothingOnABadConfiguration) {
   EXPECT_EQ(run("validate patch --set ecm.radius=1").code, 3);
   EXPECT_EQ(run("validate patch --scenario none.toml").code, 5);
+  EXPECT_EQ(run("validate fibres-uniaxial --set 'laws.fibre_stiffness=1+sin(1e7*eps)'").code, 3);
+  EXPECT_EQ(run("validate protrusion --set laws.growth_force=-1").code, 3);
+  EXPECT_TRUE(contains(run("validate disassembly --set laws.disassembly_rate=1").err, "takes no other law"));
   EXPECT_EQ(entries(), 0u);
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/failure.hpp"
 #include "ecm/loop/fibres.hpp"
+#include "observe/readouts.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
@@ -140,7 +141,7 @@ Json record_json(const ProtrusionRecord& r, const Parameters& p) {
           {"length_um", number(r.length)},
           {"f_mat", number(r.f_mat)},
           {"force_nN", number(r.force)},
-          {"f_adh_rel", number(r.force / (r.f_mat * p.actomyosin.force))},
+          {"f_adh_rel", number(relative_force(r, p))},
           {"cause", name(r.cause)}};
 }
 

@@ -68,8 +68,10 @@ std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmStat
 
 std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p, const Law& bias) {
   std::vector<double> factor = along_cortex(bias, cell, ecm, p);
+  const double highest = factor.empty() ? 0.0 : std::ranges::max(factor); // so that no sum overflows
   double sum = 0.0;
-  for (const double a : factor) sum += a;
+  if (highest > 0.0)
+    for (double& a : factor) sum += a /= highest;
   if (sum > 0.0) // else no particle initiates
     for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
   return factor;

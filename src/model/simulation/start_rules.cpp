@@ -37,7 +37,7 @@ std::vector<Rule> of_possible_lattices(std::vector<Rule> all) {
 std::vector<std::string_view> keys_of_law(const Row& law) {
   std::vector<std::string_view> keys{law.path, "laws.constants"};
   for (const Row& row : schema())
-    if (!row.symbol.empty()) keys.push_back(row.path);
+    if (!row.symbol.empty() && section_of(row) != "run") keys.push_back(row.path);
   return keys;
 }
 
@@ -62,6 +62,27 @@ bool has_bad_fibres(const Parameters& p) {
              || !fault_of_fibre_table(p).empty());
 }
 
+/// What the longest stable step depends on.
+std::vector<std::string_view> of_the_step() {
+  return {"run.time_step",        "run.integrator",       "ecm.youngs_modulus",    "ecm.fields.youngs_modulus",
+          "ecm.poissons_ratio",   "ecm.viscosity",        "fibres.stiffness",      "fibres.field.stiffness",
+          "fibres.arrangement",   "fibres.direction_deg", "fibres.half_angle_deg", "ecm.particle_spacing",
+          "ecm.smoothing_length", "ecm.lattice",          "ecm.hourglass_weight",  "ecm.thickness"};
+}
+
+std::vector<std::string_view> of_the_step_and_law() {
+  std::vector<std::string_view> keys = of_the_step();
+  for (const std::string_view key : keys_of_law(*find_row("laws.fibre_stiffness")))
+    if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  return keys;
+}
+
+std::string fault_of_stability(const Parameters& p) {
+  if (!fault_of_fields(p).empty() || has_bad_fibres(p)) return {}; // said below
+  const Parameters stiffest = as_stiff_everywhere(p);
+  return fault_of_step(stiffest, step_limits(stiffest));
+}
+
 /// One for each law: its values are allowed.
 std::vector<Rule> of_laws() {
   std::vector<Rule> rules;
@@ -69,10 +90,10 @@ std::vector<Rule> of_laws() {
     if (kind(law) == Kind::law)
       rules.push_back({"the values of a law are allowed", keys_of_law(law),
                        [&law](const Parameters& p) { return fault_of_law_values(p, law); },
-                       [&law](const Parameters& p) { return is_changed(law, p); }});
+                       [&law](const Parameters& p) { return is_changed(law, p); }, true});
   const Row& fibres = *find_row("laws.fibre_stiffness");
   rules.push_back({"the law of fibres can be tabulated", keys_of_law(fibres), fault_of_fibre_table,
-                   [&fibres](const Parameters& p) { return is_changed(fibres, p); }});
+                   [&fibres](const Parameters& p) { return is_changed(fibres, p); }, true});
   return rules;
 }
 
@@ -96,16 +117,10 @@ std::span<const Rule> law_rules() {
 
 std::span<const Rule> start_rules() {
   static const std::vector<Rule> all = of_possible_lattices(with_fields_and_laws({
-      {"the step is stable",
-       {"run.time_step", "run.integrator", "ecm.youngs_modulus", "ecm.fields.youngs_modulus", "ecm.poissons_ratio",
-        "ecm.viscosity", "fibres.stiffness", "fibres.field.stiffness", "fibres.arrangement", "fibres.direction_deg",
-        "fibres.half_angle_deg", "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice", "ecm.hourglass_weight",
-        "ecm.thickness", "laws.fibre_stiffness", "laws.constants"},
-       [](const Parameters& p) {
-         if (!fault_of_fields(p).empty() || has_bad_fibres(p)) return std::string(); // said below
-         const Parameters stiffest = as_stiff_everywhere(p);
-         return fault_of_step(stiffest, step_limits(stiffest));
-       }},
+      {"the step is stable", of_the_step(), fault_of_stability,
+       [](const Parameters& p) { return !is_changed(*find_row("laws.fibre_stiffness"), p); }},
+      {"the step is stable with the law of fibres", of_the_step_and_law(), fault_of_stability,
+       [](const Parameters& p) { return is_changed(*find_row("laws.fibre_stiffness"), p); }},
       {"obstacles are clear of the cell",
        {"ecm.fields.obstacle", "cell.start_x", "cell.start_y", "cell.radius", "degradation.body_distance"},
        fault_of_obstacles},

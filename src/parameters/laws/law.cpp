@@ -16,12 +16,14 @@ namespace matrigrate {
 
 namespace {
 
+/// Whether forces stand over areas alone.
+bool is_of_stresses(const units::Dimension& dimension) { return dimension.length == -2 * dimension.force; }
+
 /// From internal units to those of formulas, where a stress is in Pa: of a force that stands over an area alone, as in
 /// Pa, Pa s and 1/Pa/s.
 double in_formulas(const units::Dimension& dimension) {
   constexpr double one = 1000.0; // an exponent of 1, in thousandths
-  const bool of_stresses = dimension.length == -2 * dimension.force;
-  return of_stresses ? std::pow(1000.0, dimension.force / one) : 1.0;
+  return is_of_stresses(dimension) ? std::pow(1000.0, dimension.force / one) : 1.0;
 }
 
 /// "r_off,min" as a formula writes it.
@@ -88,6 +90,9 @@ fields::NamedNumber constant_of(std::string_view text) {
   try {
     const units::Quantity quantity = units::parse_quantity(trimmed(text.substr(equals + 1)));
     const units::Unit unit = units::parse_unit(quantity.unit);
+    if (quantity.unit.find("Pa") != std::string::npos && !is_of_stresses(unit.dimension))
+      throw std::invalid_argument(
+          "mixes Pa with another length or force; write it with nN and um: 1 Pa is 1e-3 nN/um^2");
     return {name, units::to_internal(quantity.number, unit) * in_formulas(unit.dimension)};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("the value of {} {}", name, excerpt(error.what(), 200)));

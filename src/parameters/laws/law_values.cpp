@@ -175,6 +175,13 @@ void over_grid(const std::vector<std::vector<double>>& axes, const Visit& visit)
 
 } // namespace
 
+std::vector<double> law_numbers(const Row& law, const Parameters& p) {
+  std::vector<double> all = numbers_in(text_of(law, p), law_names(p));
+  const std::size_t count = all.size();
+  for (std::size_t k = 0; k < count; ++k) all.push_back(-all[k]);
+  return all;
+}
+
 std::string fault_of_law_values(const Parameters& p, const Row& law) {
   if (!is_changed(law, p) || !fault_of_constants(p).empty() || !fault_of_law(p, law).empty()) return {};
   const std::string& text = text_of(law, p);

@@ -10,6 +10,9 @@
 /// What the judgement of laws and the laws have in common. Test: tests/unit/parameters/law_test.cpp
 namespace matrigrate {
 
+/// The numbers that a law names, written out or as parameters, and their negatives: where it may jump.
+std::vector<double> law_numbers(const Row& law, const Parameters& p);
+
 /// A text as a formula in the variables and names of a law.
 /// @throws std::invalid_argument saying what is wrong, where, and which name may be meant
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text);

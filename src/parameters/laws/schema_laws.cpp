@@ -12,7 +12,7 @@ constexpr std::string_view of_methods = "Heck et al. 2020, Methods";
 constexpr auto rarely = Audience::optional;
 constexpr Range rate{0.0, 1e6};
 constexpr Range share{0.0, 1.0};
-constexpr Range weight{0.0, 1e100};
+constexpr Range weight{0.0, 1e300};
 constexpr Range stiffness{0.0, 1e100};
 
 // `before` is the law of the paper: that of every version without these keys.

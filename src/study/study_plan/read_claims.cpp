@@ -112,9 +112,8 @@ private:
       if (const toml::node* node = table.get(key)) take(key, *node, c);
     if (has(keys, "low") && table.contains("low") && table.contains("high") && !(c.value < c.high))
       m_faults.add(place_of(*table.get("low")), full("low"), "is not below high");
-    // of the first edition of the rules, which earlier versions had
-    if (const toml::node* edition = table.get("edition");
-        edition != nullptr && edition->value<std::string>() == "first")
+    if (const toml::node* edition = table.get("edition"); // of the rules, of which earlier versions had two
+        edition != nullptr && m_faults.choice(*edition, full("edition"), {"first", "second", "both"}) == 0)
       return {};
     return at_points(table, c);
   }

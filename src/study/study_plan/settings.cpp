@@ -114,7 +114,7 @@ void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::stri
 const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
   static const std::string unknown;
   std::string given(rule.name);
-  for (const std::string_view key : rule.keys) given += fmt::format("\n{}", value_text(*find_row(key), p));
+  for (const std::string_view key : rule.keys) given += fmt::format("\n{} = {}", key, value_text(*find_row(key), p));
   const auto known = m_found.find(given);
   if (known != m_found.end()) return known->second;
   if (m_found.size() >= max_found) return unknown;
@@ -124,12 +124,15 @@ const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
 void RuleCheck::blame(const Rule& rule, const std::string& broken,
                       const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
   if (broken.empty()) return;
-  const auto blamed = std::ranges::find_if(
-      places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
+  auto blamed = places.end();
+  if (rule.is_of_first) blamed = std::ranges::find(places, rule.keys.front(), &std::pair<std::string, Place>::first);
+  if (blamed == places.end())
+    blamed = std::ranges::find_if(
+        places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
   if (blamed == places.end())
     faults.add({}, rule.keys.front(), broken);
   else
-    faults.add(blamed->second, blamed->first, broken);
+    faults.add(blamed->second, blamed->first, said_of(rule, blamed->first, broken));
 }
 
 } // namespace matrigrate::study

@@ -73,6 +73,13 @@ TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
   EXPECT_TRUE(std::isnan(value("f_mat"))) << "the variable";
   std::set<std::string> once;
   for (const fields::NamedNumber& name : names) EXPECT_TRUE(once.insert(name.name).second) << name.name;
+  for (const char* mixed : {"g = 5 Pa/um", "g = 5 kPa um", "g = 1 Pa s/um"}) {
+    Parameters wrong;
+    wrong.laws.constants = mixed;
+    EXPECT_NE(fault_of_constants(wrong).find("mixes Pa with another length"), std::string::npos) << mixed;
+  }
+  p.laws.constants = "g = 5 Pa^0.5";
+  EXPECT_NEAR(law_names(p).back().value, 5.0, 1e-12);
 }
 
 TEST(Law, OfThePaperIsNoFormula) {

@@ -66,7 +66,13 @@ TEST(Units, ADecimalCommaIsRefusedWithItsPoint) {
   }
 }
 
-TEST(Units, RootsOfPrefixesAreRead) { EXPECT_NEAR(internal("1 mm^0.5"), std::sqrt(1000.0), 1e-12); }
+TEST(Units, RootsOfPrefixesAreRead) {
+  EXPECT_NEAR(internal("1 mm^0.5"), std::sqrt(1000.0), 1e-12);
+  EXPECT_NEAR(internal("1 1/mm^0.5"), 1.0 / std::sqrt(1000.0), 1e-15);
+  EXPECT_NEAR(internal("44.27 uN/mm^1.5"), internal("1.4 N/m^1.5"), 1e-3 * internal("1.4 N/m^1.5"));
+  EXPECT_NEAR(internal("5 1/min^0.5"), 5.0 / std::sqrt(60.0), 1e-14);
+  EXPECT_NEAR(internal("5 pN^0.5"), 5.0 * std::sqrt(1e-3), 1e-14);
+}
 
 TEST(Units, DimensionsFollowFromSymbols) {
   EXPECT_EQ(parse_unit("Pa").dimension, (Dimension{-2000, 0, 1000}));

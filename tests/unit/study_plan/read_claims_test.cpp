@@ -70,6 +70,11 @@ TEST(ReadClaims, OfEarlierVersionsAreThoseOfTheRulesOfToday) {
   const std::string before = points + "[[claims]]\n" + head;
   const Study s = read(before + "kind_with_first_closures = \"calibration\"\nclosures = \"second\"\n" + conditions);
   ASSERT_EQ(s.claims.size(), 1U);
+  EXPECT_NE(fault_of("[[claims]]\n" + head
+                     + "conditions = [{ rule = \"none_above\", readout = \"f_mat\", bound = 1, "
+                       "edition = \"frist\" }]\n")
+                .find("did you mean \"first\"?"),
+            std::string::npos);
   EXPECT_EQ(s.claims[0].kind, ClaimKind::predicted);
   ASSERT_EQ(s.claims[0].conditions.size(), 2U);
   EXPECT_EQ(s.claims[0].conditions[0].value, 0.5);

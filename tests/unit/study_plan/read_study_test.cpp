@@ -213,6 +213,21 @@ TEST(ReadStudy, FurtherRulesAreJudgedOnceForTheSameValues) {
   }
 }
 
+TEST(ReadStudy, RulesOfOneNameAreToldApartByTheirKeys) {
+  const auto rule = [](std::string_view key, const char* said) {
+    return Rule{"a law", {key}, [said](const Parameters&) { return std::string(said); }, {}, true};
+  };
+  const std::vector<Rule> more{rule("laws.fibre_stiffness", ""), rule("laws.curvature_factor", "is 2")};
+  const std::string text = "preset = \"baseline\"\nreplicates = 3\n[set]\nlaws.fibre_stiffness = \"2\"\n"
+                           "laws.curvature_factor = \"2\"\n";
+  try {
+    parse_study(text, "f.toml", ".", {.overrides = {}, .replicates = {}, .more = more});
+    FAIL() << "was accepted";
+  } catch (const ConfigurationError& error) {
+    EXPECT_STREQ(error.what(), "f.toml:5:25: laws.curvature_factor: is 2");
+  }
+}
+
 TEST(ReadStudy, ChangesOfTheCommandLine) {
   Changes changes{{"run.duration=1 h"}, 2};
   const Study s = parse_study("preset = \"soft\"\nreplicates = 12\n", "f.toml", ".", changes);

@@ -50,7 +50,7 @@ TEST(RunsOfStudies, KeepTheirNames) {
       {"fibrillar", "", "6c51f4bbcb3e62fc"},
       {"two-protrusions-fibres", "", "718095b47d6d59d3"},
       {"stiffness-gradient", "", "ba95ba50fdf59730"},
-      {"chemotaxis", "", "a46b82367089916a"},
+      {"chemotaxis", "", "551782cd8736c370"},
       {"baseline", "nucleus.radius = \"5 um\"", "c1d8f5a21bda4811"},
       {"two-cells", "contact.cells.adhesion=\"20 Pa\"", "47e356ad519ec9af"},
       {"baseline", "protrusion.deflection_cone = \"37 deg\"", "3dfe7833d82c1979"},

@@ -1,6 +1,7 @@
 #include "ecm/law/fibre_table.hpp"
 
 #include "parameters/laws/law.hpp"
+#include "parameters/laws/law_values.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 constexpr double shortest = 1e-12;
+constexpr double longest =
+    0.003; // what is narrower than a third of it, and lies at no number of the formula, may be missed
 constexpr std::size_t most_pieces = 20'000;
 constexpr std::size_t intervals = 2048;
 constexpr int n = 6;
@@ -60,10 +63,19 @@ double twice_integrated(const Coefficients& c, double u) {
 
 } // namespace
 
-FibreTable::FibreTable(const std::function<double(double)>& stiffness, double low, double high)
+FibreTable::FibreTable(const std::function<double(double)>& stiffness, double low, double high,
+                       std::span<const double> cuts)
     : m_low(low), m_high(high) {
-  add(stiffness, low, 0.0);
-  add(stiffness, 0.0, high);
+  std::vector<double> ends{low, 0.0, high};
+  for (const double cut : cuts)
+    if (cut > low && cut < high) ends.push_back(cut);
+  std::ranges::sort(ends);
+  ends.erase(std::ranges::unique(ends).begin(), ends.end());
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const auto pieces = static_cast<int>(std::ceil((ends[k] - ends[k - 1]) / longest));
+    const auto end = [&](int i) { return i == pieces ? ends[k] : ends[k - 1] + i * (ends[k] - ends[k - 1]) / pieces; };
+    for (int i = 0; i < pieces; ++i) add(stiffness, end(i), end(i + 1));
+  }
   integrate();
   m_first.resize(intervals + 1);
   for (std::size_t k = 0; k <= intervals; ++k) {
@@ -159,8 +171,10 @@ double FibreTable::energy(double strain) const {
 std::shared_ptr<const FibreTable> fibre_table(const Parameters& p) {
   const Law law("laws.fibre_stiffness", p);
   if (!law.changed()) return nullptr;
-  const LawVariable& strain = law_variables(*find_row("laws.fibre_stiffness")).front();
-  return std::make_shared<const FibreTable>([&](double eps) { return law({eps}); }, strain.low, strain.high);
+  const Row& row = *find_row("laws.fibre_stiffness");
+  const LawVariable& strain = law_variables(row).front();
+  return std::make_shared<const FibreTable>([&](double eps) { return law({eps}); }, strain.low, strain.high,
+                                            law_numbers(row, p));
 }
 
 } // namespace matrigrate

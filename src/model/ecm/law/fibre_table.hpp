@@ -8,20 +8,24 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 /// A law of fibres that a user gives as a formula (laws.fibre_stiffness), as a table that any thread may read.
 /// Test: tests/unit/ecm/law/fibre_table_test.cpp
 namespace matrigrate {
 
-/// Stiffness over k_0 as polynomials of degree 5 on pieces, halved until they differ from the law by less than 1e-11 of
-/// its largest value on the piece, or are shorter than 1e-12, as at a jump. Tension and energy are their integrals, so
-/// that each is the derivative of the next, exactly. Beyond both ends the stiffness stays.
+/// Stiffness over k_0 as polynomials of degree 5 on pieces, at first of 0.003 or less, halved until they differ from
+/// the law by less than 1e-11 of its largest value on the piece, or are shorter than 1e-12, as at a jump. Tension and
+/// energy are their integrals, so that each is the derivative of the next, exactly. Beyond both ends the stiffness
+/// stays.
 class FibreTable {
 public:
   /// @param stiffness  over k_0, finite from `low` < 0 to `high` > 0
+  /// @param cuts  where it may jump or bend: pieces end there
   /// @throws std::invalid_argument if more than 20,000 pieces are needed
-  FibreTable(const std::function<double(double)>& stiffness, double low, double high);
+  FibreTable(const std::function<double(double)>& stiffness, double low, double high,
+             std::span<const double> cuts = {});
 
   /// Tension and stiffness.
   struct Pull {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 using namespace matrigrate;
 
@@ -70,6 +71,24 @@ TEST(FibreTable, GoesOnWithTheStiffnessOfItsEnds) {
   EXPECT_NEAR(table.energy(1.5), 0.5 + 1.0 / 6.0 + 0.5 * 1.5 + 0.5 * 2.0 * 0.25, 1e-12);
   EXPECT_NEAR(table.tension(-0.8), -0.375 - 0.5 * 0.3, 1e-12);
   EXPECT_TRUE(std::isfinite(table.tension(1e6)));
+}
+
+// A few points would miss these; what is narrow is found where its ends are told.
+TEST(FibreTable, SeesWindowsAndBumps) {
+  const auto window = [](double low, double high) {
+    return [=](double eps) { return eps > low && eps < high ? 21.0 : 1.0; };
+  };
+  const auto bump = [](double eps) { return 1.0 + 20.0 * std::exp(-std::pow((eps - 0.05) / 0.005, 2)); };
+  const FibreTable wide(window(0.02, 0.06), -0.5, 1.0), smooth(bump, -0.5, 1.0);
+  const std::vector<double> ends{0.031, 0.0312};
+  const FibreTable narrow(window(0.031, 0.0312), -0.5, 1.0, ends);
+  for (int k = 0; k <= 15000; ++k) {
+    const double eps = -0.5 + 1e-4 * k + 0.33e-4;
+    EXPECT_NEAR(wide.stiffness(eps), window(0.02, 0.06)(eps), 1e-9) << eps;
+    EXPECT_NEAR(smooth.stiffness(eps), bump(eps), 1e-9) << eps;
+    EXPECT_NEAR(narrow.stiffness(eps), window(0.031, 0.0312)(eps), 1e-9) << eps;
+  }
+  EXPECT_TRUE(FibreTable(window(-0.2, -0.19), -0.5, 1.0).pushes());
 }
 
 TEST(FibreTable, RefusesWhatVariesTooQuickly) {
