@@ -79,7 +79,8 @@ TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
     EXPECT_NE(fault_of_constants(wrong).find("mixes Pa with another length"), std::string::npos) << mixed;
   }
   p.laws.constants = "g = 5 Pa^0.5";
-  EXPECT_NEAR(law_names(p).back().value, 5.0, 1e-12);
+  const std::vector<fields::NamedNumber> all = law_names(p);
+  EXPECT_NEAR(std::ranges::find(all, "g", &fields::NamedNumber::name)->value, 5.0, 1e-12);
 }
 
 TEST(Law, OfThePaperIsNoFormula) {
@@ -210,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
             "l = "},
         Bad{"growth_force", "1e200", "; allowed is >= 0 and <= 100"},
         Bad{"degradation_body", "r_degr_body*p", "p = -10000 Pa"},
-        Bad{"initiation_bias", "exp(1000*occupancy)", "allowed is >= 0 and <= 1e+100"},
+        Bad{"initiation_bias", "exp(1000*occupancy)", "allowed is >= 0 and <= 1e+300"},
         Bad{"initiation_rate", "-cos(angle)", "at angle = "}));
 
 TEST(LawFaults, OfConstantsAreToldOnce) {

@@ -73,7 +73,7 @@ TEST(ReadClaims, OfEarlierVersionsAreThoseOfTheRulesOfToday) {
   EXPECT_NE(fault_of("[[claims]]\n" + head
                      + "conditions = [{ rule = \"none_above\", readout = \"f_mat\", bound = 1, "
                        "edition = \"frist\" }]\n")
-                .find("did you mean \"first\"?"),
+                .find("did you mean first?"),
             std::string::npos);
   EXPECT_EQ(s.claims[0].kind, ClaimKind::predicted);
   ASSERT_EQ(s.claims[0].conditions.size(), 2U);
