@@ -289,12 +289,13 @@ class Run:
             for name, value in cell.items():
                 if isinstance(value, bool) or not isinstance(value, (int, float, type(None))):
                     raise InputOutputError(f"{path}: is damaged: {name} is no number", self.folder)
-        self._require_unchanged("summary.json")
         if "cells" not in values:
+            self._require_unchanged("summary.json")
             return Readouts(values)
         if [cell.get("cell") for cell in cells] != list(range(1, len(cells) + 1)) or len(set(map(frozenset, cells))) > 1:
             raise InputOutputError(f"{path}: is damaged: its cells are not numbered from 1, with the same read-outs",
                                    self.folder)
+        self._require_unchanged("summary.json")
         return ReadoutsOfCells(cells)
 
     @functools.cached_property

@@ -65,7 +65,7 @@ TEST_F(TargetStudy, WritesNothingOnAFault) {
        {"e.toml:4:2: morris: is no design any more; draw the ranges by [latin_hypercube]",
         "e.toml:6:1: latin_hypercube.samples: is missing", "protrusion.force: \"0.6 nN\" is not below \"0.2 nN\"",
         "e.toml:8:22: ecm.youngs_modulus: is also set by the condition \"soft\"", "did you mean n_protrusions?",
-        "e.toml:18:9: targets.error: 0 is out of range; allowed is > 0", "did you mean soft?"})
+        "e.toml:18:9: targets.error: 0 is out of range; allowed are 1e-30", "did you mean soft?"})
     EXPECT_TRUE(contains(ended.err, part)) << part << '\n' << ended.err;
   EXPECT_EQ(entries(), 2U);
   write("alone.toml", "[morris]\ntrajectories = 1\n");

@@ -17,7 +17,7 @@ TEST_F(Program, WithoutAVerbItNamesThem) {
   const Ended bare = run("");
   EXPECT_EQ(bare.code, 2);
   EXPECT_EQ(lines(bare.err, 1), "matrigrate: a verb is required\n");
-  EXPECT_TRUE(contains(bare.err, "\nThe verbs are: new, list, check, explain, run, ")) << bare.err;
+  EXPECT_TRUE(contains(bare.err, "\nThe verbs are: new, check, explain, run, resume, ")) << bare.err;
   EXPECT_EQ(lines(bare.err, 2), bare.err) << "two lines";
   const Ended study = run("study");
   EXPECT_EQ(study.code, 2);

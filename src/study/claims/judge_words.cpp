@@ -22,8 +22,8 @@ void Judge::tell(const Group& g, std::string_view readout, const std::vector<dou
   const statistics::Interval mean = statistics::mean_interval(x, claim_alpha);
   const std::string value = x.size() < 2 ? fmt::format("{:.3g}", mean.value)
                                          : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
-  const std::string of = fmt::format("{}: {}", readout_words(readout), g.label.whole);
-  const std::string text = x.empty() ? of + " has no runs" : fmt::format("{} {} (n = {})", of, value, x.size());
+  const std::string text = fmt::format("{}: {} at {} (n = {})", readout_words(readout), x.empty() ? "no runs" : value,
+                                       g.label.whole, x.size());
   if (std::ranges::find(m_ours, text) != m_ours.end()) return;
   m_ours.push_back(text);
   if (!x.empty()) m_means.push_back({g, std::string(readout), value});
