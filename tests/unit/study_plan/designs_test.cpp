@@ -34,11 +34,11 @@ TEST(Designs, ThoseThatAreNoMoreAreRefusedWithWhatReplacesThem) {
 }
 
 TEST(Designs, TheResolvedFormGivesTheSameRuns) {
-  const Study s = read(
-      std::string() + "title = \"x\"\n[sweep]\nadhesion.rupture = [true]\n[latin_hypercube]\nsamples = 5\n" + numbers
-      + "[[conditions]]\nlabel = \"soft\"\necm.viscosity = 500\n[[conditions]]\nlabel = \"thick\"\n"
-        "ecm.viscosity = 2000\n[[targets]]\nreadout = \"f_mat\"\nlow = 0.4\nhigh = 0.5\nerror = 0.1\n"
-        "at = \"thick\"\n[[targets]]\nreadout = \"n_protrusions\"\nvalue = 12\nerror = 1\nweight = 2\n");
+  const Study s =
+      read(std::string("title = \"x\"\n[sweep]\nadhesion.rupture = [true]\n[latin_hypercube]\nsamples = 5\n") + numbers
+           + "[[conditions]]\nlabel = \"soft\"\necm.viscosity = 500\n[[conditions]]\nlabel = \"thick\"\n"
+             "ecm.viscosity = 2000\n[[targets]]\nreadout = \"f_mat\"\nlow = 0.4\nhigh = 0.5\nerror = 0.1\n"
+             "at = \"thick\"\n[[targets]]\nreadout = \"n_protrusions\"\nvalue = 12\nerror = 1\nweight = 2\n");
   ASSERT_EQ(s.points.size(), 2 * s.sets.size());
   const std::string text = to_toml(s, "x.toml");
   std::string other = text;
