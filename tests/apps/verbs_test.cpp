@@ -242,6 +242,27 @@ TEST_F(Program, InfoTellsWhatItIs) {
   EXPECT_TRUE(contains(run("info").out, info.at("compiler").get<std::string>()));
 }
 
+TEST_F(Program, ExplainTakesTheLawOfInitiation) {
+  write("cell.toml", "[ecm]\nradius = \"60 um\"\n");
+  const auto wait = [&](const std::string& change) {
+    return json::parse(run("explain cell.toml --json --set " + change).out)
+        .at("mean_wait_first_protrusion_s")
+        .get<double>();
+  };
+  const double usual = wait("protrusion.initiation_rate=1e-3");
+  EXPECT_DOUBLE_EQ(wait("laws.initiation_rate=1e-3"), usual);
+  EXPECT_DOUBLE_EQ(wait("laws.initiation_rate=2e-3"), 0.5 * usual);
+}
+
+TEST_F(Program, CheckJudgesTheStepAgainWhereTheLawOfFibresDependsOnASweep) {
+  write("law.toml",
+        "preset = \"baseline\"\nreplicates = 1\n[set]\necm.radius = \"60 um\"\nfibres.arrangement = \"isotropic\"\n"
+        "laws.fibre_stiffness = \"eps < 0 ? 0 : 1 + 1000*eps_s\"\n[sweep]\nfibres.onset = [0.01, 1.0, 5.0]\n");
+  const Ended ended = run("check law.toml");
+  EXPECT_EQ(ended.code, 3) << ended.out;
+  EXPECT_TRUE(contains(ended.err + ended.out, "a step of")) << ended.err << ended.out;
+}
+
 TEST_F(Program, ExplainTellsDerivedQuantities) {
   ASSERT_EQ(run("new a.toml").code, 0);
   const Ended plain = run("explain a.toml");

@@ -17,8 +17,7 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 constexpr double shortest = 1e-12;
-constexpr double longest =
-    0.003; // what is narrower than a third of it, and lies at no number of the formula, may be missed
+constexpr double longest = 0.003;
 constexpr std::size_t most_pieces = 20'000;
 constexpr std::size_t intervals = 2048;
 constexpr int n = 6;
@@ -67,10 +66,12 @@ FibreTable::FibreTable(const std::function<double(double)>& stiffness, double lo
                        std::span<const double> cuts)
     : m_low(low), m_high(high) {
   std::vector<double> ends{low, 0.0, high};
+  const auto is_end = [&](double x) {
+    return std::ranges::any_of(ends, [x](double end) { return std::abs(x - end) <= shortest; });
+  };
   for (const double cut : cuts)
-    if (cut > low && cut < high) ends.push_back(cut);
+    if (cut > low && cut < high && !is_end(cut)) ends.push_back(cut);
   std::ranges::sort(ends);
-  ends.erase(std::ranges::unique(ends).begin(), ends.end());
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const auto pieces = static_cast<int>(std::ceil((ends[k] - ends[k - 1]) / longest));
     const auto end = [&](int i) { return i == pieces ? ends[k] : ends[k - 1] + i * (ends[k] - ends[k - 1]) / pieces; };

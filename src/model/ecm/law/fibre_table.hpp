@@ -18,7 +18,7 @@ namespace matrigrate {
 /// Stiffness over k_0 as polynomials of degree 5 on pieces, at first of 0.003 or less, halved until they differ from
 /// the law by less than 1e-11 of its largest value on the piece, or are shorter than 1e-12, as at a jump. Tension and
 /// energy are their integrals, so that each is the derivative of the next, exactly. Beyond both ends the stiffness
-/// stays.
+/// stays. What is narrower than 0.001 may be missed, unless pieces are told to end there.
 class FibreTable {
 public:
   /// @param stiffness  over k_0, finite from `low` < 0 to `high` > 0

@@ -89,6 +89,9 @@ TEST(FibreTable, SeesWindowsAndBumps) {
     EXPECT_NEAR(narrow.stiffness(eps), window(0.031, 0.0312)(eps), 1e-9) << eps;
   }
   EXPECT_TRUE(FibreTable(window(-0.2, -0.19), -0.5, 1.0).pushes());
+  const std::vector<double> close{5e-324, -5e-324, 0.1, 0.1 + 1e-16, 1.0, -0.5};
+  const FibreTable one([](double) { return 1.0; }, -0.5, 1.0, close);
+  for (const double eps : {0.0, 5e-324, 0.1, 1.0, -0.5}) EXPECT_NEAR(one.tension(eps), eps, 1e-12) << eps;
 }
 
 TEST(FibreTable, RefusesWhatVariesTooQuickly) {
