@@ -17,6 +17,7 @@ from .studies import Runs, Study
 from .tracks import Tracks
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.axes import Axes
 
 _colours = _words.colours
@@ -27,7 +28,7 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names, of those of a study by
     their points; of measured tracks. The path of a single cell has the colours of time.
 
-    :param together: of tracks, whether all begin at one point
+    :param together: whether all begin at one point, which shows short paths of cells that are far apart
     """
     if isinstance(run, Tracks):
         axes = axes or _new_axes()
@@ -38,6 +39,8 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     _pyplot()  # says what is missing before tables are read
     named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
     paths = [(named_by.get(name, name), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
+    if together:
+        paths = [(name, number, _from_start(track)) for name, number, track in paths]
     axes = axes or _new_axes(figsize=_shape([table for _, _, table in paths]))
     lines = list(dict.fromkeys(name for name, _, _ in paths)) if len(runs) > 1 else [number for _, number, _ in paths]  # each has a colour and its name
     named = set()
@@ -60,6 +63,10 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     if 1 < len(lines) <= 8:
         axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return axes
+
+
+def _from_start(track: pandas.DataFrame) -> pandas.DataFrame:
+    return track.assign(x_um=track["x_um"] - track["x_um"].iloc[0], y_um=track["y_um"] - track["y_um"].iloc[0])
 
 
 def frame(run: Run, t: float | None = None, field: str = "displacement", axes: Axes | None = None, *,

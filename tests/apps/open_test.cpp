@@ -76,6 +76,15 @@ TEST_F(Live, FindsThePageInAPythonPackageThatHoldsTheProgram) {
   EXPECT_EQ(live("--print").out, (base / "usr/live.html").string() + "\n");
 }
 
+TEST_F(Live, FindsTheReleasedPageInACloneThatHasBuiltNone) {
+  std::filesystem::create_directories(base / "clone/build/release/bin");
+  std::filesystem::create_directories(base / "clone/live");
+  std::filesystem::rename(base / "usr/bin/matrigrate", base / "clone/build/release/bin/matrigrate");
+  std::filesystem::rename(page(), base / "clone/live/index.html");
+  EXPECT_EQ(run("live --print", base / "clone/build/release/bin/matrigrate").out,
+            (base / "clone/live/index.html").string() + "\n");
+}
+
 TEST_F(Live, CopiesThePageAndNeverOverwrites) {
   EXPECT_EQ(live("-o live.html").code, 0);
   EXPECT_EQ(text_of(folder / "live.html"), "<p>a cell");

@@ -77,6 +77,17 @@ TEST_F(StudyReport, IsMadeAnew) {
   EXPECT_EQ(run("report e-study/runs/" + first + " --play " + first).code, 2);
 }
 
+TEST_F(StudyReport, NamesWhatAReadOnlyFileSystemRefuses) {
+  if (std::system("unshare -m true 2>/dev/null") != 0) GTEST_SKIP() << "there are no mounts of one's own here";
+  ASSERT_EQ(run("study run e.toml").code, 0);
+  const std::string mounted = "mount --bind . . && mount -o remount,ro,bind . . && cd \"$PWD\" && exec ";
+  const Ended ended = run("-m sh -c '" + mounted + MATRIGRATE_PROGRAM " report e-study'", "unshare");
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_TRUE(contains(ended.err, "report.html")) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "Read-only file system")) << ended.err;
+  EXPECT_FALSE(contains(ended.err, "claims.csv")) << "which is not there: " << ended.err;
+}
+
 TEST_F(StudyReport, DoesWithoutCheckpoints) {
   ASSERT_EQ(run("study run e.toml").code, 0);
   const std::string id = data("e-study/report.html").at("players").at(0).at("id");

@@ -62,6 +62,11 @@ class Figures(common.InTemporaryFolder):
         both = matrigrate.plot.path({"one": self.run_, "pair": self.pair})
         self.assertEqual([text.get_text() for text in both.get_legend().get_texts()], ["one", "pair"])
         self.assertEqual(len(both.lines), 9)
+        together = matrigrate.plot.path(self.pair, together=True)
+        for number, line in zip((1, 2), together.lines[::3], strict=True):
+            x = tracks.loc[tracks["track"] == number, "x_um"]
+            self.assertEqual(list(line.get_xdata()), list(x - x.iloc[0]))
+        self.addCleanup(pyplot.close, together.figure)
 
     def test_each_cell_has_its_outline(self):
         axes = matrigrate.plot.frame(self.pair)
