@@ -113,15 +113,15 @@ std::string description(const Parameters& p, const Derived& d) {
 std::string laws_text(const Parameters& p) {
   std::string text;
   for (const Row* law : changed_laws(p)) {
-    LawCurve curve = law_curve(p, *law, 241);
     text += fmt::format("\n{} = {}\n{}{}; * here, . in the paper\n", law->path, value_text(*law, p), law->description,
                         law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
-    text += draw::to_text({.x_name = curve.over.name,
-                           .x_unit = curve.over.unit,
-                           .x_low = curve.over.low,
-                           .x_high = curve.over.high,
-                           .points = std::move(curve.changed),
-                           .comparison = std::move(curve.paper)});
+    for (LawCurve& curve : law_curves(p, *law, 241))
+      text += draw::to_text({.x_name = curve.over.name,
+                             .x_unit = curve.over.unit,
+                             .x_low = curve.over.low,
+                             .x_high = curve.over.high,
+                             .points = std::move(curve.changed),
+                             .comparison = std::move(curve.paper)});
   }
   return text;
 }

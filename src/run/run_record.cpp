@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
-#include "draw/text_plot.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
@@ -188,31 +187,13 @@ std::string run_title(const Parameters& p, const std::string& scenario) {
                      p.run.seed);
 }
 
-namespace {
-
-/// The text of a changed law, and its curve beside that of the paper.
-report::Fact law_fact(const Parameters& p, const Row& law) {
-  const LawCurve curve = law_curve(p, law, 49);
-  double high = 0.0;
-  for (const double value : curve.changed) high = std::max(high, value);
-  for (const double value : curve.paper) high = std::max(high, value);
-  const auto line = [&](const std::vector<double>& values) {
-    return draw::sparkline(values, high > 0.0 ? high : 1.0, 25);
-  };
-  return {std::string(law.path), fmt::format("{} {} over {} from {:g} to {:g}{}{}; in the paper {}", value_text(law, p),
-                                             line(curve.changed), curve.over.name, curve.over.low, curve.over.high,
-                                             curve.over.unit.empty() ? "" : " ", curve.over.unit, line(curve.paper))};
-}
-
-} // namespace
-
 std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
   std::vector<report::Fact> facts{
       {"scenario", scenario}, {"Young's modulus E", stiffness_text(p)}, {"seed", fmt::format("{}", p.run.seed)}};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
   };
-  for (const Row* law : changed_laws(p)) facts.push_back(law_fact(p, *law));
+  for (const Row* law : changed_laws(p)) facts.push_back({std::string(law->path), value_text(*law, p)});
   const auto commands = commands_of(record);
   for (std::size_t i = 0; i < commands.size(); ++i) add(i == 0 ? "command" : "branched by", command_text(commands[i]));
   const std::string end = text_of(record, "end");

@@ -181,6 +181,18 @@ export interface ChangedParameter {
   meaning: string;
 }
 
+/** A law that differs from the paper's, with both as curves. */
+export interface ChangedLaw {
+  /** Path in a scenario: "laws.disassembly_rate". */
+  name: string;
+  /** The formula. */
+  text: string;
+  /** "" of a ratio. */
+  unit: string;
+  /** Over each argument that it depends on, where others are as `at` says: "f_mat = 0.5"; "" if none matters. null where a law has no value. */
+  curves: { over: string; unit: string; at: string; x: number[]; changed: (number | null)[]; paper: (number | null)[] }[];
+}
+
 export interface RunPage {
   format: "matrigrate-run";
   version: 1;
@@ -203,6 +215,8 @@ export interface RunPage {
   readouts: NamedValue[];
   /** Only the parameters that differ from their defaults. */
   parameters: ChangedParameter[];
+  /** Left out or empty: all are the paper's. */
+  laws?: ChangedLaw[];
   health: NamedValue[];
   /** Text with line breaks. */
   provenance: string;

@@ -51,7 +51,7 @@ const commands = (kept: string): string[][] => [
   ["new", "cell.toml"],
   ["run", "cell.toml", "-o", "run", "--hours", "1", "--set", "output.displacement_layer=true", "--set", "output.snapshot_interval=900 s", ...small],
   ["new", "fibres.toml", "--preset", "two-protrusions-fibres"],
-  ["run", "fibres.toml", "-o", "fibres", "--hours", "0.2", ...small],
+  ["run", "fibres.toml", "-o", "fibres", "--hours", "0.2", "--set", "laws.disassembly_rate=min(0.01, r_off_min + r_off_0*exp(-zeta_diss*F/f_mat))", ...small],
   ["export", "run", "--svg", "-o", "svg"],
   ["export", "run", "--panel", "0 min, 20 min, 40 min", "-o", "panel"],
   ["export", "run", "--png", "-o", "png"],

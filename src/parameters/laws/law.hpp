@@ -67,13 +67,15 @@ std::string fault_of_law_values(const Parameters& p, const Row& law);
 /// The values of a law over one of its variables, the others at their usual values.
 struct LawCurve {
   LawVariable over;
+  std::string at; ///< those of the others that matter: "f_mat = 0.5, t = 0 s"; empty where none does
   std::vector<double> x;
   std::vector<double> paper;   ///< of the paper's law, with the parameters as they are
   std::vector<double> changed; ///< not finite where it is so
 };
 
+/// Over each variable that the law depends on; of one that depends on none, over the first of the paper's law.
 /// @param points  >= 2
-LawCurve law_curve(const Parameters& p, const Row& law, std::size_t points);
+std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points);
 
 /// Whether a row of kind law is another text than that of the paper, and all such rows.
 bool is_changed(const Row& law, const Parameters& p);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace matrigrate::draw {
 
@@ -55,17 +55,6 @@ std::string to_text(const TextPlot& plot) {
   return text
          + fmt::format("{:>9}  {}{:>{}}\n", "", begin, end,
                        std::max(static_cast<int>(end.size()) + 1, plot.width - static_cast<int>(begin.size())));
-}
-
-std::string sparkline(std::span<const double> values, double high, std::size_t width) {
-  constexpr std::array blocks{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
-  std::string text;
-  for (std::size_t column = 0; column < width; ++column) {
-    const double share = at_column(values, column, width) / high;
-    text += std::isfinite(share) ? blocks.at(static_cast<std::size_t>(std::lround(7.0 * std::clamp(share, 0.0, 1.0))))
-                                 : " ";
-  }
-  return text;
 }
 
 } // namespace matrigrate::draw

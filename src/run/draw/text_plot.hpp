@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// Curves as text, for terminals and lists of facts. Test: tests/unit/draw/text_plot_test.cpp
+/// Curves as text, for terminals. Test: tests/unit/draw/text_plot_test.cpp
 namespace matrigrate::draw {
 
 /// Two curves over the same abscissas.
@@ -23,8 +22,5 @@ struct TextPlot {
 
 /// Lines with the curves between 0 and their largest value.
 std::string to_text(const TextPlot& plot);
-
-/// A curve as eight heights of blocks, between 0 and `high`.   @param width  characters
-std::string sparkline(std::span<const double> values, double high, std::size_t width);
 
 } // namespace matrigrate::draw

@@ -1,5 +1,6 @@
 #include "report/run_page.hpp"
 
+#include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
 #include "tables/csv.hpp"
@@ -142,6 +143,28 @@ Json changed_parameters(const Parameters& p) {
   return list;
 }
 
+std::string_view shown_unit(std::string_view unit) { return unit == "1" ? "" : unit; }
+
+/// Changed laws beside those of the paper, over each argument that they depend on.
+Json laws_json(const Parameters& p) {
+  Json list = Json::array();
+  for (const Row* law : changed_laws(p)) {
+    Json curves = Json::array();
+    for (const LawCurve& curve : law_curves(p, *law, 121))
+      curves.push_back({{"over", curve.over.name},
+                        {"unit", curve.over.unit},
+                        {"at", curve.at},
+                        {"x", curve.x},
+                        {"changed", curve.changed},
+                        {"paper", curve.paper}});
+    list.push_back({{"name", law->path},
+                    {"text", bare(value_text(*law, p))},
+                    {"unit", shown_unit(law->unit)},
+                    {"curves", std::move(curves)}});
+  }
+  return list;
+}
+
 } // namespace
 
 std::string citation() {
@@ -173,6 +196,7 @@ Json run_data(const RunReport& report) {
           {"protrusions", protrusions_json(report)},
           {"readouts", readouts_json(report)},
           {"parameters", changed_parameters(report.p)},
+          {"laws", laws_json(report.p)},
           {"health", health_json(report.health)},
           {"provenance", report.provenance},
           {"citation", citation()}};

@@ -30,9 +30,5 @@ TEST(TextPlot, IsDrawnOfNothing) {
   EXPECT_NE(to_text(plot).find("        1 |\n"), std::string::npos);
 }
 
-TEST(Sparkline, HasEightHeights) {
-  EXPECT_EQ(sparkline(std::vector<double>{0.0, 1.0, 2.0, 5.0, std::nan("")}, 2.0, 5), "▁▅██ ");
-}
-
 } // namespace
 } // namespace matrigrate::draw

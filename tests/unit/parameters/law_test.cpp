@@ -127,13 +127,22 @@ TEST(Law, OfThePaperNamesNoRunAnew) {
   EXPECT_NE(values_text(p).find("laws.polarization_rate = \"r_pol/2\"\n"), std::string::npos);
 }
 
-TEST(LawCurve, IsThatOfTheFirstVariableThatMatters) {
-  const LawCurve curve = law_curve(with("disassembly_rate", "1e-3*t/100"), row("disassembly_rate"), 11);
-  EXPECT_EQ(curve.over.name, "F") << "the paper's depends on it";
-  const LawCurve growth = law_curve(with("growth_force", "max(0, 1 - l/20)"), row("growth_force"), 11);
-  EXPECT_EQ(growth.over.name, "A") << "Eq. 10";
-  const LawCurve bias = law_curve(with("initiation_bias", "exp(2*occupancy)"), row("initiation_bias"), 11);
+TEST(LawCurves, AreThoseOfEachVariableThatMatters) {
+  const auto over = [](const char* law, const char* formula) {
+    std::vector<std::string> names;
+    for (const LawCurve& curve : law_curves(with(law, formula), row(law), 11)) names.emplace_back(curve.over.name);
+    return names;
+  };
+  EXPECT_EQ(over("disassembly_rate", "1e-3*t/100"), std::vector<std::string>{"t"});
+  EXPECT_EQ(over("disassembly_rate", "1e-3*t/100*f_mat"), (std::vector<std::string>{"f_mat", "t"}));
+  EXPECT_EQ(over("growth_force", "0.5"), std::vector<std::string>{"A"}) << "on which the paper's depends";
+  EXPECT_EQ(over("initiation_rate", "2*r_prot"), std::vector<std::string>{"angle"}) << "neither depends on anything";
+  const LawCurve bias = law_curves(with("initiation_bias", "exp(2*occupancy)"), row("initiation_bias"), 11).front();
   EXPECT_EQ(bias.over.name, "occupancy");
+  EXPECT_EQ(bias.at, "") << "nothing else matters";
+  EXPECT_EQ(law_curves(with("disassembly_rate", "1e-3*t/100"), row("disassembly_rate"), 2)[0].at,
+            "F = 0.3 nN, f_mat = 0.5")
+      << "on which the paper's depends";
   EXPECT_DOUBLE_EQ(bias.changed.back(), std::exp(2.0));
   EXPECT_DOUBLE_EQ(bias.paper.back(), 1.0);
 }

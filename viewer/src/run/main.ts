@@ -5,8 +5,9 @@ import { embeddedRun } from "../embedded";
 import { pretty, readable } from "../numbers";
 import { units } from "../words";
 import "../page.css";
+import { laws } from "./laws";
 import { hook } from "./save/hook";
-import { runView } from "./view";
+import { fitted, runView } from "./view";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
   const several = values.some((v) => v.cell !== undefined);
@@ -46,6 +47,7 @@ function show(run: RunPage, page: HTMLElement): void {
       factList(run.facts),
     ),
     ...parts,
+    ...(run.laws?.length ? [section("laws", "Laws that differ from the paper", fitted((width) => laws(run.laws ?? [], width), new AbortController().signal))] : []),
     h(
       "div",
       { class: "two" },

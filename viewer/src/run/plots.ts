@@ -87,8 +87,12 @@ export const hours = ({ end }: { end: number }): Axis => {
   return { low: 0, high, label: "time (h)", ticks: ticks(0, high, 6, step) };
 };
 
-const line = (made: Frame, x: number[], y: number[]): string =>
-  x.map((v, i) => `${i === 0 ? "M" : "L"}${made.x(v).toFixed(1)} ${made.y(y[i]).toFixed(1)}`).join("");
+/** A line with gaps at null. */
+export const line = (made: Frame, x: number[], y: (number | null)[]): string =>
+  x.map((v, i) => {
+    const at = y[i];
+    return at === null ? "" : `${i === 0 || y[i - 1] === null ? "M" : "L"}${made.x(v).toFixed(1)} ${made.y(at).toFixed(1)}`;
+  }).join("");
 
 /** A quantity of a cell over time [s]. */
 interface Curve {
@@ -235,7 +239,7 @@ function path(clock: Clock, width: number, cells: CellTracks[], measured: Measur
   return made.svg;
 }
 
-const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
+export const figure = (picture: Element, caption: string) => h("figure", {}, picture, h("figcaption", {}, caption));
 
 /** Colour of a curve with several cells; the style sheet has the colour of a single cell. */
 export const colour = (number: number, cells: number): string | undefined =>

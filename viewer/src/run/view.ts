@@ -12,7 +12,7 @@ import type { Stage } from "./stage";
 import { protrusionTable, timeline } from "./timeline";
 
 /** Plots are drawn for the width they get, so that their text is never scaled; a turned phone draws them again. */
-function fitted(make: (width: number, gone: AbortSignal) => HTMLElement, gone: AbortSignal): HTMLElement {
+export function fitted(make: (width: number, gone: AbortSignal) => HTMLElement, gone: AbortSignal): HTMLElement {
   const holder = h("div", { class: "fitted" });
   let drawn = 0;
   let replaced = new AbortController();
