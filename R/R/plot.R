@@ -1,5 +1,5 @@
 plot_path <- function(x, cell = NULL, from_start = FALSE, ...) {
-  tracks <- .rows_of(x, cell, read_tracks, c("id", "cell", "t_s", "x_um", "y_um"))
+  tracks <- .rows_of(x, cell, read_tracks, c("id", if (!is.null(cell)) "cell", "t_s", "x_um", "y_um"))
   paths <- .by_cell(tracks, "t_s")
   if (length(paths) == 0) stop("there is no track to draw", call. = FALSE)
   if (from_start) paths <- lapply(paths, .from_start)

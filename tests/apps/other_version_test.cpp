@@ -211,6 +211,18 @@ TEST_F(OtherVersion, ASummaryThatWasEditedIsNotBelieved) {
   EXPECT_TRUE(contains(collected.err, "summary.json: has been cut or changed since the run ended")) << collected.err;
 }
 
+TEST_F(OtherVersion, ATableThatWasEditedToTheSameLengthIsNotBelieved) {
+  ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
+  const std::string tracks = path(names().front()) + "/tracks.csv";
+  std::string text = file(tracks);
+  char& digit = text.at(text.find_last_of("0123456789"));
+  digit = digit == '1' ? '2' : '1';
+  std::ofstream(folder / tracks, std::ios::binary) << text;
+  const Ended collected = run("study collect e-study");
+  EXPECT_EQ(collected.code, 5) << collected.out;
+  EXPECT_TRUE(contains(collected.err, "tracks.csv: has been cut or changed since the run ended")) << collected.err;
+}
+
 TEST_F(OtherVersion, ASmallerStudyHasASmallerTable) {
   ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
   write_study(1);

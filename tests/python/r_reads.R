@@ -145,6 +145,8 @@ stopifnot(
   identical(names(measured), c("id", "t_s", "x_um", "y_um")), nrow(measured) == 10, measured$t_s == 60 * (0:4), attr(measured, "interval_s") == 60,
   all.equal(sqrt(diff(measured$x_um[1:5])^2 + diff(measured$y_um[1:5])^2), rep(2.5, 4))
 )
+stopifnot(identical(plot_path(measured, from_start = TRUE)$id, measured$id))
+refused("has no column cell", plot_path(measured, cell = 1))
 refused("frame_interval", read_measured_tracks("spots.csv", pixel = 0.5, columns = c(track = "Cell no.")))
 
 # What the package has of its own agrees with the project: version, read-outs, columns of its examples, functions when sourced.

@@ -1,7 +1,5 @@
 /** Reads the data that the program put into the page, and says plainly what is wrong with it. */
 import type { RunPage } from "./contract";
-import type { StudyPage } from "./study/contract";
-import type { VerdictPage } from "./verdicts/contract";
 
 export const dataElementId = "matrigrate-data";
 
@@ -9,8 +7,8 @@ function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** Throws an Error whose message can be shown as it is. */
-function embedded(format: string, lists: string[]): Record<string, unknown> {
+/** Data of a format with these lists. Throws an Error whose message can be shown as it is. */
+export function embedded(format: string, lists: string[]): Record<string, unknown> {
   const text = document.getElementById(dataElementId)?.textContent ?? "";
   let data: unknown;
   try {
@@ -37,12 +35,4 @@ export function embeddedRun(): RunPage {
   if (!isRecord(tracks) || !Array.isArray(tracks["t_s"])) throw new Error("The data in this page lacks: tracks.");
   if (!isRecord(data["geometry"])) throw new Error("The data in this page lacks: geometry.");
   return data as unknown as RunPage;
-}
-
-export function embeddedStudy(): StudyPage {
-  return embedded("matrigrate-study", ["axes", "readouts", "runs", "groups", "tests", "msd"]) as unknown as StudyPage;
-}
-
-export function embeddedVerdicts(): VerdictPage {
-  return embedded("matrigrate-verdicts", ["facts", "statements", "studies"]) as unknown as VerdictPage;
 }

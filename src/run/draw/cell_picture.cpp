@@ -63,7 +63,8 @@ std::string cell_picture(const observe::CellScene& scene, const observe::Box& bo
 std::string contact_sheet(std::span<const observe::CellScene> scenes, std::size_t most, int width) {
   check(width);
   const std::vector<std::size_t> indices = chosen(scenes.size(), most);
-  const auto columns = std::clamp<std::size_t>(indices.size(), 1, indices.size() == 4 ? 2 : 3);
+  const std::size_t n = indices.size(); // no picture is alone in a row
+  const auto columns = std::clamp<std::size_t>(n, 1, n == 4 ? 2 : n % 3 == 1 ? 4 : 3);
   const double gap = svg::margin;
   const double side =
       (width - 2.0 * svg::margin - static_cast<double>(columns - 1) * gap) / static_cast<double>(columns);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace matrigrate {
 
@@ -54,7 +53,7 @@ std::span<const ReadOutSpec> readout_table() {
       {.name = "msd_slope", .label = "msd_slope", .unit = "",
        .meaning = "log-log slope of the mean square displacement, lags of 10 min to half the run",
        .value = [](const ReadOuts& r) -> Value { return r.msd_slope; }, .usual = true,
-       .least = -std::numeric_limits<double>::infinity()},
+       .least = -1e12},
       {.name = "path_angle_deg", .label = "path_angle", .unit = "degrees",
        .meaning = "mean angle of the path, sampled every 600 s, to uniaxial fibres",
        .value = [](const ReadOuts& r) -> Value { return r.path_angle; }, .of_fibres = true, .most = 90.0},

@@ -3,7 +3,6 @@
 #include "observe/readouts.hpp"
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,7 +28,7 @@ struct ReadOutSpec {
   bool is_late = false;   ///< tables of results of version 0.1.0 lack it
   bool is_always = false; ///< defined of every run that is done, as counts are
   double least = 0.0;     ///< bounds of its values
-  double most = std::numeric_limits<double>::infinity();
+  double most = 1e12;
 
   bool is_count() const { return std::holds_alternative<std::uint64_t>(value({})); }
 

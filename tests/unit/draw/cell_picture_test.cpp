@@ -197,6 +197,31 @@ TEST(ContactSheet, HasPanelsAtRegularTimes) {
   EXPECT_EQ(panel_hours(1), std::vector<int>{0});
 }
 
+/// Rows of the panels of a sheet, by the places of their times.
+std::vector<std::ptrdiff_t> panels_in_rows(std::size_t n) {
+  const Parameters p = parameters(20.0);
+  std::vector<observe::CellScene> scenes(n, observe::cell_scene(state(p), p, {}));
+  for (std::size_t k = 0; k < n; ++k) scenes[k].t = 3600.0 * static_cast<double>(k);
+  const std::string svg = contact_sheet(scenes);
+  std::vector<std::string> heights;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t text = svg.rfind("<text", svg.find(">" + time_text(scenes[k].t) + "<"));
+    const std::size_t y = svg.find(" y=\"", text);
+    heights.push_back(svg.substr(y, svg.find('"', y + 4) - y));
+  }
+  std::vector<std::ptrdiff_t> rows;
+  for (std::size_t k = 0; k < n; ++k)
+    if (k == 0 || heights[k] != heights[k - 1]) rows.push_back(std::ranges::count(heights, heights[k]));
+  return rows;
+}
+
+TEST(ContactSheet, LeavesNoPanelAloneInARow) {
+  EXPECT_EQ(panels_in_rows(4), (std::vector<std::ptrdiff_t>{2, 2}));
+  EXPECT_EQ(panels_in_rows(5), (std::vector<std::ptrdiff_t>{3, 2}));
+  EXPECT_EQ(panels_in_rows(7), (std::vector<std::ptrdiff_t>{4, 3}));
+  EXPECT_EQ(panels_in_rows(10), (std::vector<std::ptrdiff_t>{4, 4, 2}));
+}
+
 TEST(ContactSheet, IsOneDocumentWithOneLegend) {
   const Parameters p = parameters(150.0);
   const observe::CellScene one = observe::cell_scene(state(p), p, {});

@@ -155,6 +155,18 @@ TEST_F(ScaledFields, TakeTheDirectionOfStripesFromTheStructureTensor) {
     double off = std::abs(field.at({0.3, -0.2}) - angle);
     off = std::min(off, 180.0 - off);
     EXPECT_LT(off, 1.0) << angle << " " << field.at({0.3, -0.2});
+    const auto largest_at = [&](double from_middle) { // along the four sides of a square
+      double largest = 0.0;
+      for (double along = -from_middle; along <= from_middle; along += 0.5)
+        for (const Vec2& x : {Vec2(along, from_middle), Vec2(along, -from_middle), Vec2(from_middle, along),
+                              Vec2(-from_middle, along)}) {
+          const double difference = std::abs(field.at(x) - angle);
+          largest = std::max(largest, std::min(difference, 180.0 - difference));
+        }
+      return largest;
+    };
+    EXPECT_LT(largest_at(11.75), 13.0) << "at the edge, " << angle;
+    EXPECT_LT(largest_at(9.75), 4.0) << "one radius from it, " << angle;
   }
   EXPECT_NE(what("stripes.tif pixel=0.5 direction=2 from=0 to=1").find("takes no from="), std::string::npos);
   EXPECT_NE(what("stripes.tif pixel=0.5 direction=0").find("must be from 0.25 to 50 um"), std::string::npos);

@@ -115,7 +115,8 @@ TEST(ReadResults, RefusesFieldsThatCannotBe) {
   for (const char* name : {"duration_s", "v_migr_abs_um_per_h", "n_protrusions"})
     EXPECT_TRUE(refused(name, NAN).ends_with("is empty; every run that is done has it")) << name;
   EXPECT_EQ(refused("tau_prot_min", NAN), "") << "no adhesion may have ended";
-  EXPECT_TRUE(refused("v_migr_abs_um_per_h", -1.0).ends_with("is -1; allowed are 0 to inf"));
+  EXPECT_TRUE(refused("v_migr_abs_um_per_h", -1.0).ends_with("is -1; allowed are 0 to 1e+12"));
+  EXPECT_TRUE(refused("l_prot_um", 1e308).ends_with("is 1e+308; allowed are 0 to 1e+12"));
   EXPECT_TRUE(refused("f_mat", 7.0).ends_with("(f_mat): is 7; allowed are 0 to 1"));
   EXPECT_TRUE(refused("n_protrusions", 2.5).ends_with("(n_protrusions): is 2.5; it is a count"));
   EXPECT_EQ(refused("msd_slope", -0.1) + refused("migration_index_x", -0.5), "");

@@ -1,7 +1,7 @@
 /** The page of a study. */
 import type { StudyPage } from "./contract";
 import { factList, fault, h, section } from "../dom";
-import { embeddedStudy } from "../embedded";
+import { embedded } from "../embedded";
 import "../page.css";
 import { boxesNote, boxesOfAll } from "./boxes";
 import { leastRuns, type Shown } from "./brackets";
@@ -113,7 +113,7 @@ function show(study: StudyPage, page: HTMLElement): void {
 const page = document.getElementById("page");
 if (page) {
   try {
-    show(embeddedStudy(), page);
+    show(embedded("matrigrate-study", ["axes", "readouts", "runs", "groups", "tests", "msd"]) as unknown as StudyPage, page);
   } catch (reason) {
     page.replaceChildren(fault(reason instanceof Error ? reason.message : String(reason)));
   }

@@ -1,6 +1,6 @@
 /** The page of verdicts: of `matrigrate validate` on verification cases, of `matrigrate reproduce` on the paper's claims. */
 import { factList, fault, h, section, table } from "../dom";
-import { embeddedVerdicts } from "../embedded";
+import { embedded } from "../embedded";
 import { pretty, readable } from "../numbers";
 import "../page.css";
 import { verdict } from "../study/lists";
@@ -113,7 +113,7 @@ function show(page: VerdictPage, place: HTMLElement): void {
 const place = document.getElementById("page");
 if (place) {
   try {
-    show(embeddedVerdicts(), place);
+    show(embedded("matrigrate-verdicts", ["facts", "statements", "studies"]) as unknown as VerdictPage, place);
   } catch (reason) {
     place.replaceChildren(fault(reason instanceof Error ? reason.message : String(reason)));
   }
