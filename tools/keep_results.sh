@@ -35,13 +35,13 @@ for folder in "$from"/*/; do
   fi
   tables=results
   case $study in # beside the results what the figures are drawn from
-  stiffness) tables="results paths msd shapes centres adhesions" ;;
-  kept-protrusions | kept-protrusions-fibres) tables="results paths msd shapes centres" ;;
+  stiffness) tables="results paths msd shapes adhesions" ;;
+  kept-protrusions | kept-protrusions-fibres) tables="results paths msd shapes" ;;
   sensitive-adhesions | insensitive-adhesions) tables="results adhesions" ;;
   esac
   for table in $tables; do
     short=rounded
-    case $table in paths | shapes | centres) short=tenths ;; esac
+    case $table in paths | shapes) short=tenths ;; esac
     [ ! -e "$folder/$table.csv" ] || $short "$folder/$table.csv" >"$to/$study-$table.csv"
   done
   rm -f "$to/part/$study-results.csv"

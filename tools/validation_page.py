@@ -94,10 +94,6 @@ def means(rows: list[dict[str, str]], points: list[tuple[str, str]], without: tu
 # The verdicts.
 
 
-def without_verification(rows: list[dict[str, str]]) -> list[dict[str, str]]:
-    return [row for row in rows if row["kind"] != "verification"]
-
-
 def count(rows: list[dict[str, str]], verdict: str) -> int:
     return sum(row["verdict"] == verdict for row in rows)
 

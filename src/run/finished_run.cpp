@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/time_text.hpp"
 #include "observe/cell_scene.hpp"
+#include "observe/even_times.hpp"
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"
 #include "run/run_record.hpp"
@@ -105,7 +106,7 @@ FinishedRun read_run(const std::filesystem::path& folder) {
 
 store::LostFrames lost_frames(const FinishedRun& run) {
   if (run.p.output.field_interval <= 0.0) return {};
-  const std::vector<double> there = store::times_of(run.film);
+  const std::vector<double> there = observe::times_of(run.film);
   std::vector<double> written;
   std::ranges::set_union(run.frame_times, there, std::back_inserter(written));
   return store::lost_frames(written, there);

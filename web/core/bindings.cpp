@@ -121,7 +121,6 @@ Json head_json() {
   head["n_particles"] = s.state().ecm.size();
   put_cells(head, s.frame());
   head["duration_s"] = p.run.duration;
-  head["time_step_s"] = p.run.time_step;
   head["bonds_um"] = bonds_json(p);
   head["onset"] = p.fibres.onset;
   head["attractant"] = !s.state().ecm.attractant.empty();

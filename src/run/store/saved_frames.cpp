@@ -106,11 +106,4 @@ std::string to_text(const LostFrames& lost) {
                      lost.count == 1 ? "is" : "are", frame_log_name, field_file_name, lost.count == 1 ? "it" : "them");
 }
 
-std::vector<double> times_of(const observe::Film& film) {
-  std::vector<double> times;
-  times.reserve(film.frames.size());
-  for (const observe::Frame& frame : film.frames) times.push_back(frame.t);
-  return times;
-}
-
 } // namespace matrigrate::store

@@ -53,7 +53,4 @@ LostFrames lost_frames(std::span<const double> written, std::span<const double> 
 /// "4 of 11 frames (from 30 s to 2 min) are lost: ..."; empty if none is lost.
 std::string to_text(const LostFrames& lost);
 
-/// The times of a film's frames [s].
-std::vector<double> times_of(const observe::Film& film);
-
 } // namespace matrigrate::store

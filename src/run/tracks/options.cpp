@@ -46,11 +46,6 @@ void set_column(std::string_view key, std::string name, ColumnNames& names) {
 
 } // namespace
 
-bool ColumnNames::any() const {
-  return !(track.empty() && t.empty() && frame.empty() && x.empty() && y.empty() && z.empty() && group.empty()
-           && made_up.empty() && measured.empty());
-}
-
 void add_columns(std::string_view text, ColumnNames& names) {
   while (!text.empty()) {
     const std::string_view key = key_at(text);

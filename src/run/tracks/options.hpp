@@ -19,8 +19,6 @@ struct ColumnNames {
   std::vector<std::string> group; ///< tell movies apart in which ids repeat; "none": there are none
   std::string made_up;  ///< true where a tracker has put a position that it did not see; "none": there is none
   std::string measured; ///< false where it has
-
-  bool any() const;
 };
 
 /// Reads "track=Track n°,x=X [um],...". A comma belongs to a name unless a key and "=" follow it.

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace matrigrate::study {
@@ -255,12 +254,6 @@ const std::vector<ClaimRule>& claim_rules() {
       {"mostly_up_to", {"readout", "bound", "share"}, all, mostly_up_to},
   };
   return rules;
-}
-
-const ClaimRule& claim_rule(std::string_view name) {
-  const auto found = std::ranges::find(claim_rules(), name, &ClaimRule::name);
-  if (found == claim_rules().end()) throw std::out_of_range(fmt::format("there is no rule {}", name));
-  return *found;
 }
 
 } // namespace matrigrate::study

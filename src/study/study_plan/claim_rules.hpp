@@ -53,7 +53,4 @@ struct ClaimRule {
 
 const std::vector<ClaimRule>& claim_rules();
 
-/// @throws std::out_of_range if there is no such rule
-const ClaimRule& claim_rule(std::string_view name);
-
 } // namespace matrigrate::study

@@ -51,7 +51,6 @@ void write_tables(const Evidence& evidence, const EvidenceOptions& options) {
     auto runs = ensemble.results;
     std::erase_if(runs, [&](const Result& r) { return !exists(run_folder(folder, r.run)); });
     write_file(folder / "shapes.csv", shapes_csv(ensemble.study, runs, folder));
-    write_file(folder / "centres.csv", centres_csv(ensemble.study, runs, folder));
   }
   if (const auto found = evidence.find(fibre_study); found != evidence.end())
     if (const observe::Film film = film_among_fibres(found->second, options); !film.frames.empty())

@@ -22,7 +22,7 @@ struct ClaimFigures {
 };
 
 /// Plots of verification cases, studies and the stress of fibres (Figs 2, 4, 6, 9, 11 to 13), all from tables: those of
-/// options.from, or those that lie beside the runs. Of runs it first writes shapes.csv and centres.csv into the folders
+/// options.from, or those that lie beside the runs. Of runs it first writes shapes.csv into the folders
 /// of the studies, and fibre-stress.csv, of one run with two protrusions among fibres, beside them. Writes
 /// fibre-stress.svg.
 /// @throws InputOutputError if frames or a table cannot be read

@@ -1,12 +1,8 @@
 #include "study_report/run_shapes.hpp"
 
-#include "base/failure.hpp"
-#include "base/file.hpp"
 #include "cell/geometry.hpp"
 #include "draw/particle_picture.hpp"
 #include "store/checkpoint.hpp"
-#include "store/field_file.hpp"
-#include "store/hdf5.hpp"
 #include "tables/csv.hpp"
 #include "tables/table.hpp"
 
@@ -14,53 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace matrigrate::study {
 
 namespace {
 
 constexpr std::size_t replicates_shown = 3;
-constexpr std::size_t largest_file = std::size_t{1} << 30U;
-
-/// A path in plane: its distance from start to end, and its length over every second point, per hour.
-struct Speeds {
-  double along_line = 0.0; ///< [um/h]
-  double along_path = 0.0; ///< [um/h]
-};
-
-Speeds speeds(const std::vector<Vec2>& path, double hours) {
-  Speeds s{.along_line = (path.back() - path.front()).norm() / hours};
-  for (std::size_t k = 2; k < path.size(); k += 2) s.along_path += (path[k] - path[k - 2]).norm() / hours;
-  return s;
-}
-
-std::vector<Vec2> ring_of(const std::vector<float>& numbers) {
-  std::vector<Vec2> ring;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) ring.emplace_back(numbers[i], numbers[i + 1]);
-  return ring;
-}
-
-/// The speeds of both centres of a run; nothing if it kept no frames.
-std::string centre_row(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / store::field_file_name;
-  if (!std::filesystem::exists(file)) return {};
-  const store::MemoryFile fields(read_file(file, largest_file));
-  const std::vector<double> times = fields.doubles("/time");
-  if (times.size() < 3) return {};
-  std::vector<Vec2> areas;
-  std::vector<Vec2> means;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const CortexState ring{.x = ring_of(fields.float_frame("/outline/position", k)), .v = {}, .l0 = {}};
-    areas.push_back(centroid(ring));
-    means.push_back(std::accumulate(ring.x.begin(), ring.x.end(), Vec2(0.0, 0.0)) / static_cast<double>(ring.size()));
-  }
-  const double hours = (times.back() - times.front()) / 3600.0;
-  const Speeds area = speeds(areas, hours);
-  const Speeds mean = speeds(means, hours);
-  return fmt::format("{:.3f},{:.3f},{:.3f},{:.3f}", area.along_line, area.along_path, mean.along_line, mean.along_path);
-}
 
 } // namespace
 
@@ -75,19 +30,6 @@ std::string shapes_csv(const Study& study, const std::vector<Result>& results,
     for (std::size_t i = 0; i < cortex.size(); i += 2)
       csv += fmt::format("{},{:.2f},{:.2f},{}\n", r.run.replicate, cortex.x[i].x(), cortex.x[i].y(),
                          store::csv_text(study.points[r.run.point].label));
-  }
-  return csv;
-}
-
-std::string centres_csv(const Study& study, const std::vector<Result>& results,
-                        const std::filesystem::path& study_folder) {
-  std::string csv = "replicate,v_abs_area_um_per_h,v_path_600s_area_um_per_h,v_abs_mean_um_per_h,"
-                    "v_path_600s_mean_um_per_h,point\n";
-  for (const Result& r : results) {
-    if (!r.standing.done()) continue;
-    const std::string row = centre_row(run_folder(study_folder, r.run));
-    if (!row.empty())
-      csv += fmt::format("{},{},{}\n", r.run.replicate, row, store::csv_text(study.points[r.run.point].label));
   }
   return csv;
 }

@@ -240,8 +240,10 @@ TEST(Judge, NamesAPointThatIsNotThere) {
   EXPECT_EQ(found.verdict, Verdict::holds);
   Claim claim;
   claim.study = "s";
-  claim.conditions = {
-      {.rule = &claim_rule("same"), .from = {"", "n_prot 2"}, .to = {"", "n_prot 3"}, .readout = "f_mat"}};
+  claim.conditions = {{.rule = &*std::ranges::find(claim_rules(), "same", &ClaimRule::name),
+                       .from = {"", "n_prot 2"},
+                       .to = {"", "n_prot 3"},
+                       .readout = "f_mat"}};
   const Finding lost = judged(claim, e);
   EXPECT_EQ(lost.verdict, Verdict::undecided);
   EXPECT_NE(lost.conditions.front().find("n_prot 2 (no such point)"), std::string::npos) << lost.conditions.front();

@@ -3,7 +3,6 @@
 #include "base/file.hpp"
 #include "simulation/start.hpp"
 #include "store/checkpoint.hpp"
-#include "store/field_file.hpp"
 #include "tables/csv.hpp"
 #include "unit/study_plan/studies.hpp"
 
@@ -85,15 +84,6 @@ TEST_F(RunShapes, AreTheOutlinesAtTheEndOfThreeRuns) {
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"1", "1.00", "2.00", "youngs_modulus 50 Pa"})) << "every second";
   EXPECT_EQ(table.rows[2 * shown], (std::vector<std::string>{"3", "3.00", "0.00", "youngs_modulus 50 Pa"}));
   EXPECT_EQ(table.rows.back()[3], "youngs_modulus 400 Pa");
-}
-
-TEST_F(RunShapes, BothCentresMoveWithTheCell) {
-  const std::vector<Result> results = results_of("f_mat", {{0.1}, {0.2}});
-  write_file(made(results[0]) / store::field_file_name, store::field_file(film(13)));
-  const store::CsvTable table = store::read_csv(centres_csv(study, results, folder));
-  ASSERT_EQ(table.rows.size(), 1U) << "the other run kept no frames";
-  for (std::size_t column = 1; column <= 4; ++column)
-    EXPECT_NEAR(store::csv_number(table.rows[0][column]), 12.0, 1e-3) << "12 um in an hour, a spike or not";
 }
 
 TEST_F(RunShapes, FibreStressIsThatOfTheSolidNearTheCell) {

@@ -32,7 +32,6 @@ export interface Head {
   /** Of several cells: the number of the cell of each point, from 1. */
   cell?: number[];
   duration_s: number;
-  time_step_s: number;
   changed: Changed;
   /** After a change: the time from which on it holds. */
   from_s?: number;
