@@ -23,7 +23,6 @@ const head: Head = {
   n_outline: 3,
   n_nucleus: 0,
   duration_s: 21600,
-  time_step_s: 5,
   changed: [],
   bonds_um: [],
   obstacles_um: [],

@@ -100,8 +100,7 @@ Json bonds_json(const Parameters& p) {
 void put_cells(Json& head, const observe::Frame& frame) {
   head["n_outline"] = frame.outline.front.size();
   head["n_nucleus"] = frame.nucleus.size() / 2;
-  const observe::Floats& cell = frame.outline.cell;
-  if (!cell.empty()) head["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
+  if (!frame.outline.cell.empty()) head["cell"] = frame.outline.cell;
 }
 
 /// Places of the particles of rigid obstacles [um].
@@ -267,9 +266,9 @@ val frame(const val& spare) {
   floats("fMat", f.outline.f_mat);
   floats("force", f.outline.force);
   if (!f.nucleus.empty()) floats("nucleus", f.nucleus);
-  if (!f.protrusions.cell.empty()) floats("cells", f.protrusions.cell);
-  floats("ids", f.protrusions.id);
-  floats("centres", f.protrusions.centre);
+  if (!f.protrusions.cell.empty()) floats("cells", observe::as_floats(f.protrusions.cell));
+  floats("ids", observe::as_floats(f.protrusions.id));
+  floats("centres", observe::as_floats(f.protrusions.centre));
   bytes("phases", f.protrusions.phase);
   floats("anchors", f.protrusions.anchor);
   floats("fMats", f.protrusions.f_mat);

@@ -105,9 +105,9 @@ void add_cells(const observe::Frame& frame, Agents& agents) {
   const observe::ProtrusionFrame& p = frame.protrusions;
   for (std::size_t k = 0; k < p.id.size(); ++k) {
     if (std::isnan(p.anchor[2 * k])) continue;
-    const std::size_t cell = p.cell.empty() ? 1 : static_cast<std::size_t>(p.cell[k]);
-    agents.sphere(cell * of_a_cell + static_cast<std::size_t>(p.id[k]), adhesion, p.anchor[2 * k], p.anchor[2 * k + 1],
-                  in_front, adhesion_radius);
+    const std::size_t cell = p.cell.empty() ? 1 : p.cell[k];
+    agents.sphere(cell * of_a_cell + p.id[k], adhesion, p.anchor[2 * k], p.anchor[2 * k + 1], in_front,
+                  adhesion_radius);
   }
 }
 

@@ -57,6 +57,9 @@ std::string fields_of(std::string_view body, const observe::Frame& frame, const 
   for (const auto& field : observe::float_fields())
     if (field.name.starts_with(body) && !field.name.ends_with("/position") && !field.in(frame).empty())
       text += array(field.name.substr(body.size()), "Float32", field.components, field.in(frame));
+  for (const auto& field : observe::count_fields())
+    if (field.name.starts_with(body) && !field.in(frame).empty())
+      text += array(field.name.substr(body.size()), "UInt32", field.components, field.in(frame));
   for (const auto& field : observe::byte_fields())
     if (field.name.starts_with(body))
       text += array(field.name.substr(body.size()), "UInt8", field.components, field.in(frame));

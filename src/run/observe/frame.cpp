@@ -1,5 +1,6 @@
 #include "observe/frame.hpp"
 
+#include "base/failure.hpp"
 #include "cell/actomyosin.hpp"
 #include "cell/geometry.hpp"
 #include "ecm/law/material.hpp"
@@ -137,8 +138,8 @@ struct Maturation {
 void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParameters& p) {
   for (const Protrusion& protrusion : cell.protrusions) {
     const Vec2* adhered = anchor(protrusion.phase);
-    out.id.push_back(static_cast<float>(protrusion.record.id));
-    out.centre.push_back(static_cast<float>(protrusion.centre));
+    out.id.push_back(static_cast<std::uint32_t>(protrusion.record.id));
+    out.centre.push_back(static_cast<std::uint32_t>(protrusion.centre));
     out.phase.push_back(static_cast<std::uint8_t>(protrusion.phase.index()));
     add(out.anchor, adhered != nullptr ? *adhered : Vec2(undefined, undefined));
     out.f_mat.push_back(static_cast<float>(std::visit(Maturation{}, protrusion.phase)));
@@ -149,7 +150,7 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
 } // namespace
 
 std::span<const FrameField<Floats>> float_fields() {
-  static constexpr std::array<FrameField<Floats>, 19> all{{
+  static constexpr std::array<FrameField<Floats>, 15> all{{
       {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
       {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
       {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
@@ -160,15 +161,11 @@ std::span<const FrameField<Floats>> float_fields() {
       {"outline/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.outline.f_mat; }},
       {"outline/curvature", "1/um", 1, [](Frame& f) -> Floats& { return f.outline.curvature; }},
       {"outline/actomyosin_force", "nN", 1, [](Frame& f) -> Floats& { return f.outline.force; }},
-      {"protrusions/id", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.id; }},
-      {"protrusions/centre", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.centre; }},
       {"protrusions/anchor", "um", 2, [](Frame& f) -> Floats& { return f.protrusions.anchor; }},
       {"protrusions/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.f_mat; }},
       {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
-      {"outline/cell", "1", 1, [](Frame& f) -> Floats& { return f.outline.cell; }},
       {"matrix/attractant", "1", 1, [](Frame& f) -> Floats& { return f.matrix.attractant; }},
       {"nucleus/position", "um", 2, [](Frame& f) -> Floats& { return f.nucleus; }},
-      {"protrusions/cell", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.cell; }},
   }};
   return all;
 }
@@ -181,6 +178,30 @@ std::span<const FrameField<Bytes>> byte_fields() {
       {"protrusions/phase", "1", 1, [](Frame& f) -> Bytes& { return f.protrusions.phase; }},
   }};
   return all;
+}
+
+std::span<const FrameField<Counts>> count_fields() {
+  static constexpr std::array<FrameField<Counts>, 4> all{{
+      {"protrusions/id", "1", 1, [](Frame& f) -> Counts& { return f.protrusions.id; }},
+      {"protrusions/centre", "1", 1, [](Frame& f) -> Counts& { return f.protrusions.centre; }},
+      {"outline/cell", "1", 1, [](Frame& f) -> Counts& { return f.outline.cell; }},
+      {"protrusions/cell", "1", 1, [](Frame& f) -> Counts& { return f.protrusions.cell; }},
+  }};
+  return all;
+}
+
+Floats as_floats(const Counts& counts) { return {counts.begin(), counts.end()}; }
+
+Counts as_counts(const Floats& numbers) {
+  constexpr float most = 16777216.0F;
+  Counts counts;
+  counts.reserve(numbers.size());
+  for (const float number : numbers) {
+    if (!(number >= 0.0F && number <= most && number == std::floor(number)))
+      throw InputOutputError("a number of a cell or protrusion is not whole");
+    counts.push_back(static_cast<std::uint32_t>(number));
+  }
+  return counts;
 }
 
 std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
@@ -225,7 +246,7 @@ Frame frame(const State& s, const Parameters& p, const Workspace& w) {
     add_protrusions(frame.protrusions, cell, p.adhesion);
     for (const Vec2& x : cell.nucleus.x) add(frame.nucleus, x);
     if (s.cells.size() == 1) continue;
-    const auto number = static_cast<float>(number_of(cell.id));
+    const auto number = static_cast<std::uint32_t>(number_of(cell.id));
     frame.outline.cell.resize(frame.outline.f_mat.size(), number);
     frame.protrusions.cell.resize(frame.protrusions.id.size(), number);
   }

@@ -10,7 +10,7 @@ Anchors anchors(const observe::Frame& frame) {
   for (std::size_t i = 0; i < p.id.size(); ++i) {
     if (std::isnan(p.anchor[2 * i])) continue;
     all.x.insert(all.x.end(), {p.anchor[2 * i], p.anchor[2 * i + 1]});
-    all.id.push_back(static_cast<std::uint32_t>(p.id[i]));
+    all.id.push_back(p.id[i]);
     all.f_mat.push_back(p.f_mat[i]);
     all.force.push_back(p.force[i]);
   }

@@ -50,18 +50,6 @@ struct Column {
   FrameArray array;
 };
 
-/// Whether a column of the table of protrusions is written as whole numbers.
-bool counts(std::string_view name) {
-  return name == "protrusions/id" || name == "protrusions/centre" || name == "protrusions/cell";
-}
-
-std::vector<std::uint32_t> whole(const observe::Floats& values) {
-  std::vector<std::uint32_t> all;
-  all.reserve(values.size());
-  for (const float value : values) all.push_back(static_cast<std::uint32_t>(value));
-  return all;
-}
-
 /// Writes fields.h5 frame by frame.
 class FieldWriter {
 public:
@@ -77,6 +65,12 @@ public:
                    [&field](const observe::Frame& f) { return in_space(field.in(f), field.components); });
       else
         m_protrusions.emplace_back(); // a table's column
+    for (const auto& field : observe::count_fields())
+      if (!field.of_protrusions())
+        add_column(m_floats, fmt::format("/{}", field.name), 1, field.unit, first,
+                   [&field](const observe::Frame& f) { return observe::as_floats(field.in(f)); });
+      else
+        m_numbers.emplace_back();
     for (const auto& field : observe::byte_fields())
       if (!field.of_protrusions())
         add_column(m_bytes, fmt::format("/{}", field.name), 1, field.unit, first,
@@ -91,6 +85,9 @@ public:
     auto column = m_protrusions.begin();
     for (const auto& field : observe::float_fields())
       if (field.of_protrusions()) append(*column++, field.in(frame));
+    auto numbers = m_numbers.begin();
+    for (const auto& field : observe::count_fields())
+      if (field.of_protrusions()) append(*numbers++, field.in(frame));
     append(m_phases, frame.protrusions.phase);
     add_anchors(anchors(frame));
     ++m_next;
@@ -99,17 +96,17 @@ public:
   /// Writes the tables of protrusions and anchors of all frames.
   void finish() {
     m_file.write("/protrusions/frame", m_frame_of_row, "1");
-    auto column = m_protrusions.begin();
-    for (const auto& field : observe::float_fields()) {
+    auto numbers = m_numbers.begin();
+    for (const auto& field : observe::count_fields()) {
       if (!field.of_protrusions()) continue;
-      const std::string name = fmt::format("/{}", field.name);
-      if (field.of_several_cells() && !m_several)
-        ++column;
-      else if (counts(field.name))
-        m_file.write(name, whole(*column++), field.unit);
-      else
-        m_file.write_rows(name, in_space(*column++, field.components), field.components == 2 ? 3 : 1, field.unit);
+      if (m_several || !field.of_several_cells()) m_file.write(fmt::format("/{}", field.name), *numbers, field.unit);
+      ++numbers;
     }
+    auto column = m_protrusions.begin();
+    for (const auto& field : observe::float_fields())
+      if (field.of_protrusions())
+        m_file.write_rows(fmt::format("/{}", field.name), in_space(*column++, field.components),
+                          field.components == 2 ? 3 : 1, field.unit);
     m_file.write("/protrusions/phase", m_phases, "1");
     write_anchors();
   }
@@ -169,6 +166,7 @@ private:
   std::vector<Column<std::uint8_t>> m_bytes;
   std::vector<std::uint32_t> m_frame_of_row;
   std::vector<observe::Floats> m_protrusions;
+  std::vector<observe::Counts> m_numbers; ///< of protrusions and of their cells
   observe::Bytes m_phases;
   Anchors m_anchors; ///< of all frames
   std::vector<std::size_t> m_anchors_of_frame;

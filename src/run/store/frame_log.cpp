@@ -115,14 +115,42 @@ std::size_t find_block(std::string_view bytes, std::size_t smallest, std::size_t
   return std::string_view::npos;
 }
 
+/// Calls with each array of all frames, in their order in a log: numbers of protrusions stand before their anchors.
+template <class Visit>
+void of_all_frames(const Visit& visit) {
+  for (const auto& field : observe::float_fields()) {
+    if (field.name == "protrusions/anchor")
+      for (const auto& counts : observe::count_fields())
+        if (counts.of_all()) visit(counts);
+    if (field.of_all()) visit(field);
+  }
+  for (const auto& field : observe::byte_fields()) visit(field);
+}
+
+void take(Taker& taker, observe::Counts& counts) { // whole numbers are floats in logs
+  observe::Floats numbers;
+  taker.take_planes(numbers);
+  counts = observe::as_counts(numbers);
+}
+
+template <class Numbers>
+void take(Taker& taker, Numbers& numbers) {
+  taker.take_planes(numbers);
+}
+
+void put_numbers(std::string& to, const observe::Counts& counts) { put_planes(to, observe::as_floats(counts)); }
+
+template <class Numbers>
+void put_numbers(std::string& to, const Numbers& numbers) {
+  put_planes(to, numbers);
+}
+
 observe::Frame frame_of(const std::string& content) {
   Taker taker(content);
   observe::Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
-  for (const auto& field : observe::float_fields())
-    if (field.of_all()) taker.take_planes(field.of(frame));
-  for (const auto& field : observe::byte_fields()) taker.take_planes(field.of(frame));
-  for (const auto& field : observe::float_fields())
-    if (field.of_several_cells() && !taker.empty()) taker.take_planes(field.of(frame));
+  of_all_frames([&](const auto& field) { take(taker, field.of(frame)); });
+  for (const auto& field : observe::count_fields())
+    if (field.of_several_cells() && !taker.empty()) take(taker, field.of(frame));
   for (const auto& field : observe::float_fields())
     if (field.of_attractant() && !taker.empty()) taker.take_planes(field.of(frame));
   if (!taker.empty()) taker.take_planes(frame.nucleus);
@@ -148,7 +176,7 @@ bool fits(const observe::Frame& frame, const observe::FrameHead& head, std::size
   const std::size_t cells = observe::outline_ends(frame.outline).size();
   const bool nuclei = frame.nucleus.empty() || (cells > 0 && frame.nucleus.size() % (2 * cells) == 0);
   return std::isfinite(frame.t) && nuclei && std::ranges::all_of(observe::float_fields(), right)
-         && std::ranges::all_of(observe::byte_fields(), right);
+         && std::ranges::all_of(observe::byte_fields(), right) && std::ranges::all_of(observe::count_fields(), right);
 }
 
 std::string log_head(const observe::FrameHead& head) {
@@ -167,14 +195,12 @@ std::string log_head(const observe::FrameHead& head) {
 std::string log_frame(const observe::Frame& frame) {
   std::string content;
   put(content, frame.t);
-  for (const auto& field : observe::float_fields())
-    if (field.of_all()) put_planes(content, field.in(frame));
-  for (const auto& field : observe::byte_fields()) put_planes(content, field.in(frame));
+  of_all_frames([&](const auto& field) { put_numbers(content, field.in(frame)); });
   const bool attractant = !frame.matrix.attractant.empty();
   const bool nuclei = !frame.nucleus.empty();
   if (attractant || nuclei || !frame.outline.cell.empty())
-    for (const auto& field : observe::float_fields())
-      if (field.of_several_cells()) put_planes(content, field.in(frame));
+    for (const auto& field : observe::count_fields())
+      if (field.of_several_cells()) put_numbers(content, field.in(frame));
   if (attractant || nuclei) put_planes(content, frame.matrix.attractant);
   if (nuclei) put_planes(content, frame.nucleus);
   return as_block(content);

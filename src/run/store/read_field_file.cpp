@@ -25,36 +25,39 @@ observe::Floats in_plane(const observe::Floats& values) {
   return all;
 }
 
+/// A column of the table of protrusions.
+/// @param rows  of the table
+observe::Floats column(const MemoryFile& file, std::string_view name, std::uint32_t components, std::size_t rows) {
+  const observe::Floats stored = file.floats(fmt::format("/{}", name));
+  observe::Floats numbers = components == 2 ? in_plane(stored) : stored;
+  if (numbers.size() != rows * components) throw InputOutputError("its tables of protrusions do not match in length");
+  return numbers;
+}
+
 void read_protrusions(const MemoryFile& file, observe::Film& film) {
   const observe::Floats frame_of_row = file.floats("/protrusions/frame");
-  const std::vector<std::uint8_t> phases = file.bytes("/protrusions/phase");
-  std::vector<observe::Floats> columns;
-  const bool several = file.has("/protrusions/cell");
-  const auto is_column = [several](const auto& field) {
-    return field.of_protrusions() && (several || !field.of_several_cells());
-  };
-  for (const auto& field : observe::float_fields())
-    if (is_column(field)) {
-      const observe::Floats stored = file.floats(fmt::format("/{}", field.name));
-      columns.push_back(field.components == 2 ? in_plane(stored) : stored);
-      if (columns.back().size() != frame_of_row.size() * field.components)
-        throw InputOutputError("its tables of protrusions do not match in length");
-    }
-  if (phases.size() != frame_of_row.size()) throw InputOutputError("its tables of protrusions do not match in length");
-  for (std::size_t row = 0; row < frame_of_row.size(); ++row) {
-    const auto frame = static_cast<double>(frame_of_row[row]);
-    if (!(frame >= 0.0 && frame < static_cast<double>(film.frames.size())))
+  const std::size_t rows = frame_of_row.size();
+  std::vector<std::size_t> frames;
+  for (const float frame : frame_of_row) {
+    if (!(frame >= 0.0F && static_cast<double>(frame) < static_cast<double>(film.frames.size())))
       throw InputOutputError("a protrusion belongs to no frame");
-    const auto k = static_cast<std::size_t>(frame);
-    std::size_t column = 0;
-    for (const auto& field : observe::float_fields()) {
-      if (!is_column(field)) continue;
-      const auto first = columns[column++].begin() + static_cast<std::ptrdiff_t>(row * field.components);
-      observe::Floats& to = field.of(film.frames[k]);
+    frames.push_back(static_cast<std::size_t>(frame));
+  }
+  const auto hand_out = [&](const auto& field, const auto& numbers) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(row * field.components);
+      auto& to = field.of(film.frames[frames[row]]);
       to.insert(to.end(), first, first + field.components);
     }
-    film.frames[k].protrusions.phase.push_back(phases[row]);
-  }
+  };
+  for (const auto& field : observe::float_fields())
+    if (field.of_protrusions()) hand_out(field, column(file, field.name, field.components, rows));
+  for (const auto& field : observe::count_fields())
+    if (field.of_protrusions() && (!field.of_several_cells() || file.has("/protrusions/cell")))
+      hand_out(field, observe::as_counts(column(file, field.name, 1, rows)));
+  const std::vector<std::uint8_t> phases = file.bytes("/protrusions/phase");
+  if (phases.size() != rows) throw InputOutputError("its tables of protrusions do not match in length");
+  for (std::size_t row = 0; row < rows; ++row) film.frames[frames[row]].protrusions.phase.push_back(phases[row]);
 }
 
 /// @param whole  whether of each frame is to be told if it could be read; else the first that cannot is an error
@@ -97,6 +100,11 @@ observe::Film film_in(const MemoryFile& file, std::vector<bool>* whole = nullptr
           [&](observe::Frame& f, observe::Floats v) {
             field.of(f) = field.components == 2 ? in_plane(v) : std::move(v);
           });
+  for (const auto& field : observe::count_fields())
+    if (!field.of_protrusions())
+      frames_of(
+          fmt::format("/{}", field.name), 0, [&](const auto& name, std::size_t k) { return file.float_frame(name, k); },
+          [&](observe::Frame& f, const observe::Floats& v) { field.of(f) = observe::as_counts(v); });
   for (const auto& field : observe::byte_fields())
     if (!field.of_protrusions())
       frames_of(

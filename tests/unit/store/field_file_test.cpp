@@ -119,7 +119,7 @@ TEST(FieldFile, TellsSeveralCellsApart) {
   EXPECT_EQ(difference(read_field_file(image), film), "");
   const MemoryFile file(image);
   EXPECT_EQ(file.floats("/protrusions/cell"), (observe::Floats{1, 1, 5, 1, 5}));
-  EXPECT_EQ(file.float_frame("/outline/cell", 1), film.frames[1].outline.cell);
+  EXPECT_EQ(observe::as_counts(file.float_frame("/outline/cell", 1)), film.frames[1].outline.cell);
   EXPECT_FALSE(MemoryFile(field_file(SmallRun().film())).has("/outline/cell"));
   const std::string xml = field_index(&film.frames.front(), std::vector{0.0}, std::vector<std::size_t>{0});
   EXPECT_EQ(occurrences(xml, "NumberOfElements=\"2\" NodesPerElement=\"236\""), 1U);
