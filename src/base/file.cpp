@@ -95,6 +95,7 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   if (::fchmod(file.number(), 0666 & ~mask) != 0) fail_with(path, "cannot be written", errno);
   if (::fsync(file.number()) != 0) fail_with(path, "cannot be flushed to disk", errno);
   if (const int error = file.close()) fail_with(path, "cannot be closed", error);
+  // The folder is not flushed: after a power cut the file of before may be there, whole.
   if (::rename(temporary.path.c_str(), path.c_str()) != 0) fail_with(path, "cannot be written", errno);
   temporary.kept = true;
 }
