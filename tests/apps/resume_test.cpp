@@ -1,3 +1,4 @@
+#include "observe/even_times.hpp"
 #include "program.hpp"
 #include "store/field_file.hpp"
 #include "store/saved_frames.hpp"
@@ -331,7 +332,7 @@ TEST_F(Resume, SaysHowADoneRunBranches) {
 }
 
 TEST_F(Resume, ABranchThatTurnsFibresOnOrOffKeepsItsFrames) {
-  const auto frames = [&](const std::string& of) { return store::times_of(store::read_film(folder / of)); };
+  const auto frames = [&](const std::string& of) { return observe::times_of(store::read_film(folder / of)); };
   for (const std::string from : {"none", "isotropic"}) {
     const std::string to = from == "none" ? "isotropic" : "none";
     ASSERT_EQ(run("run s.toml -o trunk --quiet --set fibres.stiffness='10 Pa' --set fibres.arrangement=" + from).code,

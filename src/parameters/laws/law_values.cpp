@@ -136,7 +136,7 @@ std::vector<double> axis(const LawVariable& variable, std::size_t points, const 
     for (const double at : {number, -number})
       if (at >= variable.low && at <= variable.high) all.push_back(at);
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -44,13 +44,18 @@ void compare(const std::string& key, const Parameters& p,
 
 /// The defaults, and a set in which everything differs from them.
 std::vector<Parameters> sets() {
-  return {Parameters{}, apply_overrides({}, {"fibres.onset=0.05", "fibres.stiffening_strain=0.07",
-                                             "actomyosin.curvature_optimum=0.1 "
-                                             "1/um",
-                                             "actomyosin.curvature_width=0.4 1/um", "adhesion.r_off_min=1e-3 1/s",
-                                             "adhesion.r_off_0=0.1 1/s", "adhesion.zeta_diss=80 1/nN",
-                                             "protrusion.number=3", "degradation.threshold=50 Pa",
-                                             "degradation.protrusion_rate=0.1 1/s", "degradation.body_rate=0.2 1/s"})};
+  const std::vector<std::string> others{"fibres.onset=0.05",
+                                        "fibres.stiffening_strain=0.07",
+                                        "actomyosin.curvature_optimum=0.1 1/um",
+                                        "actomyosin.curvature_width=0.4 1/um",
+                                        "adhesion.r_off_min=1e-3 1/s",
+                                        "adhesion.r_off_0=0.1 1/s",
+                                        "adhesion.zeta_diss=80 1/nN",
+                                        "protrusion.number=3",
+                                        "degradation.threshold=50 Pa",
+                                        "degradation.protrusion_rate=0.1 1/s",
+                                        "degradation.body_rate=0.2 1/s"};
+  return {Parameters{}, apply_overrides({}, others)};
 }
 
 TEST(LawsOfThePaper, AreTheFunctionsThatRun) {
