@@ -115,13 +115,15 @@ std::string laws_text(const Parameters& p) {
   for (const Row* law : changed_laws(p)) {
     text += fmt::format("\n{} = {}\n{}{}; * here, . in the paper\n", law->path, value_text(*law, p), law->description,
                         law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
-    for (LawCurve& curve : law_curves(p, *law, 241))
+    for (LawCurve& curve : law_curves(p, *law, 241)) {
+      if (!curve.at.empty()) text += fmt::format("at {}:\n", curve.at);
       text += draw::to_text({.x_name = curve.over.name,
                              .x_unit = curve.over.unit,
                              .x_low = curve.over.low,
                              .x_high = curve.over.high,
                              .points = std::move(curve.changed),
                              .comparison = std::move(curve.paper)});
+    }
   }
   return text;
 }

@@ -54,6 +54,11 @@ TEST_F(LawsOfScenarios, AreDrawnBesideThoseOfThePaper) {
   EXPECT_TRUE(contains(ended.out, "laws.polarization_rate = \"r_pol*min(1, 0.5/angle)\"\n")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "   0.0011 |***")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "angle = 0 ")) << ended.out;
+  const std::string two = run("explain cell.toml --set 'laws.disassembly_rate=1e-3*F*t'").out;
+  const std::size_t second = two.find("\nat F = 0.3 nN, f_mat = 0.5:\n");
+  EXPECT_LT(two.find("\nat f_mat = 0.5, t = 600 s:\n"), second) << two;
+  EXPECT_LT(two.find(" F = 0 "), second) << "a curve over each argument: " << two;
+  EXPECT_NE(two.find(" t = 0 ", second), std::string::npos) << two;
   const json found = json::parse(run("explain cell.toml --json --set 'laws.polarization_rate=2*r_pol'").out);
   EXPECT_EQ(found.at("laws"), (json{{"laws.polarization_rate", "2*r_pol"}}));
 }
